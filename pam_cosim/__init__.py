@@ -1,0 +1,1 @@
+"""pam-cosim: from a measurement of a pneumatic muscle to the physical effect its model lacks."""

@@ -1,0 +1,42 @@
+"""What a model shows to the outside: named quantities with units. The vocabulary of every room."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True)
+class Variable:
+    """One scalar quantity of a model; all numbers in the unit named by ``unit`` (SI)."""
+
+    name: str
+    unit: str = ""
+    description: str = ""
+    start: float | None = None
+    min: float | None = None
+    max: float | None = None
+    nominal: float | None = None
+    display_unit: str = ""
+    quantity: str = ""
+
+
+@dataclass(frozen=True)
+class Interface:
+    """The inputs, outputs and parameters of a model, each by name, in a fixed order.
+
+    Attributes:
+        model: qualified name of the Modelica class, or the FMU's model name.
+        inputs, outputs, parameters, locals: variables by name.
+        stop_time: default duration of a simulation [s].
+        interval: default distance of output points [s].
+        tolerance: default relative tolerance of the solver.
+    """
+
+    model: str
+    inputs: dict[str, Variable] = field(default_factory=dict)
+    outputs: dict[str, Variable] = field(default_factory=dict)
+    parameters: dict[str, Variable] = field(default_factory=dict)
+    locals: dict[str, Variable] = field(default_factory=dict)
+    stop_time: float = 1.0
+    interval: float = 0.01
+    tolerance: float = 1e-6

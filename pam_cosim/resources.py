@@ -1,0 +1,22 @@
+"""Where the Modelica library and the C runtime lie: in the repository, or inside an installed wheel."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+_PACKAGE = Path(__file__).parent
+
+
+def _find(name: str) -> Path:
+    inside = _PACKAGE / "_resources" / name
+    return inside if inside.exists() else _PACKAGE.parent / name
+
+
+def modelica_root() -> Path:
+    """Directory that holds the package ``PneumaticMuscle``."""
+    return _find("modelica")
+
+
+def fmu_runtime() -> Path:
+    """Directory that holds the C sources of the FMU runtime."""
+    return _find("fmu")
