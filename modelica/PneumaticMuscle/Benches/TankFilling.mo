@@ -1,0 +1,25 @@
+within PneumaticMuscle.Benches;
+model TankFilling "A tank that is filled and emptied through current-driven valves, DP section 4.4"
+  input Types.Current u_in(start=0.35) "Current of the inlet valve";
+  input Types.Current u_out(start=0) "Current of the exhaust valve";
+  input Types.GaugePressure p_supply(start=207e3) "Gauge pressure of the supply";
+  output Types.GaugePressure p "Gauge pressure in the tank";
+  output Types.Temperature T(displayUnit="degC") "Temperature reading in the tank";
+  replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer";
+  inner Components.Ambient ambient "Surroundings";
+  Components.Supply supply(p_gauge=p_supply) "Air supply";
+  Components.Atmosphere atmosphere "Outlet";
+  Components.ValvePair valve(u_in=u_in, u_out=u_out) "Inlet and exhaust valve";
+  Components.Tank tank "Tank";
+  Sensors.GaugePressure manometer "Pressure transducer";
+  Thermometer thermometer(T_start=tank.T_start) "Thermometer";
+equation
+  connect(supply.port, valve.supply);
+  connect(valve.port, tank.port);
+  connect(valve.exhaust, atmosphere.port);
+  connect(tank.port, manometer.port);
+  connect(tank.port, thermometer.port);
+  p = manometer.p;
+  T = thermometer.T;
+  annotation (experiment(StopTime=60, Interval=0.06, Tolerance=1e-6));
+end TankFilling;

@@ -1,0 +1,9 @@
+within PneumaticMuscle.Components;
+model Atmosphere "The air outside, at ambient temperature"
+  Interfaces.GasPort port "Gas port";
+  parameter Types.GaugePressure p_gauge = 0 "Gauge pressure outside";
+  outer Ambient ambient "Surroundings";
+equation
+  port.p = ambient.p + p_gauge;
+  port.T = ambient.T;
+end Atmosphere;

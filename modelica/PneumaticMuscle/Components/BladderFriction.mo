@@ -1,0 +1,11 @@
+within PneumaticMuscle.Components;
+model BladderFriction "Friction between fibres and bladder, DP (71)"
+  extends Interfaces.ForceElement;
+  parameter Types.Area A_fb "Area of contact between fibres and bladder";
+  parameter Real mu_fb(unit="1") "Coefficient of friction";
+equation
+  f = p_gauge*mu_fb*A_fb;
+  annotation (Documentation(info="<html>
+<p>Printed as a constant that opposes contraction, DP (17) and (71), whichever way the muscle moves.</p>
+</html>"));
+end BladderFriction;

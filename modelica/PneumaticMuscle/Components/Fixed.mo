@@ -1,0 +1,7 @@
+within PneumaticMuscle.Components;
+model Fixed "A flange that does not move"
+  Interfaces.Flange flange "Held flange";
+  parameter Types.Length s0 "Position";
+equation
+  flange.s = s0;
+end Fixed;

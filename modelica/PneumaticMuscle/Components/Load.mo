@@ -1,0 +1,12 @@
+within PneumaticMuscle.Components;
+model Load "A hanging mass"
+  Interfaces.Flange flange "Where it hangs";
+  parameter Types.Mass m(min=0.001, max=1000) = 2.27 "Mass";
+  parameter Types.Length s_start "Position at the start";
+  Types.Length s(start=s_start, fixed=true) "Position, positive upwards";
+  Types.Velocity v(start=0, fixed=true) "Speed";
+equation
+  flange.s = s;
+  v = der(s);
+  m*der(v) = flange.f - m*Constants.g;
+end Load;

@@ -1,0 +1,48 @@
+within PneumaticMuscle.Components;
+model Muscle "McKibben muscle of Doumit and Pardoel; default parameters: latex bladder, DP Table 1"
+  extends Interfaces.MuscleTerminals(L0=0.24, D0=0.02, turns=2, t_wall=0.254e-3);
+  parameter Real fibres(unit="1", min=1, max=1000) = 216 "Number of fibres in the sleeve (N)";
+  parameter Real n_g(unit="1", min=1, max=1.4) = 1.2 "Polytropic exponent of the gas";
+  parameter Real mu_fb(unit="1", min=0, max=1) = 0.015 "Coefficient of friction between fibres and bladder";
+  parameter Real mu_d(unit="1", min=0, max=5) = 0.8 "Coefficient of dynamic friction of fibre on fibre";
+  parameter Real K_f(unit="s/m", min=0, max=1e4) = 1 "Steepness of the fibre friction curve";
+  parameter Types.ThermalConductivity k_wall(min=0.01, max=10) = 0.14 "Thermal conductivity of the bladder";
+  parameter Types.CoefficientOfHeatTransfer h_film(min=0.1, max=1000) = 20 "Film coefficient on both sides of the bladder";
+  parameter Types.Length w(min=1e-5, max=0.01) = 0.254e-3 "Width of a fibre";
+  parameter Types.Length z(min=1e-5, max=0.01) = 0.254e-3 "Length of a crossing along a fibre";
+  replaceable model Gas = PolytropicMuscleGas constrainedby Interfaces.Gas "Law of the gas";
+  replaceable model Wall = FilmWall constrainedby Interfaces.Wall "Law of the wall";
+  replaceable model Braid = CylindricalBraid constrainedby Interfaces.Braid "Law of the sleeve";
+  outer Ambient ambient "Surroundings";
+protected
+  final parameter Real crossings = 2*turns*(fibres/2)^2 - fibres/2 "Number of crossings (q), DP (47)";
+  final parameter Types.Area A_fibre = w*(fibres*sqrt(L0^2 + (turns*Constants.pi*D0)^2) - z*crossings/2)
+    "Area of contact between fibres and bladder, DP (48)";
+public
+  Braid braid(L0=L0, D0=D0, turns=turns, t_wall=t_wall) "Sleeve";
+  Gas gas(V=braid.V, n=n_g, p_start=ambient.p, T_start=ambient.T, p_reference=ambient.p, T_reference=ambient.T,
+    h_film=h_film) "Gas in the bladder";
+  Wall wall(A=max(0, Constants.pi*braid.D*braid.L - A_fibre), h_film=gas.h_wall, k=k_wall, t=t_wall) "Bladder as a wall";
+  FibreFriction fibreFriction(L0=L0, D0=D0, turns=turns, t_wall=t_wall, A_ff=crossings*w*z, mu_d=mu_d, K_f=K_f)
+    "Friction of fibre on fibre";
+  BladderFriction bladderFriction(L0=L0, D0=D0, turns=turns, t_wall=t_wall, A_fb=A_fibre, mu_fb=mu_fb)
+    "Friction between fibres and bladder";
+equation
+  connect(port, gas.port);
+  connect(port, braid.port);
+  connect(port, fibreFriction.port);
+  connect(port, bladderFriction.port);
+  connect(gas.heatPort, wall.heatPort);
+  connect(flange_a, braid.flange_a);
+  connect(flange_a, fibreFriction.flange_a);
+  connect(flange_a, bladderFriction.flange_a);
+  connect(flange_b, braid.flange_b);
+  connect(flange_b, fibreFriction.flange_b);
+  connect(flange_b, bladderFriction.flange_b);
+  annotation (Documentation(info="<html>
+<p>Motion DP (17), pressure and temperature DP (59)-(60), heat DP (44)-(49), friction DP (68)-(71), geometry as in
+<code>Interfaces.Braid</code>. The area that exchanges heat is what the fibres leave free,
+A_q = max(0, pi D L - w (b N - z q/2)), q = 2 n (N/2)^2 - N/2; w and z are not tabulated, the fibre thickness is
+taken for both.</p>
+</html>"));
+end Muscle;

@@ -1,0 +1,6 @@
+within PneumaticMuscle.Components;
+model PrintedWall "A bladder without films of air, DP (45) as printed"
+  extends Interfaces.Wall;
+equation
+  heatPort.Q_flow = k/t*A*(heatPort.T - ambient.T);
+end PrintedWall;

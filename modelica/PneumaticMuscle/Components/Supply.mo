@@ -1,0 +1,9 @@
+within PneumaticMuscle.Components;
+model Supply "An air supply at a given gauge pressure and ambient temperature"
+  Interfaces.GasPort port "Gas port";
+  input Types.GaugePressure p_gauge "Gauge pressure of the supply";
+  outer Ambient ambient "Surroundings";
+equation
+  port.p = ambient.p + p_gauge;
+  port.T = ambient.T;
+end Supply;

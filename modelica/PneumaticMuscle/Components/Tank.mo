@@ -1,0 +1,24 @@
+within PneumaticMuscle.Components;
+model Tank "A rigid vessel"
+  extends Interfaces.VesselTerminals;
+  parameter Types.Volume V(min=1e-6, max=10) = 2.1e-3 "Volume";
+  parameter Real n(unit="1", min=1, max=1.4) = 1.2 "Polytropic exponent of the gas";
+  parameter Types.GaugePressure p_start(min=-1.01e5, max=1e8) = 0 "Gauge pressure at the start";
+  parameter Types.Temperature T_start(min=200, max=500) = 293.15 "Temperature at the start";
+  parameter Boolean startIsReference = false
+    "true: the polytropic law starts from p_start and T_start; false: from the ambient, DP (60)";
+  replaceable model Gas = PolytropicVesselGas constrainedby Interfaces.Gas "Law of the gas";
+  replaceable model Wall = MetalWall constrainedby Interfaces.Wall "Law of the wall";
+  outer Ambient ambient "Surroundings";
+  final parameter Types.Area A = 2.5*Constants.pi*(2*V/Constants.pi)^(2/3) "Inner surface of a cylinder twice as long as wide";
+  Gas gas(V=V, n=n, p_start=ambient.p + p_start, T_start=T_start,
+    p_reference=if startIsReference then ambient.p + p_start else ambient.p,
+    T_reference=if startIsReference then T_start else ambient.T, h_film=0) "Gas in the vessel";
+  Wall wall(A=A, h_film=gas.h_wall, k=50, t=0.01) "Wall of the vessel";
+equation
+  connect(port, gas.port);
+  connect(gas.heatPort, wall.heatPort);
+  annotation (Documentation(info="<html>
+<p>DP (63)-(66). The base gas takes no heat from the wall: its polytropic exponent stands for the heat.</p>
+</html>"));
+end Tank;

@@ -1,0 +1,3 @@
+within PneumaticMuscle;
+package Components "Muscle, vessel, valves, load and their parts"
+end Components;

@@ -1,0 +1,9 @@
+within PneumaticMuscle;
+package Constants "Constants of air and of the earth"
+  constant Types.SpecificHeatCapacity R = 287.05 "Specific gas constant of air";
+  constant Real gamma(unit="1") = 1.4 "Ratio of specific heats, DP Table 1";
+  constant Types.SpecificHeatCapacity cp = gamma*R/(gamma - 1) "Specific heat capacity at constant pressure, DP (23)";
+  constant Types.SpecificHeatCapacity cv = R/(gamma - 1) "Specific heat capacity at constant volume, DP (23)";
+  constant Types.Acceleration g = 9.80665 "Standard gravity";
+  constant Real pi(unit="1") = 3.14159265358979 "Ratio of a circle's circumference to its diameter";
+end Constants;

@@ -1,0 +1,18 @@
+within PneumaticMuscle.Effects;
+model EnergyGas "Pressure and temperature from mass and energy, with heat exchange to the wall"
+  extends Interfaces.Gas(T(start=T_start, fixed=true));
+  extends Interfaces.Effect(final family="gas_energy", final balance="energy");
+  parameter Types.CoefficientOfHeatTransfer h(min=0.01, max=500, nominal=10) = 10 "Film coefficient at the wall";
+  Types.Mass m(nominal=1e-3) "Mass of the gas";
+equation
+  der(m) = port.m_flow;
+  p*V = m*Constants.R*T;
+  V*der(p) = -Constants.gamma*p*der(V) + (Constants.gamma - 1)*(heatPort.Q_flow + port.H_flow);
+  h_wall = h;
+  annotation (Documentation(info="<html>
+<p>Ideal gas with mass and energy balance, DP (43), (53), (54), (59); DP (60) falls away. h takes the place of
+the film coefficient that the owner assumes; a polytropic exponent of the owner has no effect any more.</p>
+<p>Fingerprint: the temperature returns to ambient in a hold and undershoots in venting; the pressure of a vessel
+moves from the adiabatic to the isothermal curve as time goes on.</p>
+</html>"));
+end EnergyGas;

@@ -1,0 +1,14 @@
+within PneumaticMuscle.Effects;
+model PolynomialBladder "The bladder is a spring whose stiffness changes with contraction"
+  extends Interfaces.ForceEffect(final family="elasticity");
+  parameter Types.TranslationalStiffness k1(min=-5e3, max=2e4, nominal=200) = 100 "Stiffness at rest";
+  parameter Real k2(unit="N/m2", min=-2e6, max=2e6, nominal=2e3) = 0 "Quadratic coefficient";
+  parameter Real k3(unit="N/m3", min=-2e7, max=2e7, nominal=2e4) = 0 "Cubic coefficient";
+equation
+  f = k1*x + k2*x^2 + k3*x^3;
+  annotation (defaultComponentName="bladder", Documentation(info="<html>
+<p>f = k1 x + k2 x^2 + k3 x^3. Source: Cao's polynomial model, DP (7), third order added so that a rubber that
+stiffens with stretch is covered.</p>
+<p>Fingerprint: as LinearBladder, with an error that grows faster (or slower) than the contraction.</p>
+</html>"));
+end PolynomialBladder;

@@ -1,0 +1,11 @@
+within PneumaticMuscle.Effects;
+model PressureViscousFriction "Friction in proportion to speed and gauge pressure"
+  extends Interfaces.ForceEffect(final family="rate_friction");
+  parameter Real c_p(unit="N.s/(m.Pa)", min=0, max=0.1, nominal=1e-3) = 1e-3 "Damping per gauge pressure";
+equation
+  f = c_p*p_gauge*v;
+  annotation (defaultComponentName="damper", Documentation(info="<html>
+<p>f = c_p p_gauge v. Source: the fibre friction DP (68) for slow motion, with its strength left free.</p>
+<p>Fingerprint: as ViscousFriction, stronger at high pressure.</p>
+</html>"));
+end PressureViscousFriction;

@@ -1,0 +1,15 @@
+within PneumaticMuscle.Effects;
+model ValveLag "The valves follow their currents with a first-order lag"
+  extends Interfaces.ValveDrive;
+  extends Interfaces.Effect(final family="valve_dynamics", final balance="mass");
+  parameter Types.Time tau(min=1e-4, max=2, nominal=0.05) = 0.05 "Time constant";
+  parameter Types.Current y_start = 0 "Currents before the start";
+equation
+  for i in 1:2 loop
+    tau*der(y[i]) = u[i] - y[i];
+  end for;
+  annotation (Documentation(info="<html>
+<p>tau y_dot = u - y for either valve.</p>
+<p>Fingerprint: pressure and contraction are late at every switching of a valve; the holds are right.</p>
+</html>"));
+end ValveLag;

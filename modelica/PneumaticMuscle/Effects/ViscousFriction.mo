@@ -1,0 +1,11 @@
+within PneumaticMuscle.Effects;
+model ViscousFriction "Friction in proportion to speed"
+  extends Interfaces.ForceEffect(final family="rate_friction");
+  parameter Types.TranslationalDamping c(min=0, max=2e4, nominal=100) = 100 "Damping";
+equation
+  f = c*v;
+  annotation (defaultComponentName="damper", Documentation(info="<html>
+<p>f = c v. Source: the viscous term of DP (5).</p>
+<p>Fingerprint: the contraction lags while it moves and is right when it rests.</p>
+</html>"));
+end ViscousFriction;

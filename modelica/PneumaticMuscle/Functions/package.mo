@@ -1,0 +1,3 @@
+within PneumaticMuscle;
+package Functions "Laws that several components use"
+end Functions;

@@ -1,0 +1,5 @@
+within PneumaticMuscle.Interfaces;
+connector Flange "One-dimensional translational flange, with the members of the Modelica Standard Library's"
+  Types.Length s "Absolute position";
+  flow Types.Force f "Cut force directed into the flange";
+end Flange;

@@ -1,0 +1,22 @@
+within PneumaticMuscle.Interfaces;
+partial model Gas "The gas in a volume: how pressure and temperature follow from mass, heat and work"
+  extends VesselTerminals;
+  HeatPort heatPort "Heat from the wall";
+  input Types.Volume V "Volume of the gas";
+  parameter Real n(unit="1", min=1, max=1.4) "Polytropic exponent, for the gases that use one";
+  parameter Types.AbsolutePressure p_start "Pressure at the start";
+  parameter Types.Temperature T_start "Temperature at the start";
+  parameter Types.AbsolutePressure p_reference "Pressure at which the polytropic law has its reference temperature";
+  parameter Types.Temperature T_reference "Reference temperature of the polytropic law";
+  parameter Types.CoefficientOfHeatTransfer h_film "Film coefficient that the owner assumes";
+  Types.AbsolutePressure p(start=p_start, fixed=true) "Absolute pressure";
+  Types.Temperature T "Temperature";
+  Types.CoefficientOfHeatTransfer h_wall "Film coefficient at the wall";
+equation
+  port.p = p;
+  port.T = T;
+  heatPort.T = T;
+  annotation (Documentation(info="<html>
+<p>Left to the extending class: the equation of the pressure, of the temperature and of h_wall.</p>
+</html>"));
+end Gas;

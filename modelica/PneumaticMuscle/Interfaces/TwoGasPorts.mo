@@ -1,0 +1,14 @@
+within PneumaticMuscle.Interfaces;
+partial model TwoGasPorts "A resistance between two gas ports: no storage, upstream enthalpy"
+  GasPort port_a "Side from which a positive flow comes";
+  GasPort port_b "Side to which a positive flow goes";
+  Types.MassFlowRate m_flow "Mass flow rate from port_a to port_b";
+protected
+  Types.Temperature T_up = Functions.upstreamTemperature(port_a.p, port_b.p, port_a.T, port_b.T)
+    "Temperature of the gas on the side it comes from";
+equation
+  port_a.m_flow = m_flow;
+  port_b.m_flow = -m_flow;
+  port_a.H_flow = m_flow*Constants.cp*T_up;
+  port_b.H_flow = -m_flow*Constants.cp*T_up;
+end TwoGasPorts;

@@ -1,0 +1,3 @@
+within PneumaticMuscle;
+package Sensors "What instruments read"
+end Sensors;

@@ -1,0 +1,22 @@
+within PneumaticMuscle;
+package Types "Physical quantities with their SI units"
+  type AbsolutePressure = Real(final quantity="Pressure", final unit="Pa", displayUnit="kPa", nominal=1e5, min=0) "Absolute pressure";
+  type GaugePressure = Real(final quantity="Pressure", final unit="Pa", displayUnit="kPa", nominal=1e5) "Pressure above the ambient, as instruments read it";
+  type Temperature = Real(final quantity="ThermodynamicTemperature", final unit="K", displayUnit="degC", nominal=300, min=1) "Absolute temperature";
+  type Length = Real(final quantity="Length", final unit="m", displayUnit="mm", nominal=0.1) "Length, position";
+  type Velocity = Real(final quantity="Velocity", final unit="m/s", nominal=0.1) "Speed";
+  type Acceleration = Real(final quantity="Acceleration", final unit="m/s2") "Acceleration";
+  type Area = Real(final quantity="Area", final unit="m2") "Area";
+  type Volume = Real(final quantity="Volume", final unit="m3", nominal=1e-4) "Volume";
+  type Mass = Real(final quantity="Mass", final unit="kg") "Mass";
+  type MassFlowRate = Real(final quantity="MassFlowRate", final unit="kg/s", nominal=1e-4) "Mass flow rate";
+  type Force = Real(final quantity="Force", final unit="N", nominal=10) "Force";
+  type Power = Real(final quantity="Power", final unit="W") "Power, heat flow rate, enthalpy flow rate";
+  type Time = Real(final quantity="Time", final unit="s") "Time";
+  type Current = Real(final quantity="ElectricCurrent", final unit="A") "Electric current";
+  type TranslationalStiffness = Real(final quantity="Stiffness", final unit="N/m") "Stiffness";
+  type TranslationalDamping = Real(final quantity="Damping", final unit="N.s/m") "Damping";
+  type SpecificHeatCapacity = Real(final quantity="SpecificHeatCapacity", final unit="J/(kg.K)") "Specific heat capacity";
+  type ThermalConductivity = Real(final quantity="ThermalConductivity", final unit="W/(m.K)") "Thermal conductivity";
+  type CoefficientOfHeatTransfer = Real(final quantity="CoefficientOfHeatTransfer", final unit="W/(m2.K)") "Heat transfer coefficient";
+end Types;

@@ -1,0 +1,20 @@
+package PneumaticMuscle "Pneumatic artificial muscles, their valves and vessels, and the effects that simple models leave out"
+  annotation (version="0.1.0", Documentation(info="<html>
+<p>Acausal models of pneumatic artificial muscles (McKibben muscles). Inside the models pressures are
+absolute; the signals of a bench are what instruments read, gauge pressures.</p>
+<p>Sources, cited by equation number throughout:</p>
+<ul>
+<li>DP: M. D. Doumit, S. Pardoel, <i>Dynamic contraction behaviour of pneumatic artificial muscle</i>,
+Mechanical Systems and Signal Processing 91 (2017) 93-110.</li>
+</ul>
+<p>A class of <code>Effects</code> is one physical effect that the base model lacks. Where it attaches is said
+by the interface it extends:</p>
+<ul>
+<li>it has the same terminals as a component of the bench
+(<code>Interfaces.MuscleTerminals</code>, <code>Interfaces.VesselTerminals</code>): it is connected in parallel
+with that component, terminal by terminal, and takes over the parameters that the terminals declare;</li>
+<li>it extends the constraining class of a replaceable model (<code>Interfaces.Gas</code>,
+<code>Interfaces.ValveDrive</code>, <code>Interfaces.Thermometer</code>, ...): it is redeclared there.</li>
+</ul>
+</html>"));
+end PneumaticMuscle;
