@@ -1,0 +1,19 @@
+"""Trajectory and data set -> residuals, scores, and where the error sits."""
+
+from pam_cosim.comparison.compare import Comparison, compare
+from pam_cosim.comparison.residuals import RunComparison, simulate_run, start_time
+from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
+from pam_cosim.comparison.where import Rule, where
+
+__all__ = [
+    "Comparison",
+    "Rule",
+    "RunComparison",
+    "SignalScore",
+    "chi2_reduced",
+    "compare",
+    "score",
+    "simulate_run",
+    "start_time",
+    "where",
+]

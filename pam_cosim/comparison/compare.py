@@ -1,0 +1,101 @@
+"""A model against a whole data set."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from pam_cosim.comparison.residuals import RunComparison, simulate_run
+from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
+from pam_cosim.comparison.where import Rule, where
+from pam_cosim.measurement import DataSet
+from pam_cosim.quantities import readable
+from pam_cosim.simulation import Simulator
+
+ROLES = ("fit", "holdout")
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Residuals and scores of a model on a data set.
+
+    Attributes:
+        model: name of the model.
+        data: the measurement.
+        parameters: values the model was run with beyond what the data set knows [SI].
+        runs: every run, simulated.
+        scores: per role ("fit", "holdout", "all") and signal.
+        where: rules that hold most of the error, over all runs.
+    """
+
+    model: str
+    data: DataSet
+    parameters: dict[str, float]
+    runs: tuple[RunComparison, ...]
+    scores: dict[str, dict[str, SignalScore]]
+    where: tuple[Rule, ...]
+
+    def chi2_reduced(self, role: str = "all") -> float:
+        """Mean square error in noise standard deviations over all signals of the runs with ``role``."""
+        return chi2_reduced(self.scores[role])
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON, SI units."""
+        roles = {
+            role: {"signals": {n: s.as_dict() for n, s in scores.items()}}
+            for role, scores in self.scores.items()
+            if scores
+        }
+        return {
+            "model": self.model,
+            "parameters": self.parameters,
+            "signals": {n: s.as_dict() for n, s in self.scores["all"].items()},
+            "roles": roles,
+            "runs": [
+                {
+                    "name": r.run.name,
+                    "role": r.run.role,
+                    "signals": {n: s.as_dict() for n, s in score([r], self.data.signals).items()},
+                }
+                for r in self.runs
+            ],
+            "where": [vars(rule) for rule in self.where],
+        }
+
+    def __str__(self) -> str:
+        lines = [f"{self.model} against {self.data.title}"]
+        for role in ROLES:
+            for name, s in self.scores[role].items():
+                unit = self.data.signals[name].unit
+                noise = "" if s.noise_rmse != s.noise_rmse else f", noise {readable(s.noise_rmse, unit)}"
+                lines.append(
+                    f"  {role:8} {name:4} rms error {readable(s.rmse, unit):>10} ({100 * s.nrmse:.1f} % of range{noise})"
+                )
+        for rule in self.where[:5]:
+            lines.append(
+                f"  {100 * rule.error_share:.0f} % of the error of {rule.signal} in "
+                f"{100 * rule.time_share:.0f} % of the samples: {rule.rule}"
+            )
+        return "\n".join(lines)
+
+
+def compare(
+    simulator: Simulator,
+    data: DataSet,
+    parameters: Mapping[str, float] | None = None,
+    tolerance: float | None = None,
+) -> Comparison:
+    """Simulates every run of ``data`` and scores the differences.
+
+    Raises:
+        SimulationFailure: a run did not reach its end.
+        InputError: a parameter that the model does not have.
+    """
+    known = dict(parameters or {})
+    runs = tuple(simulate_run(simulator, data, run, known, tolerance) for run in data.runs)
+    by_role = {role: [r for r in runs if r.run.role == role] for role in ROLES}
+    scores = {role: score(found, data.signals) for role, found in by_role.items()}
+    scores["all"] = score(runs, data.signals)
+    outputs = simulator.interface.outputs
+    rules = where(runs, data.signals, outputs)
+    return Comparison(simulator.interface.model, data, known, runs, scores, tuple(rules))

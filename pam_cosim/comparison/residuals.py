@@ -1,0 +1,75 @@
+"""One run of a model beside one run of the rig."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.measurement import DataSet, Run
+from pam_cosim.simulation import Inputs, Simulator
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class RunComparison:
+    """Measured and modelled signals of one run at the times of the samples.
+
+    Attributes:
+        run: the measurement.
+        model: (n,) each [SI], every output of the model at ``run.time``.
+    """
+
+    run: Run
+    model: dict[str, Array]
+
+    def residual(self, signal: str) -> Array:
+        """Measured minus modelled [SI], shape (n,), NaN where a sample is missing."""
+        return self.run.measurements[signal] - self.model[signal]
+
+
+def start_time(run: Run) -> float:
+    """When the simulation of a run begins [s].
+
+    A run that records inputs begins with its first row: nothing is known of the inputs before. A run without
+    inputs is a free course from the state at time zero, which the first sample may come after.
+    """
+    first = float(run.time[0])
+    return first if run.inputs else min(0.0, first)
+
+
+def simulate_run(
+    simulator: Simulator,
+    data: DataSet,
+    run: Run,
+    parameters: Mapping[str, float],
+    tolerance: float | None = None,
+    signals: Sequence[str] | None = None,
+) -> RunComparison:
+    """Drives the model with the inputs of ``run``.
+
+    Args:
+        simulator: the model.
+        data: the data set the run belongs to.
+        run: inputs, known parameters and sample times.
+        parameters: fitted values [SI]; what is known of the run overrules them.
+        tolerance: of the solver.
+        signals: outputs to keep; default all.
+
+    Raises:
+        SimulationFailure: the run did not reach its end.
+        InputError: a parameter that the model does not have.
+    """
+    inputs = Inputs(run.time, run.inputs, run.interpolation) if run.inputs else None
+    trajectory = simulator.run(
+        run.time,
+        parameters=data.parameters_of(run, parameters),
+        inputs=inputs,
+        outputs=signals,
+        start_time=start_time(run),
+        tolerance=tolerance,
+    )
+    return RunComparison(run, dict(trajectory.values))

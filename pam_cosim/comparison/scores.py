@@ -1,0 +1,90 @@
+"""How far a model is from a measurement, as numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.comparison.residuals import RunComparison
+from pam_cosim.measurement import Signal
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class SignalScore:
+    """Scores of one signal over one or several runs; SI units.
+
+    Attributes:
+        rmse: root mean square of measured minus model.
+        nrmse: rmse over the measured range.
+        bias: mean of measured minus model.
+        max: largest size of the difference; ``max_time`` [s] and ``max_run`` say where.
+        correlation: Pearson's, measured against model.
+        chi2_reduced: mean square of the difference in noise standard deviations; NaN without a known noise.
+        noise_rmse: the noise's standard deviation, the lowest rmse a model can honestly reach.
+        samples: how many samples were compared.
+    """
+
+    rmse: float
+    nrmse: float
+    bias: float
+    max: float
+    max_time: float
+    max_run: str
+    correlation: float
+    chi2_reduced: float
+    noise_rmse: float
+    samples: int
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON; a number that does not exist is None."""
+        return {k: None if isinstance(v, float) and not np.isfinite(v) else v for k, v in asdict(self).items()}
+
+
+def score_signal(runs: Sequence[RunComparison], signal: Signal) -> SignalScore | None:
+    """Scores one signal over the runs that measured it; None where no run did."""
+    runs = [r for r in runs if r.run.sample_count(signal.name)]
+    if not runs:
+        return None
+    error, measured, model, time, names = [], [], [], [], []
+    for r in runs:
+        residual = r.residual(signal.name)
+        kept = np.isfinite(residual)
+        error.append(residual[kept])
+        measured.append(r.run.measurements[signal.name][kept])
+        model.append(r.model[signal.name][kept])
+        time.append(r.run.time[kept])
+        names += [r.run.name] * int(kept.sum())
+    e, y, m, t = (np.concatenate(a) for a in (error, measured, model, time))
+    rmse = float(np.sqrt(np.mean(e**2)))
+    span = float(np.ptp(y))
+    worst = int(np.argmax(np.abs(e)))
+    sigma = signal.sigma if signal.sigma is not None else np.nan
+    return SignalScore(
+        rmse=rmse,
+        nrmse=rmse / span if span else np.nan,
+        bias=float(np.mean(e)),
+        max=float(abs(e[worst])),
+        max_time=float(t[worst]),
+        max_run=names[worst],
+        correlation=float(np.corrcoef(y, m)[0, 1]) if span and np.ptp(m) else np.nan,
+        chi2_reduced=float(np.mean((e / sigma) ** 2)),
+        noise_rmse=float(sigma),
+        samples=len(e),
+    )
+
+
+def score(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> dict[str, SignalScore]:
+    """Scores every signal over ``runs``."""
+    found = {name: score_signal(runs, signal) for name, signal in signals.items()}
+    return {name: s for name, s in found.items() if s is not None}
+
+
+def chi2_reduced(scores: Mapping[str, SignalScore]) -> float:
+    """Mean square of all differences in noise standard deviations, over all signals; NaN without samples."""
+    samples = sum(s.samples for s in scores.values())
+    return sum(s.chi2_reduced * s.samples for s in scores.values()) / samples if samples else float("nan")

@@ -1,0 +1,143 @@
+"""Where the error sits, as rules a person can read."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.comparison.residuals import RunComparison
+from pam_cosim.interface import Variable
+from pam_cosim.measurement import Signal
+from pam_cosim.quantities import readable_factor, readable_unit
+
+Mask = NDArray[np.bool_]
+Array = NDArray[np.float64]
+
+_BANDS = 4
+_LEAST_TIME_SHARE = 0.02
+_RULES_PER_SIGNAL = 3
+
+
+@dataclass(frozen=True)
+class Rule:
+    """A part of the measurement that holds more than its share of the error.
+
+    Attributes:
+        signal: whose error.
+        rule: the conditions, in words.
+        error_share: share of the squared error beyond the noise.
+        time_share: share of the samples.
+    """
+
+    signal: str
+    rule: str
+    error_share: float
+    time_share: float
+
+
+@dataclass(frozen=True)
+class _Samples:
+    excess: Array
+    conditions: list[list[tuple[str, Mask]]]
+
+
+def where(
+    runs: Sequence[RunComparison], signals: Mapping[str, Signal], outputs: Mapping[str, Variable]
+) -> list[Rule]:
+    """Finds for each signal the few rules that hold most of its error in the least time.
+
+    Conditions are the phase (an output that rises, rests or falls), bands of the modelled outputs, and early,
+    middle or late in the run; a rule joins a phase with one more.
+    """
+    rules: list[Rule] = []
+    for name, signal in signals.items():
+        samples = _collect(runs, signal, outputs)
+        if samples is not None:
+            rules += _rules(name, samples)
+    return sorted(rules, key=lambda r: -r.error_share * (r.error_share - r.time_share))
+
+
+def _collect(
+    runs: Sequence[RunComparison], signal: Signal, outputs: Mapping[str, Variable]
+) -> _Samples | None:
+    parts = [r for r in runs if r.run.sample_count(signal.name)]
+    if not parts:
+        return None
+    residuals = [r.residual(signal.name) for r in parts]
+    kept = [np.isfinite(e) for e in residuals]
+    error = np.concatenate([e[k] for e, k in zip(residuals, kept, strict=True)])
+    sigma = signal.sigma or 0.0
+    excess = np.maximum(error**2 - sigma**2, 0.0)
+    if excess.sum() <= 0:
+        return None
+
+    def joined(values: list[Array]) -> Array:
+        return np.concatenate([v[k] for v, k in zip(values, kept, strict=True)])
+
+    pressure = next((n for n, v in outputs.items() if v.unit == "Pa"), None)
+    phases: list[tuple[str, Mask]] = []
+    if pressure is not None:
+        slope = joined([_slope(r.run.time, r.model[pressure]) for r in parts])
+        limit = 0.02 * float(np.max(np.abs(slope), initial=0.0))
+        phases = [("filling", slope > limit), ("holding", np.abs(slope) <= limit), ("venting", slope < -limit)]
+    bands = [band for n, v in outputs.items() for band in _bands(n, v, joined([r.model[n] for r in parts]))]
+    late = joined([_relative_time(r.run.time) for r in parts])
+    times = [("early", late < 1 / 3), ("middle", (late >= 1 / 3) & (late < 2 / 3)), ("late", late >= 2 / 3)]
+    names = np.concatenate([np.full(int(k.sum()), i) for i, k in enumerate(kept)])
+    by_run = [(f"run {r.run.name}", names == i) for i, r in enumerate(parts)] if len(parts) > 1 else []
+    return _Samples(excess, [phases, bands + times + by_run])
+
+
+def _slope(time: Array, values: Array) -> Array:
+    slope = np.zeros_like(values)
+    step = np.diff(time)
+    good = step > 0
+    slope[1:][good] = np.diff(values)[good] / step[good]
+    return slope
+
+
+def _relative_time(time: Array) -> Array:
+    span = float(time[-1] - time[0])
+    return (time - time[0]) / span if span else np.zeros_like(time)
+
+
+def _bands(name: str, variable: Variable, values: Array) -> list[tuple[str, Mask]]:
+    low, high = float(values.min()), float(values.max())
+    if not high > low:
+        return []
+    edges = np.linspace(low, high, _BANDS + 1)
+    factor, unit = readable_factor(variable.unit), readable_unit(variable.unit)
+    found: list[tuple[str, Mask]] = []
+    for i in range(_BANDS):
+        inside = (values >= edges[i]) & ((values < edges[i + 1]) | (i == _BANDS - 1))
+        text = f"{edges[i] * factor:.3g} {unit} < {name} < {edges[i + 1] * factor:.3g} {unit}"
+        found.append((text.replace("  ", " "), inside))
+    return found
+
+
+def _rules(signal: str, samples: _Samples) -> list[Rule]:
+    phases, others = samples.conditions
+    candidates = [*phases, *others]
+    candidates += [(f"{a}, {b}", m & n) for a, m in phases for b, n in others]
+    left = samples.excess.copy()
+    total, count = float(left.sum()), len(left)
+    rules: list[Rule] = []
+    for _ in range(_RULES_PER_SIGNAL):
+        best: tuple[float, str, Mask] | None = None
+        for text, mask in candidates:
+            time_share = float(mask.sum()) / count
+            if time_share < min(_LEAST_TIME_SHARE, 2 / count):
+                continue
+            gain = float(left[mask].sum()) / total
+            value = gain * (gain - time_share)
+            if gain > time_share and (best is None or value > best[0]):
+                best = (value, text, mask)
+        if best is None or best[0] < 0.02:
+            break
+        _, text, mask = best
+        rules.append(Rule(signal, text, float(samples.excess[mask].sum()) / total, float(mask.sum()) / count))
+        left = np.where(mask, 0.0, left)
+    return rules
