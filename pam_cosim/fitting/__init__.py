@@ -1,0 +1,19 @@
+"""Data set and model -> fitted parameters with intervals."""
+
+from pam_cosim.fitting.estimate import Estimate, estimates
+from pam_cosim.fitting.fit import Fit, fit
+from pam_cosim.fitting.free import Free, base_parameters, free_from_variable
+from pam_cosim.fitting.structure import Structure, series_of, structure
+
+__all__ = [
+    "Estimate",
+    "Fit",
+    "Free",
+    "Structure",
+    "base_parameters",
+    "estimates",
+    "fit",
+    "free_from_variable",
+    "series_of",
+    "structure",
+]

@@ -1,0 +1,106 @@
+"""Fitted parameters with what is known of their uncertainty."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.fitting.free import Free
+
+Array = NDArray[np.float64]
+
+_QUANTILE = 1.96  # 95 % of a normal distribution
+_DEAD = 1e-7  # a column this much smaller than the largest does not move the model
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """One fitted parameter.
+
+    Attributes:
+        value: the estimate [unit].
+        low, high: ends of the 95 % interval [unit]; the bounds where the data do not determine it.
+        unit: SI unit.
+        at_bound: the fit ended at a bound, so the interval is one-sided at best.
+        determined: the data say something about it.
+    """
+
+    value: float
+    low: float
+    high: float
+    unit: str = ""
+    at_bound: bool = False
+    determined: bool = True
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON."""
+        return {
+            "value": self.value,
+            "low": self.low,
+            "high": self.high,
+            "unit": self.unit,
+            "at_bound": self.at_bound,
+            "determined": self.determined,
+        }
+
+    def __str__(self) -> str:
+        text = f"{self.value:.4g} ({self.low:.4g} to {self.high:.4g}) {'' if self.unit == '1' else self.unit}".rstrip()
+        if not self.determined:
+            return f"{text}, not determined by these data"
+        return f"{text}, at its bound" if self.at_bound else text
+
+
+def estimates(
+    free: Sequence[Free], z: Array, jacobian: Array, bounds: tuple[Array, Array], spread: float
+) -> dict[str, Estimate]:
+    """Linearised 95 % intervals, made in the search coordinates.
+
+    Args:
+        free: the fitted parameters.
+        z: (k,) solution in search coordinates.
+        jacobian: (n, k) of the weighted residuals at ``z``.
+        bounds: of z.
+        spread: factor on the standard deviations, for residuals larger than the noise or correlated in time.
+    """
+    low, high = bounds
+    size = np.linalg.norm(jacobian, axis=0) if len(free) else np.zeros(0)
+    largest = float(size.max(initial=0.0))
+    bound = (z - low <= 1e-6 * (high - low)) | (high - z <= 1e-6 * (high - low))
+    alive = size > max(_DEAD * largest, 1e-12)
+    inner = [i for i in range(len(free)) if alive[i] and not bound[i]]
+    deviation = np.full(len(free), np.inf)
+    if inner:
+        deviation[inner] = spread * _standard_deviations(jacobian[:, inner])
+    edge = [i for i in range(len(free)) if alive[i] and bound[i]]
+    for i in edge:
+        deviation[i] = spread * _standard_deviations(jacobian[:, [*inner, i]])[-1]
+    found = {}
+    for i, f in enumerate(free):
+        reach = _QUANTILE * deviation[i]
+        value = f.to_value(float(z[i]))
+        lower = f.to_value(float(max(z[i] - reach, low[i])))
+        upper = f.to_value(float(min(z[i] + reach, high[i])))
+        whole = z[i] - reach <= low[i] and z[i] + reach >= high[i]
+        found[f.name] = Estimate(value, lower, upper, f.unit, bool(bound[i]), not whole)
+    return found
+
+
+def _standard_deviations(jacobian: Array) -> Array:
+    """Square roots of the diagonal of (J'J)^-1, directions that the data do not see left infinite."""
+    norms = np.linalg.norm(jacobian, axis=0)
+    _, s, vt = np.linalg.svd(jacobian / norms, full_matrices=False)
+    seen = s > 1e-6 * s[0]
+    variance = ((vt[seen] / s[seen, None]) ** 2).sum(axis=0)
+    blind = (vt[~seen] ** 2).sum(axis=0) > 1e-3
+    return np.where(blind, np.inf, np.sqrt(variance) / norms)
+
+
+def describe(found: dict[str, Estimate]) -> str:
+    """One line each."""
+    return "\n".join(f"  {name} = {e}" for name, e in found.items())
+
+
+__all__ = ["Estimate", "describe", "estimates"]

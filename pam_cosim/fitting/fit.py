@@ -1,0 +1,199 @@
+"""Least squares weighted by the noise, bounded, from several starts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import least_squares
+from scipy.stats import qmc
+
+from pam_cosim.comparison import Comparison, compare
+from pam_cosim.errors import SimulationFailure
+from pam_cosim.fitting.estimate import Estimate, describe, estimates
+from pam_cosim.fitting.free import Free, base_parameters
+from pam_cosim.fitting.objective import TOLERANCE, Objective
+from pam_cosim.fitting.structure import Structure, series_of, structure
+from pam_cosim.measurement import DataSet, Run
+from pam_cosim.simulation import Simulator
+
+Array = NDArray[np.float64]
+Progress = Callable[[int, float], None]
+
+_MOST_EVALUATIONS = 60
+_RESCUE_STARTS = 32
+_WHITE_SCORE = 4.0
+
+
+@dataclass(frozen=True)
+class Fit:
+    """A model with its free parameters fitted to the fit runs of a data set.
+
+    Attributes:
+        model: name of the model.
+        parameters: estimates by name.
+        comparison: the fitted model against all runs.
+        structure: what the residuals are like, per role ("fit", "holdout").
+        evaluations: simulations of the set of fit runs that it took.
+        failures: breakdowns of the simulation on the way, in the words of the solver.
+    """
+
+    model: str
+    parameters: dict[str, Estimate]
+    comparison: Comparison
+    structure: dict[str, Structure]
+    evaluations: int
+    failures: tuple[str, ...] = ()
+
+    @property
+    def values(self) -> dict[str, float]:
+        """Fitted parameters [SI] by name."""
+        return {name: e.value for name, e in self.parameters.items()}
+
+    @property
+    def freedom(self) -> int:
+        """Number of parameters that the data determine."""
+        return sum(e.determined for e in self.parameters.values())
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON, SI units."""
+        return {
+            "model": self.model,
+            "parameters": {n: e.as_dict() for n, e in self.parameters.items()},
+            "evaluations": self.evaluations,
+            "failures": list(self.failures),
+            "comparison": self.comparison.as_dict(),
+        }
+
+    def __str__(self) -> str:
+        return f"{self.comparison}\n{describe(self.parameters)}"
+
+
+def fit(
+    simulator: Simulator,
+    data: DataSet,
+    free: Sequence[Free] | None = None,
+    *,
+    fixed: Mapping[str, float] | None = None,
+    starts: Sequence[Mapping[str, float]] = (),
+    runs: Sequence[Run] | None = None,
+    progress: Progress | None = None,
+) -> Fit:
+    """Fits ``free`` (default: what the data set declares under [fit]) to the fit runs.
+
+    Args:
+        simulator: the model.
+        data: the measurement; every signal needs a noise level.
+        free: parameters to move.
+        fixed: further parameter values [SI].
+        starts: further points to start from, by name [SI]; the best two of all starts are followed.
+        runs: default ``data.fit_runs``.
+        progress: called with the number of evaluations and the present reduced chi-square.
+
+    Raises:
+        SimulationFailure: the model breaks down at every start.
+        InputError: a parameter that the model does not have.
+    """
+    chosen = tuple(base_parameters(data, simulator.interface) if free is None else free)
+    objective = Objective(simulator, data, data.fit_runs if runs is None else runs, chosen, fixed)
+    z, jacobian = _solve(objective, _start_points(chosen, starts), progress)
+    comparison = compare(simulator, data, objective.values(z), TOLERANCE)
+    sigma = {n: s.sigma for n, s in data.signals.items() if s.sigma is not None}
+    by_role = {
+        role: structure(series_of([r for r in comparison.runs if r.run.role == role], sigma))
+        for role in ("fit", "holdout")
+    }
+    found = estimates(chosen, z, jacobian, objective.bounds, _spread(by_role["fit"]))
+    return Fit(
+        simulator.interface.model,
+        found,
+        comparison,
+        by_role,
+        objective.evaluations,
+        tuple(dict.fromkeys(objective.failures)),
+    )
+
+
+def _spread(s: Structure) -> float:
+    """Residuals beyond the declared noise, and correlated ones, widen the intervals."""
+    time = s.correlation_time if s.score > _WHITE_SCORE else 1.0
+    return float(np.sqrt(max(1.0, s.chi2_reduced) * time))
+
+
+def _start_points(free: Sequence[Free], starts: Sequence[Mapping[str, float]]) -> list[Array]:
+    points = [{f.name: f.start for f in free}]
+    points += [{f.name: start.get(f.name, f.start) for f in free} for start in starts]
+    found: list[Array] = []
+    for p in points:
+        z = np.array([f.to_z(min(max(p[f.name], f.low), f.high)) for f in free])
+        if not any(np.array_equal(z, other) for other in found):
+            found.append(z)
+    return found
+
+
+def _solve(objective: Objective, points: list[Array], progress: Progress | None) -> tuple[Array, Array]:
+    scored = [(_cost(objective.residuals(z)), i) for i, z in enumerate(points)]
+    usable = sorted((c, i) for c, i in scored if np.isfinite(c))
+    if not usable:
+        points = [_rescue(objective)]
+        usable = [(0.0, 0)]
+    best: tuple[float, Array, Array] | None = None
+    for _, i in usable[:2]:
+        found = _descend(objective, points[i], progress)
+        if best is None or found[0] < best[0]:
+            best = found
+    assert best is not None
+    return best[1], best[2]
+
+
+def _cost(residuals: Array) -> float:
+    return float(residuals @ residuals)
+
+
+def _rescue(objective: Objective) -> Array:
+    """The first of a fixed sequence of points within the bounds at which the model runs."""
+    low, high = objective.bounds
+    if len(low):
+        for u in qmc.Sobol(len(low), seed=0).random(_RESCUE_STARTS):
+            z: Array = low + u * (high - low)
+            if np.isfinite(_cost(objective.residuals(z))):
+                return z
+    reason = objective.failures[0] if objective.failures else "the model gives no finite result"
+    raise SimulationFailure(f"no start value within the bounds can be simulated: {reason}")
+
+
+def _descend(objective: Objective, start: Array, progress: Progress | None) -> tuple[float, Array, Array]:
+    low, high = objective.bounds
+    latest: dict[bytes, Array] = {}
+
+    def residuals(z: Array) -> Array:
+        e = objective.residuals(z)
+        latest.clear()
+        latest[z.tobytes()] = e
+        if progress is not None and np.all(np.isfinite(e)):
+            progress(objective.evaluations, _cost(e) / max(len(e), 1))
+        return e
+
+    def jacobian(z: Array) -> Array:
+        at = latest.get(z.tobytes())
+        return objective.jacobian(z, objective.residuals(z) if at is None else at)
+
+    if not len(start):
+        e = objective.residuals(start)
+        return _cost(e), start, np.zeros((len(e), 0))
+    inner = np.clip(start, low + 1e-6 * (high - low), high - 1e-6 * (high - low))
+    found: Any = least_squares(
+        residuals,
+        inner,
+        jacobian,
+        bounds=(low, high),
+        method="trf",
+        ftol=1e-8,
+        xtol=1e-8,
+        gtol=1e-8,
+        max_nfev=_MOST_EVALUATIONS,
+    )
+    return float(2 * found.cost), found.x, found.jac

@@ -1,0 +1,113 @@
+"""What a fit makes small: measured minus model in noise standard deviations."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.comparison import RunComparison, simulate_run
+from pam_cosim.errors import SimulationFailure
+from pam_cosim.fitting.free import Free
+from pam_cosim.measurement import DataSet, Run
+from pam_cosim.simulation import Simulator
+
+Array = NDArray[np.float64]
+
+TOLERANCE = 1e-7  # of the solver: its error must be far below a finite difference
+_STEP = 1e-3
+
+
+class Objective:
+    """Residuals of some runs as a function of the search coordinates.
+
+    Attributes:
+        free: the parameters that are searched.
+        evaluations: simulations of the whole set so far.
+        failures: the first message of each kind of breakdown.
+    """
+
+    def __init__(
+        self,
+        simulator: Simulator,
+        data: DataSet,
+        runs: Sequence[Run],
+        free: Sequence[Free],
+        fixed: Mapping[str, float] | None = None,
+    ) -> None:
+        self.simulator, self.data, self.runs, self.free = simulator, data, tuple(runs), tuple(free)
+        self.fixed = dict(fixed or {})
+        self.evaluations = 0
+        self.failures: list[str] = []
+        self._signals = [
+            [s for s in data.signals if run.sample_count(s)] for run in self.runs
+        ]
+        self.size = sum(run.sample_count(s) for run, names in zip(self.runs, self._signals, strict=True) for s in names)
+
+    @property
+    def bounds(self) -> tuple[Array, Array]:
+        """Lower and upper bounds in search coordinates."""
+        low = np.array([f.to_z(f.low) for f in self.free])
+        return low, np.array([f.to_z(f.high) for f in self.free])
+
+    def values(self, z: Array) -> dict[str, float]:
+        """Search coordinates to parameters by name, with the fixed ones [SI]."""
+        return self.fixed | {f.name: f.to_value(float(c)) for f, c in zip(self.free, z, strict=True)}
+
+    def simulate(self, z: Array) -> list[RunComparison]:
+        """All runs at ``z``.
+
+        Raises:
+            SimulationFailure: a run did not reach its end.
+        """
+        values = self.values(z)
+        return [
+            simulate_run(self.simulator, self.data, run, values, TOLERANCE, names)
+            for run, names in zip(self.runs, self._signals, strict=True)
+        ]
+
+    def residuals(self, z: Array) -> Array:
+        """(size,) in noise standard deviations; all infinite where a simulation breaks down."""
+        self.evaluations += 1
+        try:
+            return self._weighted(self.simulate(z))
+        except SimulationFailure as failure:
+            if len(self.failures) < 10:
+                self.failures.append(str(failure))
+            return np.full(self.size, np.inf)
+
+    def _weighted(self, runs: Sequence[RunComparison]) -> Array:
+        parts = []
+        for run, names in zip(runs, self._signals, strict=True):
+            for name in names:
+                residual = run.residual(name)
+                sigma = self.data.signals[name].sigma
+                assert sigma is not None, "fits need a noise level; see measurement.with_noise"
+                parts.append(residual[np.isfinite(run.run.measurements[name])] / sigma)
+        all_parts = np.concatenate(parts) if parts else np.zeros(0)
+        return all_parts if np.all(np.isfinite(all_parts)) else np.full(self.size, np.inf)
+
+    def jacobian(self, z: Array, at: Array) -> Array:
+        """(size, parameters) by differences, stepping inwards from a bound; ``at`` are the residuals at ``z``.
+
+        A direction in which the simulation breaks down is tried the other way; if that fails too, its column is
+        zero: the fit does not move there.
+        """
+        low, high = self.bounds
+        columns = []
+        for i in range(len(z)):
+            step = _STEP * max(1.0, abs(z[i]) if not self.free[i].logarithmic else 1.0)
+            forward = step if z[i] + step <= high[i] else -step
+            column = np.zeros(self.size)
+            for h in (forward, -forward):
+                moved = z.copy()
+                moved[i] = min(max(z[i] + h, low[i]), high[i])
+                if moved[i] == z[i]:
+                    continue
+                shifted = self.residuals(moved)
+                if np.all(np.isfinite(shifted)):
+                    column = (shifted - at) / (moved[i] - z[i])
+                    break
+            columns.append(column)
+        return np.column_stack(columns) if columns else np.zeros((self.size, 0))
