@@ -44,9 +44,7 @@ class _Samples:
     conditions: list[list[tuple[str, Mask]]]
 
 
-def where(
-    runs: Sequence[RunComparison], signals: Mapping[str, Signal], outputs: Mapping[str, Variable]
-) -> list[Rule]:
+def where(runs: Sequence[RunComparison], signals: Mapping[str, Signal], outputs: Mapping[str, Variable]) -> list[Rule]:
     """Finds for each signal the few rules that hold most of its error in the least time.
 
     Conditions are the phase (an output that rises, rests or falls), bands of the modelled outputs, and early,
@@ -60,9 +58,7 @@ def where(
     return sorted(rules, key=lambda r: -r.error_share * (r.error_share - r.time_share))
 
 
-def _collect(
-    runs: Sequence[RunComparison], signal: Signal, outputs: Mapping[str, Variable]
-) -> _Samples | None:
+def _collect(runs: Sequence[RunComparison], signal: Signal, outputs: Mapping[str, Variable]) -> _Samples | None:
     parts = [r for r in runs if r.run.sample_count(signal.name)]
     if not parts:
         return None
