@@ -1,0 +1,188 @@
+"""The isotonic Doumit-Pardoel chain: valves, gas, braid, load.
+
+States are internal energy U = p V/(gamma - 1) [J], contraction x [m], speed v [m/s], then those of the
+effects. With U the energy balance (43) needs neither p_dot nor V_dot.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from math import pi, sqrt, tanh
+
+import numpy as np
+
+from tests.reference.effects.base import Effect, Now, Rest
+from tests.reference.flow import GAMMA, P_ATM, T_ATM, G, R, mass_flow, valve_area
+from tests.reference.integrate import Array, integrate
+from tests.reference.schedule import Currents, Schedule
+
+
+@dataclass(frozen=True)
+class MuscleParameters:
+    """Doumit and Pardoel (2017), table 1 (latex); what they leave open as in the base model's description."""
+
+    calibration: float = 0.699  # C_A, both valves
+    length: float = 0.24  # L0, m
+    diameter: float = 0.02  # D0, m
+    turns: float = 2.0  # n
+    fibres: float = 216.0  # N
+    fibre_width: float = 0.254e-3  # w, m
+    crossing_length: float = 0.254e-3  # z, m
+    mu_fb: float = 0.015
+    mu_d: float = 0.8
+    k_f: float = 1.0  # s/m
+    k_wall: float = 0.14  # W/(m K)
+    t_wall: float = 0.254e-3  # m
+    h_film: float = 20.0  # W/(m2 K), inside and outside
+    n_g: float = 1.2
+    load: float = 2.27  # kg
+    stop_stiffness: float = 2e5  # N/m
+    stop_damping: float = 500.0  # N s/m
+
+    @cached_property
+    def fibre_squared(self) -> float:
+        """b^2 [m2], the geometry closed at rest."""
+        return self.length**2 + (self.turns * pi * self.diameter) ** 2
+
+    @cached_property
+    def crossings(self) -> float:
+        """q (47)."""
+        return 2 * self.turns * (self.fibres / 2) ** 2 - self.fibres / 2
+
+    @cached_property
+    def fibre_area(self) -> float:
+        """Area [m2] of the bladder that the fibres cover (48)."""
+        free_length = sqrt(self.fibre_squared) * self.fibres - self.crossing_length * self.crossings / 2
+        return self.fibre_width * free_length
+
+    @cached_property
+    def crossing_area(self) -> float:
+        """A_ff [m2], all crossings together (72)."""
+        return self.crossings * self.fibre_width * self.crossing_length
+
+    @cached_property
+    def heat_coefficient(self) -> float:
+        """h_c [W/(m2 K)] of film, wall and film in series."""
+        return 1 / (2 / self.h_film + self.t_wall / self.k_wall)
+
+    def volume(self, x: float) -> float:
+        """Gas volume [m3] of the cylinder at contraction x [m]."""
+        length = self.length - x
+        return length * (self.fibre_squared - length * length) / (4 * pi * self.turns**2)
+
+    def volume_slope(self, x: float) -> float:
+        """dV/dx [m2]; gauge pressure times this is the muscle force (virtual work)."""
+        length = self.length - x
+        return (3 * length * length - self.fibre_squared) / (4 * pi * self.turns**2)
+
+    def bare_area(self, x: float) -> float:
+        """A_q [m2], bladder area that the fibres leave bare (46)."""
+        length = self.length - x
+        girth = sqrt(self.fibre_squared - length * length) / self.turns
+        return max(0.0, girth * length - self.fibre_area)
+
+
+@dataclass(frozen=True)
+class Trajectory:
+    """What ideal instruments read, and the speed; arrays of one shape (times,)."""
+
+    time: Array  # s
+    p: Array  # Pa gauge
+    x: Array  # m
+    temperature: Array  # K
+    v: Array  # m/s
+
+
+_ATOL = (1e-8, 1e-10, 1e-9)
+
+
+class _Rig:
+    """The right-hand side for one run."""
+
+    def __init__(self, parameters: MuscleParameters, p_supply: float, effects: Sequence[Effect]) -> None:
+        self.par, self.effects = parameters, tuple(effects)
+        self.p_source = p_supply + P_ATM
+        self.slices, at = [], 3
+        for effect in self.effects:
+            self.slices.append(slice(at, at + len(effect.atol)))
+            at += len(effect.atol)
+        self.film = parameters.heat_coefficient
+        for effect in self.effects:
+            self.film = effect.film(self.film)
+
+    def start(self) -> list[float]:
+        """At rest on the stop, filled with ambient air."""
+        x = -self.par.load * G / self.par.stop_stiffness
+        pv = P_ATM * self.par.volume(x)
+        rest = Rest(x, pv / (R * T_ATM), T_ATM, (0.0, 0.0))
+        return [pv / (GAMMA - 1), x, 0.0, *(value for e in self.effects for value in e.initial(rest))]
+
+    def gas(self, y: Sequence[float]) -> tuple[float, float]:
+        """Absolute pressure [Pa] and temperature [K]."""
+        pv = (GAMMA - 1) * y[0]
+        p = pv / self.par.volume(y[1])
+        temperature = T_ATM * (p / P_ATM) ** ((self.par.n_g - 1) / self.par.n_g)
+        for effect, own in zip(self.effects, self.slices, strict=True):
+            temperature = effect.temperature(y[own], pv, temperature)
+        return p, temperature
+
+    def rates(self, y: Sequence[float], command: Currents) -> list[float]:
+        """Time derivatives of all states."""
+        par, x, v = self.par, y[1], y[2]
+        p, temperature = self.gas(y)
+        gauge = p - P_ATM
+        currents, leak, extra = command, 0.0, 0.0
+        for effect, own in zip(self.effects, self.slices, strict=True):
+            currents = effect.current(y[own], currents)
+            leak += effect.leak(p, temperature)
+            extra += effect.force(y[own], x, v, gauge)
+
+        area_in, area_out = (valve_area(u, par.calibration) for u in currents)
+        m_in = mass_flow(area_in, self.p_source, T_ATM, p, temperature)
+        m_out = mass_flow(area_out, p, temperature, P_ATM, T_ATM) + leak
+        enthalpy_in = GAMMA * R / (GAMMA - 1) * (
+            m_in * (T_ATM if m_in > 0 else temperature) - m_out * (temperature if m_out > 0 else T_ATM)
+        )
+        heat = self.film * par.bare_area(x) * (T_ATM - temperature)
+        slope = par.volume_slope(x)
+        energy_rate = heat + enthalpy_in - p * slope * v
+
+        friction = gauge * (par.crossing_area * par.mu_d * tanh(par.k_f * v) + par.mu_fb * par.fibre_area)
+        stop = max(0.0, -par.stop_stiffness * x - par.stop_damping * v) if x < 0 else 0.0
+        acceleration = (gauge * slope - friction - extra + stop) / par.load - G
+
+        now = Now(x, v, gauge, temperature, command, m_in - m_out)
+        rates = [energy_rate, v, acceleration]
+        for effect, own in zip(self.effects, self.slices, strict=True):
+            rates.extend(effect.rates(y[own], now))
+        return rates
+
+    def reading(self, y: Sequence[float]) -> tuple[float, float]:
+        """Gauge pressure [Pa] and the temperature sensor's reading [K]."""
+        p, temperature = self.gas(y)
+        for effect, own in zip(self.effects, self.slices, strict=True):
+            temperature = effect.reading(y[own], temperature)
+        return p - P_ATM, temperature
+
+
+def simulate_muscle(
+    parameters: MuscleParameters,
+    p_supply: float,
+    schedule: Schedule,
+    times: Array,
+    effects: Sequence[Effect] = (),
+    rtol: float = 1e-8,
+    method: str = "LSODA",
+) -> Trajectory:
+    """Simulate one isotonic run from rest on the stop at times[0].
+
+    p_supply: gauge [Pa]; times: increasing, shape (n,) [s]. Raises RuntimeError when integration fails.
+    """
+    rig = _Rig(parameters, p_supply, effects)
+    late = schedule.delayed(sum(effect.delay() for effect in rig.effects))
+    atol = (*_ATOL, *(value for effect in rig.effects for value in effect.atol))
+    states = integrate(rig.rates, rig.start(), late, times, atol, rtol, method)
+    readings = np.array([rig.reading(column) for column in states.T.tolist()])
+    return Trajectory(times, readings[:, 0], states[1], readings[:, 1], states[2])

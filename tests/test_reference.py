@@ -1,0 +1,382 @@
+"""The reference simulator against printed values, quadrature and closed forms."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+import tomllib
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+from scipy.signal import lsim
+
+from tests.reference.effects import EFFECTS, effect_name, effect_of
+from tests.reference.effects.base import Now, Rest
+from tests.reference.effects.force import Coulomb, Dahl, LinearSpring, MooneyRivlin
+from tests.reference.effects.gas import GasEnergy, LaminarLeak, ThermocoupleLag, ValveDeadTime, ValveLag
+from tests.reference.flow import (
+    FLOW_CONSTANT,
+    P_ATM,
+    R_CRITICAL,
+    R_LAMINAR,
+    T_ATM,
+    G,
+    R,
+    flow_function,
+    mass_flow,
+)
+from tests.reference.muscle import MuscleParameters, simulate_muscle
+from tests.reference.plan import default_plan, random_plan
+from tests.reference.quadrature import Approach
+from tests.reference.rig import SIZES, TRUTH, Noise, effect_size, main, measure, simulate_plan, write_data_set
+from tests.reference.schedule import Phase, Schedule
+from tests.reference.tank import Vessel, orifice_port, simulate_vessel, valve_ports
+
+TIMES = np.arange(1001) / 100
+STEP = Schedule.of([Phase(5.0, u_in=0.35), Phase(5.0, u_out=0.35)])
+FILL = Schedule.of([Phase(10.0, u_in=0.35)])
+
+
+def sampled_step(pieces: int = 40) -> Schedule:
+    """STEP as 100 Hz samples that are joined by lines: a ramp from 4.99 s to 5 s."""
+    shares = [(k + 0.5) / pieces for k in range(pieces)]
+    ramp = [Phase(0.01 / pieces, 0.35 * (1 - share), 0.35 * share) for share in shares]
+    return Schedule.of([Phase(4.99, u_in=0.35), *ramp, Phase(5.0, u_out=0.35)])
+
+
+# --- values printed in the description of the equations ---------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def printed_test():  # noqa: ANN201
+    return simulate_muscle(MuscleParameters(), 207e3, sampled_step(), TIMES)
+
+
+@pytest.mark.parametrize(
+    ("signal", "t", "printed", "half_digit"),
+    [
+        ("p", 1.0, 77.4e3, 50.0),
+        ("x", 1.0, 56.4e-3, 0.05e-3),
+        ("p", 3.0, 206.8e3, 50.0),
+        ("x", 3.0, 67.88e-3, 0.005e-3),
+        ("p", 6.0, 82.1e3, 50.0),
+        ("x", 7.0, 39.5e-3, 0.05e-3),
+    ],
+)
+def test_muscle_reproduces_the_printed_values(printed_test, signal, t, printed, half_digit):
+    assert getattr(printed_test, signal)[round(100 * t)] == pytest.approx(printed, abs=half_digit)
+
+
+def test_a_sharp_step_is_what_moves_the_printed_venting_pressure():
+    sharp = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES)
+    # printed: 82.1 kPa; the ramp between two samples explains it
+    assert sharp.p[600] == pytest.approx(82.405e3, abs=2)
+    assert sharp.x[700] == pytest.approx(39.5485e-3, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("volume", "n", "p_supply", "share", "printed", "half_digit"),
+    [
+        (2.1e-3, 1.0, 207e3, 0.5, 13.84, 0.005),
+        (2.1e-3, 1.2, 207e3, 0.5, 10.80, 0.005),
+        (2.1e-3, 1.4, 207e3, 0.5, 8.85, 0.005),
+        (0.35e-3, 1.2, 138e3, 0.9, 3.200, 0.0005),
+    ],
+)
+def test_tank_reproduces_the_printed_times(volume, n, p_supply, share, printed, half_digit):
+    filling = Approach(Vessel(volume, n), valve_ports(p_supply, 0.699), 0.0, p_supply, (0.35, 0.0))
+    assert filling.time_to(share * p_supply) == pytest.approx(printed, abs=half_digit)
+
+
+# --- gas ---------------------------------------------------------------------------------------------------
+
+
+def test_flow_constant_is_the_textbook_value_of_air():
+    assert abs(FLOW_CONSTANT - 0.04042) < 1e-5  # s sqrt(K)/m
+    assert abs(R_CRITICAL - 0.5283) < 5e-5
+
+
+@pytest.mark.parametrize("edge", [R_CRITICAL, R_LAMINAR])
+def test_flow_function_is_smooth_at_its_edges(edge):
+    h = 1e-7
+    assert flow_function(edge + h) == pytest.approx(flow_function(edge - h), abs=1e-4)
+    left, right = flow_function(edge) - flow_function(edge - h), flow_function(edge + h) - flow_function(edge)
+    assert right / h == pytest.approx(left / h, abs=1e-2)
+
+
+def test_flow_reverses_with_the_pressures():
+    assert mass_flow(1e-7, 3e5, 300.0, 2e5, 280.0) == -mass_flow(1e-7, 2e5, 280.0, 3e5, 300.0) > 0
+    assert mass_flow(1e-7, 2e5, 300.0, 2e5, 280.0) == 0
+
+
+@pytest.mark.parametrize("p_supply", [207e3, 138e3])
+@pytest.mark.parametrize("litres", [2.1, 1.85, 1.6, 1.35, 1.1, 0.85, 0.6, 0.35])
+def test_ode_of_the_tank_agrees_with_quadrature(litres, p_supply):
+    times = np.linspace(0.0, 60.0, 25)
+    vessel, ports = Vessel(litres * 1e-3), valve_ports(p_supply, 0.699)
+    for start, end, currents in ((0.0, p_supply, (0.35, 0.0)), (p_supply, 0.0, (0.0, 0.35))):
+        exact = Approach(vessel, ports, start, end, currents).pressures(times)
+        ode = simulate_vessel(vessel, ports, times, start, Schedule.of([Phase(60.0, *currents)]))
+        assert np.abs(ode.p - exact).max() < 2.0
+
+
+def test_choked_isothermal_vessel_empties_exponentially():
+    vessel = Vessel(1e-3, n=1.0, p_ref=790e3 + P_ATM, t_ref=300.0)
+    times = np.linspace(0.0, 4.0, 41)
+    result = simulate_vessel(vessel, orifice_port(2e-3, 0.84, 0.0), times, 790e3)
+    tau = vessel.volume / (FLOW_CONSTANT * 0.84 * math.pi / 4 * 4e-6 * R * math.sqrt(300.0))
+    exact = vessel.p_ref * np.exp(-times / tau) - P_ATM
+    choked = (exact + P_ATM) * R_CRITICAL > P_ATM
+    assert 10 < choked.sum() < 41
+    assert result.p[choked] == pytest.approx(exact[choked], rel=1e-6)
+    assert result.temperature == pytest.approx(300.0)
+
+
+def test_vessel_with_orifice_agrees_with_quadrature():
+    vessel = Vessel(16.2e-3, n=1.25, p_ref=790e3 + P_ATM, t_ref=296.0)
+    ports = orifice_port(2e-3, 0.84, 0.0)
+    times = np.linspace(0.0, 60.0, 31)
+    result = simulate_vessel(vessel, ports, times, 790e3)
+    assert result.p == pytest.approx(Approach(vessel, ports, 790e3, 0.0).pressures(times), abs=2.0)
+    assert result.temperature == pytest.approx(296.0 * ((result.p + P_ATM) / vessel.p_ref) ** 0.2)
+
+
+def test_adiabatic_filling_with_energy_balance_has_the_textbook_temperature():
+    times = np.linspace(0.0, 20.0, 11)
+    schedule = Schedule.of([Phase(20.0, u_in=0.35)])
+    full = simulate_vessel(Vessel(), valve_ports(207e3, 0.699), times, 0.0, schedule, [GasEnergy(h=0.0)])
+    p = full.p + P_ATM
+    exact = p / (P_ATM / T_ATM + (p - P_ATM) / (1.4 * T_ATM))  # m c_v T - m_0 c_v T_0 = (m - m_0) c_p T_0
+    assert full.temperature[-1] > T_ATM + 30
+    assert full.temperature == pytest.approx(exact, rel=1e-6)
+
+
+# --- muscle ------------------------------------------------------------------------------------------------
+
+
+def test_result_does_not_depend_on_the_integrator():
+    lsoda = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES)
+    radau = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES, method="Radau", rtol=1e-9)
+    assert np.abs(lsoda.p - radau.p).max() < 0.5
+    assert np.abs(lsoda.x - radau.x).max() < 1e-7
+
+
+def test_force_is_the_slope_of_the_volume():
+    muscle, x, h = MuscleParameters(), 0.03, 1e-6
+    slope = (muscle.volume(x + h) - muscle.volume(x - h)) / (2 * h)
+    assert muscle.volume_slope(x) == pytest.approx(slope, rel=1e-8)
+    assert muscle.volume(0.0) == pytest.approx(math.pi / 4 * 0.02**2 * 0.24)
+
+
+def test_closed_muscle_stays_at_rest():
+    still = simulate_muscle(MuscleParameters(), 207e3, Schedule.of([Phase(10.0)]), TIMES)
+    assert np.ptp(still.x) < 1e-9
+    assert np.abs(still.p).max() < 1e-3
+
+
+def test_steady_state_balances_the_forces():
+    spring = LinearSpring(k=400.0)
+    muscle = MuscleParameters()
+    end = simulate_muscle(muscle, 207e3, FILL, TIMES, [spring])
+    p, x = end.p[-1], end.x[-1]
+    pull = p * (muscle.volume_slope(x) - muscle.mu_fb * muscle.fibre_area)
+    assert pull == pytest.approx(muscle.load * G + spring.k * x, abs=0.02)
+
+
+# --- effects -----------------------------------------------------------------------------------------------
+
+FORCES = [kind for kind in EFFECTS if kind.family in ("elasticity", "dry_friction", "rate_friction")]
+
+
+@pytest.mark.parametrize("kind", [k for k in FORCES if k is not Dahl], ids=effect_name)
+def test_forces_oppose_contraction(kind):
+    assert kind().force((), 0.05, 0.02, 1e5) > 1.0
+    assert kind().force((), 0.0, 0.0, 1e5) == pytest.approx(0.0, abs=1e-9)
+
+
+def test_mooney_rivlin_is_the_slope_of_its_energy():
+    tube = MooneyRivlin()
+
+    def energy(x: float) -> float:
+        axial = 1 - x / tube.length
+        squared = tube.length**2 + (tube.turns * math.pi * tube.diameter) ** 2
+        hoop = math.sqrt(squared - (tube.length - x) ** 2) / (tube.turns * math.pi * tube.diameter)
+        stretches = np.array([axial, hoop, 1 / (axial * hoop)])
+        wall = math.pi * tube.diameter * tube.thickness * tube.length
+        invariants = (stretches**2).sum() - 3, (stretches**-2.0).sum() - 3
+        return wall * (tube.c10 * invariants[0] + tube.c01 * invariants[1])
+
+    slope = (energy(0.05 + 1e-6) - energy(0.05 - 1e-6)) / 2e-6
+    assert tube.force((), 0.05, 0.0, 0.0) == pytest.approx(slope, rel=1e-6)
+
+
+def test_coulomb_friction_holds_a_band_of_rest_positions():
+    gentle = Schedule.of([Phase(0.5, u_in=0.35), Phase(2.5), Phase(0.02, u_out=0.35), Phase(6.98)])
+    moves = [
+        abs(x[600] - x[300])
+        for effects in ((), [Coulomb(f_c=8.0)])
+        for x in [simulate_muscle(MuscleParameters(), 207e3, gentle, TIMES, effects).x]
+    ]
+    assert moves[0] > 0.5e-3
+    assert moves[1] < 0.05e-3
+
+
+@pytest.mark.parametrize("speed", [0.01, -0.03])
+def test_dahl_friction_builds_up_exponentially_with_travel(speed):
+    dahl = Dahl(f_c=8.0, stiffness=2e4)
+    travel = speed * 0.02
+
+    def rate(t: float, q: np.ndarray) -> tuple[float, ...]:
+        return dahl.rates(q, Now(0.0, speed, 0.0, T_ATM, (0.0, 0.0), 0.0))
+
+    q = solve_ivp(rate, (0.0, 0.02), dahl.initial(Rest(0.0, 1e-4, T_ATM, (0.0, 0.0))), rtol=1e-9, atol=1e-14).y[:, -1]
+    expected = math.copysign(8.0 * (1 - math.exp(-2e4 * abs(travel) / 8.0)), speed)
+    assert dahl.force(q, 0.0, speed, 0.0) == pytest.approx(expected, rel=1e-6)
+
+
+def test_dead_time_shifts_the_whole_filling():
+    plain = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES)
+    late = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES, [ValveDeadTime(dead_time=0.05)])
+    assert late.x[5:] == pytest.approx(plain.x[:-5], abs=1e-7)
+
+
+def test_a_fast_lag_comes_close_to_a_dead_time_of_the_same_length():
+    late = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES, [ValveDeadTime(dead_time=0.004)])
+    lag = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES, [ValveLag(tau=0.004 * 0.214 / 0.35)])
+    plain = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES)
+    assert np.abs(lag.p - late.p).max() < np.abs(plain.p - late.p).max()
+
+
+def test_leak_lets_a_closed_muscle_down():
+    hold = Schedule.of([Phase(2.0, u_in=0.35), Phase(8.0)])
+    muscle = replace(MuscleParameters(), h_film=1e-6)  # no heat through the wall
+    tight = simulate_muscle(muscle, 207e3, hold, TIMES)
+    leaky = simulate_muscle(muscle, 207e3, hold, TIMES, [LaminarLeak(conductance=2e-11)])
+    assert tight.p[300] - tight.p[-1] < 1.0
+    gauge, slope = leaky.p[600], (leaky.p[610] - leaky.p[590]) / 0.2
+    volume, temperature = muscle.volume(leaky.x[600]), leaky.temperature[600]
+    v_rate = muscle.volume_slope(leaky.x[600]) * leaky.v[600]
+    expected = -1.4 * (R * temperature * 2e-11 * gauge + (gauge + P_ATM) * v_rate) / volume
+    assert slope == pytest.approx(expected, rel=1e-4)
+
+
+def test_thermocouple_lag_is_a_linear_filter_of_the_gas_temperature():
+    fine = np.arange(10001) / 1000
+    gas = simulate_muscle(MuscleParameters(), 207e3, STEP, fine)
+    slow = simulate_muscle(MuscleParameters(), 207e3, STEP, fine, [ThermocoupleLag(tau=0.3)])
+    _, expected, _ = lsim(([1.0], [0.3, 1.0]), gas.temperature - T_ATM, fine)
+    assert slow.temperature - T_ATM == pytest.approx(expected, abs=0.02)
+    assert slow.x == pytest.approx(gas.x, abs=1e-8)
+
+
+def test_gas_energy_keeps_the_mass_of_gas_in_a_closed_muscle():
+    hold = Schedule.of([Phase(2.0, u_in=0.35), Phase(8.0)])
+    end = simulate_muscle(MuscleParameters(), 207e3, hold, TIMES, [GasEnergy()])
+    volumes = np.array([MuscleParameters().volume(x) for x in end.x[200:]])
+    mass = (end.p[200:] + P_ATM) * volumes / (R * end.temperature[200:])
+    assert np.ptp(mass) / mass[0] < 1e-7
+
+
+def test_names_carry_parameters_and_unknown_ones_are_refused():
+    assert effect_of("elasticity:linear:k=123") == LinearSpring(k=123.0)
+    assert effect_of("none").family == "none"
+    with pytest.raises(ValueError, match="no effect 'elasticity:sponge'"):
+        effect_of("elasticity:sponge")
+    with pytest.raises(ValueError, match="no parameter"):
+        effect_of("elasticity:linear:q=1")
+
+
+# --- data sets ---------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["elasticity:linear", "dry_friction:dahl", "leak:orifice"])
+def test_recorded_effect_sizes_are_current(name):
+    recorded = json.loads(SIZES.read_text())["effects"][name]["base at truth"]
+    assert effect_size(default_plan(), [effect_of(name)]) == pytest.approx(recorded, abs=0.02)
+
+
+@pytest.mark.parametrize("kind", EFFECTS[1:], ids=effect_name)
+def test_default_strengths_stand_out_of_the_noise(kind):
+    sizes = json.loads(SIZES.read_text())["effects"][effect_name(kind)]["base at truth"]
+    judged = [sizes["T"]] if kind is ThermocoupleLag else [sizes["p"], sizes["x"]]
+    assert 5 <= max(judged) <= 40
+
+
+def read(folder: Path) -> tuple[dict, list[list[dict[str, str]]]]:
+    experiment = tomllib.loads((folder / "experiment.toml").read_text())
+    tables = []
+    for run in experiment["runs"]:
+        with (folder / run["file"]).open() as file:
+            tables.append(list(csv.DictReader(file)))
+    return experiment, tables
+
+
+def test_data_set_has_the_agreed_form(tmp_path):
+    measured = measure(default_plan(), [LinearSpring()], seed=3)
+    write_data_set(tmp_path, measured)
+    experiment, tables = read(tmp_path)
+    assert [run["role"] for run in experiment["runs"]] == ["fit"] * 4 + ["holdout"] * 2
+    assert experiment["model"] == "PneumaticMuscle.Benches.Isotonic"
+    assert experiment["fit"]["valve.C_A"] == {"min": 0.5, "max": 0.9}
+    assert experiment["signals"]["x"]["sigma"] == "0.2 mm"
+    assert experiment["runs"][1]["parameters"]["load.m"] == "3 kg"
+    assert [*tables[0][0]] == [
+        "time [s]", "u_in [A]", "u_out [A]", "p_supply [kPa]", "p [kPa]", "x [mm]", "T [degC]",
+    ]  # fmt: skip
+    assert len(tables[0]) == 1001
+    assert float(tables[0][500]["p [kPa]"]) == pytest.approx(measured[0].signals["p"][500] / 1e3)
+    assert float(tables[0][500]["T [degC]"]) == pytest.approx(measured[0].signals["T"][500] - 273.15)
+    assert (tables[0][349]["u_in [A]"], tables[0][350]["u_in [A]"]) == ("0.35", "0")
+
+
+def test_steps_can_be_two_rows(tmp_path):
+    write_data_set(tmp_path, measure(default_plan()[:1], seed=3), step_rows=True)
+    experiment, (rows,) = read(tmp_path)
+    assert "interpolation" not in experiment["runs"][0]
+    time = np.array([float(row["time [s]"]) for row in rows])
+    assert (np.diff(time) > 0).all()
+    before = [k for k, row in enumerate(rows) if row["p [kPa]"] == ""]
+    assert [round(time[k], 3) for k in before] == [3.5, 5.0]
+    assert (rows[before[0]]["u_in [A]"], rows[before[0] + 1]["u_in [A]"]) == ("0.35", "0")
+
+
+def test_noise_is_seeded_and_of_the_stated_size():
+    plan = default_plan()[:1]
+    clean, one, again, other = (
+        simulate_plan(plan)[0], measure(plan, seed=1)[0], measure(plan, seed=1)[0], measure(plan, seed=2)[0],
+    )  # fmt: skip
+    for name, sigma in Noise().as_dict().items():
+        assert (one.signals[name] == again.signals[name]).all()
+        assert (one.signals[name] != other.signals[name]).any()
+        # 1001 samples: the estimate of sigma scatters by 2.2 %
+        assert np.std(one.signals[name] - clean.signals[name]) == pytest.approx(sigma, rel=0.1)
+
+
+def test_true_parameters_lie_off_the_defaults():
+    assert MuscleParameters().calibration != TRUTH.calibration
+    assert MuscleParameters().mu_fb != TRUTH.mu_fb
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_random_plans_fill_ten_seconds_and_lift_their_load(seed):
+    plan = random_plan(seed)
+    assert plan == random_plan(seed)
+    for one in simulate_plan(plan):
+        assert sum(phase.duration for phase in one.run.phases) == pytest.approx(10.0)
+        assert 100e3 <= one.run.p_supply <= 300e3
+        assert 1.0 <= one.run.load <= 8.0
+        assert one.signals["x"].max() > 0.02
+
+
+def test_command_line_writes_the_same_bytes_again(tmp_path, capsys):
+    for name in ("a", "b"):
+        assert main([str(tmp_path / name), "--effect", "elasticity:linear", "--seed", "1"]) == 0
+    told = json.loads(capsys.readouterr().out.split("}\n{")[0] + "}")
+    assert told["families"] == ["elasticity"]
+    files = sorted(path.name for path in (tmp_path / "a").iterdir())
+    assert len(files) == 7
+    assert all((tmp_path / "a" / f).read_bytes() == (tmp_path / "b" / f).read_bytes() for f in files)
