@@ -1,0 +1,26 @@
+"""The measurement room: a folder with ``experiment.toml`` and CSV files becomes a ``DataSet``."""
+
+from pam_cosim.measurement.data_set import DataSet, FreeParameter, Interpolation, Role, Run, Signal
+from pam_cosim.measurement.noise import estimate_noise, with_noise
+from pam_cosim.measurement.read import read_data_set
+from pam_cosim.measurement.recording import Recording, read_recording
+from pam_cosim.measurement.units import UnitError, convert, quantity
+from pam_cosim.measurement.write import write_data_set
+
+__all__ = [
+    "DataSet",
+    "FreeParameter",
+    "Interpolation",
+    "Recording",
+    "Role",
+    "Run",
+    "Signal",
+    "UnitError",
+    "convert",
+    "estimate_noise",
+    "quantity",
+    "read_data_set",
+    "read_recording",
+    "with_noise",
+    "write_data_set",
+]

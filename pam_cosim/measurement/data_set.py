@@ -1,0 +1,149 @@
+"""What was measured: the product of this room. Every number is in the bench's own (SI) unit."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+Role = Literal["fit", "holdout"]
+Interpolation = Literal["linear", "previous"]
+
+
+@dataclass(frozen=True)
+class Signal:
+    """A measured output of the bench.
+
+    Attributes:
+        name: the output's name.
+        unit: the bench's unit of it.
+        sigma: standard deviation of the instrument's noise [unit]; None when nobody knows it.
+        estimated: ``sigma`` was estimated from the samples, not stated by the experimenter.
+    """
+
+    name: str
+    unit: str = ""
+    sigma: float | None = None
+    estimated: bool = False
+
+
+@dataclass(frozen=True)
+class FreeParameter:
+    """A parameter to be fitted, between bounds [unit]; without ``start`` the model's default starts."""
+
+    name: str
+    min: float
+    max: float
+    start: float | None = None
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class Run:
+    """One recording of n rows.
+
+    Attributes:
+        name: the file's path inside the folder, without its ending.
+        file: where the run was read from.
+        role: "fit", or "holdout": never fitted, only judged.
+        interpolation: of the inputs between samples.
+        parameters: known values [SI], those of the data set overlaid by those of this run.
+        time: (n,) [s], not decreasing; two rows of equal time are a step.
+        inputs: (n,) each [SI], without gaps.
+        measurements: (n,) each [SI], NaN where a sample is missing.
+        default_inputs: inputs of the bench the file lacks; they keep the model's default.
+    """
+
+    name: str
+    file: Path
+    role: Role
+    interpolation: Interpolation
+    parameters: dict[str, float]
+    time: NDArray[np.float64]
+    inputs: dict[str, NDArray[np.float64]]
+    measurements: dict[str, NDArray[np.float64]]
+    default_inputs: tuple[str, ...] = ()
+
+    def sample_count(self, signal: str) -> int:
+        """How many samples of ``signal`` the run holds; 0 when it was not measured."""
+        values = self.measurements.get(signal)
+        return 0 if values is None else int(np.isfinite(values).sum())
+
+    def describe(self) -> str:
+        """One line: name, role, duration, inputs, samples."""
+        measured = ", ".join(f"{name} ({self.sample_count(name)})" for name in self.measurements)
+        span = f"{self.time[0]:g} to {self.time[-1]:g} s, {len(self.time)} rows"
+        inputs = ", ".join(self.inputs) or "none"
+        return f"{self.name}: {self.role}, {span}, inputs {inputs} ({self.interpolation}), samples of {measured}"
+
+
+@dataclass(frozen=True)
+class DataSet:
+    """An experiment: the bench, what was measured on it, and what is known of its parameters.
+
+    Attributes:
+        folder: where it was read from.
+        title: the experimenter's own words.
+        model: the bench, as a name that compiles.
+        signals: the measured outputs.
+        parameters: known values for all runs [SI]; fitted parameters are not among them.
+        fit: free parameters.
+        runs: in the order of the file.
+    """
+
+    folder: Path
+    title: str
+    model: str
+    signals: dict[str, Signal]
+    parameters: dict[str, float]
+    fit: dict[str, FreeParameter]
+    runs: tuple[Run, ...] = field(default=())
+
+    @property
+    def fit_runs(self) -> tuple[Run, ...]:
+        """The runs parameters are fitted to."""
+        return tuple(run for run in self.runs if run.role == "fit")
+
+    @property
+    def holdout_runs(self) -> tuple[Run, ...]:
+        """The runs that are only judged."""
+        return tuple(run for run in self.runs if run.role == "holdout")
+
+    def parameters_of(self, run: Run, fitted: Mapping[str, float] | None = None) -> dict[str, float]:
+        """What to simulate ``run`` with [SI]: stated start values, ``fitted``, then what is known of it."""
+        start = {name: free.start for name, free in self.fit.items() if free.start is not None}
+        return {**start, **(fitted or {}), **run.parameters}
+
+    def notes(self) -> tuple[str, ...]:
+        """What a reader of results from these data should know."""
+        notes = [] if self.holdout_runs else ["no holdout run: nothing checks a fit on data it has not seen"]
+        for name, signal in self.signals.items():
+            if signal.sigma is None:
+                notes.append(f"the noise of {name} is not known")
+        for run in self.runs:
+            if run.default_inputs:
+                notes.append(f"{run.name}: model defaults for the inputs {', '.join(run.default_inputs)}")
+        return tuple(notes)
+
+    def describe(self) -> str:
+        """A readable summary of some lines."""
+        lines = [f"{self.title} ({self.model})"]
+        for signal in self.signals.values():
+            unit = f" {signal.unit}" if signal.unit not in ("", "1") else ""
+            source = " (estimated)" if signal.estimated else ""
+            sigma = "unknown" if signal.sigma is None else f"{signal.sigma:.3g}{unit}{source}"
+            lines.append(f"  signal {signal.name}: noise {sigma}")
+        lines += [f"  known {name} = {value:g}" for name, value in self.parameters.items()]
+        for free in self.fit.values():
+            start = "the model's default" if free.start is None else f"{free.start:g}"
+            lines.append(f"  free {free.name}: {free.min:g} to {free.max:g}, from {start}")
+        lines += [f"  run {run.describe()}" for run in self.runs]
+        lines += [f"  note: {note}" for note in self.notes()]
+        return "\n".join(lines)
+
+    def __str__(self) -> str:
+        return self.describe()

@@ -1,0 +1,154 @@
+"""The structure of ``experiment.toml``: which tables and keys there are; checked by pydantic.
+
+Units, names and bounds are checked afterwards, against the bench (see ``read``).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, PlainValidator, ValidationError
+from pydantic_core import ErrorDetails
+
+from pam_cosim.errors import InputError
+from pam_cosim.measurement.text_file import read_text
+from pam_cosim.measurement.toml_text import line_of, parse_toml
+from pam_cosim.measurement.wording import did_you_mean, shown
+
+FILE_NAME = "experiment.toml"
+KeyPath = tuple[str | int, ...]
+
+
+def _value(value: object) -> str | float:
+    if isinstance(value, dict):
+        raise ValueError('names with a dot need quotes: "load.m" = ...')
+    if isinstance(value, bool) or not isinstance(value, str | int | float):
+        raise ValueError('write a text with a unit such as "2.27 kg", or a number where there is no unit')
+    try:
+        return value if isinstance(value, str) else float(value)
+    except OverflowError:
+        raise ValueError("the number is too large") from None
+
+
+Value = Annotated[str | float, PlainValidator(_value)]
+
+
+class _Table(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
+
+
+class SignalTable(_Table):
+    """``[signals.NAME]``."""
+
+    sigma: Value | None = None
+
+
+class FreeTable(_Table):
+    """``"NAME" = { min = ..., max = ... }`` under ``[fit]``."""
+
+    min: Value
+    max: Value
+    start: Value | None = None
+
+
+class RunTable(_Table):
+    """``[[runs]]``."""
+
+    file: str
+    role: Literal["fit", "holdout"] = "fit"
+    interpolation: Literal["linear", "previous"] = "linear"
+    parameters: dict[str, Value] = Field(default_factory=dict)
+
+
+class Experiment(_Table):
+    """The whole file."""
+
+    runs: list[RunTable]
+    title: str = ""
+    model: str | None = None
+    signals: dict[str, SignalTable] = Field(default_factory=dict)
+    parameters: dict[str, Value] = Field(default_factory=dict)
+    fit: dict[str, FreeTable] = Field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class ExperimentFile:
+    """``experiment.toml`` as read, with its text, so that a later complaint can name the line."""
+
+    file: Path
+    text: str
+    content: Experiment
+
+    def error(self, message: str, *path: str | int) -> InputError:
+        """An error about the key at ``path``, with its line."""
+        return InputError(message, self.file, line_of(self.text, path))
+
+
+def read_experiment(file: Path) -> ExperimentFile:
+    """Reads the file and checks its structure.
+
+    Raises:
+        InputError: not readable, not TOML, an unknown or missing key, a value of the wrong kind.
+    """
+    text = read_text(file)
+    data = parse_toml(text, file)
+    try:
+        return ExperimentFile(file, text, Experiment.model_validate(data))
+    except ValidationError as error:
+        first = error.errors(include_url=False)[0]
+        path, message = _complaint(first)
+        raise InputError(message, file, line_of(text, path)) from None
+
+
+def _complaint(error: ErrorDetails) -> tuple[KeyPath, str]:
+    path, kind = error["loc"], error["type"]
+    key = shown(path[-1]) if path else "the file"
+    if kind == "extra_forbidden":
+        return path, _unknown_key(path, error["input"])
+    if kind == "missing":
+        return path, f"{key} is missing{_hint_for_missing(path)}"
+    if path == ("runs",):
+        return path, "runs must be a list of tables: write each as [[runs]], in double brackets"
+    return path, f"{key}: {_wrong_kind(error)}"
+
+
+def _wrong_kind(error: ErrorDetails) -> str:
+    value = shown(error["input"])
+    match error["type"]:
+        case "value_error":
+            return str(error["ctx"]["error"])
+        case "literal_error":
+            return f"{value} is not possible; write {error['ctx']['expected']}"
+        case "string_type":
+            return f"{value} is not a text; put it in quotes"
+        case "model_type" | "dict_type" | "model_attributes_type":
+            return f"{value} stands where a table of keys is needed"
+    return error["msg"]
+
+
+def _hint_for_missing(path: KeyPath) -> str:
+    match path:
+        case ("runs",):
+            return ': add a table [[runs]] with file = "run-01.csv" for each recording'
+        case ("runs", _, "file"):
+            return ': add the name of the CSV file, file = "run-01.csv"'
+        case ("fit", name, _):
+            return f': write {{ min = ..., max = ... }} for the free parameter "{name}"'
+    return ""
+
+
+def _unknown_key(path: KeyPath, value: Any) -> str:
+    if path[0] in ("fit", "signals") and isinstance(value, dict):
+        return f'a name with a dot needs quotes: "{path[1]}.{path[2]}"'
+    match path:
+        case ("runs", _, _):
+            table: type[_Table] = RunTable
+        case ("fit", _, _):
+            table = FreeTable
+        case ("signals", _, _):
+            table = SignalTable
+        case _:
+            table = Experiment
+    return f"unknown key {shown(path[-1])}; {did_you_mean(str(path[-1]), table.model_fields)}"

@@ -1,0 +1,133 @@
+"""The standard deviation of an instrument's noise, from the recording alone.
+
+Differences of order m over m + 1 neighbouring samples remove every polynomial below degree m, so that what is left
+of a well-sampled smooth signal is noise (Gasser, Sroka and Jennen-Steinmetz, Biometrika 73, 1986; general order:
+Hall, Kay and Titterington, Biometrika 77, 1990). A median makes the estimate indifferent to steps.
+
+Limits: noise is taken as white. A sensor that filters or repeats its samples looks less noisy than it is. A signal
+that bends within a few samples during most of the recording cannot be told from noise, and gives NaN. Noise below
+a third of the quantum comes out up to a fifth too small. The spread of the estimate itself is about 16 % with 50
+samples, 7 % with 200, 5 % with 500 and 2.5 % with 2000.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import erf, exp, inf, nan, pi, sqrt
+
+import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
+from numpy.typing import ArrayLike, NDArray
+
+from pam_cosim.measurement.data_set import DataSet
+
+_ORDERS = (2, 3, 4, 5, 6)
+_FEWEST = 20
+_CLIP = 3.0
+_MEDIAN_TO_SIGMA = 1.4826022185056018  # 1 / (0.75 quantile of the standard normal distribution)
+_CLIPPED_VARIANCE = 1.0 - 2.0 * _CLIP * exp(-(_CLIP**2) / 2.0) / sqrt(2.0 * pi) / erf(_CLIP / sqrt(2.0))
+
+Array = NDArray[np.float64]
+
+
+def estimate_noise(time: ArrayLike, values: ArrayLike) -> float:
+    """Standard deviation of white noise on a smooth signal with steps, in the unit of ``values``.
+
+    At least the error of rounding, when the values are multiples of a quantum.
+
+    Args:
+        time: (n,) not decreasing.
+        values: (n,), NaN where a sample is missing.
+
+    Returns:
+        NaN for a constant signal, fewer than some 20 samples at even distances, or a signal that the samples do
+        not resolve.
+    """
+    present = np.isfinite(np.asarray(values, dtype=float))
+    times: Array = np.asarray(time, dtype=float)[present]
+    samples: Array = np.asarray(values, dtype=float)[present]
+    quantum = _quantum(samples)
+    if len(samples) < _FEWEST or quantum == 0.0:
+        return nan
+    rounding = quantum**2 / 12.0
+    # Dither makes the distribution continuous, so that its median means something; its variance is known.
+    dither = np.random.default_rng(0).uniform(-quantum / 2.0, quantum / 2.0, len(samples))
+    variance = _white_level(times, samples + dither) ** 2 - rounding
+    return nan if np.isnan(variance) else sqrt(max(variance, rounding))
+
+
+def with_noise(data_set: DataSet) -> DataSet:
+    """The same data with an estimated ``sigma`` for every signal that has none; pooled over all runs.
+
+    A signal whose noise cannot be estimated keeps ``sigma = None``.
+    """
+    signals = {
+        name: signal if signal.sigma is not None else replace(signal, sigma=sigma, estimated=sigma is not None)
+        for name, signal in data_set.signals.items()
+        for sigma in [None if signal.sigma is not None else _pooled(data_set, name)]
+    }
+    return replace(data_set, signals=signals)
+
+
+def _pooled(data_set: DataSet, signal: str) -> float | None:
+    squares, samples = 0.0, 0
+    for run in data_set.runs:
+        sigma = estimate_noise(run.time, run.measurements[signal]) if run.sample_count(signal) else nan
+        if not np.isnan(sigma):
+            squares += run.sample_count(signal) * sigma**2
+            samples += run.sample_count(signal)
+    return sqrt(squares / samples) if samples else None
+
+
+def _quantum(values: Array) -> float:
+    """Smallest distance of different values, rounding errors of the conversion aside; 0 when all are equal."""
+    distinct = np.unique(values)
+    if distinct.size < 2:
+        return 0.0
+    gaps = np.diff(distinct)
+    return float(gaps[gaps > 1e-9 * np.abs(distinct).max()].min(initial=distinct[-1] - distinct[0]))
+
+
+def _white_level(time: Array, values: Array) -> float:
+    """The estimate of the lowest order that higher orders do not lower; NaN when every order lowers it."""
+    tolerance = 1.0 + max(0.05, 2.0 / sqrt(len(values)))
+    previous = inf
+    for order in _ORDERS:
+        sigma = _scale(_differences(time, values, order))
+        if previous <= tolerance * sigma:
+            return previous
+        previous = sigma
+    return nan
+
+
+def _differences(time: Array, values: Array, order: int) -> Array:
+    """Divided differences of evenly spaced neighbours, scaled to the variance of one sample; maybe none."""
+    steps = np.diff(time)
+    typical = float(np.median(steps))
+    if len(values) <= order or typical <= 0.0:
+        return np.empty(0)
+    even = (steps >= 0.5 * typical) & (steps <= 2.0 * typical)
+    usable = sliding_window_view(even, order).all(axis=1)
+    if usable.sum() < max(_FEWEST - order, len(values) / 2):
+        return np.empty(0)
+    nodes = sliding_window_view(time, order + 1)[usable] / typical
+    weights = _divided_difference_weights(nodes)
+    sums = np.sum(weights * sliding_window_view(values, order + 1)[usable], axis=1)
+    return np.asarray(sums / np.sqrt(np.sum(weights**2, axis=1)))
+
+
+def _divided_difference_weights(nodes: Array) -> Array:
+    """(k, m + 1) weights of the m-th divided difference at each row of nodes."""
+    distance = nodes[:, :, None] - nodes[:, None, :]
+    diagonal = np.arange(nodes.shape[1])
+    distance[:, diagonal, diagonal] = 1.0
+    return np.asarray(1.0 / distance.prod(axis=2))
+
+
+def _scale(differences: Array) -> float:
+    """Robust standard deviation: from the median, then sharpened by the root mean square of what is not outlying."""
+    if differences.size == 0:
+        return nan
+    rough = _MEDIAN_TO_SIGMA * float(np.median(np.abs(differences)))
+    inner = differences[np.abs(differences) <= _CLIP * rough]
+    return sqrt(float(np.mean(inner**2)) / _CLIPPED_VARIANCE)

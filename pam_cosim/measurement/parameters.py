@@ -1,0 +1,75 @@
+"""``[parameters]`` and ``[fit]`` against the parameters of the bench."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import inf
+
+from pam_cosim.interface import Interface, Variable
+from pam_cosim.measurement.data_set import FreeParameter
+from pam_cosim.measurement.experiment import ExperimentFile
+from pam_cosim.measurement.units import UnitError, quantity
+from pam_cosim.measurement.wording import did_you_mean, shown
+
+
+def known_values(
+    document: ExperimentFile, interface: Interface, values: Mapping[str, str | float], *path: str | int
+) -> dict[str, float]:
+    """The table at ``path`` in the model's units.
+
+    Raises:
+        InputError: an unknown name, a unit that does not fit, a value outside the model's range.
+    """
+    return {
+        name: _value(document, _parameter(document, interface, name, *path), value, *path, name)
+        for name, value in values.items()
+    }
+
+
+def free_parameter(
+    document: ExperimentFile, interface: Interface, name: str, known: Mapping[str, float]
+) -> FreeParameter:
+    """One entry of ``[fit]``; a value under ``[parameters]`` (``known``) is its start value.
+
+    Raises:
+        InputError: as ``known_values``; bounds reversed, start value given twice or outside the bounds.
+    """
+    table, parameter = document.content.fit[name], _parameter(document, interface, name, "fit")
+    path = ("fit", name)
+    low = _value(document, parameter, table.min, *path, "min")
+    high = _value(document, parameter, table.max, *path, "max")
+    bounds = f"min = {shown(table.min)} and max = {shown(table.max)}"
+    if not low < high:
+        raise document.error(f"{name}: the bounds are reversed or equal, {bounds}", *path)
+    if table.start is not None and name in known:
+        message = f"{name} has a start value here and a value under [parameters]; keep one of them"
+        raise document.error(message, *path, "start")
+    start = known.get(name)
+    if table.start is not None:
+        start = _value(document, parameter, table.start, *path, "start")
+    if start is not None and not low <= start <= high:
+        place = ("parameters", name) if name in known else (*path, "start")
+        raise document.error(f"{name}: the start value lies outside the bounds, {bounds}", *place)
+    return FreeParameter(name, low, high, start, parameter.unit)
+
+
+def _parameter(document: ExperimentFile, interface: Interface, name: str, *path: str | int) -> Variable:
+    known = interface.parameters
+    if name not in known:
+        message = f"{interface.model} has no parameter {shown(name)}; {did_you_mean(name, known)}"
+        raise document.error(message, *path, name)
+    return known[name]
+
+
+def _value(document: ExperimentFile, parameter: Variable, value: str | float, *path: str | int) -> float:
+    try:
+        number = quantity(value, parameter.unit)
+    except UnitError as error:
+        raise document.error(f"{parameter.name}: {error}", *path) from None
+    low = -inf if parameter.min is None else parameter.min
+    high = inf if parameter.max is None else parameter.max
+    if not low <= number <= high:
+        span = f"{low:g} to {high:g} {parameter.unit}".rstrip()
+        message = f"{parameter.name}: {shown(value)} is outside the model's range, {span}"
+        raise document.error(message, *path)
+    return number

@@ -1,0 +1,155 @@
+"""From a folder with ``experiment.toml`` and CSV files to a ``DataSet``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+from pam_cosim.errors import InputError, ModelError
+from pam_cosim.interface import Interface
+from pam_cosim.measurement.data_set import DataSet, Run, Signal
+from pam_cosim.measurement.experiment import FILE_NAME, ExperimentFile, RunTable, read_experiment
+from pam_cosim.measurement.inside import file_inside
+from pam_cosim.measurement.parameters import free_parameter, known_values
+from pam_cosim.measurement.recording import read_recording
+from pam_cosim.measurement.units import UnitError, quantity
+from pam_cosim.measurement.wording import did_you_mean, shown
+
+
+def read_data_set(folder: Path, describe: Callable[[str], Interface], *, model: str | None = None) -> DataSet:
+    """Reads a data set and converts it to the units of its bench.
+
+    Args:
+        folder: the folder, or its ``experiment.toml``.
+        describe: gives the interface of a bench by name; raises ``InputError`` when there is none.
+        model: read the data for this model instead of the one the file names.
+
+    Raises:
+        InputError: whatever is wrong in the folder, with file, line and column or key.
+    """
+    document = read_experiment(_experiment_file(Path(folder)))
+    name = model or _model_of(document)
+    interface = describe(name) if model else _interface(document, name, describe)
+    content = document.content
+    parameters = known_values(document, interface, content.parameters, "parameters")
+    free = {one: free_parameter(document, interface, one, parameters) for one in content.fit}
+    known = {one: value for one, value in parameters.items() if one not in free}
+    _check_signals(document, interface)
+    _check_runs(document)
+    runs = tuple(_run(document, interface, index, run, known) for index, run in enumerate(content.runs))
+    return DataSet(
+        folder=document.file.parent,
+        title=content.title or document.file.parent.resolve().name,
+        model=name,
+        signals=_signals(document, interface, runs),
+        parameters=known,
+        fit=free,
+        runs=runs,
+    )
+
+
+def _experiment_file(folder: Path) -> Path:
+    try:
+        if folder.is_dir():
+            return folder / FILE_NAME
+        if folder.is_file() and folder.suffix == ".toml":
+            return folder
+    except (OSError, ValueError) as error:
+        raise InputError(f"the folder cannot be read: {error}", shown(folder)) from None
+    raise InputError(f"a data set is a folder with {FILE_NAME} and CSV files; this is not one", folder)
+
+
+def _model_of(document: ExperimentFile) -> str:
+    """The bench's name; a ``.mo`` or ``.fmu`` file beside the experiment is meant relative to it."""
+    name = document.content.model
+    if not name:
+        message = 'model is missing: name the bench, for example model = "PneumaticMuscle.Benches.Isotonic"'
+        raise document.error(message, "model")
+    return str(file_inside(document, name, "model")) if name.endswith((".mo", ".fmu")) else name
+
+
+def _interface(document: ExperimentFile, name: str, describe: Callable[[str], Interface]) -> Interface:
+    try:
+        return describe(name)
+    except InputError as error:
+        kind = ModelError if isinstance(error, ModelError) else InputError
+        place = document.error(f"the model {shown(name)} cannot be used: {error}", "model")
+        raise kind(place.message, place.file, place.line) from None
+
+
+def _check_signals(document: ExperimentFile, interface: Interface) -> None:
+    for name in document.content.signals:
+        if name not in interface.outputs:
+            message = f"{interface.model} has no output {shown(name)}; {did_you_mean(name, interface.outputs)}"
+            raise document.error(message, "signals", name)
+
+
+def _signals(document: ExperimentFile, interface: Interface, runs: tuple[Run, ...]) -> dict[str, Signal]:
+    """Declared signals in the file's order, then measured columns that are not declared."""
+    declared = document.content.signals
+    for name in declared:
+        if not any(run.sample_count(name) for run in runs):
+            raise document.error(f"no run has a sample of the signal {shown(name)}", "signals", name)
+    measured = [name for run in runs for name in run.measurements]
+    names = dict.fromkeys([*declared, *measured])
+    return {name: _signal(document, name, interface.outputs[name].unit) for name in names}
+
+
+def _signal(document: ExperimentFile, name: str, unit: str) -> Signal:
+    table = document.content.signals.get(name)
+    if table is None or table.sigma is None:
+        return Signal(name, unit)
+    path = ("signals", name, "sigma")
+    try:
+        sigma = quantity(table.sigma, unit, difference=True)
+    except UnitError as error:
+        raise document.error(f"sigma of {name}: {error}", *path) from None
+    if sigma <= 0.0:
+        raise document.error(f"sigma of {name} must be greater than zero", *path)
+    return Signal(name, unit, sigma)
+
+
+def _check_runs(document: ExperimentFile) -> None:
+    """Every file is there and listed once, names differ, and something is left to fit."""
+    runs = document.content.runs
+    if not any(run.role == "fit" for run in runs):
+        raise document.error('no run has role = "fit"; one at least is needed', "runs")
+    files: set[Path] = set()
+    names: set[str] = set()
+    for index, run in enumerate(runs):
+        path = ("runs", index, "file")
+        file, name = file_inside(document, run.file, *path).resolve(), _name(run.file)
+        if file in files:
+            raise document.error(f"the file {shown(run.file)} is listed twice", *path)
+        if name in names:
+            raise document.error(f"two runs would be called {shown(name)}; rename one of the files", *path)
+        files.add(file)
+        names.add(name)
+
+
+def _run(
+    document: ExperimentFile, interface: Interface, index: int, table: RunTable, known: Mapping[str, float]
+) -> Run:
+    path = ("runs", index, "parameters")
+    for name in table.parameters:
+        if name in document.content.fit:
+            message = f"{name} is free under [fit] and cannot have a value of its own in a run"
+            raise document.error(message, *path, name)
+    own = known_values(document, interface, table.parameters, *path)
+    file = file_inside(document, table.file, "runs", index, "file")
+    recording = read_recording(file, interface)
+    return Run(
+        name=_name(table.file),
+        file=file,
+        role=table.role,
+        interpolation=table.interpolation,
+        parameters={**known, **own},
+        time=recording.time,
+        inputs=recording.inputs,
+        measurements=recording.measurements,
+        default_inputs=tuple(name for name in interface.inputs if name not in recording.inputs),
+    )
+
+
+def _name(file: str) -> str:
+    return Path(file).with_suffix("").as_posix()

@@ -1,0 +1,105 @@
+"""A CSV file against a bench: which columns are inputs and measurements, converted to the bench's units."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.errors import InputError
+from pam_cosim.interface import Interface
+from pam_cosim.measurement.table import Table, read_table
+from pam_cosim.measurement.units import UnitError, convert
+from pam_cosim.measurement.wording import did_you_mean, shown
+
+TIME = "time"
+
+
+@dataclass(frozen=True)
+class Recording:
+    """Columns of one file, in the bench's units; all arrays are read-only.
+
+    Attributes:
+        time: (n,) [s], not decreasing, at most two rows at one time.
+        inputs: (n,) each, without gaps.
+        measurements: (n,) each, NaN where a sample is missing.
+    """
+
+    time: NDArray[np.float64]
+    inputs: dict[str, NDArray[np.float64]]
+    measurements: dict[str, NDArray[np.float64]]
+
+
+def read_recording(file: Path, interface: Interface) -> Recording:
+    """Reads inputs and measured outputs of a bench.
+
+    Raises:
+        InputError: see ``read_table``; an unknown column, a unit that does not fit, a gap in time or an input,
+            time that goes back, fewer than two rows.
+    """
+    table = read_table(file)
+    for name in table.columns:
+        if name != TIME and name not in interface.inputs and name not in interface.outputs:
+            raise table.error(_unknown_column(name, interface), name)
+    time = _time(table)
+    inputs, measurements = {}, {}
+    for name in table.columns:
+        if name in interface.inputs:
+            inputs[name] = _without_gaps(table, name, interface.inputs[name].unit)
+        elif name in interface.outputs:
+            measurements[name] = _converted(table, name, interface.outputs[name].unit)
+    return Recording(time, inputs, measurements)
+
+
+def _unknown_column(name: str, interface: Interface) -> str:
+    if name in interface.parameters:
+        return f"{shown(name)} is a parameter of {interface.model}; set it under [runs.parameters]"
+    known = [TIME, *interface.inputs, *interface.outputs]
+    return f"{interface.model} has no input or output {shown(name)}; {did_you_mean(name, known)}"
+
+
+def _converted(table: Table, name: str, unit: str) -> NDArray[np.float64]:
+    column = table.columns[name]
+    try:
+        values = convert(column.values, column.unit, unit)
+    except UnitError as error:
+        raise table.error(f"{error}; the heading is '{name} [unit]'", name) from None
+    too_large = np.flatnonzero(np.isinf(values))
+    if too_large.size:
+        raise table.error("the value is too large", name, int(too_large[0]))
+    values.setflags(write=False)
+    return values
+
+
+def _without_gaps(table: Table, name: str, unit: str) -> NDArray[np.float64]:
+    values = _converted(table, name, unit)
+    gaps = np.flatnonzero(np.isnan(values))
+    if gaps.size:
+        message = "the cell is empty; only measured outputs may lack samples, time and inputs may not"
+        raise table.error(message, name, int(gaps[0]))
+    return values
+
+
+def _time(table: Table) -> NDArray[np.float64]:
+    """(n,) [s]."""
+    if TIME not in table.columns:
+        message = f"there is no column 'time [s]'; {did_you_mean(TIME, table.columns)}"
+        raise InputError(message, table.file, table.header_line)
+    time = _without_gaps(table, TIME, "s")
+    if len(time) < 2:
+        raise table.error("there is only one row; a recording needs two at least", TIME, 0)
+    with np.errstate(over="ignore"):
+        steps = np.diff(time)
+    back = np.flatnonzero(steps < 0.0)
+    if back.size:
+        row = int(back[0]) + 1
+        raise table.error(f"time goes back, from {time[row - 1]:.9g} s to {time[row]:.9g} s", TIME, row)
+    third = np.flatnonzero((steps[1:] == 0.0) & (steps[:-1] == 0.0))
+    if third.size:
+        row = int(third[0]) + 2
+        raise table.error(f"a third row at {time[row]:.9g} s; a step is two rows at one time", TIME, row)
+    if time[-1] == time[0]:
+        raise table.error("the recording has no duration", TIME, 0)
+    return time

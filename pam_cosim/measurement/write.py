@@ -1,0 +1,166 @@
+"""Writes a data set: ``experiment.toml`` and one CSV file a run, in the units the caller chooses."""
+
+from __future__ import annotations
+
+import json
+import os
+import tempfile
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.errors import InputError
+from pam_cosim.interface import Interface
+from pam_cosim.measurement.data_set import DataSet, Run
+from pam_cosim.measurement.experiment import FILE_NAME
+from pam_cosim.measurement.read import read_data_set
+from pam_cosim.measurement.recording import TIME
+from pam_cosim.measurement.units import UnitError, convert, is_dimensionless
+
+
+def write_data_set(
+    folder: Path,
+    data_set: DataSet,
+    interface: Interface,
+    *,
+    units: Mapping[str, str] | None = None,
+    digits: int = 9,
+) -> DataSet:
+    """Writes ``data_set`` to ``folder`` and returns it as it reads from there.
+
+    Nothing is written unless everything can be read back. A run's CSV file is called after the run; other files of
+    the folder stay as they are.
+
+    Args:
+        folder: made when it is missing.
+        data_set: numbers in the bench's units; its ``folder`` and the runs' ``file`` do not matter.
+        interface: the bench.
+        units: unit in the files by name of a signal, an input, a parameter or "time"; the bench's unit otherwise.
+        digits: significant digits in the CSV files.
+
+    Raises:
+        InputError: what ``read_data_set`` would refuse, or a folder that cannot be written.
+    """
+    writer = _Writer(data_set, interface, dict(units or {}), digits)
+    texts = {_file_name(run): writer.table(run) for run in data_set.runs}
+    texts[FILE_NAME] = writer.experiment()  # Last: a folder without it is no data set.
+    folder = Path(folder)
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{folder.name}-") as name:
+            draft = Path(name)
+            _write_texts(draft, texts)
+            read_data_set(draft, lambda _: interface)
+            folder.mkdir(exist_ok=True)
+            for file in texts:
+                (folder / file).parent.mkdir(parents=True, exist_ok=True)
+                os.replace(draft / file, folder / file)
+    except OSError as error:
+        raise InputError(f"the data set cannot be written: {error.strerror}", folder) from None
+    return read_data_set(folder, lambda _: interface)
+
+
+def _file_name(run: Run) -> str:
+    return f"{run.name}.csv"
+
+
+def _write_texts(folder: Path, texts: Mapping[str, str]) -> None:
+    for name, text in texts.items():
+        file = folder / name
+        if not file.resolve().is_relative_to(folder.resolve()):
+            raise InputError(f"the run file '{name}' would leave the folder", folder)
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text, encoding="utf-8", newline="\n")
+
+
+class _Writer:
+    """Texts of the files, with the caller's units."""
+
+    def __init__(self, data_set: DataSet, interface: Interface, units: dict[str, str], digits: int) -> None:
+        self.data_set, self.units, self.digits = data_set, units, digits
+        variables = {**interface.parameters, **interface.outputs, **interface.inputs}
+        self.si = {TIME: "s", **{name: variable.unit for name, variable in variables.items()}}
+
+    def table(self, run: Run) -> str:
+        columns = {TIME: run.time, **run.inputs, **run.measurements}
+        values = [self._converted(name, column) for name, column in columns.items()]
+        header = ",".join(self._heading(name) for name in columns)
+        rows = (",".join(self._cell(value) for value in row) for row in np.column_stack(values))
+        return "\n".join([header, *rows, ""])
+
+    def experiment(self) -> str:
+        return "\n".join([*self._head(), *self._parameters(), *self._free(), *self._runs(), ""])
+
+    def _head(self) -> Iterator[str]:
+        yield f"title = {_text(self.data_set.title)}"
+        yield f"model = {_text(self.data_set.model)}"
+        for name, signal in self.data_set.signals.items():
+            yield f"\n[signals.{_key(name)}]"
+            if signal.sigma is not None and not signal.estimated:
+                yield f"sigma = {self._quantity(name, signal.sigma, difference=True)}"
+
+    def _parameters(self) -> Iterator[str]:
+        if self.data_set.parameters:
+            yield "\n[parameters]"
+        yield from self._values(self.data_set.parameters)
+
+    def _free(self) -> Iterator[str]:
+        if self.data_set.fit:
+            yield "\n[fit]"
+        for name, free in self.data_set.fit.items():
+            bounds = {"min": free.min, "max": free.max, "start": free.start}
+            cells = [f"{key} = {self._quantity(name, one)}" for key, one in bounds.items() if one is not None]
+            yield f"{_text(name)} = {{ {', '.join(cells)} }}"
+
+    def _runs(self) -> Iterator[str]:
+        known = self.data_set.parameters
+        for run in self.data_set.runs:
+            yield f'\n[[runs]]\nfile = {_text(_file_name(run))}\nrole = "{run.role}"'
+            if run.interpolation != "linear":
+                yield f'interpolation = "{run.interpolation}"'
+            own = {name: value for name, value in run.parameters.items() if known.get(name) != value}
+            if own:
+                yield "[runs.parameters]"
+            yield from self._values(own)
+
+    def _values(self, values: Mapping[str, float]) -> Iterator[str]:
+        return (f"{_text(name)} = {self._quantity(name, value)}" for name, value in values.items())
+
+    def _unit(self, name: str) -> str:
+        return self.units.get(name, self._si_unit(name))
+
+    def _si_unit(self, name: str) -> str:
+        if name not in self.si:
+            raise InputError(f"the bench has no input, output or parameter '{name}'")
+        return self.si[name]
+
+    def _heading(self, name: str) -> str:
+        unit = self._unit(name)
+        return name if is_dimensionless(unit) else f"{name} [{unit}]"
+
+    def _quantity(self, name: str, value: float, *, difference: bool = False) -> str:
+        number = f"{float(self._converted(name, value, difference=difference)):.12g}"
+        unit = self._unit(name)
+        return number if is_dimensionless(unit) else _text(f"{number} {unit}")
+
+    def _converted(
+        self, name: str, values: NDArray[np.float64] | float, *, difference: bool = False
+    ) -> NDArray[np.float64]:
+        try:
+            return convert(values, self._si_unit(name), self._unit(name), difference=difference)
+        except UnitError as error:
+            raise InputError(f"{name}: {error}") from None
+
+    def _cell(self, value: float) -> str:
+        return "" if np.isnan(value) else f"{value:.{self.digits}g}"
+
+
+def _text(text: str) -> str:
+    """A TOML basic string; JSON's escapes are a subset of TOML's, but for the delete character."""
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def _key(name: str) -> str:
+    return name if name.isidentifier() and name.isascii() else _text(name)
