@@ -3,6 +3,7 @@
 from pam_cosim.fitting.estimate import Estimate, estimates
 from pam_cosim.fitting.fit import Fit, fit
 from pam_cosim.fitting.free import Free, base_parameters, free_from_variable
+from pam_cosim.fitting.noise import complete_noise
 from pam_cosim.fitting.structure import Structure, series_of, structure
 
 __all__ = [
@@ -11,6 +12,7 @@ __all__ = [
     "Free",
     "Structure",
     "base_parameters",
+    "complete_noise",
     "estimates",
     "fit",
     "free_from_variable",

@@ -1,0 +1,67 @@
+"""A hypothesis: the model with some effects added, fitted and judged."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from pam_cosim.comparison import SignalScore
+from pam_cosim.fitting import Estimate, Fit
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """The model with one more effect, fitted to the data.
+
+    Attributes:
+        effect: name of the effect that was tried.
+        family, balance: as the effect's class declares them.
+        effects: all effects in the model, in the order in which they were added, ``effect`` last.
+        own_parameters: names of the parameters that the tried effect brought.
+        fit: the fitted model; None when it could not be fitted.
+        failure: why not.
+        delta_bic: Bayesian information criterion minus that of the model without ``effect``; negative is better.
+        probability: weight among all candidates and the model without any, by that criterion.
+        equations: the Modelica text of the model.
+    """
+
+    effect: str
+    family: str
+    balance: str
+    effects: tuple[str, ...]
+    own_parameters: tuple[str, ...]
+    fit: Fit | None
+    failure: str | None = None
+    delta_bic: float = float("nan")
+    probability: float = 0.0
+    equations: str = ""
+
+    @property
+    def parameters(self) -> dict[str, Estimate]:
+        """Estimates of the effect's own parameters."""
+        return {} if self.fit is None else {n: self.fit.parameters[n] for n in self.own_parameters}
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON, SI units."""
+        found: dict[str, object] = {
+            "effect": self.effect,
+            "family": self.family,
+            "balance": self.balance,
+            "effects": list(self.effects),
+            "delta_bic": None if self.delta_bic != self.delta_bic else self.delta_bic,
+            "probability": self.probability,
+            "failure": self.failure,
+        }
+        if self.fit is not None:
+            found |= {role: role_summary(self.fit, role) for role in ("fit", "holdout")}
+            found["parameters"] = {n: e.as_dict() for n, e in self.fit.parameters.items()}
+            found["own_parameters"] = list(self.own_parameters)
+        return found
+
+
+def role_summary(fit: Fit, role: str) -> dict[str, object] | None:
+    """Scores of a fitted model on the runs of one role; None where there are none."""
+    scores: dict[str, SignalScore] = fit.comparison.scores[role]
+    if not scores:
+        return None
+    chi2 = fit.comparison.chi2_reduced(role)
+    return {"chi2_reduced": chi2, "signals": {n: s.as_dict() for n, s in scores.items()}}

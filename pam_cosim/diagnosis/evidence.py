@@ -1,0 +1,71 @@
+"""How much the data speak for one model over another."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.fitting import Fit, Structure
+
+SIGNIFICANT = 10.0  # difference of the criterion that counts as very strong (Kass and Raftery 1995)
+_WHITE_SCORE = 4.0
+_EXCESS = 0.05
+_DENSE = 100
+
+
+def structured(s: Structure) -> bool:
+    """Whether residuals hold something that is not noise.
+
+    Many samples show it by their correlation in time, and by its size: less than a twentieth of the noise's
+    variance is not worth a name. Few samples cannot; there the level against the stated noise decides too.
+    """
+    if not s.samples:
+        return False
+    coherent = s.score > _WHITE_SCORE and s.excess > _EXCESS
+    if s.samples >= _DENSE:
+        return coherent
+    return coherent or s.chi2_reduced > 1 + 4 * math.sqrt(2 / s.samples)
+
+
+def leaves_structure(s: Structure) -> bool:
+    """Whether residuals of a model that explains much are still coherent: more than a fifth of the noise's variance."""
+    return bool(s.samples) and s.score > _WHITE_SCORE and s.excess > 0.2 * max(1.0, s.noise)
+
+
+def _scale(fits: Sequence[Fit]) -> tuple[float, float]:
+    """Noise variance and samples per independent sample, both as the best model leaves them."""
+    best = min((f.structure["fit"] for f in fits), key=lambda s: s.chi2)
+    time = best.correlation_time if best.score > _WHITE_SCORE else 1.0
+    return max(1.0, best.chi2_reduced), time
+
+
+def bic(fit: Fit, variance: float, time: float) -> float:
+    """Bayesian information criterion with the effective number of samples."""
+    s = fit.structure["fit"]
+    return s.chi2 / (variance * time) + fit.freedom * math.log(max(s.samples / time, 2.0))
+
+
+def rank(base: Fit, candidates: Sequence[Candidate]) -> list[Candidate]:
+    """Candidates with their evidence, best first; those without a fit last."""
+    fitted = [c for c in candidates if c.fit is not None]
+    if not fitted:
+        return list(candidates)
+    variance, time = _scale([base, *(c.fit for c in fitted if c.fit is not None)])
+    start = bic(base, variance, time)
+    scored = [replace(c, delta_bic=bic(c.fit, variance, time) - start) for c in fitted if c.fit is not None]
+    lowest = min(0.0, *(c.delta_bic for c in scored))
+    weights = {c.effects: math.exp(-(c.delta_bic - lowest) / 2) for c in scored}
+    total = math.exp(lowest / 2) + sum(weights.values())
+    ranked = [replace(c, probability=weights[c.effects] / total) for c in scored]
+    ranked.sort(key=lambda c: (c.delta_bic, c.effects))
+    return ranked + [c for c in candidates if c.fit is None]
+
+
+def convincing(base: Fit, candidate: Candidate) -> bool:
+    """Whether a candidate is better beyond chance, on runs that were fitted and on runs that were not."""
+    if candidate.fit is None or not candidate.delta_bic < -SIGNIFICANT:
+        return False
+    before, after = base.structure["holdout"], candidate.fit.structure["holdout"]
+    return not before.samples or after.chi2 < before.chi2

@@ -1,0 +1,100 @@
+"""One hypothesis in one process: compose, build, fit."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from pam_cosim.compiler import Composition, EffectClass
+from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.fitting import Free, base_parameters, fit
+from pam_cosim.fmu import build_source
+from pam_cosim.interface import Interface
+from pam_cosim.measurement import DataSet
+from pam_cosim.simulation import Simulator
+
+
+@dataclass(frozen=True)
+class Trial:
+    """What a worker needs to try one effect.
+
+    Attributes:
+        effect: the effect to try.
+        effects: names of all effects in the model, ``effect`` last.
+        composition: the model with these effects.
+        data: the measurement, with noise levels.
+        start: values to start from, by name [SI].
+        files: further Modelica files.
+    """
+
+    effect: EffectClass
+    effects: tuple[str, ...]
+    composition: Composition
+    data: DataSet
+    start: Mapping[str, float] = field(default_factory=dict)
+    files: tuple[Path, ...] = ()
+
+    def candidate(self, **found: object) -> Candidate:
+        """The result of this trial."""
+        return Candidate(
+            effect=self.effect.name,
+            family=self.effect.family,
+            balance=self.effect.balance,
+            effects=self.effects,
+            own_parameters=tuple(self.composition.parameters[self.effect.name]),
+            equations=self.composition.text,
+            **found,  # type: ignore[arg-type]
+        )
+
+
+def crashed(trial: Trial) -> Candidate:
+    """The result of a trial whose process died."""
+    return trial.candidate(fit=None, failure="the simulation crashed its process")
+
+
+def run_trial(trial: Trial) -> Candidate:
+    """Builds the model and fits the free base parameters together with those of the effects."""
+    try:
+        fmu = build_source(trial.composition.name, trial.composition.text, trial.files)
+        with Simulator(fmu) as simulator:
+            free, starts = free_parameters(trial, simulator.interface)
+            return trial.candidate(fit=fit(simulator, trial.data, free, starts=starts))
+    except (SimulationFailure, InputError) as problem:
+        return trial.candidate(fit=None, failure=str(problem))
+
+
+def free_parameters(trial: Trial, interface: Interface) -> tuple[tuple[Free, ...], list[dict[str, float]]]:
+    """Base parameters and those of the effects, and further points to start from.
+
+    The strength of an unknown effect is uncertain by orders of magnitude: each parameter of the tried effect is
+    started at its stated value, and at ten times more and less.
+    """
+    free = list(base_parameters(trial.data, interface))
+    known = {f.name for f in free}
+    spread: list[list[tuple[str, float]]] = []
+    for effect, names in trial.composition.parameters.items():
+        for name in names:
+            if name in known:
+                continue
+            v = interface.parameters[name]
+            assert v.min is not None and v.max is not None and v.start is not None
+            parameter = Free(name, v.min, v.max, v.start, v.unit, v.nominal)
+            free.append(parameter)
+            if effect == trial.effect.name:
+                spread.append([(name, s) for s in _orders(parameter)])
+    moved = [_from(f, trial.start) for f in free]
+    starts = [dict(point) for point in itertools.islice(itertools.product(*spread), 27)] if spread else []
+    return tuple(moved), starts
+
+
+def _orders(free: Free) -> Sequence[float]:
+    values = [free.start, free.start / 10, free.start * 10]
+    return list(dict.fromkeys(min(max(v, free.low), free.high) for v in values))
+
+
+def _from(free: Free, start: Mapping[str, float]) -> Free:
+    value = min(max(start.get(free.name, free.start), free.low), free.high)
+    return Free(free.name, free.low, free.high, value, free.unit, free.nominal)

@@ -1,0 +1,83 @@
+"""What the evidence adds up to."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.diagnosis.evidence import SIGNIFICANT, leaves_structure, structured
+from pam_cosim.fitting import Fit
+
+Kind = Literal["none_missing", "identified", "ambiguous", "unknown"]
+_ROLES = ("fit", "holdout")
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """The answer to "which effect is missing?".
+
+    Attributes:
+        kind: none_missing, identified, ambiguous or unknown.
+        families: missing families, in the order in which they were added; for an ambiguous verdict, those that
+            the data cannot tell apart are all listed.
+        effects: the effect classes, likewise.
+        reason: the verdict in a sentence or two.
+    """
+
+    kind: Kind
+    families: tuple[str, ...]
+    effects: tuple[str, ...]
+    reason: str
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON."""
+        return {
+            "kind": self.kind,
+            "families": list(self.families),
+            "effects": list(self.effects),
+            "reason": self.reason,
+        }
+
+
+def rivals(best: Candidate, ranked: Sequence[Candidate]) -> list[Candidate]:
+    """Candidates of other families that the data hardly distinguish from the best, one of each family."""
+    found: dict[str, Candidate] = {}
+    for c in ranked:
+        if c.fit is None or c.family == best.family or c.delta_bic - best.delta_bic > SIGNIFICANT:
+            continue
+        found.setdefault(c.family, c)
+    return list(found.values())
+
+
+def judge(base: Fit, path: Sequence[Candidate], others: Sequence[Candidate]) -> Verdict:
+    """Turns the effects that were added (``path``) and the rivals of the last one into a verdict."""
+    if not path:
+        if any(structured(base.structure[r]) for r in _ROLES):
+            return Verdict("unknown", (), (), "The residual has structure, and no listed effect explains it.")
+        return Verdict("none_missing", (), (), "The residual is noise: nothing is missing that these data could show.")
+    last = path[-1]
+    assert last.fit is not None
+    families = tuple(c.family for c in path)
+    effects = tuple(c.effect for c in path)
+    share = explained(base, last.fit)
+    if others:
+        families += tuple(c.family for c in others)
+        effects += tuple(c.effect for c in others)
+        names = " and ".join([last.family, *(c.family for c in others)])
+        return Verdict("ambiguous", families, effects, f"These data cannot separate {names}.")
+    text = f"{' + '.join(effects)} removes {100 * share:.1f} % of the squared error beyond the noise"
+    if any(leaves_structure(last.fit.structure[r]) for r in _ROLES):
+        return Verdict("unknown", families, effects, f"{text}, but what remains has structure: something else is missing.")
+    loud = last.fit.structure["fit"].chi2_reduced
+    noise = f"; the noise is {loud**0.5:.2g} times the stated one" if loud > 1.5 else ""
+    return Verdict("identified", families, effects, f"{text}; what remains is noise{noise}.")
+
+
+def explained(before: Fit, after: Fit) -> float:
+    """Share of the squared error beyond the noise that is gone, on holdout runs where there are any."""
+    role = "holdout" if before.structure["holdout"].samples else "fit"
+    a, b = before.structure[role], after.structure[role]
+    excess = a.chi2 - a.samples
+    return (a.chi2 - b.chi2) / excess if excess > 0 else 0.0

@@ -1,0 +1,76 @@
+"""Tasks in worker processes: a crash ends one task, not the study."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+from collections.abc import Callable, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
+from typing import TypeVar
+
+Task = TypeVar("Task")
+Result = TypeVar("Result")
+
+
+def processors() -> int:
+    """How many processors this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def run_tasks(
+    function: Callable[[Task], Result],
+    tasks: Sequence[Task],
+    on_crash: Callable[[Task], Result],
+    done: Callable[[Result], None],
+    workers: int | None = None,
+) -> list[Result]:
+    """Runs ``function`` on every task and returns the results in the order of the tasks.
+
+    Args:
+        function: a module-level function that handles its own exceptions.
+        tasks: what to run it on.
+        on_crash: makes the result of a task whose process died.
+        done: called with each result as it comes.
+        workers: number of processes; default the processors at hand.
+    """
+    results: dict[int, Result] = {}
+    waiting = list(range(len(tasks)))
+    count = min(workers or processors(), max(len(tasks), 1))
+    suspects = _attempt(function, tasks, waiting, results, done, count)
+    for i in suspects:  # a broken pool does not say who broke it: try those one by one
+        if _attempt(function, tasks, [i], results, done, 1):
+            results[i] = on_crash(tasks[i])
+            done(results[i])
+    return [results[i] for i in range(len(tasks))]
+
+
+def _attempt(
+    function: Callable[[Task], Result],
+    tasks: Sequence[Task],
+    chosen: Sequence[int],
+    results: dict[int, Result],
+    done: Callable[[Result], None],
+    count: int,
+) -> list[int]:
+    """Runs the chosen tasks; returns those whose pool broke."""
+    context = multiprocessing.get_context("spawn")
+    lost: list[int] = []
+    with ProcessPoolExecutor(count, mp_context=context) as pool:
+        running: dict[Future[Result], int] = {}
+        for i in chosen:
+            try:
+                running[pool.submit(function, tasks[i])] = i
+            except BrokenProcessPool:
+                lost.append(i)
+        while running:
+            finished, _ = wait(running, return_when=FIRST_COMPLETED)
+            for future in sorted(finished, key=lambda f: running[f]):
+                i = running.pop(future)
+                try:
+                    results[i] = future.result()
+                except BrokenProcessPool:
+                    lost.append(i)
+                    continue
+                done(results[i])
+    return sorted(lost)
