@@ -4,6 +4,7 @@ from pam_cosim.fitting.estimate import Estimate, estimates
 from pam_cosim.fitting.fit import Fit, fit
 from pam_cosim.fitting.free import Free, base_parameters, free_from_variable
 from pam_cosim.fitting.noise import complete_noise
+from pam_cosim.fitting.parameter_file import read_parameters, write_parameters
 from pam_cosim.fitting.structure import Structure, series_of, structure
 
 __all__ = [
@@ -16,6 +17,8 @@ __all__ = [
     "estimates",
     "fit",
     "free_from_variable",
+    "read_parameters",
     "series_of",
     "structure",
+    "write_parameters",
 ]

@@ -1,0 +1,176 @@
+"""The steps of a study as one function each: read, compare, fit, diagnose, add, simulate, sweep."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from pam_cosim.comparison import Comparison
+from pam_cosim.comparison import compare as _compare
+from pam_cosim.compiler import EffectClass, compose, effect_classes, read_library
+from pam_cosim.diagnosis import Diagnosis
+from pam_cosim.diagnosis import diagnose as _diagnose
+from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.files import write_text
+from pam_cosim.fitting import Fit, complete_noise
+from pam_cosim.fitting import fit as _fit
+from pam_cosim.fmu import build_model, read_interface
+from pam_cosim.interface import Interface
+from pam_cosim.measurement import DataSet, read_data_set
+from pam_cosim.simulation import Inputs, Simulator, Trajectory
+
+Paths = Sequence[Path | str]
+
+
+def describe(model: str, files: Paths = ()) -> Interface:
+    """Inputs, outputs and parameters of a model: a bench, a Modelica class, a ``.mo`` or an ``.fmu`` file.
+
+    Raises:
+        InputError: there is no such model, or it cannot be compiled.
+    """
+    return read_interface(build(model, files=files))
+
+
+def build(model: str, output: Path | str | None = None, *, files: Paths = ()) -> Path:
+    """Builds an FMU, or finds it in the cache; with ``output`` it is put there."""
+    return build_model(model, _paths(files), Path(output) if output else None)
+
+
+def read(folder: Path | str, *, model: str | None = None, files: Paths = ()) -> DataSet:
+    """Reads a data set and checks it against its bench (or against ``model``).
+
+    Raises:
+        InputError: with file, line and column of what cannot be used.
+    """
+    return read_data_set(Path(folder), lambda name: describe(name, files), model=model)
+
+
+def compare(
+    data: DataSet, model: str | None = None, parameters: Mapping[str, float] | None = None, *, files: Paths = ()
+) -> Comparison:
+    """Simulates every run of ``data`` with ``model`` (default: its bench) and scores the differences."""
+    with Simulator(build(model or data.model, files=files)) as simulator:
+        return _compare(simulator, complete_noise(data), parameters)
+
+
+def fit(
+    data: DataSet,
+    model: str | None = None,
+    *,
+    parameters: Mapping[str, float] | None = None,
+    files: Paths = (),
+    progress: Callable[[int, float], None] | None = None,
+) -> Fit:
+    """Fits what the data set leaves free; ``parameters`` are further values to use [SI]."""
+    with Simulator(build(model or data.model, files=files)) as simulator:
+        return _fit(simulator, complete_noise(data), fixed=parameters, progress=progress)
+
+
+def diagnose(
+    data: DataSet,
+    model: str | None = None,
+    *,
+    files: Paths = (),
+    say: Callable[[str], None] = lambda text: None,
+    workers: int | None = None,
+) -> Diagnosis:
+    """Finds the effect that ``model`` (default: the bench of the data set) lacks."""
+    return _diagnose(data, model, files=_paths(files), say=say, workers=workers)
+
+
+def effects(files: Paths = ()) -> list[EffectClass]:
+    """The catalogue: every effect of the library and of ``files``."""
+    return list(effect_classes(read_library(files=_paths(files))))
+
+
+def add(names: Sequence[str], to: str, output: Path | str | None = None, *, files: Paths = ()) -> str:
+    """The Modelica text of ``to`` with the named effects; written to ``output`` if given.
+
+    Raises:
+        InputError: an unknown effect, or one that finds no place in the model.
+    """
+    extra = _paths(files) + ([Path(to)] if to.endswith(".mo") else [])
+    tree = read_library(files=extra)
+    name = Path(output).stem if output else None
+    composition = compose(tree, to, names, name)
+    if composition is None:
+        raise InputError(f"{to} has no place for {', '.join(names)}")
+    if output:
+        write_text(Path(output), composition.text)
+    return composition.text
+
+
+def simulate(
+    model: str,
+    parameters: Mapping[str, float] | None = None,
+    inputs: Inputs | None = None,
+    *,
+    stop_time: float | None = None,
+    interval: float | None = None,
+    files: Paths = (),
+) -> Trajectory:
+    """One run with the model's defaults, ``parameters`` [SI] and ``inputs``.
+
+    Raises:
+        InputError: an unknown model, parameter or input.
+        SimulationFailure: the run did not reach its end.
+    """
+    with Simulator(build(model, files=files)) as simulator:
+        times = output_times(simulator.interface, inputs, stop_time, interval)
+        return simulator.run(times, parameters=parameters, inputs=inputs)
+
+
+def output_times(
+    interface: Interface, inputs: Inputs | None, stop_time: float | None = None, interval: float | None = None
+) -> np.ndarray:
+    """(n,) [s]: from the first input sample (or zero) to the last (or the model's default stop time)."""
+    start = float(inputs.time[0]) if inputs is not None else 0.0
+    end = stop_time if stop_time is not None else float(inputs.time[-1]) if inputs is not None else interface.stop_time
+    step = interval or interface.interval or (end - start) / 1000
+    if not end > start or not step > 0:
+        raise InputError(f"the run must end after its start: from {start:g} s to {end:g} s in steps of {step:g} s")
+    return start + (end - start) * np.linspace(0, 1, max(2, round((end - start) / step) + 1))
+
+
+@dataclass(frozen=True)
+class SweepPoint:
+    """One simulation of a sweep: its parameters, and its trajectory or what went wrong."""
+
+    parameters: dict[str, float]
+    trajectory: Trajectory | None
+    failure: str | None = None
+
+
+def sweep(
+    model: str,
+    vary: Mapping[str, Iterable[float]],
+    *,
+    parameters: Mapping[str, float] | None = None,
+    inputs: Inputs | None = None,
+    stop_time: float | None = None,
+    files: Paths = (),
+    progress: Callable[[int, int], None] | None = None,
+) -> list[SweepPoint]:
+    """Simulates every combination of the varied parameters; a run that fails is reported and the others go on."""
+    names = list(vary)
+    grid = np.stack(np.meshgrid(*[list(vary[n]) for n in names], indexing="ij"), axis=-1).reshape(-1, len(names))
+    points = []
+    with Simulator(build(model, files=files)) as simulator:
+        times = output_times(simulator.interface, inputs, stop_time)
+        for i, values in enumerate(grid):
+            varied = {n: float(v) for n, v in zip(names, values, strict=True)}
+            try:
+                found = simulator.run(times, parameters={**(parameters or {}), **varied}, inputs=inputs)
+                points.append(SweepPoint(varied, found))
+            except SimulationFailure as failure:
+                points.append(SweepPoint(varied, None, str(failure)))
+            if progress is not None:
+                progress(i + 1, len(grid))
+    return points
+
+
+def _paths(files: Paths) -> list[Path]:
+    return [Path(f) for f in files]
