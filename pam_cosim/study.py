@@ -14,8 +14,8 @@ from pam_cosim.compiler import EffectClass, compose, effect_classes, read_librar
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis import diagnose as _diagnose
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.files import write_text
-from pam_cosim.fitting import Fit, complete_noise
+from pam_cosim.files import write_bytes, write_text
+from pam_cosim.fitting import Fit, base_parameters, complete_noise, spread_starts
 from pam_cosim.fitting import fit as _fit
 from pam_cosim.fmu import build_model, read_interface
 from pam_cosim.interface import Interface
@@ -36,7 +36,19 @@ def describe(model: str, files: Paths = ()) -> Interface:
 
 def build(model: str, output: Path | str | None = None, *, files: Paths = ()) -> Path:
     """Builds an FMU, or finds it in the cache; with ``output`` it is put there."""
-    return build_model(model, _paths(files), Path(output) if output else None)
+    made = build_model(model, _paths(files))
+    if output is None:
+        return made
+    target = Path(output)
+    target.parent.mkdir(parents=True, exist_ok=True)
+    write_bytes(target, made.read_bytes())
+    return target
+
+
+def benches() -> list[str]:
+    """Names of the benches of the library."""
+    tree = read_library()
+    return [c.name for c in tree.classes.values() if c.qualified_name.startswith("PneumaticMuscle.Benches.")]
 
 
 def read(folder: Path | str, *, model: str | None = None, files: Paths = ()) -> DataSet:
@@ -60,13 +72,36 @@ def fit(
     data: DataSet,
     model: str | None = None,
     *,
+    method: str = "least-squares",
     parameters: Mapping[str, float] | None = None,
     files: Paths = (),
     progress: Callable[[int, float], None] | None = None,
 ) -> Fit:
-    """Fits what the data set leaves free; ``parameters`` are further values to use [SI]."""
+    """Fits what the data set leaves free.
+
+    Args:
+        data: the measurement.
+        model: default: the bench of the data set.
+        method: "least-squares" from the start values, or "multi-start": also from points spread over the bounds.
+        parameters: further values to use [SI].
+        files: further Modelica files.
+        progress: called with the number of simulations and the reduced chi-square.
+
+    Raises:
+        InputError: unknown model, parameter or method; nothing to fit.
+        SimulationFailure: no start value can be simulated.
+    """
+    if method not in METHODS:
+        raise InputError(f"there is no method '{method}' to fit with; choose one of {', '.join(METHODS)}")
     with Simulator(build(model or data.model, files=files)) as simulator:
-        return _fit(simulator, complete_noise(data), fixed=parameters, progress=progress)
+        free = base_parameters(data, simulator.interface)
+        if not free:
+            raise InputError("nothing to fit: name the free parameters under [fit]", data.folder / "experiment.toml")
+        starts = spread_starts(free) if method == "multi-start" else ()
+        return _fit(simulator, complete_noise(data), free, fixed=parameters, starts=starts, progress=progress)
+
+
+METHODS = ("least-squares", "multi-start")
 
 
 def diagnose(

@@ -1,7 +1,7 @@
 """Data set and model -> fitted parameters with intervals."""
 
 from pam_cosim.fitting.estimate import Estimate, estimates
-from pam_cosim.fitting.fit import Fit, fit
+from pam_cosim.fitting.fit import Fit, fit, spread_starts
 from pam_cosim.fitting.free import Free, base_parameters, free_from_variable
 from pam_cosim.fitting.noise import complete_noise
 from pam_cosim.fitting.parameter_file import read_parameters, write_parameters
@@ -19,6 +19,7 @@ __all__ = [
     "free_from_variable",
     "read_parameters",
     "series_of",
+    "spread_starts",
     "structure",
     "write_parameters",
 ]

@@ -117,6 +117,18 @@ def fit(
     )
 
 
+def spread_starts(free: Sequence[Free], count: int = 16) -> list[dict[str, float]]:
+    """Start values spread evenly over the bounds by a Sobol sequence; the same ones every time."""
+    if not free:
+        return []
+    points = qmc.Sobol(len(free), seed=0).random(count)
+    reach = [(f.to_z(f.low), f.to_z(f.high)) for f in free]
+    return [
+        {f.name: f.to_value(low + u * (high - low)) for f, (low, high), u in zip(free, reach, point, strict=True)}
+        for point in points
+    ]
+
+
 def _spread(s: Structure) -> float:
     """Residuals beyond the declared noise, and correlated ones, widen the intervals."""
     time = s.correlation_time if s.score > _WHITE_SCORE else 1.0

@@ -1,0 +1,268 @@
+"""Words to calls: the command ``pam-cosim``. No logic of its own."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Annotated, Any
+
+import click
+import typer
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+from rich.table import Table
+
+from pam_cosim import study
+from pam_cosim.arguments import parse_settings, parse_variations, read_inputs
+from pam_cosim.comparison import Comparison
+from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.files import check_writable, write_json
+from pam_cosim.fitting import read_parameters, write_parameters
+from pam_cosim.quantities import readable
+from pam_cosim.reporting import comparison_report, diagnosis_report, plot_trajectory, write_report
+from pam_cosim.tables import against_lines, read_comparison, write_sweep
+
+app = typer.Typer(
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    help="Compare models of pneumatic muscles with measurements and find the physical effect they lack.",
+)
+_console = Console(stderr=True, highlight=False)
+
+ModelOption = Annotated[str | None, typer.Option("--model", help="A bench, a Modelica class, a .mo or an .fmu file.")]
+FilesOption = Annotated[list[Path] | None, typer.Option("--file", help="A further Modelica file, for own effects.")]
+JsonOption = Annotated[Path | None, typer.Option("--json", help="Write the result as JSON, SI units.")]
+ReportOption = Annotated[Path | None, typer.Option("--report", help="Write a self-contained HTML report.")]
+SetOption = Annotated[list[str] | None, typer.Option("--set", help='A parameter: NAME=VALUE, such as load.m="5 kg".')]
+Data = Annotated[Path, typer.Argument(help="Folder with experiment.toml and CSV files.")]
+
+
+def _checked(*outputs: Path | None) -> None:
+    for path in outputs:
+        if path is not None:
+            check_writable(path)
+
+
+def _saved(path: Path | None) -> None:
+    if path is not None:
+        _console.print(f"written: {path}", style="dim")
+
+
+@app.command()
+def build(
+    models: Annotated[list[str] | None, typer.Argument(help="Models to build; default: every bench.")] = None,
+    files: FilesOption = None,
+    output: Annotated[Path, typer.Option("--output", "-o", help="Folder for the FMUs.")] = Path("fmu/build"),
+) -> None:
+    """Modelica to FMU."""
+    for model in models or study.benches():
+        name = Path(model).stem if model.endswith(".mo") else model.rpartition(".")[2]
+        typer.echo(study.build(model, output / f"{name}.fmu", files=files or []))
+
+
+@app.command()
+def simulate(
+    model: Annotated[str, typer.Argument(help="A bench, a Modelica class, a .mo or an .fmu file.")],
+    settings: SetOption = None,
+    inputs: Annotated[Path | None, typer.Option("--input", help="CSV with input columns: name [unit].")] = None,
+    stop_time: Annotated[float | None, typer.Option(help="End of the run [s].")] = None,
+    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the trajectory as CSV.")] = None,
+    plot: Annotated[Path | None, typer.Option(help="Draw the outputs as PNG.")] = None,
+    files: FilesOption = None,
+) -> None:
+    """One run of a model."""
+    _checked(output, plot)
+    interface = study.describe(model, files or [])
+    parameters = parse_settings(settings or [], interface)
+    course = read_inputs(inputs, interface) if inputs else None
+    trajectory = study.simulate(model, parameters, course, stop_time=stop_time, files=files or [])
+    if output:
+        trajectory.to_csv(output)
+    if plot:
+        plot_trajectory(trajectory, plot)
+    for name, values in trajectory.values.items():
+        unit = trajectory.units[name]
+        low, high, last = (readable(float(v), unit) for v in (values.min(), values.max(), values[-1]))
+        typer.echo(f"{name}: from {low} to {high}, at the end {last}")
+    _saved(output)
+    _saved(plot)
+
+
+@app.command()
+def sweep(
+    model: Annotated[str, typer.Argument(help="A bench, a Modelica class, a .mo or an .fmu file.")],
+    vary: Annotated[list[str], typer.Option("--vary", help="NAME=FROM:TO:N or NAME=A,B,C.")],
+    output: Annotated[Path, typer.Option("--output", "-o", help="Write all trajectories as one CSV.")],
+    settings: SetOption = None,
+    inputs: Annotated[Path | None, typer.Option("--input", help="CSV with input columns: name [unit].")] = None,
+    stop_time: Annotated[float | None, typer.Option(help="End of each run [s].")] = None,
+    files: FilesOption = None,
+) -> None:
+    """Every combination of varied parameters."""
+    _checked(output)
+    interface = study.describe(model, files or [])
+    variations = parse_variations(vary, interface)
+    parameters = parse_settings(settings or [], interface)
+    course = read_inputs(inputs, interface) if inputs else None
+    columns = (TextColumn("sweep"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=_console) as progress:
+        task = progress.add_task("sweep", total=None)
+        points = study.sweep(
+            model,
+            variations,
+            parameters=parameters,
+            inputs=course,
+            stop_time=stop_time,
+            files=files or [],
+            progress=lambda done, total: progress.update(task, completed=done, total=total),
+        )
+    write_sweep(output, points, interface)
+    failed = [p for p in points if p.failure]
+    for p in failed:
+        _console.print(f"failed at {p.parameters}: {p.failure}")
+    typer.echo(f"{len(points) - len(failed)} of {len(points)} runs done")
+    _saved(output)
+
+
+@app.command()
+def compare(
+    data: Data,
+    model: ModelOption = None,
+    params: Annotated[Path | None, typer.Option(help="Fitted parameters, from 'fit -o'.")] = None,
+    against: Annotated[list[Path] | None, typer.Option(help="Earlier 'compare --json' results.")] = None,
+    json: JsonOption = None,
+    report: ReportOption = None,
+    files: FilesOption = None,
+) -> None:
+    """How far a model is from a measurement, and where."""
+    _checked(json, report)
+    values = read_parameters(params) if params else {}
+    earlier = [(path.stem, read_comparison(path)) for path in against or []]
+    read = study.read(data, model=model, files=files or [])
+    found: Comparison = study.compare(read, model, values, files=files or [])
+    typer.echo(str(found))
+    for line in against_lines(found, earlier):
+        typer.echo(line)
+    if json:
+        write_json(json, found.as_dict())
+    if report:
+        write_report(report, comparison_report(found))
+    _saved(json)
+    _saved(report)
+
+
+@app.command()
+def fit(
+    data: Data,
+    model: ModelOption = None,
+    method: Annotated[str, typer.Option(help="How to search: least-squares or multi-start.")] = "least-squares",
+    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the parameters (.json, .ssv).")] = None,
+    json: JsonOption = None,
+    files: FilesOption = None,
+) -> None:
+    """Fit the parameters that the data set leaves free."""
+    _checked(output, json)
+    read = study.read(data, model=model, files=files or [])
+    with _console.status("fitting") as status:
+        found = study.fit(
+            read,
+            model,
+            method=method,
+            files=files or [],
+            progress=lambda n, chi2: status.update(f"fitting: {n} simulations, chi2 {chi2:.4g}"),
+        )
+    typer.echo(str(found))
+    if output:
+        write_parameters(output, found)
+    if json:
+        write_json(json, found.as_dict())
+    _saved(output)
+    _saved(json)
+
+
+@app.command()
+def diagnose(
+    data: Data,
+    model: ModelOption = None,
+    json: JsonOption = None,
+    report: ReportOption = None,
+    files: FilesOption = None,
+    workers: Annotated[int | None, typer.Option(help="Processes; default: all processors.")] = None,
+) -> None:
+    """Find the physical effect that the model lacks."""
+    _checked(json, report)
+    read = study.read(data, model=model, files=files or [])
+    with _console.status("refitting the base model") as status:
+        say = _teller(status)
+        found = study.diagnose(read, model, files=files or [], say=say, workers=workers)
+    typer.echo(str(found))
+    if json:
+        write_json(json, found.as_dict())
+    if report:
+        write_report(report, diagnosis_report(found))
+    _saved(json)
+    _saved(report)
+
+
+def _teller(status: Any) -> Callable[[str], None]:
+    def say(text: str) -> None:
+        _console.print(text)
+        status.update("trying effects")
+
+    return say
+
+
+@app.command()
+def add(
+    effects: Annotated[list[str], typer.Argument(help="Effects, by the names in 'pam-cosim effects'.")],
+    to: Annotated[str, typer.Option("--to", help="The model: a bench, a Modelica class or a .mo file.")],
+    output: Annotated[Path, typer.Option("--output", "-o", help="The Modelica file to write.")],
+    files: FilesOption = None,
+) -> None:
+    """Write a readable Modelica model that extends another with effects."""
+    _checked(output)
+    if output.suffix != ".mo":
+        raise InputError("the model is written as Modelica: name a file that ends in .mo", output)
+    typer.echo(study.add(effects, to, output, files=files or []), nl=False)
+    _saved(output)
+
+
+@app.command()
+def effects(files: FilesOption = None) -> None:
+    """The catalogue of effects."""
+    table = Table("family", "effect", "balance", "parameters", "what it is")
+    for e in study.effects(files or []):
+        table.add_row(e.family, e.name, e.balance, ", ".join(e.parameters), e.description)
+    Console(width=None if sys.stdout.isatty() else 160).print(table)
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Runs the command; 0 when done, 2 when the input cannot be used, 1 when a simulation failed."""
+    try:
+        result = app(args=arguments, standalone_mode=False)
+        return result if isinstance(result, int) else 0
+    except InputError as problem:
+        print(f"pam-cosim: {problem}", file=sys.stderr)
+        return 2
+    except SimulationFailure as failure:
+        print(f"pam-cosim: the simulation failed: {failure}", file=sys.stderr)
+        return 1
+    except click.exceptions.ClickException as problem:
+        problem.show()
+        return 2
+    except (click.exceptions.Abort, KeyboardInterrupt):
+        print("pam-cosim: stopped", file=sys.stderr)
+        return 130
+
+
+def run() -> None:
+    """Entry point of the command line."""
+    sys.exit(main())
+
+
+if __name__ == "__main__":
+    run()
+
+

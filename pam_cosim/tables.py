@@ -1,0 +1,81 @@
+"""Results as tables: sweeps as CSV, comparisons beside earlier ones."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from pam_cosim.comparison import Comparison
+from pam_cosim.errors import InputError
+from pam_cosim.files import write_text
+from pam_cosim.interface import Interface
+from pam_cosim.quantities import readable
+from pam_cosim.study import SweepPoint
+
+
+def _headed(name: str, unit: str) -> str:
+    return f"{name} [{unit or '1'}]"
+
+
+def write_sweep(path: Path, points: Sequence[SweepPoint], interface: Interface) -> None:
+    """Writes all trajectories of a sweep below each other: the varied parameters, time, outputs [SI].
+
+    A run that failed has one row with empty outputs and the reason in the last column.
+
+    Raises:
+        InputError: the file cannot be written.
+    """
+    varied = list(points[0].parameters) if points else []
+    outputs = list(interface.outputs)
+    text = io.StringIO()
+    table = csv.writer(text, lineterminator="\n")
+    head = [_headed(n, interface.parameters[n].unit) for n in varied]
+    table.writerow([*head, "time [s]", *[_headed(n, v.unit) for n, v in interface.outputs.items()], "failure"])
+    for point in points:
+        values = [repr(point.parameters[n]) for n in varied]
+        if point.trajectory is None:
+            table.writerow([*values, "", *[""] * len(outputs), point.failure])
+            continue
+        columns = [point.trajectory.values[n] for n in outputs]
+        for i, time in enumerate(point.trajectory.time):
+            table.writerow([*values, repr(float(time)), *[repr(float(c[i])) for c in columns], ""])
+    write_text(path, text.getvalue())
+
+
+def read_comparison(path: Path) -> dict[str, Any]:
+    """Reads what ``compare --json`` wrote.
+
+    Raises:
+        InputError: the file is missing or is not such a file.
+    """
+    try:
+        content = json.loads(path.read_text(encoding="utf-8"))
+    except OSError as problem:
+        raise InputError(f"cannot be read: {problem.strerror}", path) from problem
+    except UnicodeDecodeError as problem:
+        raise InputError("cannot be read: it is not UTF-8 text", path) from problem
+    except json.JSONDecodeError as problem:
+        raise InputError(f"not JSON: {problem.msg}", path, problem.lineno, problem.colno) from problem
+    if not isinstance(content, dict) or not isinstance(content.get("signals"), dict):
+        raise InputError("is not a result of 'pam-cosim compare --json'", path)
+    return content
+
+
+def against_lines(comparison: Comparison, earlier: Sequence[tuple[str, dict[str, Any]]]) -> list[str]:
+    """One line for each signal and earlier result: by how much the error changed."""
+    lines = []
+    for name, content in earlier:
+        for signal, score in comparison.scores["all"].items():
+            before = content["signals"].get(signal, {}).get("rmse")
+            if isinstance(before, (int, float)) and before > 0:
+                unit = comparison.data.signals[signal].unit
+                change = 100 * (score.rmse / before - 1)
+                lines.append(
+                    f"  against {name}: {signal} rms error {readable(before, unit)} -> {readable(score.rmse, unit)} "
+                    f"({change:+.0f} %)"
+                )
+    return lines
