@@ -97,8 +97,9 @@ def read_experiment(file: Path) -> ExperimentFile:
     try:
         return ExperimentFile(file, text, Experiment.model_validate(data))
     except ValidationError as error:
-        first = error.errors(include_url=False)[0]
-        path, message = _complaint(first)
+        # An unknown key first: a misspelt key is also a missing one.
+        worst = min(error.errors(include_url=False), key=lambda one: one["type"] != "extra_forbidden")
+        path, message = _complaint(worst)
         raise InputError(message, file, line_of(text, path)) from None
 
 

@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 from pam_cosim.measurement.data_set import DataSet
 
 _ORDERS = (2, 3, 4, 5, 6)
-_FEWEST = 20
+_FEWEST = 30
 _CLIP = 3.0
 _MEDIAN_TO_SIGMA = 1.4826022185056018  # 1 / (0.75 quantile of the standard normal distribution)
 _CLIPPED_VARIANCE = 1.0 - 2.0 * _CLIP * exp(-(_CLIP**2) / 2.0) / sqrt(2.0 * pi) / erf(_CLIP / sqrt(2.0))
@@ -40,7 +40,7 @@ def estimate_noise(time: ArrayLike, values: ArrayLike) -> float:
         values: (n,), NaN where a sample is missing.
 
     Returns:
-        NaN for a constant signal, fewer than some 20 samples at even distances, or a signal that the samples do
+        NaN for a constant signal, fewer than some 30 samples at even distances, or a signal that the samples do
         not resolve.
     """
     present = np.isfinite(np.asarray(values, dtype=float))
@@ -57,26 +57,25 @@ def estimate_noise(time: ArrayLike, values: ArrayLike) -> float:
 
 
 def with_noise(data_set: DataSet) -> DataSet:
-    """The same data with an estimated ``sigma`` for every signal that has none; pooled over all runs.
+    """The same data with an estimated ``sigma`` for every signal that has none: the median of its runs.
 
     A signal whose noise cannot be estimated keeps ``sigma = None``.
     """
-    signals = {
-        name: signal if signal.sigma is not None else replace(signal, sigma=sigma, estimated=sigma is not None)
-        for name, signal in data_set.signals.items()
-        for sigma in [None if signal.sigma is not None else _pooled(data_set, name)]
-    }
+    signals = dict(data_set.signals)
+    for name, signal in data_set.signals.items():
+        sigma = _typical(data_set, name) if signal.sigma is None else None
+        if sigma is not None:
+            signals[name] = replace(signal, sigma=sigma, estimated=True)
     return replace(data_set, signals=signals)
 
 
-def _pooled(data_set: DataSet, signal: str) -> float | None:
-    squares, samples = 0.0, 0
-    for run in data_set.runs:
-        sigma = estimate_noise(run.time, run.measurements[signal]) if run.sample_count(signal) else nan
-        if not np.isnan(sigma):
-            squares += run.sample_count(signal) * sigma**2
-            samples += run.sample_count(signal)
-    return sqrt(squares / samples) if samples else None
+def _typical(data_set: DataSet, signal: str) -> float | None:
+    """Median over the runs: a run in which the signal shakes says nothing about the instrument."""
+    estimates = [
+        estimate_noise(run.time, run.measurements[signal]) for run in data_set.runs if signal in run.measurements
+    ]
+    finite = [sigma for sigma in estimates if not np.isnan(sigma)]
+    return float(np.median(finite)) if finite else None
 
 
 def _quantum(values: Array) -> float:

@@ -75,19 +75,21 @@ def read_table(file: Path) -> Table:
 
 def _rows(text: str, file: Path) -> Iterator[tuple[int, list[str]]]:
     """Line number and stripped cells of every line that is neither blank nor a comment."""
-    last_line = 0
+    first_line = 0  # Of the current row: a quoted cell can hold line ends.
 
     def kept() -> Iterator[str]:
-        nonlocal last_line
-        for last_line, line in enumerate(re.split(r"\r\n|\n|\r", text), start=1):  # noqa: B007
+        nonlocal first_line
+        for number, line in enumerate(re.split(r"\r\n|\n|\r", text), start=1):
             if line.strip() and not line.lstrip().startswith("#"):
+                first_line = first_line or number
                 yield line
 
     try:
         for cells in csv.reader(kept(), strict=True, skipinitialspace=True):
-            yield last_line, [cell.strip() for cell in cells]
+            yield first_line, [cell.strip() for cell in cells]
+            first_line = 0
     except csv.Error as error:
-        raise InputError(f"this line is not comma-separated text: {error}", file, last_line) from None
+        raise InputError(f"this line is not comma-separated text: {error}", file, first_line) from None
 
 
 def _headings(cells: list[str], file: Path, line: int) -> dict[str, str]:
@@ -97,6 +99,8 @@ def _headings(cells: list[str], file: Path, line: int) -> dict[str, str]:
             if separator in cells[0]:
                 message = f"the columns are separated by {word}; separate them by commas, with decimal points"
                 raise InputError(message, file, line)
+    if all(_NUMBER.fullmatch(cell) for cell in cells):
+        raise InputError("the header is missing; begin with a line such as 'time [s],p [kPa]'", file, line)
     units: dict[str, str] = {}
     for number, cell in enumerate(cells, start=1):
         match = _HEADING.fullmatch(cell)
@@ -107,8 +111,6 @@ def _headings(cells: list[str], file: Path, line: int) -> dict[str, str]:
         if name in units:
             raise InputError("this column stands twice in the header", file, line, name)
         units[name] = unit
-    if all(_NUMBER.fullmatch(cell) for cell in cells):
-        raise InputError("the header is missing; begin with a line such as 'time [s],p [kPa]'", file, line)
     return units
 
 

@@ -1,0 +1,224 @@
+"""Every fault gives one InputError that names file, line, column and what to do."""
+
+from __future__ import annotations
+
+import os
+
+import pytest
+
+from pam_cosim.errors import InputError, ModelError
+from pam_cosim.measurement import read_data_set
+from tests.measurement.bench import EXPERIMENT, RUN_01, describe
+
+TOML, ONE, TWO = "experiment.toml", "run-01.csv", "run-02.csv"
+
+
+def line(text: str, part: str) -> int:
+    """Line of the first occurrence."""
+    return text[: text.index(part)].count("\n") + 1
+
+
+def refusal(folder) -> InputError:
+    with pytest.raises(InputError) as caught:
+        read_data_set(folder, describe)
+    return caught.value
+
+
+# (name, text replaced, replacement, line or None, column, words of the message)
+CSV_FAULTS = [
+    ("wrong unit", "p [kPa]", "p [kg]", 1, "p", ["'kg'", "'Pa'", "kPa"]),
+    ("unknown unit", "p [kPa]", "p [kPascal2x9]", 1, "p", ["unknown"]),
+    ("missing unit", "x [mm]", "x", 1, "x", ["unit is missing", "mm", "'x [unit]'"]),
+    ("unknown column", "u_in [A]", "u_inn [A]", 1, "u_inn", ["did you mean 'u_in'", "p_supply"]),
+    ("parameter as column", "u_in [A]", "load.m [kg]", 1, "load.m", ["is a parameter", "[runs.parameters]"]),
+    ("duplicate column", "x [mm]", "p [Pa]", 1, "p", ["twice"]),
+    ("no time", "time [s]", "eps", 1, None, ["'time [s]'"]),
+    ("misspelt time", "time [s]", "Time [s]", 1, "Time", ["did you mean 'time'"]),
+    ("bad heading", "x [mm]", "x [mm", 1, "x [mm", ["'name [unit]'"]),
+    ("empty heading", "x [mm]", "", 1, None, ["column 6", "'name [unit]'"]),
+    ("no header", RUN_01.split("\n")[0] + "\n", "", 1, None, ["header"]),
+    ("text in a number", "1.25", "1.25mm", 5, "x", ["'1.25mm'", "not a number"]),
+    ("underscore in a number", "1.25", "1_25", 5, "x", ["not a number"]),
+    ("not a number", "1.25", "NaN", 5, "x", ["not a finite number", "leave the cell empty"]),
+    ("infinite", "1.25", "-inf", 5, "x", ["not a finite number"]),
+    ("overflow", "1.25", "1e999", 5, "x", ["too large"]),
+    ("overflow in conversion", "1.6,", "1e307,", 4, "p", ["too large"]),
+    ("decimal comma in quotes", "1.25", '"1,25"', 5, "x", ["decimal comma"]),
+    ("time back", "0.2,", "0.05,", 5, "time", ["time goes back", "0.1 s", "0.05 s"]),
+    ("third row at a time", "0.2,", "0.1,", 5, "time", ["third row"]),
+    ("time missing", "0.2,", ",", 5, "time", ["empty"]),
+    ("input missing", "0.1,0.35", "0.1,", 4, "u_in", ["empty", "inputs"]),
+    ("ragged row", "1.25,", "", 5, None, ["6 cells", "has 7"]),
+    ("long row", "1.25,", "1,25,", 5, None, ["8 cells", "has 7"]),
+    ("open quote", "1.25", '"1.25', 5, None, ["comma-separated"]),
+]
+
+
+@pytest.mark.parametrize("case", CSV_FAULTS, ids=[case[0] for case in CSV_FAULTS])
+def test_faults_in_a_recording(make, case):
+    _, old, new, at, column, words = case
+    folder = make((ONE, old, new))
+    error = refusal(folder)
+    assert (error.file, error.line, error.column) == (folder / ONE, at, column)
+    for word in words:
+        assert word in error.message
+
+
+CSV_FILES = [
+    ("empty", b"", None, "empty"),
+    ("only comments", b"# nothing\n\n", None, "empty"),
+    ("only header", b"time [s],p [kPa]\n", 1, "no rows"),
+    ("one row", b"time [s],p [kPa]\n0,1\n", 2, "only one row"),
+    ("no duration", b"time [s],p [kPa]\n1,1\n1,2\n", 2, "no duration"),
+    ("semicolons", b"time [s];p [kPa]\n0;1\n1;2\n", 1, "semicolons"),
+    ("semicolons and commas", b"time [s];p [kPa]\n0,5;1,5\n", 1, "semicolons"),
+    ("tabs", b"time [s]\tp [kPa]\n0\t1\n", 1, "tabs"),
+    ("decimal commas", b"time [s],p [kPa]\n0,5,1,5\n", 2, "decimal points"),
+    ("not UTF-8", b"time [s],p [kPa]\n0,1\n1,\xb0\n", 3, "UTF-8"),
+    ("UTF-16", "time [s],p [kPa]\n0,1\n".encode("utf-16"), 1, "UTF-8"),
+    ("zero bytes", b"time [s],p [kPa]\n0,1\n1,\x00\n", 3, "not a number"),
+    ("a picture", b"\x89PNG\r\n\x1a\n\x00\x00", 1, "UTF-8"),
+]
+
+
+@pytest.mark.parametrize("case", CSV_FILES, ids=[case[0] for case in CSV_FILES])
+def test_files_that_are_no_recording(make, case):
+    _, content, at, word = case
+    folder = make()
+    (folder / ONE).write_bytes(content)
+    error = refusal(folder)
+    assert (error.file, error.line) == (folder / ONE, at)
+    assert word in error.message
+
+
+# (name, text replaced, replacement, text on the line that is named, words of the message)
+TOML_FAULTS = [
+    ("syntax", "title = ", "title := ", "title := ", ["not valid TOML"]),
+    ("unknown key", "title =", "titel =", "titel", ["unknown key 'titel'", "did you mean 'title'"]),
+    ("unknown key of a run", "role =", "rolle =", "rolle", ["'rolle'", "did you mean 'role'"]),
+    ("unknown key of a signal", 'sigma = "0.2', 'sigm = "0.2', "sigm =", ["did you mean 'sigma'"]),
+    ("unknown key of a bound", "min = 0.5", "mini = 0.5", "mini", ["did you mean 'min'"]),
+    ("missing bound", "min = 0.5, ", "", '"valve.C_A"', ["'min' is missing"]),
+    ("missing file", '\nfile = "run-02.csv"', " # second", "[[runs]] # second", ["'file' is missing"]),
+    ("unquoted name", '"load.m" = "2.27', 'load.m = "2.27', "load.m", ["quotes"]),
+    ("unquoted free name", '"valve.C_A" = {', "valve.C_A = {", "valve.C_A", ['"valve.C_A"', "quotes"]),
+    ("one run table", EXPERIMENT[EXPERIMENT.index("[[runs]]") :], '[runs]\nfile="run-01.csv"', "[runs]", ["[[runs]]"]),
+    ("role", '"holdout"', '"test"', "role", ["'test'", "'fit' or 'holdout'"]),
+    ("interpolation", '"previous"', '"cubic"', "interpolation", ["'cubic'", "'previous'"]),
+    ("number as title", '"latex muscle, steps"', "5", "title", ["not a text"]),
+    ("signals as value", '[signals.p]\nsigma = "0.5 kPa"', "[signals]\np = 5", "p = 5", ["table"]),
+    ("truth as value", '"2.27 kg"', "true", '"load.m"', ["number"]),
+    ("unknown bench", "Rig.Benches.Isotonic", "Rig.Isotonc", "model =", ["'Rig.Isotonc'", "no class"]),
+    ("no bench", 'model = "Rig.Benches.Isotonic"', "", None, ["model is missing"]),
+    ("unknown parameter", '"load.m" = "2', '"load.mm" = "2', "load.mm", ["'load.mm'", "did you mean 'load.m'"]),
+    ("unknown free parameter", '"valve.C_A"', '"valve.CA"', "valve.CA", ["did you mean 'valve.C_A'"]),
+    ("unknown parameter of a run", '"load.m" = "5', '"lod.m" = "5', "lod.m", ["did you mean 'load.m'"]),
+    ("unknown signal", "signals.x", "signals.y", "signals.y", ["no output 'y'", "eps"]),
+    ("input as signal", "signals.x", "signals.u_in", "signals.u_in", ["no output 'u_in'"]),
+    ("number without unit", '"2.27 kg"', "2.27", '"load.m"', ["needs a unit", '"2.27 kg"']),
+    ("text without unit", '"2.27 kg"', '"2.27"', '"load.m"', ["needs a unit", '"2.27 kg"']),
+    ("text without number", '"2.27 kg"', '"heavy"', '"load.m"', ["'heavy'", '"0.7 kg"']),
+    ("decimal comma", '"2.27 kg"', '"2,27 kg"', '"load.m"', ["decimal comma"]),
+    ("wrong dimension", '"2.27 kg"', '"2.27 N"', '"load.m"', ["'N'", "'kg'"]),
+    ("unit on a pure number", '"10 %"', '"10 mm"', '"muscle.mu_fb" = {', ["without dimension"]),
+    ("infinite", "= 0.015", "= inf", '"muscle.mu_fb"', ["finite"]),
+    ("nan bound", "min = 0.5", "min = nan", '"valve.C_A"', ["finite"]),
+    ("huge integer", "= 0.015", "= 1" + "0" * 400, '"muscle.mu_fb"', ["too large"]),
+    ("outside the range", '"2.27 kg"', '"-2.27 kg"', '"load.m"', ["'-2.27 kg'", "range, 0 to inf kg"]),
+    ("bound outside the range", "max = 0.9", "max = 9", '"valve.C_A"', ["range, 0.1 to 2"]),
+    ("reversed bounds", "min = 0.5", "min = 0.95", '"valve.C_A"', ["reversed"]),
+    ("equal bounds", "min = 0.5", "min = 0.9", '"valve.C_A"', ["reversed or equal"]),
+    ("start outside", "max = 0.9", "max = 0.9, start = 1", '"valve.C_A"', ["start value", "outside"]),
+    ("known value outside", "= 0.015", "= 0.5", '"muscle.mu_fb" = 0.5', ["start value", "outside"]),
+    ("start twice", '"10 %"', '"10 %", start = 0.01', '"muscle.mu_fb" = {', ["keep one"]),
+    ("free and fixed in a run", '"load.m" = "5 kg"', '"valve.C_A" = 0.6', '"valve.C_A" = 0.6', ["free"]),
+    ("sigma zero", '"0.5 kPa"', '"0 kPa"', 'sigma = "0 kPa"', ["greater than zero"]),
+    ("sigma negative", '"0.5 kPa"', '"-1 Pa"', 'sigma = "-1 Pa"', ["greater than zero"]),
+    ("sigma in a wrong unit", '"0.5 kPa"', '"0.5 mm"', 'sigma = "0.5 mm"', ["sigma of p", "'mm'"]),
+    ("sigma without unit", '"0.5 kPa"', "500", "sigma = 500", ["sigma of p", "needs a unit"]),
+    ("no such run", "run-02.csv", "run-03.csv", "run-03.csv", ["does not exist"]),
+    ("folder up", "run-02.csv", "../run-02.csv", "../run-02.csv", ["leaves the folder"]),
+    ("folder up in Windows", '"run-02.csv"', r"'..\run-02.csv'", "run-02.csv", ["leaves the folder"]),
+    ("absolute", "run-02.csv", "/etc/passwd", "/etc/passwd", ["leaves the folder"]),
+    ("the folder", "run-02.csv", ".", 'file = "."', ["leaves the folder"]),
+    ("no name", "run-02.csv", "", 'file = ""', ["leaves the folder"]),
+    ("zero byte", "run-02.csv", "\\u0000", "u0000", ["cannot be found"]),
+    ("very long name", "run-02.csv", "x" * 5000, "xxx", ["cannot be found"]),
+    ("listed twice", "run-02.csv", "./run-01.csv", "./run-01.csv", ["listed twice"]),
+    ("no fit run", 'file = "run-01.csv"', 'file = "run-01.csv"\nrole = "holdout"', "[[runs]]", ["at least"]),
+]
+
+
+@pytest.mark.parametrize("case", TOML_FAULTS, ids=[case[0] for case in TOML_FAULTS])
+def test_faults_in_the_experiment(make, case):
+    _, old, new, place, words = case
+    folder = make((TOML, old, new))
+    error = refusal(folder)
+    text = (folder / TOML).read_text()
+    assert error.file == folder / TOML
+    assert error.line == (None if place is None else line(text, place))
+    for word in words:
+        assert word in error.message
+
+
+def test_a_syntax_error_has_a_column(make):
+    assert refusal(make((TOML, "title = ", "title := "))).column == 7
+
+
+def test_deep_nesting_and_long_numbers_are_refused(make):
+    folder = make()
+    for value in ("[" * 5000, "1" * 5000):
+        (folder / TOML).write_text(f"title = {value}")
+        assert refusal(folder).file == folder / TOML
+
+
+def test_a_model_error_stays_one_and_names_the_line(make):
+    error = refusal(make((TOML, "Rig.Benches.Isotonic", "Nothing")))
+    assert isinstance(error, ModelError)
+    assert str(error).startswith(f"{error.file}:3: ")
+
+
+def test_a_chosen_model_is_not_the_files_fault(make):
+    with pytest.raises(ModelError) as caught:
+        read_data_set(make(), describe, model="Nothing")
+    assert caught.value.file is None
+
+
+def test_a_signal_nobody_measured(make):
+    folder = make((ONE, "x [mm]", "eps [%]"))
+    error = refusal(folder)
+    assert error.line == line(EXPERIMENT, "[signals.x]")
+    assert "no run has a sample" in error.message
+
+
+def test_names_of_runs_differ(make):
+    folder = make((TOML, "run-02.csv", "run-01.txt"))
+    (folder / "run-01.txt").write_text(RUN_01)
+    assert "called 'run-01'" in refusal(folder).message
+
+
+@pytest.mark.skipif(not hasattr(os, "symlink"), reason="needs symbolic links")
+def test_a_link_out_of_the_folder(make, tmp_path):
+    (tmp_path / "secret.csv").write_text(RUN_01)
+    folder = make()
+    (folder / TWO).unlink()
+    (folder / TWO).symlink_to(tmp_path / "secret.csv")
+    error = refusal(folder)
+    assert error.line == line(EXPERIMENT, "run-02.csv")
+    assert "leaves the folder" in error.message
+
+
+def test_a_link_to_itself_and_a_folder(make):
+    folder = make()
+    (folder / TWO).unlink()
+    (folder / TWO).symlink_to(folder / TWO)
+    assert refusal(folder).line == line(EXPERIMENT, "run-02.csv")
+    (folder / TWO).unlink()
+    (folder / TWO).mkdir()
+    assert "is not a file" in refusal(folder).message
+
+
+def test_no_data_set_there(tmp_path):
+    assert refusal(tmp_path).file == tmp_path / TOML
+    assert refusal(tmp_path / "nowhere").file == tmp_path / "nowhere"
+    assert "folder" in refusal(tmp_path / ("x" * 5000)).message

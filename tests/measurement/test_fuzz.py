@@ -1,0 +1,75 @@
+"""Whatever bytes the files hold, reading ends in a data set or in one InputError."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pam_cosim.errors import InputError
+from pam_cosim.measurement import DataSet, UnitError, convert, quantity, read_data_set
+from pam_cosim.measurement.toml_text import line_of
+from tests.measurement.bench import EXPERIMENT, RUN_01, RUN_02, describe
+
+FILES = {"experiment.toml": EXPERIMENT, "run-01.csv": RUN_01, "run-02.csv": RUN_02}
+TOKENS = [b"", b"\n", b",", b";", b'"', b"'", b"[", b"]]", b"=", b"{", b"}", b"\x00", b"\xff", b"\r", b"#", b"nan"]
+TOKENS += [b"1e999", b"-", b"..", b"/", b"\xef\xbb\xbf", b"[s]", b"degC", b"9**9**9", b"\xc2\xb5", b"runs", b"0x"]
+EDITS = st.lists(
+    st.tuples(st.integers(0, 2000), st.integers(0, 12), st.sampled_from(TOKENS) | st.binary(max_size=6)),
+    min_size=1,
+    max_size=4,
+)
+
+
+def mutated(data: bytes, edits: list[tuple[int, int, bytes]]) -> bytes:
+    for start, removed, inserted in edits:
+        start %= len(data) + 1
+        data = data[:start] + inserted + data[start + removed :]
+    return data
+
+
+@settings(max_examples=300, deadline=None, derandomize=True)
+@given(st.sampled_from(sorted(FILES)), EDITS)
+def test_mutated_files(file, edits):
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        for other, text in FILES.items():
+            content = text.encode()
+            (folder / other).write_bytes(mutated(content, edits) if other == file else content)
+        try:
+            assert isinstance(read_data_set(folder, describe), DataSet)
+        except InputError as error:
+            assert error.message and error.file is not None
+            assert error.line is None or error.line >= 1
+            assert len(str(error)) < 2000
+
+
+@settings(max_examples=200, deadline=None, derandomize=True)
+@given(st.text(max_size=70) | st.text(alphabet="mkgsPaKdegC0123456789.*/^()- %", max_size=30))
+def test_any_text_as_unit(text):
+    for target in ("Pa", "K", "1", "W/(m2.K)"):
+        for difference in (False, True):
+            try:
+                assert convert(1.0, text, target, difference=difference).shape == ()
+                assert isinstance(quantity("1 " + text, target, difference=difference), float)
+            except UnitError as error:
+                assert str(error)
+
+
+@settings(max_examples=100, deadline=None, derandomize=True)
+@given(st.lists(st.sampled_from(["# c", "", "k{} = 1", "k{} = [\n 1, # [\n 2]", 'k{} = """\nx = 1\n"""', "[t{}]"])))
+def test_lines_of_keys(parts):
+    """Every key is found on the line on which it was written, past comments and values of several lines."""
+    text, places = "", {}
+    table = ()
+    for number, part in enumerate(parts):
+        if part.startswith("[t"):
+            table = (f"t{number}",)
+        if "{}" in part:
+            key = table if part.startswith("[t") else (*table, f"k{number}")
+            places[key] = text.count("\n") + 1
+        text += part.replace("{}", str(number)) + "\n"
+    for key, expected in places.items():
+        assert line_of(text, key) == expected

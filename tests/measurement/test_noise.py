@@ -1,0 +1,98 @@
+"""The estimate against noise of known standard deviation."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pam_cosim.measurement import DataSet, Run, Signal, estimate_noise, with_noise
+
+N = 2000
+TIME = np.linspace(0.0, 4.0, N)
+CURVES = {
+    "constant": np.zeros(N),
+    "slow exponential": 1 - np.exp(-TIME),
+    "fast exponential": 1 - np.exp(-TIME / 0.05),
+    "oscillation": np.sin(4 * np.pi * TIME),
+    "steps": np.floor(5 * TIME) % 2 + np.exp(-TIME),
+}
+
+
+def white(seed: int, size: int = N) -> np.ndarray:
+    return np.random.default_rng(seed).standard_normal(size)
+
+
+@pytest.mark.parametrize("curve", CURVES)
+@pytest.mark.parametrize("sigma", [0.03, 0.001])
+def test_white_noise_on_smooth_signals_and_steps(curve, sigma):
+    for seed in range(5):
+        assert estimate_noise(TIME, CURVES[curve] + sigma * white(seed)) == pytest.approx(sigma, rel=0.1)
+
+
+@pytest.mark.parametrize("quantum", [0.1, 1.0, 2.0])
+def test_quantised_readings_have_noise_and_rounding(quantum):
+    raw = 20 * CURVES["slow exponential"] + white(1)
+    expected = np.sqrt(1 + quantum**2 / 12)
+    assert estimate_noise(TIME, quantum * np.round(raw / quantum)) == pytest.approx(expected, rel=0.1)
+
+
+def test_a_staircase_has_at_least_the_error_of_rounding():
+    staircase = 0.01 * np.round(CURVES["slow exponential"] / 0.01)
+    assert estimate_noise(TIME, staircase) == pytest.approx(0.01 / np.sqrt(12), rel=0.1)
+
+
+def test_the_scale_of_the_unit_does_not_matter():
+    values = 0.1 * np.round(10 * (20 * CURVES["slow exponential"] + white(3)))
+    assert estimate_noise(TIME, 1e3 * values) == pytest.approx(1e3 * estimate_noise(TIME, values), rel=1e-6)
+
+
+def test_missing_samples_uneven_times_and_double_rows():
+    values = CURVES["slow exponential"] + 0.01 * white(2)
+    holes = values.copy()
+    holes[::3] = np.nan
+    holes[500:700] = np.nan
+    slow = np.full(N, np.nan)
+    slow[::4] = values[::4]
+    uneven = TIME + 0.3 * TIME[1] * np.random.default_rng(1).uniform(-1, 1, N)
+    double = TIME.copy()
+    double[1000:] -= TIME[1]
+    assert double[1000] == pytest.approx(double[999])
+    assert estimate_noise(TIME, holes) == pytest.approx(0.01, rel=0.15)
+    assert estimate_noise(TIME, slow) == pytest.approx(0.01, rel=0.15)
+    assert estimate_noise(np.sort(uneven), 1 - np.exp(-np.sort(uneven)) + 0.01 * white(2)) == pytest.approx(
+        0.01, rel=0.1
+    )
+    assert estimate_noise(double, values) == pytest.approx(0.01, rel=0.1)
+
+
+def test_what_cannot_be_estimated_is_nan():
+    few = np.linspace(0, 1, 15)
+    uneven = np.logspace(-3, 1, 40)
+    assert np.isnan(estimate_noise(few, white(0, 15)))
+    assert np.isnan(estimate_noise(uneven, white(0, 40)))
+    assert np.isnan(estimate_noise(TIME, np.zeros(N)))
+    assert np.isnan(estimate_noise(TIME, np.full(N, np.nan)))
+    coarse = np.linspace(0, 4, 50)
+    assert np.isnan(estimate_noise(coarse, np.sin(4 * np.pi * coarse) + 1e-3 * white(0, 50)))
+
+
+def run(name: str, **measurements: np.ndarray) -> Run:
+    return Run(name, Path(name), "fit", "linear", {}, TIME, {}, measurements)
+
+
+def test_only_unknown_noise_is_filled_in():
+    shaking = CURVES["constant"] + 30 * white(9)
+    runs = tuple(run(f"r{seed}", p=2.0 * white(seed), x=white(seed)) for seed in range(4)) + (
+        run("shaking", p=shaking),
+    )
+    signals = {"p": Signal("p", "Pa"), "x": Signal("x", "m", 0.5), "T": Signal("T", "K")}
+    data = DataSet(Path("."), "t", "M", signals, {}, {}, runs)
+    filled = with_noise(replace(data, signals={**signals})).signals
+    assert filled["p"].sigma == pytest.approx(2.0, rel=0.1)
+    assert filled["p"].estimated
+    assert (filled["x"].sigma, filled["x"].estimated) == (0.5, False)
+    assert (filled["T"].sigma, filled["T"].estimated) == (None, False)
+    assert data.signals["p"].sigma is None

@@ -1,0 +1,68 @@
+"""What is written reads back as it was."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from pam_cosim.errors import InputError
+from pam_cosim.measurement import read_data_set, write_data_set
+from tests.measurement.bench import BENCH, describe
+
+UNITS = {"time": "ms", "p": "kPa", "p_supply": "bar", "x": "mm", "T": "degC", "load.m": "g", "tank.T_start": "degF"}
+
+
+@pytest.mark.parametrize("units", [None, UNITS], ids=["bench units", "chosen units"])
+def test_round_trip(make, tmp_path, units):
+    data = read_data_set(make(), describe)
+    folder = tmp_path / "a" / "copy"
+    copy = write_data_set(folder, data, BENCH, units=units)
+    assert (copy.title, copy.model, copy.folder) == (data.title, data.model, folder)
+    assert list(copy.signals) == list(data.signals)
+    for name, signal in data.signals.items():
+        assert copy.signals[name].sigma == (signal.sigma and pytest.approx(signal.sigma))
+    assert copy.parameters == pytest.approx(data.parameters)
+    for name, free in data.fit.items():
+        other = copy.fit[name]
+        assert [other.min, other.max] == pytest.approx([free.min, free.max])
+        assert other.start == (free.start and pytest.approx(free.start))
+    for one, two in zip(data.runs, copy.runs, strict=True):
+        assert (one.name, one.role, one.interpolation) == (two.name, two.role, two.interpolation)
+        assert two.parameters == pytest.approx(one.parameters)
+        np.testing.assert_allclose(two.time, one.time, rtol=1e-8)
+        assert (list(two.inputs), list(two.measurements)) == (list(one.inputs), list(one.measurements))
+        for name, values in {**one.inputs, **one.measurements}.items():
+            np.testing.assert_allclose({**two.inputs, **two.measurements}[name], values, rtol=1e-7)
+    header = (folder / "run-01.csv").read_text().splitlines()[0]
+    assert ("p [kPa]" if units else "p [Pa]") in header
+    assert sorted(item.name for item in (tmp_path / "a").iterdir()) == ["copy"]
+
+
+def test_titles_are_quoted(make, tmp_path):
+    title = 'a "quoted" \\ title\nwith ümlaut \x7f'
+    data = replace(read_data_set(make(), describe), title=title)
+    assert write_data_set(tmp_path / "copy", data, BENCH).title == title
+
+
+def test_other_files_stay(make):
+    folder = make()
+    (folder / "SOURCE.md").write_text("origin")
+    write_data_set(folder, read_data_set(folder, describe), BENCH, units=UNITS)
+    assert (folder / "SOURCE.md").read_text() == "origin"
+
+
+def test_nothing_is_written_when_something_is_wrong(make, tmp_path):
+    data = read_data_set(make(), describe)
+    one, two = data.runs
+    backwards = replace(one, time=one.time[::-1])
+    gap = replace(one, inputs={**one.inputs, "u_in": np.array([0.0, np.nan, 0.0, 0.0])})
+    outside = replace(one, name="../../outside")
+    foreign = replace(one, measurements={"F": one.time})
+    for bad in (backwards, gap, outside, foreign, replace(one, role="holdout")):
+        with pytest.raises(InputError):
+            write_data_set(tmp_path / "copy", replace(data, runs=(bad, two)), BENCH)
+    with pytest.raises(InputError):
+        write_data_set(tmp_path / "copy", data, BENCH, units={"p": "kg"})
+    assert sorted(item.name for item in tmp_path.iterdir()) == ["data"]
