@@ -1,0 +1,69 @@
+"""Makes the virtual environment .venv with pam-cosim in it; does nothing when it is up to date.
+
+Needs Python 3.11 or newer and a package index; neither pip nor the venv module's ensurepip, which a bare Debian
+leaves out. Run it with the system's Python: ``python3 scripts/environment.py [EXTRA]``.
+"""
+
+import hashlib
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import urllib.request
+import venv
+from pathlib import Path
+from urllib.parse import urljoin
+
+ROOT = Path(__file__).resolve().parent.parent
+HOME = ROOT / ".venv"
+PYTHON = HOME / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+
+
+def main(extra: str) -> int:
+    if sys.version_info < (3, 11):
+        print(f"pam-cosim needs Python 3.11 or newer; this is {sys.version.split()[0]}", file=sys.stderr)
+        return 2
+    stamp = HOME / f"ready-{extra or 'base'}"
+    wanted = hashlib.sha256((ROOT / "pyproject.toml").read_bytes() + sys.version.encode()).hexdigest()
+    if stamp.exists() and stamp.read_text() == wanted:
+        return 0
+    print("setting up .venv (once, a minute or two) ...", file=sys.stderr, flush=True)
+    if not PYTHON.exists():
+        venv.create(HOME, with_pip=False)
+    target = f"{ROOT}[{extra}]" if extra else str(ROOT)
+    install(["--quiet", "--disable-pip-version-check", "--editable", target])
+    stamp.write_text(wanted)
+    return 0
+
+
+def install(arguments: list[str]) -> None:
+    """Runs ``pip install`` for .venv: with its own pip, ensurepip's, or one fetched from the package index."""
+    python = str(PYTHON)
+    has_pip = [python, "-m", "pip", "--version"]
+    if subprocess.run(has_pip, capture_output=True).returncode:
+        subprocess.run([python, "-m", "ensurepip", "--default-pip"], capture_output=True)
+    if subprocess.run(has_pip, capture_output=True).returncode:
+        with tempfile.TemporaryDirectory() as folder:
+            wheel = fetch_pip(Path(folder))
+            subprocess.run([python, f"{wheel}/pip", "install", "--quiet", "pip"], check=True)
+    subprocess.run([python, "-m", "pip", "install", *arguments], check=True)
+
+
+def fetch_pip(folder: Path) -> Path:
+    """Downloads pip's wheel, which can run without being installed."""
+    index = os.environ.get("PIP_INDEX_URL", "https://pypi.org/simple").rstrip("/") + "/pip/"
+    with urllib.request.urlopen(index) as answer:
+        page = answer.read().decode()
+    links = re.findall(r'href="([^"#]*?/?(pip-(\d+)\.(\d+)(?:\.(\d+))?-py3-none-any\.whl))[#"]', page)
+    if not links:
+        raise SystemExit(f"no pip found at {index}; set PIP_INDEX_URL to a package index")
+    newest = max(links, key=lambda found: [int(n or 0) for n in found[2:]])
+    wheel = folder / newest[1]
+    with urllib.request.urlopen(urljoin(index, newest[0])) as f:
+        wheel.write_bytes(f.read())
+    return wheel
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1] if len(sys.argv) > 1 else ""))
