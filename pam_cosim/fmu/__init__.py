@@ -1,0 +1,7 @@
+"""Ode -> .fmu, and back: the interface of any FMU."""
+
+from pam_cosim.fmu.build import build_fmu, cached_fmu
+from pam_cosim.fmu.compile import PLATFORMS, CompilerError
+from pam_cosim.fmu.read import read_interface
+
+__all__ = ["PLATFORMS", "CompilerError", "build_fmu", "cached_fmu", "read_interface"]

@@ -1,0 +1,147 @@
+/* Runs an FMI 2.0 co-simulation instance over given communication points by the standard functions, so that
+ * no interpreter stands between two steps. Works with any FMU.
+ */
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "fmi2FunctionTypes.h"
+
+#if defined _WIN32
+#define EXPORT __declspec(dllexport)
+#else
+#define EXPORT __attribute__((visibility("default")))
+#endif
+
+/* Where the instance's messages of status warning and worse are collected. */
+typedef struct {
+    size_t used;
+    char text[8192];
+} driver_log;
+
+EXPORT void pam_driver_logger(fmi2ComponentEnvironment environment, fmi2String instance, fmi2Status status,
+                              fmi2String category, fmi2String message, ...) {
+    driver_log *log = environment;
+    (void)instance;
+    (void)category;
+    if (!log || !message || status == fmi2OK || log->used + 2 >= sizeof log->text) return;
+    size_t room = sizeof log->text - log->used - 1;
+    va_list args;
+    va_start(args, message);
+    int length = vsnprintf(log->text + log->used, room, message, args);
+    va_end(args);
+    if (length < 0) return;
+    log->used += (size_t)length < room ? (size_t)length : room - 1;
+    log->text[log->used++] = '\n';
+    log->text[log->used] = '\0';
+}
+
+EXPORT void *pam_driver_allocate(size_t n, size_t size) { return calloc(n, size); }
+
+EXPORT void pam_driver_free(void *block) { free(block); }
+
+/* One run. Mirrored by pam_cosim/simulation/driver.py. */
+typedef struct {
+    fmi2ResetTYPE *reset;
+    fmi2SetupExperimentTYPE *setup;
+    fmi2EnterInitializationModeTYPE *enter;
+    fmi2ExitInitializationModeTYPE *leave;
+    fmi2SetRealTYPE *set_real;
+    fmi2GetRealTYPE *get_real;
+    fmi2SetRealInputDerivativesTYPE *set_slopes;
+    fmi2DoStepTYPE *do_step;
+    fmi2TerminateTYPE *terminate;
+    fmi2Component instance;
+    int32_t must_reset, tolerance_defined;
+    double tolerance;
+    size_t n_parameters;
+    const fmi2ValueReference *parameters;
+    const double *parameter_values;
+    size_t n_inputs;
+    const fmi2ValueReference *inputs;
+    const double *input_values, *input_slopes; /* knots by inputs; slopes null where they are not understood */
+    const fmi2Integer *orders;                 /* n_inputs ones */
+    size_t n_outputs;
+    const fmi2ValueReference *outputs;
+    double *output_values; /* rows by outputs */
+    size_t n_points;
+    const double *times;
+    const int64_t *knots;       /* per point: row of the inputs to set there, or -1 */
+    const int64_t *rows_before; /* per point: row of output values before the inputs are set, or -1 */
+    const int64_t *rows_after;  /* and after */
+    /* results */
+    double time_reached;
+    int32_t stage; /* number of the function that failed, in the order above; -1: none */
+    int32_t status;
+} driver_run;
+
+enum { RESET, SETUP, ENTER, LEAVE, SET_REAL, GET_REAL, SET_SLOPES, DO_STEP, TERMINATE };
+
+#define CALL(number, call)                                       \
+    do {                                                         \
+        fmi2Status status_ = (call);                             \
+        if (status_ > fmi2Warning) {                             \
+            r->stage = (number);                                 \
+            r->status = (int32_t)status_;                        \
+            return;                                              \
+        }                                                        \
+    } while (0)
+
+static int set_inputs(driver_run *r, int64_t knot) {
+    const double *values = r->input_values + (size_t)knot * r->n_inputs;
+    fmi2Status status = r->set_real(r->instance, r->inputs, r->n_inputs, values);
+    r->stage = SET_REAL;
+    if (status <= fmi2Warning && r->input_slopes) {
+        const double *slopes = r->input_slopes + (size_t)knot * r->n_inputs;
+        status = r->set_slopes(r->instance, r->inputs, r->n_inputs, r->orders, slopes);
+        r->stage = SET_SLOPES;
+    }
+    r->status = (int32_t)status;
+    if (status > fmi2Warning) return 1;
+    r->stage = -1;
+    return 0;
+}
+
+static void initialise(driver_run *r) {
+    if (r->must_reset) CALL(RESET, r->reset(r->instance));
+    if (r->n_parameters)
+        CALL(SET_REAL, r->set_real(r->instance, r->parameters, r->n_parameters, r->parameter_values));
+    CALL(SETUP, r->setup(r->instance, r->tolerance_defined, r->tolerance, r->times[0], fmi2False, 0.0));
+    CALL(ENTER, r->enter(r->instance));
+    if (r->n_inputs && r->knots[0] >= 0 && set_inputs(r, r->knots[0])) return;
+    CALL(LEAVE, r->leave(r->instance));
+}
+
+static void read_outputs(driver_run *r, int64_t row) {
+    if (row < 0 || !r->n_outputs) return;
+    double *values = r->output_values + (size_t)row * r->n_outputs;
+    CALL(GET_REAL, r->get_real(r->instance, r->outputs, r->n_outputs, values));
+}
+
+static void loop(driver_run *r) {
+    for (size_t k = 0; k < r->n_points; k++) {
+        if (k > 0) {
+            double from = r->times[k - 1];
+            CALL(DO_STEP, r->do_step(r->instance, from, r->times[k] - from, fmi2True));
+            r->time_reached = r->times[k];
+            read_outputs(r, r->rows_before[k]);
+            if (r->stage >= 0) return;
+            if (r->n_inputs && r->knots[k] >= 0 && set_inputs(r, r->knots[k])) return;
+        } else {
+            read_outputs(r, r->rows_before[k]);
+            if (r->stage >= 0) return;
+        }
+        read_outputs(r, r->rows_after[k]);
+        if (r->stage >= 0) return;
+    }
+}
+
+EXPORT void pam_driver_run(driver_run *r) {
+    r->stage = -1;
+    r->status = fmi2OK;
+    r->time_reached = r->times[0];
+    initialise(r);
+    if (r->stage < 0) loop(r);
+    if (r->stage < 0) CALL(TERMINATE, r->terminate(r->instance));
+}

@@ -1,0 +1,47 @@
+/* Dense LU factors with partial pivoting for the few states of a model; matrices are column-major. */
+#ifndef PAM_LU_H
+#define PAM_LU_H
+
+#include <math.h>
+
+/* Factorises a in place. Returns 0, or 1 where the matrix is singular or not finite. */
+static int lu_factorise(int n, double *a, int *pivot) {
+    for (int k = 0; k < n; k++) {
+        int best = k;
+        for (int i = k + 1; i < n; i++)
+            if (fabs(a[i + k * n]) > fabs(a[best + k * n])) best = i;
+        pivot[k] = best;
+        if (!(fabs(a[best + k * n]) > 0.0) || !isfinite(a[best + k * n])) return 1;
+        if (best != k)
+            for (int j = 0; j < n; j++) {
+                double swap = a[k + j * n];
+                a[k + j * n] = a[best + j * n];
+                a[best + j * n] = swap;
+            }
+        double inverse = 1.0 / a[k + k * n];
+        a[k + k * n] = inverse;
+        for (int i = k + 1; i < n; i++) a[i + k * n] *= inverse;
+        for (int j = k + 1; j < n; j++) {
+            double factor = a[k + j * n];
+            for (int i = k + 1; i < n; i++) a[i + j * n] -= a[i + k * n] * factor;
+        }
+    }
+    return 0;
+}
+
+/* Solves with the factors of lu_factorise; b becomes the solution. The diagonal is stored inverted. */
+static void lu_solve(int n, const double *a, const int *pivot, double *b) {
+    for (int k = 0; k < n; k++) {
+        double swap = b[k];
+        b[k] = b[pivot[k]];
+        b[pivot[k]] = swap;
+    }
+    for (int k = 0; k < n; k++)
+        for (int i = k + 1; i < n; i++) b[i] -= a[i + k * n] * b[k];
+    for (int k = n - 1; k >= 0; k--) {
+        b[k] *= a[k + k * n];
+        for (int i = 0; i < k; i++) b[i] -= a[i + k * n] * b[k];
+    }
+}
+
+#endif

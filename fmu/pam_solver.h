@@ -1,0 +1,74 @@
+/* The adaptive stiff solver of the co-simulation FMU.
+ *
+ * Its steps do not end at communication points: a step may reach beyond the time asked for, on the assumption
+ * that the inputs go on as they are, and values in between come from the dense output. Where an input, its
+ * slope or a state changes instead, the rest of the pending step is dropped and the solver starts again from
+ * exactly that time.
+ */
+#ifndef PAM_SOLVER_H
+#define PAM_SOLVER_H
+
+#include <stddef.h>
+
+#include "pam_model.h"
+
+typedef struct {
+    long long steps, rejected, rhs, jacobians, restarts;
+} pam_statistics;
+
+/* Scalars of the solver; plain data, saved and restored as a whole. */
+typedef struct {
+    double t;              /* [s] start of the pending step */
+    double h;              /* [s] its length; 0: there is none */
+    double h_next;         /* [s] proposed length of the step after it; 0: to be estimated */
+    double input_time;     /* [s] the inputs are u + du (time - input_time) */
+    double error_previous; /* error norm of the last accepted step, for the PI controller */
+    double rtol;
+    int estimate;          /* 1: the next step begins with a jump, its length must be checked */
+    pam_statistics statistics;
+} pam_solver_scalars;
+
+typedef struct {
+    const pam_model *model;
+    pam_solver_scalars *s;
+    /* saved with the scalars */
+    double *x, *x1, *dense; /* nx, nx, 3 nx: start, end and shape of the pending step */
+    double *u, *du;         /* nu: the inputs the pending step assumes */
+    double *p;              /* np */
+    double *scale;          /* nx: absolute scale of each state */
+    /* scratch */
+    double *k, *f, *ft, *stage, *u_stage, *jac, *lu, *rhs, *w;
+    int *pivot;
+    long long *iw;
+    char message[512];      /* why pam_solver_advance failed */
+} pam_solver;
+
+enum { PAM_MAX_STEPS_PER_CALL = 100000 };
+
+/* Numbers of doubles that a solver needs. */
+size_t pam_solver_saved_size(const pam_model *m);
+size_t pam_solver_scratch_size(const pam_model *m);
+
+/* Lays the solver's arrays out in two blocks of those sizes; integer work space is given by the caller. */
+void pam_solver_bind(pam_solver *v, const pam_model *m, pam_solver_scalars *s, double *saved, double *scratch,
+                     int *pivot, long long *iw);
+
+/* Begins at time t with state x (already in v->x), inputs u with slope du, and parameters in v->p. */
+void pam_solver_begin(pam_solver *v, double t, const double *u, const double *du, double rtol);
+
+/* Tells the solver the inputs from time t on; drops the pending step where they are not as assumed. */
+void pam_solver_inputs(pam_solver *v, double t, const double *u, const double *du);
+
+/* Replaces the state at time t. */
+void pam_solver_set_state(pam_solver *v, double t, const double *x);
+
+/* Makes the solution known up to time t. Returns 0, or 1 with a message. */
+int pam_solver_advance(pam_solver *v, double t);
+
+/* The state at a time the pending step covers. */
+void pam_solver_state(const pam_solver *v, double t, double *x);
+
+/* The inputs at time t as the solver assumes them. */
+void pam_solver_input_values(const pam_solver *v, double t, double *u);
+
+#endif

@@ -1,0 +1,136 @@
+"""C sources to shared libraries with the compiler that the package ``ziglang`` brings."""
+
+from __future__ import annotations
+
+import os
+import platform
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from importlib.metadata import version
+from pathlib import Path
+
+import fmpy
+
+from pam_cosim.errors import InputError
+from pam_cosim.fmu.cache import cache_dir, cached, digest
+from pam_cosim.resources import fmu_runtime
+
+_FLAGS = ("-std=c99", "-O2", "-shared", "-s", "-w", "-fvisibility=hidden", "-fno-math-errno", "-ffp-contract=off",
+          "-fno-sanitize=undefined")  # fmt: skip
+
+
+class CompilerError(RuntimeError):
+    """The C compiler refused a generated or shipped source: a defect of this package."""
+
+
+@dataclass(frozen=True)
+class Platform:
+    """A platform that FMUs are built for.
+
+    Attributes:
+        target: the compiler's name of it; a glibc version makes the binary run on old systems too.
+        folder: directory of the binary inside an FMI 2.0 archive.
+        suffix: of a shared library.
+    """
+
+    target: str
+    folder: str
+    suffix: str
+
+
+PLATFORMS: dict[str, Platform] = {
+    "x86_64-linux": Platform("x86_64-linux-gnu.2.17", "linux64", ".so"),
+    "aarch64-linux": Platform("aarch64-linux-gnu.2.17", "aarch64-linux", ".so"),
+    "x86_64-windows": Platform("x86_64-windows-gnu", "win64", ".dll"),
+    "x86_64-macos": Platform("x86_64-macos", "darwin64", ".dylib"),
+    "aarch64-macos": Platform("aarch64-macos", "darwin64", ".dylib"),
+}
+
+
+def native_platform() -> str:
+    """Name in ``PLATFORMS`` of the machine this runs on.
+
+    Raises:
+        InputError: FMUs cannot be built for it.
+    """
+    machine = {"amd64": "x86_64", "arm64": "aarch64"}.get(platform.machine().lower(), platform.machine().lower())
+    system = {"win32": "windows", "darwin": "macos"}.get(sys.platform, sys.platform)
+    name = f"{machine}-{system}"
+    if name not in PLATFORMS:
+        raise InputError(f"FMUs cannot be built on {name}; supported are {', '.join(PLATFORMS)}")
+    return name
+
+
+@cache
+def _fmi_headers() -> Path:
+    return Path(fmpy.__file__).parent / "c-code"
+
+
+@cache
+def _shipped(names: tuple[str, ...]) -> tuple[str, ...]:
+    """Contents of the runtime's sources and of every header it may include."""
+    headers = sorted(fmu_runtime().glob("*.h")) + sorted(_fmi_headers().glob("fmi2*.h"))
+    files = [fmu_runtime() / name for name in names] + headers
+    return tuple(f"{path.name}\n{path.read_text(encoding='utf-8')}" for path in files)
+
+
+def source_key(shipped: Sequence[str]) -> str:
+    """Changes whenever the shipped sources, the FMI headers, the flags or the compiler change."""
+    return digest(*_shipped(tuple(shipped)), " ".join(_FLAGS), version("ziglang"))
+
+
+def compile_library(shipped: Sequence[str], generated: Mapping[str, str], platform_name: str) -> Path:
+    """A shared library in the cache, compiled from files of ``fmu/`` and generated sources.
+
+    Args:
+        shipped: names of C files in the runtime's directory.
+        generated: further C files, name to text.
+        platform_name: key of ``PLATFORMS``.
+
+    Raises:
+        CompilerError: the compiler refused the sources.
+    """
+    target = PLATFORMS[platform_name]
+    texts = [text for item in sorted(generated.items()) for text in item]
+    key = digest(source_key(shipped), *texts, target.target)
+    return cached("binaries", key, target.suffix, lambda path: _compile(path, shipped, generated, target))
+
+
+def _compile(path: Path, shipped: Sequence[str], generated: Mapping[str, str], target: Platform) -> None:
+    with tempfile.TemporaryDirectory(prefix="pam-cosim-") as directory:
+        for name, text in generated.items():
+            Path(directory, name).write_text(text, encoding="utf-8")
+        sources = [str(fmu_runtime() / name) for name in shipped] + sorted(generated)
+        pic = [] if target.suffix == ".dll" else ["-fPIC", "-lm"]
+        output = f"library{target.suffix}"
+        command = [sys.executable, "-m", "ziglang", "cc", "-target", target.target, *_FLAGS, *pic,
+                   f"-I{fmu_runtime()}", f"-I{_fmi_headers()}", "-o", output, *sources]  # fmt: skip
+        zig = str(cache_dir() / "zig")
+        environment = os.environ | {"ZIG_GLOBAL_CACHE_DIR": zig, "ZIG_LOCAL_CACHE_DIR": zig}
+        run = subprocess.run(command, cwd=directory, env=environment, capture_output=True, text=True, check=False)
+        if run.returncode != 0:
+            raise CompilerError(f"the C compiler failed for {target.target}:\n{run.stderr.strip()}")
+        shutil.copyfile(Path(directory, output), path)
+
+
+_FAT_MAGIC = 0xCAFEBABE
+_FAT_ALIGNMENT = 14  # power of two: the page size of Apple's arm64
+
+
+def universal_binary(thin: Sequence[bytes]) -> bytes:
+    """One Mach-O file for several architectures (``mach-o/fat.h``: big-endian header, aligned slices)."""
+    header = struct.pack(">II", _FAT_MAGIC, len(thin))
+    size = 1 << _FAT_ALIGNMENT
+    body = b""
+    for data in thin:
+        kind, subkind = struct.unpack_from("<II", data, 4)
+        offset = size + len(body)
+        header += struct.pack(">IIIII", kind, subkind, offset, len(data), _FAT_ALIGNMENT)
+        body += data + b"\0" * (-len(data) % size)
+    return header + b"\0" * (size - len(header)) + body

@@ -1,0 +1,88 @@
+"""The interface of any FMU, read from its model description."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import fmpy
+from fmpy.model_description import ModelDescription, ValidationError
+
+from pam_cosim.errors import InputError
+from pam_cosim.interface import Interface, Variable
+
+
+def read_description(path: Path) -> ModelDescription:
+    """FMPy's model description of an FMI 2.0 co-simulation FMU.
+
+    Raises:
+        InputError: not an FMU, or not of that kind.
+    """
+    if not Path(path).exists():
+        raise InputError("there is no such file", path)
+    try:
+        description = fmpy.read_model_description(str(path), validate=False)
+    except ValidationError as error:
+        raise InputError(f"the FMU is not valid: {error.problems[0]}", path) from error
+    except Exception as error:  # fmpy raises bare Exceptions, zipfile, lxml and OS errors
+        raise InputError(f"this is not an FMU: {error}", path) from error
+    if description.fmiVersion != "2.0" or description.coSimulation is None:
+        kind = "model exchange" if description.coSimulation is None else "co-simulation"
+        raise InputError(f"an FMI 2.0 co-simulation FMU is needed; this is FMI {description.fmiVersion} {kind}", path)
+    return description
+
+
+def read_interface(path: Path) -> Interface:
+    """Names, units and start values of an FMU's real variables.
+
+    ``locals`` holds every other continuous variable that can be read, states and derivatives included.
+
+    Raises:
+        InputError: not an FMI 2.0 co-simulation FMU.
+    """
+    return interface_of(read_description(path))
+
+
+def interface_of(description: ModelDescription) -> Interface:
+    """The interface that a model description declares."""
+    groups: dict[str, dict[str, Variable]] = {"input": {}, "output": {}, "parameter": {}, "local": {}}
+    for scalar in description.modelVariables:
+        if scalar.type == "Real" and scalar.causality in groups:
+            groups[scalar.causality][scalar.name] = _variable(scalar)
+    experiment = description.defaultExperiment
+    given = {}
+    if experiment is not None:
+        start = float(experiment.startTime or 0.0)
+        values = {
+            "stop_time": float(experiment.stopTime) - start if experiment.stopTime else None,
+            "interval": _float(experiment.stepSize),
+            "tolerance": _float(experiment.tolerance),
+        }
+        given = {key: value for key, value in values.items() if value}
+    return Interface(
+        description.modelName, groups["input"], groups["output"], groups["parameter"], groups["local"], **given
+    )
+
+
+def _float(text: Any) -> float | None:
+    return None if text is None else float(text)
+
+
+def _attribute(scalar: Any, name: str) -> Any:
+    """An attribute of the variable, or of its declared type."""
+    value = getattr(scalar, name)
+    return getattr(scalar.declaredType, name, None) if value is None and scalar.declaredType is not None else value
+
+
+def _variable(scalar: Any) -> Variable:
+    return Variable(
+        name=scalar.name,
+        unit=_attribute(scalar, "unit") or "",
+        description=scalar.description or "",
+        start=_float(scalar.start),
+        min=_float(_attribute(scalar, "min")),
+        max=_float(_attribute(scalar, "max")),
+        nominal=_float(_attribute(scalar, "nominal")),
+        display_unit=_attribute(scalar, "displayUnit") or "",
+        quantity=_attribute(scalar, "quantity") or "",
+    )

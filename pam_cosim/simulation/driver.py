@@ -1,0 +1,163 @@
+"""The compiled loop over communication points (``fmu/pam_driver.c``) and its Python face."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Sequence
+from functools import cache
+from typing import Any
+
+import numpy as np
+from fmpy.fmi2 import (
+    fmi2CallbackAllocateMemoryTYPE,
+    fmi2CallbackFreeMemoryTYPE,
+    fmi2CallbackFunctions,
+    fmi2CallbackLoggerTYPE,
+)
+from numpy.typing import NDArray
+
+from pam_cosim.fmu.compile import compile_library, native_platform
+from pam_cosim.simulation.plan import Plan
+
+Array = NDArray[np.float64]
+
+# In the order of the function pointers in driver_run.
+FUNCTIONS = (
+    "fmi2Reset",
+    "fmi2SetupExperiment",
+    "fmi2EnterInitializationMode",
+    "fmi2ExitInitializationMode",
+    "fmi2SetReal",
+    "fmi2GetReal",
+    "fmi2SetRealInputDerivatives",
+    "fmi2DoStep",
+    "fmi2Terminate",
+)
+
+
+class _Log(ctypes.Structure):
+    _fields_ = [("used", ctypes.c_size_t), ("text", ctypes.c_char * 8192)]
+
+
+class _Run(ctypes.Structure):
+    _fields_ = [
+        *((name, ctypes.c_void_p) for name in FUNCTIONS),
+        ("instance", ctypes.c_void_p),
+        ("must_reset", ctypes.c_int32),
+        ("tolerance_defined", ctypes.c_int32),
+        ("tolerance", ctypes.c_double),
+        ("n_parameters", ctypes.c_size_t),
+        ("parameters", ctypes.c_void_p),
+        ("parameter_values", ctypes.c_void_p),
+        ("n_inputs", ctypes.c_size_t),
+        ("inputs", ctypes.c_void_p),
+        ("input_values", ctypes.c_void_p),
+        ("input_slopes", ctypes.c_void_p),
+        ("orders", ctypes.c_void_p),
+        ("n_outputs", ctypes.c_size_t),
+        ("outputs", ctypes.c_void_p),
+        ("output_values", ctypes.c_void_p),
+        ("n_points", ctypes.c_size_t),
+        ("times", ctypes.c_void_p),
+        ("knots", ctypes.c_void_p),
+        ("rows_before", ctypes.c_void_p),
+        ("rows_after", ctypes.c_void_p),
+        ("time_reached", ctypes.c_double),
+        ("stage", ctypes.c_int32),
+        ("status", ctypes.c_int32),
+    ]
+
+
+@cache
+def _library() -> ctypes.CDLL:
+    library = ctypes.CDLL(str(compile_library(("pam_driver.c",), {}, native_platform())))
+    library.pam_driver_run.argtypes = [ctypes.POINTER(_Run)]
+    library.pam_driver_run.restype = None
+    return library
+
+
+class Callbacks:
+    """Memory, and a log in C that keeps the FMU's warnings and errors; must outlive the instance."""
+
+    def __init__(self) -> None:
+        library = _library()
+        self._log = _Log()
+        self.functions = fmi2CallbackFunctions()
+        self.functions.logger = ctypes.cast(library.pam_driver_logger, fmi2CallbackLoggerTYPE)
+        self.functions.allocateMemory = ctypes.cast(library.pam_driver_allocate, fmi2CallbackAllocateMemoryTYPE)
+        self.functions.freeMemory = ctypes.cast(library.pam_driver_free, fmi2CallbackFreeMemoryTYPE)
+        self.functions.componentEnvironment = ctypes.addressof(self._log)
+
+    def take_messages(self) -> list[str]:
+        """Messages since the last call."""
+        text = self._log.text.decode("utf-8", "replace")
+        self._log.used, self._log.text = 0, b""
+        return [line for line in text.splitlines() if line.strip()]
+
+
+class Outcome:
+    """What a run left behind.
+
+    Attributes:
+        values: (n, outputs), meaningless where the run failed.
+        time: reached [s].
+        failed: name of the FMI function that failed; None: none did.
+    """
+
+    def __init__(self, values: Array, time: float, failed: str | None) -> None:
+        self.values, self.time, self.failed = values, time, failed
+
+
+class Driver:
+    """Runs one instance of an FMU.
+
+    Args:
+        library: the FMU's shared library.
+        instance: its fmi2Component.
+        slopes: whether the FMU understands derivatives of inputs.
+    """
+
+    def __init__(self, library: Any, instance: int, slopes: bool) -> None:
+        self._addresses = {name: ctypes.cast(getattr(library, name), ctypes.c_void_p).value for name in FUNCTIONS}
+        self._instance, self._slopes = instance, slopes
+
+    def run(
+        self,
+        plan: Plan,
+        parameters: tuple[Sequence[int], Sequence[float]],
+        inputs: Sequence[int],
+        outputs: Sequence[int],
+        tolerance: float | None,
+        must_reset: bool,
+    ) -> Outcome:
+        """One simulation; variables are given by value reference."""
+        references = [np.array(r, dtype=np.uint32) for r in (parameters[0], inputs, outputs)]
+        values = np.array(parameters[1], dtype=np.float64)
+        orders = np.ones(len(inputs), dtype=np.int32)
+        result = np.empty((plan.row_count, len(outputs)))
+        run = _Run(
+            **self._addresses,
+            instance=self._instance,
+            must_reset=must_reset,
+            tolerance_defined=tolerance is not None,
+            tolerance=tolerance or 0.0,
+            n_parameters=values.size,
+            parameters=references[0].ctypes.data,
+            parameter_values=values.ctypes.data,
+            n_inputs=len(inputs),
+            inputs=references[1].ctypes.data,
+            input_values=plan.values.ctypes.data,
+            input_slopes=plan.slopes.ctypes.data if self._slopes else None,
+            orders=orders.ctypes.data,
+            n_outputs=len(outputs),
+            outputs=references[2].ctypes.data,
+            output_values=result.ctypes.data,
+            n_points=plan.times.size,
+            times=plan.times.ctypes.data,
+            knots=plan.knots.ctypes.data,
+            rows_before=plan.rows_before.ctypes.data,
+            rows_after=plan.rows_after.ctypes.data,
+        )
+        _library().pam_driver_run(ctypes.byref(run))
+        failed = FUNCTIONS[run.stage] if run.stage >= 0 else None
+        return Outcome(result[plan.rows], run.time_reached, failed)

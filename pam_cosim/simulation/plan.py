@@ -1,0 +1,127 @@
+"""Communication points: the times of the outputs and those at which an input really changes its course."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.errors import InputError
+from pam_cosim.simulation.inputs import Array, Inputs, Pieces, pieces
+
+Indices = NDArray[np.int64]
+
+# Points closer than this part of the time scale are one.
+_SAME_TIME = 1e-12
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What the driver does at each communication point.
+
+    Attributes:
+        times: (m,) [s], increasing; the first is the start time.
+        knots: (m,) row of ``values`` and ``slopes`` to set at the point, or -1.
+        values, slopes: (k, inputs) [SI, SI/s] from a knot on.
+        rows_before, rows_after: (m,) row of outputs read before and after the inputs are set, or -1.
+        rows: (n,) row of each time asked for.
+        row_count: number of rows.
+    """
+
+    times: Array
+    knots: Indices
+    values: Array
+    slopes: Array
+    rows_before: Indices
+    rows_after: Indices
+    rows: Indices
+    row_count: int
+
+
+def plan(times: Array, start: float, inputs: Inputs | None, sample_ramps: float | None = None) -> Plan:
+    """Lays out a run.
+
+    An output at the time of a step in an input is read after the step; where a time is asked for twice, the
+    first is read before it.
+
+    Args:
+        times: (n,) [s] of the outputs, never decreasing.
+        start: of the run [s].
+        inputs: or None: start values.
+        sample_ramps: for FMUs that do not understand slopes: distance [s] of the points that approximate ramps.
+
+    Raises:
+        InputError: times that decrease or come before the start.
+    """
+    _check(times, start)
+    lines = [] if inputs is None else [pieces(inputs.time, v, inputs.interpolation) for v in inputs.values.values()]
+    end = float(times[-1])
+    changes = _changes(lines, start, end)
+    if sample_ramps is not None and any(line.slope.any() for line in lines):
+        assert inputs is not None
+        grid = np.arange(start, end, sample_ramps)
+        changes = _inside(np.concatenate((changes, inputs.time, grid, times)), start, end)
+    points, evaluated, point_of_time = _merge(times, start, changes)
+    known = ~np.isnan(evaluated) if lines else np.zeros(points.size, dtype=bool)
+    at = evaluated[known]
+    columns = [line.at(at) for line in lines]
+    shape = (at.size, len(lines))
+    return Plan(
+        points,
+        np.where(known, np.cumsum(known) - 1, -1).astype(np.int64),
+        np.ascontiguousarray(np.stack([v for v, _ in columns], axis=1)) if columns else np.zeros(shape),
+        np.ascontiguousarray(np.stack([s for _, s in columns], axis=1)) if columns else np.zeros(shape),
+        *_rows(point_of_time, points.size),
+    )
+
+
+def _check(times: Array, start: float) -> None:
+    if times.ndim != 1 or times.size == 0 or not np.isfinite(times).all():
+        raise InputError("the times of a run must be a non-empty list of finite numbers")
+    if (np.diff(times) < 0.0).any():
+        raise InputError("the times of a run must not decrease")
+    if not np.isfinite(start) or start > times[0]:
+        raise InputError(f"the run cannot start at {start:g} s, after its first output at {times[0]:g} s")
+
+
+def _inside(times: Array, start: float, end: float) -> Array:
+    return times[(times > start) & (times <= end)]
+
+
+def _changes(lines: list[Pieces], start: float, end: float) -> Array:
+    """Times inside the run at which some input jumps or bends."""
+    found = [_inside(line.time, start, end) for line in lines]
+    return np.concatenate(found) if found else np.zeros(0)
+
+
+def _merge(times: Array, start: float, changes: Array) -> tuple[Array, Array, Indices]:
+    """Distinct points; per point the time at which to evaluate the inputs (NaN: leave them); point of each time.
+
+    A change that differs from an output's time by rounding alone takes place at the output's time.
+    """
+    every = np.concatenate(([start], times, changes))
+    order = np.argsort(every, kind="stable")
+    ordered = every[order]
+    near = _SAME_TIME * max(abs(start), abs(float(times[-1])))
+    group_of_ordered = np.concatenate(([0], np.cumsum(np.diff(ordered) > near)))
+    group = np.empty_like(group_of_ordered)
+    group[order] = group_of_ordered
+    points = np.empty(int(group_of_ordered[-1]) + 1)
+    points[group[::-1]] = every[::-1]  # start first, then outputs, then changes name a group's time
+    evaluated = np.full(points.size, np.nan)
+    evaluated[0] = start
+    np.fmax.at(evaluated, group[1 + times.size :], changes)
+    return points, evaluated, group[1 : 1 + times.size].astype(np.int64)
+
+
+def _rows(point_of_time: Indices, count: int) -> tuple[Indices, Indices, Indices, int]:
+    """Rows before and after the inputs change, per point; row of each time; number of rows."""
+    distinct, first, size = np.unique(point_of_time, return_index=True, return_counts=True)
+    before, after = np.full(count, -1, dtype=np.int64), np.full(count, -1, dtype=np.int64)
+    after[distinct] = np.arange(distinct.size)
+    twice = distinct[size > 1]
+    before[twice] = distinct.size + np.arange(twice.size)
+    rows = after[point_of_time]
+    rows[first[size > 1]] = before[twice]
+    return before, after, rows, int(distinct.size + twice.size)

@@ -1,0 +1,225 @@
+"""Runs of one FMU: instantiated once, reset for every run."""
+
+from __future__ import annotations
+
+import ctypes
+import difflib
+import math
+import shutil
+import tempfile
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from types import TracebackType
+
+import fmpy
+import numpy as np
+from fmpy.fmi2 import FMU2Slave
+from numpy.typing import ArrayLike, NDArray
+
+from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.fmu.read import interface_of, read_description
+from pam_cosim.interface import Interface, Variable
+from pam_cosim.simulation.driver import Callbacks, Driver
+from pam_cosim.simulation.failure import RunFailure
+from pam_cosim.simulation.inputs import Inputs
+from pam_cosim.simulation.plan import plan
+from pam_cosim.simulation.trajectory import Trajectory
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class SolverStatistics:
+    """Work of the solver since the start of the last run."""
+
+    steps: int
+    rejected: int
+    evaluations: int
+    jacobians: int
+    restarts: int
+
+
+class Simulator:
+    """An FMU ready to run, any number of times; a context manager.
+
+    Args:
+        path: an FMI 2.0 co-simulation FMU of any origin.
+
+    Raises:
+        InputError: not such an FMU, or none for this platform.
+        SimulationFailure: the FMU refuses to be instantiated.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.path = Path(path)
+        self._description = read_description(self.path)
+        self.interface: Interface = interface_of(self._description)
+        self._references = {v.name: v.valueReference for v in self._description.modelVariables if v.type == "Real"}
+        self._units = {
+            v.name: v.unit for group in _groups(self.interface) for v in group.values()
+        }  # fmt: skip
+        self._slave: FMU2Slave | None = None
+        self._directory = tempfile.mkdtemp(prefix="pam-cosim-fmu-")
+        try:
+            self._load()
+        except BaseException:
+            self.close()
+            raise
+
+    def _load(self) -> None:
+        settings = self._description.coSimulation
+        fmpy.extract(str(self.path), unzipdir=self._directory)
+        self._callbacks = Callbacks()
+        try:
+            self._slave = FMU2Slave(
+                guid=self._description.guid,
+                unzipDirectory=self._directory,
+                modelIdentifier=settings.modelIdentifier,
+                instanceName="instance",
+            )
+        except Exception as error:  # fmpy raises bare Exceptions
+            raise InputError(f"the FMU cannot be loaded on this machine: {error}", self.path) from error
+        self._instantiate(self._slave)
+        self._slopes = bool(settings.canInterpolateInputs)
+        self._driver = Driver(self._slave.dll, self._slave.component, self._slopes)
+
+    def _instantiate(self, slave: FMU2Slave) -> None:
+        try:
+            slave.instantiate(callbacks=self._callbacks.functions)
+        except Exception as error:
+            messages = " ".join(self._callbacks.take_messages()) or str(error)
+            slave.freeLibrary()
+            self._slave = None
+            raise RunFailure(f"{self.path.name} cannot be instantiated: {messages}") from error
+        self._used = False
+
+    def __enter__(self) -> Simulator:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def __del__(self) -> None:
+        if hasattr(self, "_directory"):
+            self.close()
+
+    def close(self) -> None:
+        """Frees the instance and removes its files; a second call does nothing."""
+        slave, self._slave = self._slave, None
+        if slave is not None:
+            slave.freeInstance()
+        shutil.rmtree(self._directory, ignore_errors=True)
+
+    def run(
+        self,
+        times: ArrayLike,
+        *,
+        parameters: Mapping[str, float] | None = None,
+        inputs: Inputs | None = None,
+        outputs: Sequence[str] | None = None,
+        tolerance: float | None = None,
+        start_time: float | None = None,
+    ) -> Trajectory:
+        """Simulates from the start values.
+
+        Args:
+            times: (n,) [s] of the values wanted, never decreasing; a time given twice, where an input steps,
+                yields the values before and after the step.
+            parameters: values by name [SI] that differ from the defaults.
+            inputs: default: the start values, held.
+            outputs: names of outputs or of any other variable; default: every output.
+            tolerance: relative, of the solver; default: the model's.
+            start_time: [s]; default: the first of ``times``.
+
+        Raises:
+            InputError: unknown names, or times out of order.
+            SimulationFailure: (``RunFailure``) the run did not reach its end.
+        """
+        if self._slave is None:
+            raise RuntimeError("the simulator is closed")
+        wanted = np.ascontiguousarray(times, dtype=float)
+        start = float(wanted[0]) if start_time is None and wanted.size else start_time or 0.0
+        settable = self._settable()
+        values = {name: _number(name, value) for name, value in (parameters or {}).items()}
+        input_names = list(inputs.values) if inputs is not None else []
+        names = list(self.interface.outputs if outputs is None else outputs)
+        layout = plan(wanted, start, inputs, None if self._slopes else self.interface.interval)
+        parameter_references = self._lookup(values, settable, "parameter")
+        input_references = self._lookup(input_names, self.interface.inputs, "input")
+        output_references = self._lookup(names, self._references, "output")
+        self._callbacks.take_messages()
+        outcome = self._driver.run(
+            layout, (parameter_references, list(values.values())), input_references, output_references,
+            tolerance, self._used,
+        )  # fmt: skip
+        self._used = True
+        if outcome.failed is not None:
+            raise self._failure(outcome.failed, outcome.time, values)
+        self._check_finite(wanted, names, outcome.values, values)
+        columns = np.ascontiguousarray(outcome.values.T)
+        units = {name: self._units.get(name, "") for name in names}
+        return Trajectory(wanted.copy(), dict(zip(names, columns, strict=True)), units)
+
+    @property
+    def statistics(self) -> SolverStatistics | None:
+        """What the last run cost; None for FMUs of other tools."""
+        if self._slave is None or not hasattr(self._slave.dll, "pam_get_statistics"):
+            return None
+        numbers = (ctypes.c_longlong * 5)()
+        self._slave.dll.pam_get_statistics(ctypes.c_void_p(self._slave.component), numbers)
+        return SolverStatistics(*numbers)
+
+    def _settable(self) -> dict[str, Variable]:
+        """Parameters, and variables whose start value may be set."""
+        starts = {name: v for name, v in self.interface.locals.items() if v.start is not None}
+        states = {name: v for name, v in self.interface.outputs.items() if v.start is not None}
+        return {**starts, **states, **self.interface.parameters}
+
+    def _lookup(self, names: Iterable[str], known: Mapping[str, object], role: str) -> list[int]:
+        references = []
+        for name in names:
+            if name not in known:
+                raise _unknown(name, known, role, self.path)
+            references.append(self._references[name])
+        return references
+
+    def _changed(self, values: Mapping[str, float]) -> dict[str, float]:
+        settable = self._settable()
+        return {name: value for name, value in values.items() if value != settable[name].start}
+
+    def _failure(self, function: str, time: float, values: Mapping[str, float]) -> SimulationFailure:
+        messages = self._callbacks.take_messages()
+        reason = "; ".join(messages) if messages else f"the FMU reports an error in {function} and no reason"
+        if function == "fmi2Reset":
+            self.close()
+        return RunFailure(reason, time, self._changed(values))
+
+    def _check_finite(self, times: Array, names: Sequence[str], found: Array, values: Mapping[str, float]) -> None:
+        bad = np.argwhere(~np.isfinite(found))
+        if bad.size:
+            row, column = bad[0]
+            reason = f"'{names[column]}' is not a finite number at time {times[row]:.6g} s"
+            raise RunFailure(reason, float(times[row]), self._changed(values))
+
+
+def _groups(face: Interface) -> tuple[dict[str, Variable], ...]:
+    return face.inputs, face.outputs, face.parameters, face.locals
+
+
+def _number(name: str, value: float) -> float:
+    number = float(value)
+    if not math.isfinite(number):
+        raise InputError(f"parameter '{name}' must be a finite number, not {value}")
+    return number
+
+
+def _unknown(name: str, known: Mapping[str, object], role: str, path: Path) -> InputError:
+    close = difflib.get_close_matches(name, known, n=3, cutoff=0.5)
+    if close:
+        hint = f"did you mean {' or '.join(close)}?"
+    else:
+        hint = f"there are {', '.join(sorted(known)[:12])}" if known else f"it has no {role}s"
+    return InputError(f"the model has no {role} '{name}'; {hint}", path)

@@ -1,0 +1,86 @@
+"""The product of a simulation: values over time, and its CSV file."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.errors import InputError
+from pam_cosim.fmu.cache import written_whole
+
+Array = NDArray[np.float64]
+
+_HEADER = re.compile(r"\s*(?P<name>.*?)(?:\s+\[(?P<unit>[^\[\]]*)\])?\s*")
+
+
+@dataclass(frozen=True)
+class Trajectory:
+    """Signals of one run.
+
+    Attributes:
+        time: (n,) [s].
+        values: name to (n,) [``units``].
+        units: name to unit.
+    """
+
+    time: Array
+    values: Mapping[str, Array]
+    units: Mapping[str, str]
+
+    def __getitem__(self, name: str) -> Array:
+        return self.values[name]
+
+    def to_csv(self, path: Path) -> Path:
+        """Writes every number so that it reads back exactly; the file is written whole or not at all."""
+        text = io.StringIO()
+        writer = csv.writer(text, lineterminator="\n")
+        names = list(self.values)
+        writer.writerow(["time [s]", *(_header(name, self.units.get(name, "")) for name in names)])
+        columns = [self.time.tolist(), *(self.values[name].tolist() for name in names)]
+        writer.writerows([repr(value) for value in row] for row in zip(*columns, strict=True))
+        with written_whole(Path(path)) as temporary:
+            temporary.write_text(text.getvalue(), encoding="utf-8")
+        return Path(path)
+
+    @classmethod
+    def from_csv(cls, path: Path) -> Trajectory:
+        """Reads what ``to_csv`` wrote.
+
+        Raises:
+            InputError: no such file, or a line that is not made of numbers.
+        """
+        try:
+            with open(path, newline="", encoding="utf-8") as file:
+                lines = list(csv.reader(file))
+        except (OSError, UnicodeDecodeError) as error:
+            raise InputError(f"cannot be read: {error}", path) from error
+        if not lines or not lines[0] or not lines[0][0].startswith("time"):
+            raise InputError("the first column of the header must be 'time [s]'", path, 1)
+        heads = [match for match in map(_HEADER.fullmatch, lines[0]) if match]
+        columns = np.array(_numbers(lines, len(heads), path)).reshape(-1, len(heads)).T
+        names = [head["name"] for head in heads[1:]]
+        units = [head["unit"] or "" for head in heads[1:]]
+        return cls(columns[0], dict(zip(names, columns[1:], strict=True)), dict(zip(names, units, strict=True)))
+
+
+def _header(name: str, unit: str) -> str:
+    return f"{name} [{unit}]" if unit else name
+
+
+def _numbers(lines: list[list[str]], width: int, path: Path) -> list[list[float]]:
+    rows = []
+    for number, line in enumerate(lines[1:], 2):
+        if len(line) != width:
+            raise InputError(f"{len(line)} values under {width} headings", path, number)
+        try:
+            rows.append([float(text) for text in line])
+        except ValueError as error:
+            raise InputError(f"not a number: {error}", path, number) from error
+    return rows
