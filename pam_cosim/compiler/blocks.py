@@ -1,0 +1,136 @@
+"""Solve the equations for the unknowns: block triangular form, linear blocks symbolically."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import casadi as ca
+
+from pam_cosim.compiler.flattening import Residual
+from pam_cosim.errors import ModelError
+
+_LARGEST_BY_MINORS = 4
+
+
+def solve(residuals: Sequence[Residual], unknowns: Sequence[str], symbols: Mapping[str, ca.SX]) -> dict[str, ca.SX]:
+    """Every unknown as an expression of states, inputs, parameters and time.
+
+    Raises:
+        ModelError: the system is structurally singular, or a block of it is nonlinear.
+    """
+    if not unknowns:
+        return {}
+    expressions = ca.vertcat(*[residual.expression for residual in residuals])
+    variables = ca.vertcat(*[symbols[name] for name in unknowns])
+    structure = ca.jacobian_sparsity(expressions, variables)
+    count, rows, columns, row_blocks, column_blocks, *_ = structure.btf()
+    if len(residuals) != len(unknowns) or ca.sprank(structure) < len(unknowns):
+        raise ModelError(_singular(residuals, unknowns, structure))
+    solved: dict[str, ca.SX] = {}
+    for block in range(count):
+        equations = [residuals[i] for i in rows[row_blocks[block] : row_blocks[block + 1]]]
+        names = [unknowns[j] for j in columns[column_blocks[block] : column_blocks[block + 1]]]
+        _solve_block(equations, names, symbols, solved)
+    return solved
+
+
+def _solve_block(
+    equations: Sequence[Residual], names: Sequence[str], symbols: Mapping[str, ca.SX], solved: dict[str, ca.SX]
+) -> None:
+    """Solve one block for its unknowns; what earlier blocks gave is put in first."""
+    system = ca.vertcat(*[equation.expression for equation in equations])
+    known = [symbol.name() for symbol in ca.symvar(system) if symbol.name() in solved]
+    if known:
+        old = ca.vertcat(*[symbols[name] for name in known])
+        system = ca.substitute(system, old, ca.vertcat(*[solved[name] for name in known]))
+    variables = ca.vertcat(*[symbols[name] for name in names])
+    matrix = ca.jacobian(system, variables)
+    if ca.depends_on(matrix, variables):
+        raise ModelError(_nonlinear(equations, names))
+    offset = ca.substitute(system, variables, ca.DM.zeros(variables.shape))
+    result = -offset / matrix if len(names) == 1 else _linear(matrix, -offset)
+    for i, name in enumerate(names):
+        solved[name] = ca.simplify(result[i]) if result[i].is_constant() else result[i]
+
+
+def _linear(matrix: ca.SX, right: ca.SX) -> ca.SX:
+    """Solve a small linear system: constant pivots are eliminated, the rest is solved by minors or QR.
+
+    Minors divide by the determinant only, so the result is right wherever the system is regular.
+    """
+    size = matrix.shape[0]
+    a = [[matrix[i, j] for j in range(size)] for i in range(size)]
+    b = [right[i] for i in range(size)]
+    steps: list[tuple[int, int]] = []
+    while (pivot := _constant_pivot(a, steps)) is not None:
+        row, column = pivot
+        for i in range(size):
+            if i != row and not a[i][column].is_zero() and i not in [r for r, _ in steps]:
+                factor = a[i][column] / a[row][column]
+                a[i] = [x if y.is_zero() else ca.simplify(x - factor * y) for x, y in zip(a[i], a[row], strict=True)]
+                a[i][column] = ca.SX(0)
+                b[i] = b[i] - factor * b[row]
+        steps.append((row, column))
+    rows = [i for i in range(size) if i not in [r for r, _ in steps]]
+    columns = [j for j in range(size) if j not in [c for _, c in steps]]
+    values: dict[int, ca.SX] = {}
+    if rows:
+        core = ca.vertcat(*[ca.horzcat(*[a[i][j] for j in columns]) for i in rows])
+        rest = ca.vertcat(*[b[i] for i in rows])
+        small = len(rows) <= _LARGEST_BY_MINORS
+        answer = ca.mtimes(ca.inv_minor(core), rest) if small else ca.solve(core, rest)
+        values = {j: answer[k] for k, j in enumerate(columns)}
+    for row, column in reversed(steps):
+        total = b[row]
+        for j, value in values.items():
+            if not a[row][j].is_zero():
+                total = total - a[row][j] * value
+        values[column] = total / a[row][column]
+    return ca.vertcat(*[values[j] for j in range(size)])
+
+
+def _constant_pivot(a: Sequence[Sequence[ca.SX]], steps: Sequence[tuple[int, int]]) -> tuple[int, int] | None:
+    """A number that is not zero, in a row and column not used yet; in the emptiest row."""
+    used_rows, used_columns = {r for r, _ in steps}, {c for _, c in steps}
+    best: tuple[int, int, int] | None = None
+    for i, row in enumerate(a):
+        if i in used_rows:
+            continue
+        filled = sum(not entry.is_zero() for j, entry in enumerate(row) if j not in used_columns)
+        for j, entry in enumerate(row):
+            if j in used_columns or not entry.is_constant() or entry.is_zero():
+                continue
+            if best is None or filled < best[0]:
+                best = filled, i, j
+            break
+    return None if best is None else (best[1], best[2])
+
+
+def _nonlinear(equations: Sequence[Residual], names: Sequence[str]) -> str:
+    return (
+        f"a nonlinear algebraic loop for {', '.join(repr(name) for name in names)} in "
+        + "; ".join(equation.place for equation in equations)
+        + ". Break it with a state, for example a small volume, mass or lag"
+    )
+
+
+def _singular(residuals: Sequence[Residual], unknowns: Sequence[str], structure: ca.Sparsity) -> str:
+    """Name what the maximum matching leaves over."""
+    matched: dict[int, int] = {}
+
+    def augment(column: int, seen: set[int]) -> bool:
+        for row in structure.row()[structure.colind()[column] : structure.colind()[column + 1]]:
+            if row not in seen:
+                seen.add(row)
+                if row not in matched or augment(matched[row], seen):
+                    matched[row] = column
+                    return True
+        return False
+
+    free = [unknowns[j] for j in range(len(unknowns)) if not augment(j, set())]
+    extra = [residual.place for i, residual in enumerate(residuals) if i not in matched]
+    return (
+        f"the model has {len(residuals)} equations for {len(unknowns)} unknowns; "
+        f"no equation determines {', '.join(map(repr, free)) or 'nothing more'}; "
+        f"too much is said by {'; '.join(extra) or 'no equation'}"
+    )

@@ -1,0 +1,221 @@
+"""A Modelica class to an explicit ODE."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import casadi as ca
+
+from pam_cosim.compiler import metadata
+from pam_cosim.compiler.blocks import solve
+from pam_cosim.compiler.flattening import FlatModel, Residual, flatten
+from pam_cosim.compiler.index_reduction import System, reduce_index, select_states
+from pam_cosim.compiler.initialization import Start, initial_values
+from pam_cosim.compiler.instance import Instance
+from pam_cosim.compiler.instantiation import Instantiator
+from pam_cosim.compiler.library import Library
+from pam_cosim.compiler.ode import Ode
+from pam_cosim.compiler.scope import Class, Lookup
+from pam_cosim.errors import ModelError
+from pam_cosim.interface import Interface, Variable
+from pam_cosim.resources import modelica_root
+
+_NOT_MODELS = frozenset(("package", "function", "record", "type", "connector"))
+
+
+def compile_model(model: str, *, files: Sequence[Path] = (), root: Path | None = None) -> Ode:
+    """Compile a model.
+
+    Args:
+        model: full name of a class of the library or of one of ``files``, or the path of a ``.mo`` file, of
+            which the last class is taken.
+        files: the user's ``.mo`` files; their classes may extend those of the library.
+        root: directory that holds the library's packages; by default the project's own.
+
+    Raises:
+        ModelError: the model cannot be found, read, or brought into the form of an explicit ODE.
+    """
+    files = list(files)
+    if model.endswith(".mo"):
+        path = Path(model)
+        files += [path] if path not in files else []
+    library = Library(modelica_root() if root is None else root, files)
+    lookup = Lookup(library)
+    of = _find(model, library, lookup)
+    instantiator = Instantiator(lookup)
+    flat = flatten(instantiator, instantiator.model(of))
+    try:
+        return _Assembly(flat, instantiator).ode()
+    except ModelError as error:
+        if error.file is None:
+            definition = of.definition
+            message = f"{definition.qualified_name}: {error.message}"
+            raise definition.source.error(message, definition.at) from None
+        raise
+
+
+def _find(model: str, library: Library, lookup: Lookup) -> Class:
+    if model.endswith(".mo"):
+        classes = library.user_classes[Path(model)]
+        models = [node for node in classes if node.kind in ("model", "block", "class")]
+        if not models:
+            raise ModelError("the file holds no model", model)
+        return lookup.of(models[-1])
+    found = lookup.qualified(model)
+    if found is None:
+        raise ModelError(f"there is no model '{model}'{_similar(model, library)}")
+    definition = found.definition
+    if definition.kind in _NOT_MODELS:
+        raise definition.source.error(f"'{model}' is a {definition.kind}, not a model", definition.at)
+    if definition.partial:
+        raise definition.source.error(f"'{model}' is partial: compile a model that extends it", definition.at)
+    return found
+
+
+def _similar(model: str, library: Library) -> str:
+    """A hint: models of the same last name."""
+    last = model.rpartition(".")[2].lower()
+    names = [node.qualified_name for node in library.walk() if node.name.lower() == last and node.kind == "model"]
+    return f"; did you mean {' or '.join(names)}?" if names else ""
+
+
+@dataclass
+class _Assembly:
+    """Puts the product together."""
+
+    flat: FlatModel
+    instantiator: Instantiator
+
+    def ode(self) -> Ode:
+        """The product."""
+        symbols, root = self.flat.symbols, self.flat.root
+        constants = self.instantiator.constants
+        self.system = system = self._system()
+        reduce_index(system)
+        selection = select_states(system, self._preference)
+        self.solved = solve(system.residuals, selection.unknowns, system.variables)
+        self.states = selection.states
+        parameters = [leaf for leaf in root.leaves() if leaf in symbols.free]
+        self.p = ca.vertcat(ca.SX(0, 1), *[symbols.free[leaf] for leaf in parameters])
+        self.p_values = ca.vertcat(ca.SX(0, 1), *[symbols.defaults[leaf] for leaf in parameters])
+        initial = self._initial()
+        outputs = [leaf for leaf in self._unknown_leaves() if self._is_output(leaf)]
+        local = self._locals(outputs)
+        interface = Interface(
+            model=root.ancestors[0].definition.qualified_name,
+            inputs={leaf.name: metadata.variable(leaf, constants) for leaf in symbols.inputs},
+            outputs={leaf.name: metadata.variable(leaf, constants) for leaf in outputs},
+            parameters={leaf.name: metadata.variable(leaf, constants, symbols.defaults[leaf]) for leaf in parameters},
+            locals={leaf.name: metadata.variable(leaf, constants) for leaf, _ in local},
+            **metadata.experiment(root),
+        )
+        return Ode(
+            interface=interface,
+            states=tuple(self._state_variable(name, value) for name, value in zip(self.states, initial, strict=True)),
+            t=symbols.t,
+            x=_column([system.variables[name] for name in self.states]),
+            u=_column(list(symbols.inputs.values())),
+            p=self.p,
+            derivatives=_column([self._derivative(name) for name in self.states]),
+            outputs=_column([self._value(leaf.name) for leaf in outputs]),
+            locals=_column([value for _, value in local]),
+            initial=_column(initial),
+            description=root.ancestors[0].definition.description,
+        )
+
+    # ---- the system of equations --------------------------------------------------------------------------
+
+    def _system(self) -> System:
+        symbols = self.flat.symbols
+        variables = {leaf.name: symbol for leaf, symbol in symbols.unknowns.items()}
+        derivative_of = {}
+        for name, symbol in symbols.derivatives.items():
+            derivative_of[name] = symbol.name()
+            variables[symbol.name()] = symbol
+        inputs = frozenset(leaf.name for leaf in symbols.inputs)
+        return System(variables, derivative_of, list(self.flat.residuals), inputs, symbols.t)
+
+    def _preference(self, name: str) -> float:
+        leaf = self._leaf(name)
+        return metadata.state_preference(leaf, self.instantiator.constants) if leaf is not None else 0.0
+
+    def _leaf(self, name: str) -> Instance | None:
+        return self._leaves().get(name)
+
+    def _leaves(self) -> dict[str, Instance]:
+        return {leaf.name: leaf for leaf in self.flat.symbols.unknowns}
+
+    def _unknown_leaves(self) -> list[Instance]:
+        return list(self.flat.symbols.unknowns)
+
+    # ---- results ------------------------------------------------------------------------------------------
+
+    def _value(self, name: str) -> ca.SX:
+        return self.solved[name] if name in self.solved else self.system.variables[name]
+
+    def _derivative(self, name: str) -> ca.SX:
+        return self._value(self.system.derivative_of[name])
+
+    def _is_output(self, leaf: Instance) -> bool:
+        return "output" in leaf.prefixes and leaf.parent is self.flat.root and "protected" not in leaf.prefixes
+
+    def _locals(self, outputs: Sequence[Instance]) -> list[tuple[Instance, ca.SX]]:
+        """Everything that can be computed and is neither state, output nor free parameter."""
+        symbols, taken = self.flat.symbols, set(outputs)
+        found = []
+        for leaf in self.flat.root.leaves():
+            if leaf in symbols.unknowns:
+                if leaf not in taken and leaf.name not in self.states:
+                    found.append((leaf, self._value(leaf.name)))
+            elif leaf.variability == "parameter" and leaf.primitive == "Real" and leaf not in symbols.free:
+                found.append((leaf, ca.SX(symbols.value(leaf))))
+        return found
+
+    def _state_variable(self, name: str, initial: ca.SX) -> Variable:
+        value = float(ca.evalf(ca.substitute(initial, self.p, self.p_values)))
+        leaf = self._leaf(name)
+        if leaf is None:
+            return Variable(name, start=value)
+        return metadata.variable(leaf, self.instantiator.constants, value)
+
+    # ---- initial values -----------------------------------------------------------------------------------
+
+    def _initial(self) -> list[ca.SX]:
+        starts = {name: self._start(name) for name in self.states}
+        equations = []
+        for name, leaf in self._leaves().items():
+            if name not in self.states and metadata.is_fixed(leaf, self.instantiator.constants):
+                start = self._start(name)
+                residual = Residual(self.system.variables[name] - start.value, start.place)
+                equations.append(residual)
+        equations += self.flat.initial
+        known = [Residual(self._at_start(r.expression, r.place), r.place) for r in equations]
+        return initial_values(self.states, self.system.variables, starts, known, (self.p, self.p_values))
+
+    def _start(self, name: str) -> Start:
+        leaf = self._leaf(name)
+        if leaf is None:
+            return Start(ca.SX(0), False, name)
+        bound = leaf.attributes.get("start")
+        value = ca.SX(0) if bound is None else ca.SX(self.flat.symbols.bound(bound))
+        for symbol in ca.symvar(value):
+            if symbol.name() in self.system.variables or symbol.name() in self.system.inputs:
+                raise ModelError(f"the start value of '{name}' depends on the variable '{symbol.name()}'")
+        return Start(value, metadata.is_fixed(leaf, self.instantiator.constants), f"start value of '{name}'")
+
+    def _at_start(self, expression: ca.SX, place: str) -> ca.SX:
+        """An initial equation with algebraic variables, inputs and time put in."""
+        names = [s.name() for s in ca.symvar(expression) if s.name() in self.solved]
+        if names:
+            old = _column([self.system.variables[n] for n in names])
+            expression = ca.substitute(expression, old, _column([self.solved[n] for n in names]))
+        for leaf, symbol in self.flat.symbols.inputs.items():
+            if ca.depends_on(expression, symbol):
+                raise ModelError(f"an initial value depends on the input '{leaf.name}': {place}")
+        return ca.substitute(expression, self.flat.symbols.t, ca.SX(0))
+
+
+def _column(values: Sequence[ca.SX]) -> ca.SX:
+    return ca.vertcat(ca.SX(0, 1), *values)

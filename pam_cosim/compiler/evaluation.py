@@ -1,0 +1,462 @@
+"""Modelica expressions to values: Python constants where everything is known, CasADi SX elsewhere.
+
+A value is a float, int, bool, str, ``Literal`` of an enumeration, SX scalar, a (nested) list of values for an
+array, or an ``Instance`` for a record. Branches that constants rule out are never evaluated.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from pam_cosim.compiler import arithmetic
+from pam_cosim.compiler.instance import Instance
+from pam_cosim.compiler.modification import Bound, Mod, bind
+from pam_cosim.compiler.scope import Class, Scope
+from pam_cosim.compiler.syntax import (
+    Argument,
+    Array,
+    Binary,
+    Call,
+    Conditional,
+    Element,
+    Expression,
+    Group,
+    Iterator,
+    Last,
+    Literal,
+    Member,
+    Modification,
+    Range,
+    Reference,
+    Unary,
+    Whole,
+)
+from pam_cosim.errors import ModelError
+
+if TYPE_CHECKING:
+    from pam_cosim.compiler.instantiation import Instantiator
+
+Value = Any
+Environment = Mapping[str, Value]
+NO_NAMES: Environment = {}
+_STATE_SELECT = ("never", "avoid", "default", "prefer", "always")
+
+
+class AbsentComponent(ModelError):
+    """A component that its condition switches off is referred to."""
+
+
+@dataclass(frozen=True)
+class EnumerationLiteral:
+    """A value of an enumeration; ``number`` counts from 1."""
+
+    name: str
+    number: int
+
+
+@dataclass(eq=False)
+class ClassValue:
+    """A class or package met on the way through a dotted name."""
+
+    of: Class
+
+
+class Evaluator:
+    """Evaluates with constants and parameter values; a subclass puts symbols in their place."""
+
+    def __init__(self, instantiator: Instantiator) -> None:
+        self.instantiator = instantiator
+        self.lookup = instantiator.lookup
+        self._values: dict[Instance, Value] = {}
+        self._in_progress: dict[Instance, None] = {}
+
+    # ---- what a subclass changes --------------------------------------------------------------------------
+
+    def variable(self, instance: Instance) -> Value:
+        """The value of something that is neither constant nor parameter."""
+        raise ModelError(f"'{instance.name}' is not known before the simulation: a constant is needed here")
+
+    def parameter(self, instance: Instance) -> Value:
+        """The value of a parameter."""
+        return self.assigned(instance)
+
+    def time(self) -> Value:
+        """The value of ``time``."""
+        raise ModelError("'time' is not known before the simulation: a constant is needed here")
+
+    def derivative(self, value: Value) -> Value:
+        """The value of ``der(...)``."""
+        raise ModelError("der() cannot be used here: a constant is needed")
+
+    # ---- entry points -------------------------------------------------------------------------------------
+
+    def bound(self, bound: Bound, names: Environment = NO_NAMES) -> Value:
+        """The value of an expression at its place."""
+        return self.evaluate(bound.expression, bound.scope, names)
+
+    def integer(self, expression: Expression, scope: Scope, names: Environment = NO_NAMES) -> int:
+        """A value that must be an integer constant."""
+        value = self.evaluate(expression, scope, names)
+        if isinstance(value, float) and value == int(value):
+            value = int(value)
+        if isinstance(value, bool) or not isinstance(value, int):
+            raise scope.definition.source.error("an Integer constant is needed here", expression.at)
+        return value
+
+    def condition(self, expression: Expression, scope: Scope) -> bool:
+        """A value that must be a Boolean constant."""
+        value = self.evaluate(expression, scope)
+        if not isinstance(value, bool):
+            raise scope.definition.source.error("a Boolean constant is needed here", expression.at)
+        return value
+
+    def evaluate(self, expression: Expression, scope: Scope, names: Environment = NO_NAMES) -> Value:
+        """The value of an expression.
+
+        Raises:
+            ModelError: with the place of the smallest expression that cannot be evaluated.
+        """
+        try:
+            return _HANDLERS[type(expression)](self, expression, scope, names)
+        except ModelError as error:
+            if error.file is None and not isinstance(error, AbsentComponent):
+                raise scope.definition.source.error(error.message, expression.at) from None
+            raise
+        except arithmetic.ArithmeticProblem as problem:
+            raise scope.definition.source.error(str(problem), expression.at) from None
+
+    # ---- instances ----------------------------------------------------------------------------------------
+
+    def value(self, instance: Instance) -> Value:
+        """The value of a variable, an array of variables (a list) or a record (the instance)."""
+        instance = self.instantiator.expand(instance)
+        if not instance.present:
+            raise AbsentComponent(f"'{instance.name}' is switched off by its condition")
+        if instance.elements is not None:
+            return [self.value(element) for element in instance.elements]
+        if not instance.primitive:
+            return instance
+        if instance not in self._values:
+            if instance in self._in_progress:
+                raise ModelError(f"'{instance.name}' depends on itself")
+            self._in_progress[instance] = None
+            try:
+                self._values[instance] = self._find_value(instance)
+            finally:
+                del self._in_progress[instance]
+        return self._values[instance]
+
+    def _find_value(self, instance: Instance) -> Value:
+        if instance.variability == "constant":
+            return self.assigned(instance)
+        if instance.variability == "parameter":
+            return self.parameter(instance)
+        return self.variable(instance)
+
+    def assigned(self, instance: Instance) -> Value:
+        """The value that a constant or parameter is bound to, or its start value.
+
+        Raises:
+            ModelError: it has neither.
+        """
+        bound = instance.binding or instance.attributes.get("start")
+        if bound is None:
+            kind = instance.variability or "variable"
+            raise self.at_declaration(instance, f"{kind} '{instance.name}' has no value")
+        value = self.bound(bound)
+        if isinstance(value, list):
+            raise bound.source.error(f"'{instance.name}' is a scalar, its value an array", bound.expression.at)
+        if instance.primitive == "Real" and isinstance(value, int) and not isinstance(value, bool):
+            return float(value)
+        return value
+
+    def at_declaration(self, instance: Instance, message: str) -> ModelError:
+        """An error at the place where an instance is declared."""
+        if instance.scope is None or instance.declaration is None:
+            return ModelError(message)
+        return instance.scope.definition.source.error(message, instance.declaration.at)
+
+    # ---- references ---------------------------------------------------------------------------------------
+
+    def _reference(self, node: Reference, scope: Scope, names: Environment) -> Value:
+        found = self.locate(node, scope, names)
+        if isinstance(found, Instance | list) and not _is_plain(found):
+            return self._contents(found)
+        return found
+
+    def _contents(self, found: Value) -> Value:
+        if isinstance(found, list):
+            return [self._contents(item) for item in found]
+        return self.value(found) if isinstance(found, Instance) else found
+
+    def locate(self, node: Reference, scope: Scope, names: Environment = NO_NAMES) -> Value:
+        """What a reference names: an instance (or a list of them), or a value.
+
+        Raises:
+            ModelError: nothing has that name.
+        """
+        name, subscripts = node.parts[0]
+        if not node.absolute and name in names:
+            found: Value = names[name]
+            if found is None:
+                raise ModelError(f"'{name}' has no value yet")
+        elif not node.absolute and len(node.parts) == 1 and name == "time":
+            return self.time()
+        else:
+            found = self._first(name, scope, node)
+        found = self._subscripted(found, subscripts, scope, names)
+        for name, subscripts in node.parts[1:]:
+            found = self._subscripted(self._member_of(found, name, node), subscripts, scope, names)
+        if isinstance(found, ClassValue):
+            raise ModelError(f"'{node.text}' is a class, not a variable")
+        return found
+
+    def _first(self, name: str, scope: Scope, node: Reference) -> Value:
+        place = None if node.absolute else scope
+        while place is not None:
+            if place.instance is not None and name in place.components:
+                return place.instance.children[name]
+            if place.instance is None and place.definition.kind == "package":
+                package = self.instantiator.package(Class(place.definition, place.outer))
+                if name in package.children:
+                    return package.children[name]
+            found = self.lookup.member(place, name)
+            if found is not None:
+                return ClassValue(found)
+            place = place.outer
+        found = self.lookup.first(None, name, True)
+        if found is not None:
+            return ClassValue(found)
+        if name == "StateSelect":
+            return name
+        raise ModelError(f"'{node.text}' not found in {scope.definition.qualified_name}")
+
+    def _member_of(self, found: Value, name: str, node: Reference) -> Value:
+        if isinstance(found, list):
+            return [self._member_of(item, name, node) for item in found]
+        if isinstance(found, Instance):
+            instance = self.instantiator.expand(found)
+            if instance.elements is not None:
+                return [self._member_of(element, name, node) for element in instance.elements]
+            if not instance.present:
+                raise AbsentComponent(f"'{instance.name}' is switched off by its condition")
+            if name in instance.children:
+                return instance.children[name]
+            if name in instance.classes:
+                return ClassValue(instance.classes[name])
+            what = instance.type.definition.qualified_name if instance.type is not None else instance.primitive
+            raise ModelError(f"'{node.text}': {what or instance.name} has no '{name}'")
+        if isinstance(found, ClassValue):
+            return self._class_member(found.of, name, node)
+        if found == "StateSelect" and name in _STATE_SELECT:
+            return EnumerationLiteral(name, _STATE_SELECT.index(name) + 1)
+        raise ModelError(f"'{node.text}': there is no member '{name}'")
+
+    def _class_member(self, of: Class, name: str, node: Reference) -> Value:
+        definition = of.definition
+        if definition.literals is not None:
+            literals = [literal for literal, _ in definition.literals]
+            if name in literals:
+                return EnumerationLiteral(name, literals.index(name) + 1)
+            raise ModelError(f"enumeration {definition.qualified_name} has no '{name}'")
+        nested = self.lookup.member(self.lookup.inside(of), name)
+        if nested is not None:
+            return ClassValue(nested)
+        bases = self.lookup.bases(of) if definition.alias is not None else []
+        if bases and bases[0].definition.literals is not None:
+            return self._class_member(bases[0], name, node)
+        package = self.instantiator.package(of)
+        if name in package.classes:
+            return ClassValue(package.classes[name])
+        if name not in package.children:
+            raise ModelError(f"'{node.text}' not found: {definition.qualified_name} has no '{name}'")
+        if package.children[name].variability != "constant" and definition.kind == "package":
+            raise ModelError(f"'{node.text}' is not a constant")
+        return package.children[name]
+
+    def _subscripted(self, found: Value, subscripts: tuple[Expression, ...], scope: Scope, names: Environment) -> Value:
+        if not subscripts:
+            return found
+        if isinstance(found, Instance):
+            instance = self.instantiator.expand(found)
+            if instance.elements is None:
+                raise ModelError(f"'{instance.name}' is not an array")
+            found = instance.elements
+        if not isinstance(found, list):
+            raise ModelError("a scalar has no subscripts")
+        return self._pick(found, subscripts, scope, names)
+
+    def _pick(self, items: Value, subscripts: tuple[Expression, ...], scope: Scope, names: Environment) -> Value:
+        if not subscripts:
+            return items
+        if isinstance(items, Instance):
+            items = items.elements
+        if not isinstance(items, list):
+            raise ModelError("there are more subscripts than dimensions")
+        first, rest = subscripts[0], subscripts[1:]
+        if isinstance(first, Whole):
+            return [self._pick(item, rest, scope, names) for item in items]
+        where = self.evaluate(first, scope, {**names, "end": len(items)})
+        if isinstance(where, list):
+            return [self._pick(self._item(items, index), rest, scope, names) for index in where]
+        return self._pick(self._item(items, where), rest, scope, names)
+
+    def _item(self, items: list[Value], index: Value) -> Value:
+        if isinstance(index, EnumerationLiteral):
+            index = index.number
+        if isinstance(index, bool) or not isinstance(index, int):
+            raise ModelError("a subscript must be an Integer constant")
+        if not 1 <= index <= len(items):
+            raise ModelError(f"subscript {index} is outside 1:{len(items)}")
+        return items[index - 1]
+
+    # ---- other expressions --------------------------------------------------------------------------------
+
+    def _literal(self, node: Literal, scope: Scope, names: Environment) -> Value:
+        return node.value
+
+    def _last(self, node: Last, scope: Scope, names: Environment) -> Value:
+        if "end" not in names:
+            raise ModelError("'end' is only a subscript")
+        return names["end"]
+
+    def _unary(self, node: Unary, scope: Scope, names: Environment) -> Value:
+        return arithmetic.unary(node.operator, self.evaluate(node.operand, scope, names))
+
+    def _binary(self, node: Binary, scope: Scope, names: Environment) -> Value:
+        left = self.evaluate(node.left, scope, names)
+        if node.operator == "and" and left is False:
+            return False
+        if node.operator == "or" and left is True:
+            return True
+        return arithmetic.binary(node.operator, left, self.evaluate(node.right, scope, names))
+
+    def _conditional(self, node: Conditional, scope: Scope, names: Environment) -> Value:
+        chosen: list[tuple[Value, Value]] = []
+        for condition, expression in node.branches:
+            value = self.evaluate(condition, scope, names)
+            if value is False:
+                continue
+            result = self.evaluate(expression, scope, names)
+            if value is True:
+                return arithmetic.select(chosen, result)
+            chosen.append((value, result))
+        return arithmetic.select(chosen, self.evaluate(node.otherwise, scope, names))
+
+    def _array(self, node: Array, scope: Scope, names: Environment) -> Value:
+        if node.iterators:
+            return [self.evaluate(node.items[0], scope, point) for point in self.points(node.iterators, scope, names)]
+        return [self.evaluate(item, scope, names) for item in node.items]
+
+    def points(self, iterators: tuple[Iterator, ...], scope: Scope, names: Environment) -> list[Environment]:
+        """The names with all values of the loop counters, the last counter running fastest."""
+        points: list[Environment] = [names]
+        for iterator in iterators:
+            following: list[Environment] = []
+            for point in points:
+                values = self.evaluate(iterator.range, scope, point)
+                if not isinstance(values, list):
+                    raise scope.definition.source.error("a loop runs over a range or an array", iterator.range.at)
+                following += [{**point, iterator.name: value} for value in values]
+            points = following
+        return points
+
+    def _range(self, node: Range, scope: Scope, names: Environment) -> Value:
+        parts = [node.start, node.step or Literal(node.at, 1), node.stop]
+        start, step, stop = (self.evaluate(part, scope, names) for part in parts)
+        if not all(isinstance(part, int | float) for part in (start, step, stop)):
+            raise ModelError("the ends of a range must be constants")
+        if step == 0:
+            raise ModelError("the step of a range is zero")
+        count = int((stop - start) / step + 1e-9) + 1
+        return [start + i * step for i in range(max(count, 0))]
+
+    def _element(self, node: Element, scope: Scope, names: Environment) -> Value:
+        base = self.evaluate(node.base, scope, names)
+        if not isinstance(base, list):
+            raise ModelError("a scalar is given for an array: write 'each', or fill(...)")
+        if node.index >= len(base):
+            raise ModelError(f"an array of {len(base)} elements is given where more are needed")
+        return base[node.index]
+
+    def _member(self, node: Member, scope: Scope, names: Environment) -> Value:
+        base = self.evaluate(node.base, scope, names)
+        return self._contents(self._member_of(base, node.name, Reference(node.at, ((node.name, ()),))))
+
+    def _group(self, node: Group, scope: Scope, names: Environment) -> Value:
+        raise ModelError("several values in parentheses stand only on the left of a call")
+
+    def _whole(self, node: Whole, scope: Scope, names: Environment) -> Value:
+        raise ModelError("':' is only a subscript")
+
+    # ---- calls --------------------------------------------------------------------------------------------
+
+    def _call(self, node: Call, scope: Scope, names: Environment) -> Value:
+        results = self.results(node, scope, names)
+        return results[0] if isinstance(results, tuple) else results
+
+    def results(self, node: Call, scope: Scope, names: Environment) -> Value:
+        """The value of a call: a tuple of all results for a function that is written in Modelica."""
+        from pam_cosim.compiler.builtins import BUILTINS
+        from pam_cosim.compiler.functions import call
+
+        name = node.function.text
+        found = self._function(node, scope)
+        if found is None:
+            if name in BUILTINS:
+                return BUILTINS[name](self, node, scope, names)
+            raise ModelError(f"function '{name}' not found in {scope.definition.qualified_name}")
+        if found.definition.kind == "function":
+            return call(self, found, node, scope, names)
+        return self._construct(found, node, scope, names)
+
+    def _function(self, node: Call, scope: Scope) -> Class | None:
+        if len(node.function.parts) == 1:
+            return self.lookup.first(scope, node.function.text, node.function.absolute)
+        try:
+            first = self._first(node.function.parts[0][0], scope, node.function)
+            for name, subscripts in node.function.parts[1:]:
+                first = self._subscripted(self._member_of(first, name, node.function), subscripts, scope, NO_NAMES)
+        except ModelError:
+            return None
+        return first.of if isinstance(first, ClassValue) else None
+
+    def _construct(self, found: Class, node: Call, scope: Scope, names: Environment) -> Value:
+        definition = found.definition
+        arguments = [Argument(name, value.at, Modification((), value)) for name, value in node.named]
+        if node.arguments:
+            raise ModelError(f"name the members in the constructor: {definition.name}(member=value, ...)")
+        if definition.kind != "record" and definition.alias is None:
+            raise ModelError(f"'{definition.qualified_name}' is a {definition.kind}: it cannot be called")
+        modification: Mod = bind(Modification(tuple(arguments)), scope, node.at)
+        return self.instantiator.record(found, definition.name, modification)
+
+    def combinations(self, node: Call, scope: Scope, names: Environment) -> list[Value]:
+        """The values of ``f(e for i in r)`` under the function."""
+        return [self.evaluate(node.arguments[0], scope, point) for point in self.points(node.iterators, scope, names)]
+
+
+def _is_plain(found: Value) -> bool:
+    """Whether a list holds values only."""
+    if isinstance(found, list):
+        return all(_is_plain(item) for item in found)
+    return not isinstance(found, Instance)
+
+
+_HANDLERS: dict[type, Callable[[Evaluator, Any, Scope, Environment], Value]] = {
+    Reference: Evaluator._reference,
+    Literal: Evaluator._literal,
+    Unary: Evaluator._unary,
+    Binary: Evaluator._binary,
+    Conditional: Evaluator._conditional,
+    Call: Evaluator._call,
+    Array: Evaluator._array,
+    Range: Evaluator._range,
+    Element: Evaluator._element,
+    Member: Evaluator._member,
+    Last: Evaluator._last,
+    Group: Evaluator._group,
+    Whole: Evaluator._whole,
+}

@@ -1,0 +1,327 @@
+"""The expression part of the Modelica grammar (Modelica 3.6, appendix A.2.7)."""
+
+from __future__ import annotations
+
+import ast
+from typing import NoReturn
+
+from pam_cosim.compiler.lexer import Tokens
+from pam_cosim.compiler.source import Source
+from pam_cosim.compiler.syntax import (
+    Array,
+    Binary,
+    Call,
+    Conditional,
+    Expression,
+    Group,
+    Iterator,
+    Last,
+    Literal,
+    Range,
+    Reference,
+    TypeName,
+    Unary,
+    Whole,
+)
+
+_RELATIONS = frozenset(("<", "<=", ">", ">=", "==", "<>"))
+_ADDITIONS = frozenset(("+", "-", ".+", ".-"))
+_PRODUCTS = frozenset(("*", "/", ".*", "./"))
+
+
+class ExpressionParser:
+    """A cursor over tokens, and the grammar of expressions."""
+
+    def __init__(self, source: Source, tokens: Tokens, start: int = 0) -> None:
+        self.source = source
+        self.tokens = tokens
+        self.index = start
+
+    # ---- cursor -------------------------------------------------------------------------------------------
+
+    @property
+    def kind(self) -> str:
+        """Kind of the current token."""
+        return self.tokens.kinds[self.index]
+
+    @property
+    def text(self) -> str:
+        """Text of the current token."""
+        return self.tokens.texts[self.index]
+
+    @property
+    def offset(self) -> int:
+        """Place of the current token."""
+        return self.tokens.offsets[self.index]
+
+    def peek(self) -> str:
+        """Kind of the next token."""
+        return self.tokens.kinds[min(self.index + 1, len(self.tokens.kinds) - 1)]
+
+    def advance(self) -> str:
+        """Text of the current token; step to the next."""
+        text = self.tokens.texts[self.index]
+        self.index += 1
+        return text
+
+    def accept(self, kind: str) -> bool:
+        """Step over the token if it is of this kind."""
+        if self.tokens.kinds[self.index] == kind:
+            self.index += 1
+            return True
+        return False
+
+    def expect(self, kind: str) -> str:
+        """Step over a token that must be of this kind, and return its text."""
+        if self.tokens.kinds[self.index] != kind:
+            self.fail(f"expected {'a name' if kind == 'name' else repr(kind)}, found '{self.text}'")
+        return self.advance()
+
+    def fail(self, message: str) -> NoReturn:
+        """Raise a syntax error at the current token."""
+        raise self.source.error(message, self.offset)
+
+    # ---- names, strings, subscripts -----------------------------------------------------------------------
+
+    def type_name(self) -> TypeName:
+        """A dotted class name."""
+        at = self.offset
+        absolute = self.accept(".")
+        names = [self.expect("name")]
+        while self.kind == "." and self.peek() == "name":
+            self.index += 1
+            names.append(self.advance())
+        return TypeName(at, tuple(names), absolute)
+
+    def string(self) -> str:
+        """A string literal without quotes, escapes resolved."""
+        return unquote(self.advance())
+
+    def string_comment(self) -> str:
+        """A description string, possibly joined with ``+``, or nothing."""
+        if self.kind != "string":
+            return ""
+        text = self.string()
+        while self.kind == "+" and self.peek() == "string":
+            self.index += 1
+            text += self.string()
+        return text
+
+    def subscripts(self) -> tuple[Expression, ...]:
+        """``[i, :, end]`` or nothing."""
+        if not self.accept("["):
+            return ()
+        found = [self.subscript()]
+        while self.accept(","):
+            found.append(self.subscript())
+        self.expect("]")
+        return tuple(found)
+
+    def subscript(self) -> Expression:
+        """One subscript."""
+        if self.kind == ":":
+            at = self.offset
+            self.index += 1
+            return Whole(at)
+        return self.expression()
+
+    # ---- expressions --------------------------------------------------------------------------------------
+
+    def expression(self) -> Expression:
+        """Any expression."""
+        if self.kind == "if":
+            return self.conditional()
+        at = self.offset
+        first = self.disjunction()
+        if self.kind != ":":
+            return first
+        self.index += 1
+        second = self.disjunction()
+        if not self.accept(":"):
+            return Range(at, first, None, second)
+        return Range(at, first, second, self.disjunction())
+
+    def conditional(self) -> Expression:
+        """``if ... then ... else ...``."""
+        at = self.offset
+        branches = []
+        self.expect("if")
+        while True:
+            condition = self.expression()
+            self.expect("then")
+            branches.append((condition, self.expression()))
+            if not self.accept("elseif"):
+                break
+        self.expect("else")
+        return Conditional(at, tuple(branches), self.expression())
+
+    def disjunction(self) -> Expression:
+        """``a or b``."""
+        left = self.conjunction()
+        while self.kind == "or":
+            at = self.offset
+            self.index += 1
+            left = Binary(at, "or", left, self.conjunction())
+        return left
+
+    def conjunction(self) -> Expression:
+        """``a and b``."""
+        left = self.negation()
+        while self.kind == "and":
+            at = self.offset
+            self.index += 1
+            left = Binary(at, "and", left, self.negation())
+        return left
+
+    def negation(self) -> Expression:
+        """``not a``."""
+        at = self.offset
+        if self.accept("not"):
+            return Unary(at, "not", self.relation())
+        return self.relation()
+
+    def relation(self) -> Expression:
+        """``a < b``."""
+        left = self.arithmetic()
+        if self.kind in _RELATIONS:
+            at = self.offset
+            operator = self.advance()
+            return Binary(at, operator, left, self.arithmetic())
+        return left
+
+    def arithmetic(self) -> Expression:
+        """Sums; a leading sign belongs to the first term."""
+        at = self.offset
+        if self.kind in _ADDITIONS:
+            operator = self.advance()
+            left: Expression = Unary(at, operator.lstrip("."), self.term())
+        else:
+            left = self.term()
+        while self.kind in _ADDITIONS:
+            at = self.offset
+            operator = self.advance()
+            left = Binary(at, operator, left, self.term())
+        return left
+
+    def term(self) -> Expression:
+        """Products."""
+        left = self.factor()
+        while self.kind in _PRODUCTS:
+            at = self.offset
+            operator = self.advance()
+            left = Binary(at, operator, left, self.factor())
+        return left
+
+    def factor(self) -> Expression:
+        """Powers."""
+        left = self.primary()
+        if self.kind in ("^", ".^"):
+            at = self.offset
+            operator = self.advance()
+            return Binary(at, operator, left, self.primary())
+        return left
+
+    def primary(self) -> Expression:
+        """Literals, references, calls, arrays and parentheses."""
+        kind, at = self.kind, self.offset
+        if kind == "number":
+            text = self.advance()
+            return Literal(at, int(text) if text.isdigit() else float(text))
+        if kind == "name" or kind == ".":
+            return self.reference_or_call()
+        if kind == "string":
+            return Literal(at, self.string())
+        if kind in ("true", "false"):
+            return Literal(at, self.advance() == "true")
+        if kind in ("der", "initial", "pure"):
+            self.index += 1
+            return self.call(Reference(at, ((kind, ()),)))
+        if kind == "(":
+            return self.parenthesis()
+        if kind == "{":
+            return self.array()
+        if kind == "end":
+            self.index += 1
+            return Last(at)
+        if kind == "[":
+            self.fail("matrix brackets [a, b; c, d] are not supported: write {{a, b}, {c, d}}")
+        self.fail(f"expected an expression, found '{self.text}'")
+
+    def reference(self) -> Reference:
+        """``a.b[i].c``."""
+        at = self.offset
+        absolute = self.accept(".")
+        parts = [(self.expect("name"), self.subscripts())]
+        while self.accept("."):
+            parts.append((self.expect("name"), self.subscripts()))
+        return Reference(at, tuple(parts), absolute)
+
+    def reference_or_call(self) -> Expression:
+        """A reference, or a call of the function it names."""
+        reference = self.reference()
+        return self.call(reference) if self.kind == "(" else reference
+
+    def call(self, function: Reference) -> Call:
+        """``(arguments, name = value)``."""
+        self.expect("(")
+        arguments: list[Expression] = []
+        named: list[tuple[str, Expression]] = []
+        iterators: tuple[Iterator, ...] = ()
+        while self.kind != ")":
+            if self.kind == "name" and self.peek() == "=":
+                name = self.advance()
+                self.index += 1
+                named.append((name, self.expression()))
+            else:
+                arguments.append(self.expression())
+                if self.accept("for"):
+                    iterators = self.iterators()
+            if not self.accept(","):
+                break
+        self.expect(")")
+        return Call(function.at, function, tuple(arguments), tuple(named), iterators)
+
+    def iterators(self) -> tuple[Iterator, ...]:
+        """``i in r, j in s``, after ``for``."""
+        found = []
+        while True:
+            name = self.expect("name")
+            if not self.accept("in"):
+                self.fail("the range of a loop must be written: 'for i in 1:n loop'")
+            found.append(Iterator(name, self.expression()))
+            if not self.accept(","):
+                return tuple(found)
+
+    def parenthesis(self) -> Expression:
+        """``(a)``, or ``(a, , b)`` as the target of several results."""
+        at = self.offset
+        self.expect("(")
+        items: list[Expression | None] = [None if self.kind == "," else self.expression()]
+        while self.accept(","):
+            items.append(None if self.kind in (",", ")") else self.expression())
+        self.expect(")")
+        if len(items) == 1 and items[0] is not None:
+            return items[0]
+        return Group(at, tuple(items))
+
+    def array(self) -> Expression:
+        """``{a, b}`` or ``{e for i in r}``."""
+        at = self.offset
+        self.expect("{")
+        items = [self.expression()]
+        iterators: tuple[Iterator, ...] = ()
+        if self.accept("for"):
+            iterators = self.iterators()
+        while self.accept(","):
+            items.append(self.expression())
+        self.expect("}")
+        return Array(at, tuple(items), iterators)
+
+
+def unquote(token: str) -> str:
+    """The value of a string token."""
+    body = token[1:-1]
+    if "\\" not in body:
+        return body
+    escaped = body.replace("\r\n", "\n").replace("\n", "\\n").replace('\\"', '"').replace('"', '\\"')
+    return str(ast.literal_eval(f'"{escaped.replace(chr(92) + "?", "?")}"'))

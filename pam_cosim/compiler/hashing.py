@@ -1,0 +1,46 @@
+"""A content hash of everything that a compiled model depends on."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Sequence
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+
+from pam_cosim.errors import ModelError
+from pam_cosim.resources import modelica_root
+
+
+def flat_hash(model: str, *, files: Sequence[Path] = (), root: Path | None = None) -> str:
+    """SHA-256, in hexadecimal, of model name, Modelica sources, this compiler and CasADi's version.
+
+    Arguments as for :func:`pam_cosim.compiler.compile_model`. Where the files lie makes no difference.
+    """
+    digest = hashlib.sha256()
+    base = modelica_root() if root is None else root
+    files = list(files)
+    if model.endswith(".mo"):
+        files.append(Path(model))
+        model = Path(model).name
+    _add(digest, model.encode())
+    for file in sorted(base.rglob("*.mo")):
+        _add(digest, file.relative_to(base).as_posix().encode())
+        _add(digest, file.read_bytes())
+    for file in files:
+        if not file.exists():
+            raise ModelError("there is no such file", file)
+        _add(digest, file.read_bytes())
+    for file in sorted(Path(__file__).parent.glob("*.py")):
+        _add(digest, file.read_bytes())
+    for package in ("casadi", "pam-cosim"):
+        try:
+            _add(digest, version(package).encode())
+        except PackageNotFoundError:
+            _add(digest, b"not installed")
+    return digest.hexdigest()
+
+
+def _add(digest: hashlib._Hash, part: bytes) -> None:
+    """Add a part with its length, so that parts cannot run into each other."""
+    digest.update(len(part).to_bytes(8, "little"))
+    digest.update(part)

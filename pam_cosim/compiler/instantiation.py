@@ -1,0 +1,435 @@
+"""From a class to the tree of its components: inheritance, modification, redeclaration, conditions, arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from pam_cosim.compiler.evaluation import Evaluator
+from pam_cosim.compiler.instance import Instance
+from pam_cosim.compiler.modification import ATTRIBUTES, NOTHING, Bound, Mod, Redeclaration, bind, merge
+from pam_cosim.compiler.scope import Class, Lookup, Scope
+from pam_cosim.compiler.source import Source
+from pam_cosim.compiler.syntax import (
+    ClassDefinition,
+    ComponentDeclaration,
+    Expression,
+    TypeName,
+    Whole,
+)
+from pam_cosim.errors import ModelError
+
+PRIMITIVES = frozenset(("Real", "Integer", "Boolean", "String"))
+_INHERITED_PREFIXES = frozenset(("constant", "parameter", "protected", "final", "flow", "input", "output"))
+_DEPTH = 40
+
+
+@dataclass(eq=False)
+class _Type:
+    """A type followed through its short definitions to a built-in type or a class with a body."""
+
+    primitive: str
+    type: Class | None
+    modification: Mod
+    prefixes: frozenset[str] = frozenset()
+    dimensions: tuple[tuple[Expression, Scope], ...] = ()
+
+
+class Instantiator:
+    """Builds instances; one for each compile."""
+
+    def __init__(self, lookup: Lookup) -> None:
+        self.lookup = lookup
+        self.constants = Evaluator(self)
+        self._packages: dict[ClassDefinition, Instance] = {}
+        self._functions: dict[tuple[ClassDefinition, Scope | None, Mod | None, Mod | None], Instance] = {}
+
+    # ---- whole classes ------------------------------------------------------------------------------------
+
+    def model(self, of: Class) -> Instance:
+        """The instance of a top-level model, all parts expanded."""
+        root = Instance("", None, None, None, kind=of.definition.kind, definition=of, expanded=True)
+        self.populate(root, of, NOTHING)
+        self._expand_children(root)
+        return root
+
+    def package(self, of: Class) -> Instance:
+        """A package as a holder of constants; they are expanded when somebody asks for them."""
+        key = of.definition
+        if of.over is not None or key not in self._packages:
+            instance = Instance(of.definition.qualified_name, None, None, None, kind="package", expanded=True)
+            self.populate(instance, of, NOTHING)
+            if of.over is not None:
+                return instance
+            self._packages[key] = instance
+        return self._packages[key]
+
+    def function(self, of: Class) -> Instance:
+        """A function as a holder of its inputs, outputs, local variables and statements."""
+        key = of.definition, of.outer, of.over, of.under
+        if key not in self._functions:
+            name = of.definition.qualified_name
+            instance = Instance(name, None, None, None, kind="function", definition=of, expanded=True)
+            self.populate(instance, of, NOTHING)
+            self._functions[key] = instance
+        return self._functions[key]
+
+    def record(self, of: Class, name: str, modification: Mod) -> Instance:
+        """The value that a record constructor makes."""
+        prefixes = frozenset(("constant",))
+        instance = Instance(name, None, None, None, modification, prefixes, kind="record", expanded=True)
+        self.populate(instance, of, modification)
+        self._expand_children(instance)
+        return instance
+
+    # ---- classes into instances ---------------------------------------------------------------------------
+
+    def populate(self, instance: Instance, of: Class, modification: Mod, depth: int = 0) -> Scope:
+        """Add to an instance what a class declares and inherits.
+
+        Raises:
+            ModelError: unknown base classes, modifications of what does not exist, endless inheritance.
+        """
+        definition = of.definition
+        if depth > _DEPTH:
+            raise definition.source.error(f"class '{definition.name}' inherits from itself", definition.at)
+        instance.ancestors.append(of)
+        modification = merge(modification, of.over)
+        if definition.alias is not None:
+            return self._populate_short(instance, of, modification, depth)
+        if definition.literals is not None:
+            raise definition.source.error(f"'{definition.name}' is an enumeration, not a model", definition.at)
+        modification = merge(modification, of.under)
+        scope = Scope(definition, instance, of.outer)
+        self._register_classes(instance, scope, modification)
+        body = self._body_redeclarations(scope)
+        bases = self.lookup.bases(of)
+        if len(bases) < len(definition.extends):
+            self._report_missing_base(of)
+        for extends, base in zip(definition.extends, bases, strict=True):
+            own = bind(extends.modification, scope, extends.at)
+            inner = self.populate(instance, base, merge(modification, merge(body, own)), depth + 1)
+            scope.components |= inner.components
+            scope.classes |= inner.classes
+            self._check_names(own, instance, base.definition.name)
+        self._check_names(body, instance, definition.name)
+        for declaration in definition.components.values():
+            scope.components.add(declaration.name)
+            if declaration.name not in instance.children:
+                instance.children[declaration.name] = self._child(instance, declaration, scope, modification)
+        instance.sections += [(section, scope) for section in definition.sections]
+        return scope
+
+    def _populate_short(self, instance: Instance, of: Class, modification: Mod, depth: int) -> Scope:
+        definition = of.definition
+        assert definition.alias is not None
+        holder = of.outer.definition if of.outer is not None else definition
+        base = self.lookup.require(of.outer, definition.alias.type, holder)
+        place = of.outer or self.lookup.static_scope(definition)
+        own = bind(definition.alias.modification, place, definition.alias.at)
+        scope = self.populate(instance, base, merge(modification, merge(own, of.under)), depth + 1)
+        self._check_names(own, instance, base.definition.name)
+        return scope
+
+    def _register_classes(self, instance: Instance, scope: Scope, modification: Mod) -> None:
+        for name, nested in scope.definition.classes.items():
+            scope.classes.add(name)
+            under = None if nested.constraint is None else bind(nested.constraint.modification, scope)
+            entry = modification.entries.get(name)
+            if name in instance.classes:
+                continue
+            if entry is not None and entry.redeclaration is not None:
+                instance.classes[name] = self._redeclared_class(nested, entry, entry.redeclaration, scope, under)
+            else:
+                instance.classes[name] = Class(nested, scope, entry, under)
+
+    def _redeclared_class(
+        self,
+        original: ClassDefinition,
+        entry: Mod,
+        redeclaration: Redeclaration,
+        scope: Scope,
+        under: Mod | None,
+    ) -> Class:
+        new, place = redeclaration.declaration, redeclaration.scope
+        source = place.definition.source
+        if not isinstance(new, ClassDefinition):
+            raise source.error(f"'{new.name}' is a class: write 'redeclare model {new.name} = ...'", new.at)
+        if "replaceable" not in original.prefixes:
+            raise source.error(f"class '{new.name}' is not replaceable", new.at)
+        over = replace(entry, redeclaration=None, value=None) if entry.entries else None
+        found = Class(new, place, over, under)
+        if original.constraint is not None:
+            limit: Class | None = self.lookup.require(scope, original.constraint.type, original)
+        else:
+            limit = self._followed(Class(original, scope))
+        self._check_constraint(found, limit, source, new.at)
+        return found
+
+    def _followed(self, of: Class) -> Class | None:
+        """The class with a body that a short class stands for."""
+        bases = self.lookup.bases(of) if of.definition.alias is not None else []
+        return self._followed(bases[0]) if bases else of
+
+    def _check_constraint(self, new: Class, limit: Class | None, source: object, at: int) -> None:
+        if limit is None or limit.definition.kind == "function":
+            return
+        wanted = self._public_names(limit)
+        offered = set(self._public_names(new))
+        missing = [name for name in wanted if name not in offered]
+        if missing:
+            where = new.outer.definition.source if new.outer is not None else new.definition.source
+            target = new.definition.alias.type.text if new.definition.alias is not None else new.definition.name
+            raise where.error(
+                f"'{target}' does not fit here: it lacks {', '.join(missing)} of {limit.definition.qualified_name}",
+                at,
+            )
+
+    def _public_names(self, of: Class, depth: int = 0) -> list[str]:
+        """Names of the public components of a class, inherited ones included."""
+        if depth > _DEPTH:
+            return []
+        names = [n for n, c in of.definition.components.items() if "protected" not in c.prefixes]
+        for base in self.lookup.bases(of):
+            names += [name for name in self._public_names(base, depth + 1) if name not in names]
+        return names
+
+    def _body_redeclarations(self, scope: Scope) -> Mod:
+        entries = {}
+        source = scope.definition.source
+        for new in scope.definition.redeclared:
+            entries[new.name] = Mod(new.at, source, redeclaration=Redeclaration(new, scope))
+        return Mod(scope.definition.at, source, entries=entries) if entries else NOTHING
+
+    def _report_missing_base(self, of: Class) -> None:
+        definition = of.definition
+        for extends in definition.extends:
+            found = self.lookup.bases(Class(replace(definition, extends=[extends]), of.outer))
+            if not found:
+                name, place = extends.type.text, definition.qualified_name
+                raise definition.source.error(f"base class '{name}' not found in {place}", extends.type.at)
+
+    def _check_names(self, modification: Mod, instance: Instance, where: str) -> None:
+        for name, entry in modification.entries.items():
+            if name not in instance.children and name not in instance.classes and entry.source is not None:
+                raise entry.source.error(f"there is no '{name}' in {where} to be modified", entry.at)
+
+    # ---- components ---------------------------------------------------------------------------------------
+
+    def _child(self, parent: Instance, declaration: ComponentDeclaration, scope: Scope, outer: Mod) -> Instance:
+        entry = outer.entries.get(declaration.name)
+        own = bind(declaration.modification, scope, declaration.at)
+        constraint = None
+        if declaration.constraint is not None:
+            constraint = bind(declaration.constraint.modification, scope)
+        original, home = declaration, scope
+        if entry is not None and entry.redeclaration is not None:
+            new, place = entry.redeclaration.declaration, entry.redeclaration.scope
+            self._check_component_redeclaration(declaration, new, scope, place)
+            assert isinstance(new, ComponentDeclaration)
+            inherited = constraint if constraint is not None else own
+            entry = merge(replace(entry, redeclaration=None), bind(new.modification, place, new.at))
+            own, scope = inherited, place
+            declaration = replace(
+                new,
+                prefixes=(original.prefixes - {"replaceable"}) | new.prefixes,
+                dimensions=new.dimensions or original.dimensions,
+                condition=original.condition,
+                description=new.description or original.description,
+            )
+            modification = merge(entry, own)
+        else:
+            own.final = "final" in declaration.prefixes
+            modification = merge(merge(entry, own), constraint)
+        prefixes = declaration.prefixes | (parent.prefixes & _INHERITED_PREFIXES)
+        if modification.final and modification.value is not None:
+            prefixes |= {"final"}
+        name = f"{parent.name}.{declaration.name}" if parent.name else declaration.name
+        return Instance(name, parent, scope, declaration, modification, prefixes, home=home)
+
+    def _check_component_redeclaration(
+        self,
+        old: ComponentDeclaration,
+        new: ComponentDeclaration | ClassDefinition,
+        scope: Scope,
+        place: Scope,
+    ) -> None:
+        source = place.definition.source
+        if not isinstance(new, ComponentDeclaration):
+            raise source.error(f"'{new.name}' is a component, not a class", new.at)
+        if "replaceable" not in old.prefixes:
+            raise source.error(f"component '{new.name}' is not replaceable", new.at)
+        limit_name = old.type if old.constraint is None else old.constraint.type
+        limit = self.lookup.find(scope, limit_name.names, limit_name.absolute)
+        found = self.lookup.find(place, new.type.names, new.type.absolute)
+        if found is not None:
+            self._check_constraint(Class(found.definition, found.outer), limit, source, new.at)
+
+    def expand(self, instance: Instance) -> Instance:
+        """Fill in what an instance consists of, if that has not been done; returns what it stands for."""
+        if not instance.expanded:
+            instance.expanded = True
+            self._expand(instance)
+        return instance.resolved()
+
+    def _expand(self, instance: Instance) -> None:
+        declaration, scope = instance.declaration, instance.scope
+        assert declaration is not None and scope is not None
+        if declaration.condition is not None:
+            instance.present = self.constants.condition(declaration.condition, instance.home or scope)
+            if not instance.present:
+                return
+        if "outer" in instance.prefixes and "inner" not in instance.prefixes:
+            instance.target = self._find_inner(instance)
+            return
+        type_ = self._type(declaration.type, scope, instance.modification)
+        instance.prefixes |= type_.prefixes
+        home = instance.home or scope
+        written = tuple((size, home) for size in declaration.dimensions)
+        dimensions = written + type_.dimensions
+        if dimensions:
+            sizes = [self._size(size, place, instance, i) for i, (size, place) in enumerate(dimensions)]
+            self._expand_array(instance, sizes, ())
+        else:
+            self._expand_scalar(instance, type_)
+
+    def _expand_array(self, instance: Instance, sizes: Sequence[int], index: tuple[int, ...]) -> None:
+        instance.elements = []
+        base = instance.name.rpartition("[")[0] if index else instance.name
+        declaration, scope = instance.declaration, instance.scope
+        assert declaration is not None and scope is not None
+        for number in range(1, sizes[0] + 1):
+            place = (*index, number)
+            name = f"{base}[{','.join(map(str, place))}]"
+            modification = instance.modification.element(number - 1)
+            prefixes = instance.prefixes
+            element = Instance(name, instance.parent, scope, declaration, modification, prefixes, expanded=True)
+            if len(sizes) > 1:
+                self._expand_array(element, sizes[1:], place)
+            else:
+                self._expand_scalar(element, self._type(declaration.type, scope, modification))
+            instance.elements.append(element)
+
+    def _expand_scalar(self, instance: Instance, type_: _Type) -> None:
+        modification = type_.modification
+        instance.type = type_.type
+        if type_.primitive:
+            instance.primitive, instance.kind = type_.primitive, "type"
+            instance.binding = modification.value
+            for name, entry in modification.entries.items():
+                if name not in ATTRIBUTES:
+                    source = entry.source or instance_source(instance)
+                    raise source.error(f"{type_.primitive} has no attribute '{name}'", entry.at)
+                if entry.value is not None:
+                    instance.attributes[name] = entry.value
+            return
+        assert type_.type is not None
+        definition = type_.type.definition
+        instance.kind = definition.kind
+        if definition.partial and definition.kind in ("model", "block", "class"):
+            declaration = instance.declaration
+            assert declaration is not None
+            raise instance_source(instance).error(
+                f"'{instance.name}' has the partial class {definition.qualified_name}: redeclare it",
+                declaration.at,
+            )
+        self.populate(instance, type_.type, modification)
+        self._check_names(modification, instance, definition.qualified_name)
+        if modification.value is not None:
+            self._take_apart(instance, modification.value)
+        self._expand_children(instance)
+
+    def _take_apart(self, instance: Instance, value: Bound) -> None:
+        """Give each member of a record its part of the record's binding."""
+        if instance.kind != "record":
+            raise value.source.error(f"'{instance.name}' is no variable: it cannot have a value", value.expression.at)
+        for name, child in instance.children.items():
+            if child.modification.value is None or not self._from_outside(instance, name):
+                child.modification = replace(child.modification, value=value.member(name), each=False)
+
+    def _from_outside(self, instance: Instance, name: str) -> bool:
+        entry = instance.modification.entries.get(name)
+        return entry is not None and entry.value is not None
+
+    def _expand_children(self, instance: Instance) -> None:
+        for child in list(instance.children.values()):
+            self.expand(child)
+
+    def _find_inner(self, instance: Instance) -> Instance:
+        holder = instance.parent.parent if instance.parent is not None else None
+        name = instance.local_name
+        while holder is not None:
+            found = holder.children.get(name)
+            if found is not None and "inner" in found.prefixes:
+                return self.expand(found)
+            holder = holder.parent
+        declaration = instance.declaration
+        assert declaration is not None
+        raise instance_source(instance).error(
+            f"'outer {declaration.type.text} {name}' finds no 'inner {declaration.type.text} {name}' above it",
+            declaration.at,
+        )
+
+    # ---- types --------------------------------------------------------------------------------------------
+
+    def _type(self, name: TypeName, scope: Scope, modification: Mod) -> _Type:
+        found = self.lookup.find(scope, name.names, name.absolute)
+        if found is None:
+            if name.text in PRIMITIVES:
+                return _Type(name.text, None, modification)
+            if name.text == "StateSelect":
+                return _Type("enumeration", None, modification)
+            raise scope.definition.source.error(
+                f"class '{name.text}' not found in {scope.definition.qualified_name}", name.at
+            )
+        return self._follow(found, modification, 0)
+
+    def _follow(self, of: Class, modification: Mod, depth: int) -> _Type:
+        definition = of.definition
+        if definition.literals is not None:
+            return _Type("enumeration", of, merge(modification, of.over))
+        alias = definition.alias
+        if alias is None or depth > _DEPTH:
+            return _Type("", of, modification)
+        names = alias.type.names
+        base = self.lookup.find(of.outer, names, alias.type.absolute)
+        place = of.outer or self.lookup.static_scope(definition)
+        if base is None and alias.type.text not in PRIMITIVES:
+            raise definition.source.error(
+                f"class '{alias.type.text}' not found in {definition.qualified_name}", alias.type.at
+            )
+        own = merge(merge(of.over, bind(alias.modification, place, alias.at)), of.under)
+        if base is None:
+            found = _Type(alias.type.text, of, merge(modification, own))
+        else:
+            found = self._follow(base, NOTHING, depth + 1)
+            if not found.primitive:
+                # a class with a body: populate() walks the aliases again, with their modifications
+                found = _Type("", of, modification, found.prefixes, found.dimensions)
+            else:
+                found.modification = merge(merge(modification, own), found.modification)
+        found.prefixes |= definition.alias_prefixes
+        found.dimensions = tuple((size, place) for size in definition.alias_dimensions) + found.dimensions
+        return found
+
+    def _size(self, size: Expression, place: Scope, instance: Instance, dimension: int) -> int:
+        if not isinstance(size, Whole):
+            return self.constants.integer(size, place)
+        value = instance.modification.value
+        if value is None:
+            raise instance_source(instance).error(
+                f"'{instance.name}' has an unknown size and no value to take it from", size.at
+            )
+        found = self.constants.bound(value)
+        for _ in range(dimension):
+            found = found[0] if isinstance(found, list) and found else found
+        if not isinstance(found, list):
+            raise value.source.error(f"'{instance.name}' needs an array as its value", value.expression.at)
+        return len(found)
+
+
+def instance_source(instance: Instance) -> Source:
+    """The text that declares an instance."""
+    if instance.scope is None:
+        raise ModelError(f"'{instance.name}' has no declaration")
+    return instance.scope.definition.source

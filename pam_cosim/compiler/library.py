@@ -1,0 +1,125 @@
+"""All classes that a compile can see: the library directory and the user's files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from pam_cosim.compiler.parser import parse_source
+from pam_cosim.compiler.source import Source
+from pam_cosim.compiler.syntax import ClassDefinition
+from pam_cosim.errors import ModelError
+
+_Signature = tuple[tuple[str, int, int], ...]
+_cache: dict[Path, tuple[_Signature, dict[str, ClassDefinition]]] = {}
+
+
+class Library:
+    """Class definitions by name.
+
+    Attributes:
+        top: classes without a package, the library's packages first.
+        files: every file that was read.
+    """
+
+    def __init__(self, root: Path | None, files: Sequence[Path] = ()) -> None:
+        self.top: dict[str, ClassDefinition] = {}
+        self.files: list[Path] = []
+        self.inserted: dict[str, ClassDefinition] = {}
+        self.user_classes: dict[Path, list[ClassDefinition]] = {}
+        if root is not None:
+            if not root.is_dir():
+                raise ModelError("the Modelica library directory does not exist", root)
+            self.files += sorted(root.rglob("*.mo"))
+            self.top.update(_read_root(root, self.files))
+        for file in files:
+            self.files.append(file)
+            self.user_classes[file] = self._read_user_file(file)
+
+    def find(self, qualified_name: str) -> ClassDefinition | None:
+        """The class of that full name, without inheritance."""
+        if qualified_name in self.inserted:
+            return self.inserted[qualified_name]
+        first, *rest = qualified_name.split(".")
+        node = self.top.get(first)
+        for name in rest:
+            node = node.classes.get(name) if node is not None else None
+        return node
+
+    def walk(self) -> Iterator[ClassDefinition]:
+        """Every class, parents before their children."""
+        stack = list(reversed([*self.top.values(), *self.inserted.values()]))
+        while stack:
+            node = stack.pop()
+            yield node
+            stack.extend(reversed(node.classes.values()))
+
+    def _read_user_file(self, file: Path) -> list[ClassDefinition]:
+        within, classes = parse_source(_read(file))
+        for node in classes:
+            if within:
+                parent = self.find(".".join(within))
+                if parent is None:
+                    raise ModelError(f"'within {'.'.join(within)}': there is no such package", file, 1, 1)
+                node.parent = parent
+                self.inserted[node.qualified_name] = node
+            elif node.name in self.top:
+                raise node.source.error(f"a class '{node.name}' exists already: choose another name", node.at)
+            else:
+                self.top[node.name] = node
+        return classes
+
+
+def _read(file: Path) -> Source:
+    try:
+        return Source(file, file.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise ModelError("there is no such file", file) from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise ModelError(f"the file cannot be read: {error}", file) from None
+
+
+def _read_root(root: Path, files: Sequence[Path]) -> dict[str, ClassDefinition]:
+    """The packages below ``root``; parsed again only when a file has changed."""
+    signature = tuple((str(f), f.stat().st_mtime_ns, f.stat().st_size) for f in files)
+    if root not in _cache or _cache[root][0] != signature:
+        _cache[root] = signature, _read_packages(root)
+    return _cache[root][1]
+
+
+def _read_packages(root: Path) -> dict[str, ClassDefinition]:
+    top = {}
+    for entry in sorted(root.iterdir()):
+        if entry.is_dir() and (entry / "package.mo").exists():
+            package = _read_package(entry, None)
+            top[package.name] = package
+        elif entry.suffix == ".mo":
+            top.update((node.name, node) for node in parse_source(_read(entry))[1])
+    return top
+
+
+def _read_package(directory: Path, parent: ClassDefinition | None) -> ClassDefinition:
+    file = directory / "package.mo"
+    within, classes = parse_source(_read(file))
+    if len(classes) != 1 or classes[0].name != directory.name:
+        raise ModelError(f"package.mo must hold the one package '{directory.name}'", file, 1, 1)
+    package = classes[0]
+    _check_within(within, parent, file)
+    package.parent = parent
+    for entry in sorted(directory.iterdir()):
+        if entry.is_dir() and (entry / "package.mo").exists():
+            child = _read_package(entry, package)
+            package.classes[child.name] = child
+        elif entry.suffix == ".mo" and entry.name != "package.mo":
+            within, found = parse_source(_read(entry))
+            _check_within(within, package, entry)
+            for child in found:
+                child.parent = package
+                package.classes[child.name] = child
+    return package
+
+
+def _check_within(within: tuple[str, ...], parent: ClassDefinition | None, file: Path) -> None:
+    expected = parent.qualified_name if parent is not None else ""
+    if ".".join(within) != expected:
+        raise ModelError(f"expected 'within {expected};' at the top of the file", file, 1, 1)

@@ -1,0 +1,89 @@
+"""Names, units and attributes of variables; the experiment annotation."""
+
+from __future__ import annotations
+
+from pam_cosim.compiler.arithmetic import simplified
+from pam_cosim.compiler.evaluation import EnumerationLiteral, Evaluator
+from pam_cosim.compiler.instance import Instance
+from pam_cosim.compiler.syntax import Literal, Modification, Unary
+from pam_cosim.errors import ModelError
+from pam_cosim.interface import Variable
+
+EXPERIMENT = {"StopTime": "stop_time", "Interval": "interval", "Tolerance": "tolerance"}
+_INTERVALS = 500
+
+
+def variable(instance: Instance, constants: Evaluator, start: float | None = None) -> Variable:
+    """The quantity that an instance is, with the attributes of its type and its modifications.
+
+    Args:
+        instance: a Real variable.
+        constants: evaluates attributes at the default parameters.
+        start: the value at the start, if it is known better than the ``start`` attribute.
+    """
+
+    def text(name: str) -> str:
+        value = _attribute(instance, name, constants)
+        return value if isinstance(value, str) else ""
+
+    def number(name: str) -> float | None:
+        value = _attribute(instance, name, constants)
+        return float(value) if isinstance(value, int | float) and not isinstance(value, bool) else None
+
+    return Variable(
+        name=instance.name,
+        unit=text("unit"),
+        description=instance.description,
+        start=number("start") if start is None else start,
+        min=number("min"),
+        max=number("max"),
+        nominal=number("nominal"),
+        display_unit=text("displayUnit"),
+        quantity=text("quantity"),
+    )
+
+
+def _attribute(instance: Instance, name: str, constants: Evaluator) -> object:
+    bound = instance.attributes.get(name)
+    return None if bound is None else simplified(constants.bound(bound))
+
+
+def is_fixed(instance: Instance, constants: Evaluator) -> bool:
+    """Whether the start value is an equation."""
+    return _attribute(instance, "fixed", constants) is True
+
+
+def state_preference(instance: Instance, constants: Evaluator) -> float:
+    """How much a variable wants to be a state: ``stateSelect`` first, then a fixed start."""
+    chosen = _attribute(instance, "stateSelect", constants)
+    name = chosen.name if isinstance(chosen, EnumerationLiteral) else "default"
+    weight = {"never": -1000.0, "avoid": -100.0, "default": 0.0, "prefer": 100.0, "always": 1000.0}[name]
+    return weight + (3.0 if is_fixed(instance, constants) else 0.0)
+
+
+def experiment(instance: Instance) -> dict[str, float]:
+    """``stop_time``, ``interval`` and ``tolerance`` from the experiment annotation.
+
+    The annotation of the class counts, else that of a class it extends. Without an interval, the duration is
+    divided by 500.
+    """
+    for ancestor in instance.ancestors:
+        argument = ancestor.definition.annotation.argument("experiment")
+        if argument is not None:
+            return _settings(argument.modification, ancestor.definition.qualified_name)
+    return {}
+
+
+def _settings(modification: Modification, where: str) -> dict[str, float]:
+    found = {}
+    for entry in modification.arguments:
+        key = EXPERIMENT.get(entry.name)
+        if key is not None:
+            value = entry.modification.value
+            if not isinstance(value, Literal) or not isinstance(value.value, int | float):
+                kind = "a number" if not isinstance(value, Unary) else "a positive number"
+                raise ModelError(f"experiment annotation of {where}: {entry.name} must be {kind}")
+            found[key] = float(value.value)
+    if "stop_time" in found and "interval" not in found:
+        found["interval"] = found["stop_time"] / _INTERVALS
+    return found

@@ -1,0 +1,138 @@
+"""Modifications bound to the place where they are written, and how outer ones override inner ones."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from pam_cosim.compiler.scope import Scope
+from pam_cosim.compiler.source import Source
+from pam_cosim.compiler.syntax import (
+    ClassDefinition,
+    ComponentDeclaration,
+    Element,
+    Expression,
+    Member,
+    Modification,
+)
+
+ATTRIBUTES = frozenset(
+    "quantity unit displayUnit min max start fixed nominal stateSelect unbounded".split()  # noqa: SIM905
+)
+
+
+@dataclass(eq=False)
+class Bound:
+    """An expression and the place where its names are looked up.
+
+    ``values`` are names that belong to neither class nor instance, such as loop counters.
+    """
+
+    expression: Expression
+    scope: Scope
+
+    def element(self, index: int) -> Bound:
+        """Element ``index`` (from 0) of an array-valued expression."""
+        return Bound(Element(self.expression.at, self.expression, index), self.scope)
+
+    def member(self, name: str) -> Bound:
+        """A member of a record-valued expression."""
+        return Bound(Member(self.expression.at, self.expression, name), self.scope)
+
+    @property
+    def source(self) -> Source:
+        """The text that holds the expression."""
+        return self.scope.definition.source
+
+
+@dataclass(eq=False)
+class Redeclaration:
+    """A new declaration for a replaceable element, and the place where it is written."""
+
+    declaration: ComponentDeclaration | ClassDefinition
+    scope: Scope
+
+
+@dataclass(eq=False)
+class Mod:
+    """What is said about one element from outside: its value, its parts, its replacement."""
+
+    at: int
+    source: Source | None
+    value: Bound | None = None
+    entries: dict[str, Mod] = field(default_factory=dict)
+    redeclaration: Redeclaration | None = None
+    each: bool = False
+    final: bool = False
+
+    def element(self, index: int) -> Mod:
+        """The modification of element ``index`` (from 0) of an array of components."""
+        value = self.value
+        if value is not None and not self.each:
+            value = value.element(index)
+        entries = {name: entry if entry.each else entry.element(index) for name, entry in self.entries.items()}
+        return Mod(self.at, self.source, value, entries, self.redeclaration, False, self.final)
+
+
+NOTHING = Mod(0, None)
+
+
+def bind(modification: Modification, scope: Scope, at: int = 0) -> Mod:
+    """A modification as written in the class of ``scope``.
+
+    Raises:
+        ModelError: an element is modified twice.
+    """
+    source = scope.definition.source
+    value = None if modification.value is None else Bound(modification.value, scope)
+    entries: dict[str, Mod] = {}
+    for argument in modification.arguments:
+        entry = bind(argument.modification, scope, argument.at)
+        entry.each, entry.final = argument.each, argument.final
+        if argument.redeclaration is not None:
+            entry.redeclaration = Redeclaration(argument.redeclaration, scope)
+        present = entries.get(argument.name)
+        if present is not None:
+            if _collide(present, entry):
+                raise source.error(f"'{argument.name}' is modified twice", argument.at)
+            entry = merge(entry, present)
+        entries[argument.name] = entry
+    return Mod(at, source, value, entries)
+
+
+def _collide(one: Mod, other: Mod) -> bool:
+    if one.value is not None and other.value is not None:
+        return True
+    shared = one.entries.keys() & other.entries.keys()
+    return (
+        one.redeclaration is not None
+        and other.redeclaration is not None
+        or any(_collide(one.entries[name], other.entries[name]) for name in sorted(shared))
+    )
+
+
+def merge(outer: Mod | None, inner: Mod | None) -> Mod:
+    """Both together; where they speak of the same thing, the outer one counts.
+
+    Raises:
+        ModelError: the outer one changes what the inner one declares ``final``.
+    """
+    if outer is None or inner is None:
+        return outer or inner or NOTHING
+    if inner.final and (outer.value is not None or outer.redeclaration is not None) and outer.source is not None:
+        raise outer.source.error("this element is declared final: it cannot be modified", outer.at)
+    inner_entries = inner.entries
+    if outer.value is not None:
+        # a new value for a whole record replaces what was said about its members
+        inner_entries = {name: entry for name, entry in inner_entries.items() if name in ATTRIBUTES}
+    entries = dict(inner_entries)
+    for name, entry in outer.entries.items():
+        entries[name] = merge(entry, entries.get(name))
+    return Mod(
+        outer.at if outer.source is not None else inner.at,
+        outer.source or inner.source,
+        outer.value or inner.value,
+        entries,
+        outer.redeclaration or inner.redeclaration,
+        outer.each if outer.value is not None else inner.each,
+        outer.final or inner.final,
+    )

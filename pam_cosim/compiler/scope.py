@@ -1,0 +1,166 @@
+"""Where a name is looked up: a class in its lexical place, with the instance that it is part of."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from pam_cosim.compiler.library import Library
+from pam_cosim.compiler.syntax import ClassDefinition, TypeName
+
+if TYPE_CHECKING:
+    from pam_cosim.compiler.instance import Instance
+    from pam_cosim.compiler.modification import Mod
+
+
+@dataclass(eq=False)
+class Scope:
+    """A class body as a place for lookup.
+
+    Attributes:
+        definition: the class whose text is being read.
+        instance: the instance that this class contributes to, if there is one.
+        outer: the enclosing place; none for the root.
+        components, classes: names of the instance that this class declares or inherits. A class that
+            inherits from this one may add more to the instance, which are not visible from here.
+    """
+
+    definition: ClassDefinition
+    instance: Instance | None
+    outer: Scope | None
+    components: set[str] = field(default_factory=set)
+    classes: set[str] = field(default_factory=set)
+
+
+@dataclass(eq=False)
+class Class:
+    """A class definition, the place where it stands, and what modifies it there.
+
+    Attributes:
+        over: modifications with priority over those of a component of this class's own definition.
+        under: modifications that a constraining clause supplies.
+    """
+
+    definition: ClassDefinition
+    outer: Scope | None
+    over: Mod | None = None
+    under: Mod | None = None
+
+
+class Lookup:
+    """Finds classes by name, statically or through the redeclarations of an instance."""
+
+    def __init__(self, library: Library) -> None:
+        self.library = library
+        self._static: dict[ClassDefinition, Scope] = {}
+
+    def static_scope(self, definition: ClassDefinition) -> Scope:
+        """The place of a class that is not part of an instance."""
+        scope = self._static.get(definition)
+        if scope is None:
+            outer = None if definition.parent is None else self.static_scope(definition.parent)
+            scope = self._static[definition] = Scope(definition, None, outer)
+        return scope
+
+    def qualified(self, name: str) -> Class | None:
+        """The class of a full name, also if it is inherited by a package on the way."""
+        names = tuple(name.split("."))
+        inserted = self.library.inserted.get(name)
+        if inserted is not None:
+            return self.of(inserted)
+        return self._descend(self._root(names[0]), names[1:])
+
+    def of(self, definition: ClassDefinition) -> Class:
+        """The class as its definition stands in the library."""
+        return Class(definition, None if definition.parent is None else self.static_scope(definition.parent))
+
+    def find(self, scope: Scope | None, names: tuple[str, ...], absolute: bool = False) -> Class | None:
+        """The class that a dotted name means at ``scope``."""
+        return self._descend(self.first(scope, names[0], absolute), names[1:])
+
+    def require(self, scope: Scope | None, name: TypeName, holder: ClassDefinition) -> Class:
+        """The class that a name in the text of ``holder`` means.
+
+        Raises:
+            ModelError: there is no such class.
+        """
+        found = self.find(scope, name.names, name.absolute)
+        if found is None:
+            raise holder.source.error(f"class '{name.text}' not found in {holder.qualified_name}", name.at)
+        return found
+
+    def first(self, scope: Scope | None, name: str, absolute: bool = False) -> Class | None:
+        """The class that a single name means: here, or in an enclosing class, or at the root."""
+        place = None if absolute else scope
+        while place is not None:
+            found = self.member(place, name)
+            if found is not None:
+                return found
+            place = place.outer
+        return self._root(name)
+
+    def member(self, scope: Scope, name: str) -> Class | None:
+        """A class that is declared in, inherited or imported by the class of ``scope``."""
+        if scope.instance is not None and name in scope.classes:
+            return scope.instance.classes[name]
+        definition = scope.definition
+        if name in definition.classes:
+            return Class(definition.classes[name], scope)
+        inserted = self.library.inserted.get(f"{definition.qualified_name}.{name}")
+        if inserted is not None:
+            return Class(inserted, scope)
+        if scope.instance is None:
+            for base in self.bases(Class(definition, scope.outer)):
+                found = self.member(self.inside(base), name)
+                if found is not None:
+                    return found
+        return self._imported(definition, name)
+
+    def bases(self, of: Class) -> list[Class]:
+        """The classes that a class extends or is short for, as far as they are found; built-in types are not."""
+        definition = of.definition
+        if definition.alias is not None:
+            target = definition.alias.type
+            found = [self.find(of.outer, target.names, target.absolute)]
+        else:
+            found = []
+            for extends in definition.extends:
+                # the name of a base class must not be looked up among what is inherited
+                names, absolute = extends.type.names, extends.type.absolute
+                own = definition.classes.get(names[0]) if not absolute else None
+                here = Class(own, self.inside(of)) if own is not None else self._imported(definition, names[0])
+                first = here or self.first(of.outer, names[0], absolute)
+                found.append(self._descend(first, names[1:]))
+        return [base for base in found if base is not None]
+
+    def inside(self, of: Class) -> Scope:
+        """The place inside a class that is not instantiated."""
+        definition = of.definition
+        parent = definition.parent
+        if parent is None and of.outer is None:
+            return self.static_scope(definition)
+        if parent is not None and of.outer is self.static_scope(parent):
+            return self.static_scope(definition)
+        return Scope(definition, None, of.outer)
+
+    def _imported(self, definition: ClassDefinition, name: str) -> Class | None:
+        for entry in definition.imports:
+            if entry.alias == name:
+                return self.qualified(entry.type.text)
+            if entry.alias == "*":
+                package = self.qualified(entry.type.text)
+                found = None if package is None else self.member(self.inside(package), name)
+                if found is not None:
+                    return found
+        return None
+
+    def _root(self, name: str) -> Class | None:
+        definition = self.library.top.get(name)
+        return None if definition is None else Class(definition, None)
+
+    def _descend(self, found: Class | None, names: tuple[str, ...]) -> Class | None:
+        for name in names:
+            if found is None:
+                return None
+            found = self.member(self.inside(found), name)
+        return found

@@ -1,0 +1,117 @@
+"""Evaluation with a CasADi symbol for every variable and for every parameter that can be set from outside."""
+
+from __future__ import annotations
+
+import casadi as ca
+
+from pam_cosim.compiler import arithmetic
+from pam_cosim.compiler.evaluation import Evaluator, Value
+from pam_cosim.compiler.instance import Instance
+from pam_cosim.compiler.instantiation import Instantiator
+from pam_cosim.compiler.syntax import ClassDefinition
+from pam_cosim.errors import ModelError
+
+
+class SymbolTable(Evaluator):
+    """The symbols of a model.
+
+    A Real parameter is free if its value is a number; a final or protected one, or one that is bound to an
+    expression of others, is computed. Integer, Boolean, String and enumeration parameters are structure: they
+    have the value that the model gives them.
+
+    Attributes:
+        unknowns: variables that equations determine, with their symbols.
+        inputs: what the model takes from outside.
+        free: free parameters with their symbols; ``defaults`` their values.
+        derivatives: ``der(x)`` by the name of x.
+    """
+
+    def __init__(self, instantiator: Instantiator, root: Instance) -> None:
+        super().__init__(instantiator)
+        self.root = root
+        self.t = ca.SX.sym("time")
+        self.unknowns: dict[Instance, ca.SX] = {}
+        self.inputs: dict[Instance, ca.SX] = {}
+        self.free: dict[Instance, ca.SX] = {}
+        self.defaults: dict[Instance, float] = {}
+        self.derivatives: dict[str, ca.SX] = {}
+        self._by_name: dict[str, Instance] = {}
+
+    def variable(self, instance: Instance) -> Value:
+        """The symbol of a Real variable; a Boolean or Integer one stands for its binding."""
+        if instance.primitive != "Real":
+            if instance.binding is None:
+                raise self.at_declaration(
+                    instance,
+                    f"'{instance.name}': a variable of type {instance.primitive} needs a value in its declaration",
+                )
+            return self.bound(instance.binding)
+        symbol = ca.SX.sym(instance.name)
+        is_top = instance.parent is self.root or self._in_top_connector(instance)
+        if "input" in instance.prefixes and is_top and instance.binding is None:
+            self.inputs[instance] = symbol
+        else:
+            self.unknowns[instance] = symbol
+        self._by_name[instance.name] = instance
+        return symbol
+
+    def _in_top_connector(self, instance: Instance) -> bool:
+        holder = instance.parent
+        return holder is not None and holder.kind == "connector" and holder.parent is self.root
+
+    def parameter(self, instance: Instance) -> Value:
+        """The symbol of a free parameter, the expression of a computed one, the value of a structural one."""
+        if instance.primitive != "Real":
+            return self.instantiator.constants.value(instance)
+        if "fixed" in instance.attributes and self.bound(instance.attributes["fixed"]) is False:
+            raise self.at_declaration(instance, f"'{instance.name}': parameters with fixed=false are not supported")
+        value = arithmetic.simplified(self.assigned(instance))
+        if isinstance(value, ca.SX) or instance.prefixes & {"final", "protected"}:
+            return value
+        if not isinstance(value, float):
+            raise self.at_declaration(instance, f"parameter '{instance.name}' has a value that is no number")
+        symbol = ca.SX.sym(instance.name)
+        self.free[instance], self.defaults[instance] = symbol, value
+        return symbol
+
+    def time(self) -> Value:
+        """The symbol of time."""
+        return self.t
+
+    def instance_of(self, symbol: ca.SX) -> Instance | None:
+        """The variable that a symbol stands for."""
+        return self._by_name.get(symbol.name())
+
+    def derivative(self, value: Value) -> Value:
+        """The symbol of a variable's derivative, or the chain rule for an expression."""
+        if not isinstance(value, ca.SX):
+            return 0.0
+        if value.is_symbolic():
+            return self._derivative_of_symbol(value)
+        result = ca.SX(0)
+        for symbol in ca.symvar(value):
+            rate = self._derivative_of_symbol(symbol)
+            if isinstance(rate, ca.SX) or rate != 0.0:
+                result += ca.jacobian(value, symbol) * rate
+        return result
+
+    def _derivative_of_symbol(self, symbol: ca.SX) -> Value:
+        name = symbol.name()
+        if name == "time":
+            return 1.0
+        if name.startswith("der("):
+            raise ModelError(f"second derivative of '{name}': introduce a variable for the first one")
+        instance = self._by_name.get(name)
+        if instance is None:
+            return 0.0
+        if instance in self.inputs:
+            raise ModelError(f"the derivative of the input '{name}' is not known")
+        if name not in self.derivatives:
+            self.derivatives[name] = ca.SX.sym(f"der({name})")
+        return self.derivatives[name]
+
+
+def holder_of(instance: Instance) -> ClassDefinition:
+    """The class whose text declares an instance."""
+    assert instance.scope is not None
+    return instance.scope.definition
