@@ -104,9 +104,9 @@ def _headings(cells: list[str], file: Path, line: int) -> dict[str, str]:
     units: dict[str, str] = {}
     for number, cell in enumerate(cells, start=1):
         match = _HEADING.fullmatch(cell)
-        if match is None:
+        if match is None or not cell.isprintable():
             message = f"the heading {shown(cell)} of column {number} must be 'name [unit]'"
-            raise InputError(message, file, line, cell[:60] or None)
+            raise InputError(message, file, line, cell[:60] if cell.isprintable() and cell else None)
         name, unit = match[1], (match[2] or "").strip()
         if name in units:
             raise InputError("this column stands twice in the header", file, line, name)

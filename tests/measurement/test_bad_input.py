@@ -36,6 +36,7 @@ CSV_FAULTS = [
     ("misspelt time", "time [s]", "Time [s]", 1, "Time", ["did you mean 'time'"]),
     ("bad heading", "x [mm]", "x [mm", 1, "x [mm", ["'name [unit]'"]),
     ("empty heading", "x [mm]", "", 1, None, ["column 6", "'name [unit]'"]),
+    ("control character in a heading", "x [mm]", "x\x00 [mm]", 1, None, ["column 6", "'name [unit]'"]),
     ("no header", RUN_01.split("\n")[0] + "\n", "", 1, None, ["header"]),
     ("text in a number", "1.25", "1.25mm", 5, "x", ["'1.25mm'", "not a number"]),
     ("underscore in a number", "1.25", "1_25", 5, "x", ["not a number"]),
