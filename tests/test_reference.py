@@ -17,7 +17,10 @@ from scipy.signal import lsim
 from tests.reference.effects import EFFECTS, effect_name, effect_of
 from tests.reference.effects.base import Now, Rest
 from tests.reference.effects.force import Coulomb, Dahl, LinearSpring, MooneyRivlin
-from tests.reference.effects.gas import GasEnergy, LaminarLeak, ThermocoupleLag, ValveDeadTime, ValveLag
+from tests.reference.effects.gas import DeadVolume, LaminarLeak
+from tests.reference.effects.heat import GasEnergy
+from tests.reference.effects.sensor import ThermocoupleLag
+from tests.reference.effects.valve import ValveDeadTime, ValveLag
 from tests.reference.flow import (
     FLOW_CONSTANT,
     P_ATM,
@@ -231,7 +234,7 @@ def test_dahl_friction_builds_up_exponentially_with_travel(speed):
     travel = speed * 0.02
 
     def rate(t: float, q: np.ndarray) -> tuple[float, ...]:
-        return dahl.rates(q, Now(0.0, speed, 0.0, T_ATM, (0.0, 0.0), 0.0))
+        return dahl.rates(q, Now(0.0, speed, 0.0, T_ATM, (0.0, 0.0), 0.0, 0.0))
 
     q = solve_ivp(rate, (0.0, 0.02), dahl.initial(Rest(0.0, 1e-4, T_ATM, (0.0, 0.0))), rtol=1e-9, atol=1e-14).y[:, -1]
     expected = math.copysign(8.0 * (1 - math.exp(-2e4 * abs(travel) / 8.0)), speed)
@@ -281,6 +284,67 @@ def test_gas_energy_keeps_the_mass_of_gas_in_a_closed_muscle():
     assert np.ptp(mass) / mass[0] < 1e-7
 
 
+def test_creep_that_never_relaxes_is_a_spring():
+    spring = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES, [LinearSpring(k=250.0)])
+    creep = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES, [Creep(k=250.0, tau=1e7)])
+    assert creep.x == pytest.approx(spring.x, abs=2e-5)  # the creep's spring is slack at the stop, not at 0
+
+
+def test_creep_that_relaxes_at_once_is_viscous_only_for_a_moment():
+    plain = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES)
+    creep = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES, [Creep(k=400.0, tau=0.2)])
+    assert plain.x[100] - creep.x[100] > 0.2e-3
+    assert creep.x[-1] == pytest.approx(plain.x[-1], abs=1e-6)
+
+
+def test_end_effect_of_tondu_scales_the_contraction_in_the_balance():
+    muscle = MuscleParameters()
+    end = simulate_muscle(muscle, 207e3, FILL, TIMES, [TonduEnds(k=1.06)])
+    pull = end.p[-1] * (muscle.volume_slope(1.06 * end.x[-1]) - muscle.mu_fb * muscle.fibre_area)
+    assert pull == pytest.approx(muscle.load * G, abs=0.02)
+
+
+def test_hanging_mass_is_more_load():
+    extra = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES, [HangingMass(m=0.8)])
+    heavier = simulate_muscle(MuscleParameters(load=2.27 + 0.8), 207e3, STEP, TIMES)
+    assert extra.x[10:] == pytest.approx(heavier.x[10:], abs=2e-6)
+
+
+def test_warm_wall_has_the_base_model_and_an_insulated_one_as_limits():
+    cold = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES)
+    massive = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES, [WarmWall(capacity=1e6)])
+    assert massive.p == pytest.approx(cold.p, abs=2.0)
+    hot = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES, [WarmWall(capacity=1e-3, g_out=0.0)])
+    insulated = simulate_muscle(MuscleParameters(h_film=1e-6), 207e3, STEP, TIMES)
+    assert np.abs(hot.p - insulated.p).max() < 0.1 * np.abs(cold.p - insulated.p).max()
+
+
+def test_friction_heat_raises_the_pressure_while_the_muscle_moves():
+    plain = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES)
+    heated = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES, [FrictionHeat(share=1.0)])
+    assert (heated.p - plain.p)[50:100].min() > 200.0
+
+
+def test_pressure_gain_changes_the_reading_alone():
+    plain = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES)
+    gain = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES, [PressureGain(gain=1.05)])
+    assert gain.p == pytest.approx(1.05 * plain.p, abs=1e-6)
+    assert (gain.x == plain.x).all()
+
+
+def test_dead_volume_keeps_the_energy_of_the_gas():
+    shut = MuscleParameters(h_film=1e-6, n_g=1.0)
+    small, large = (
+        simulate_muscle(shut, 207e3, Schedule.of([Phase(0.2, u_in=0.35), Phase(9.8)]), TIMES, [DeadVolume(v)])
+        for v in (0.0, 2e-5)
+    )
+    # choked all along: the same mass and enthalpy came in, so p V + work done is the same
+    gas = [
+        (r.p[20] + P_ATM) * (shut.volume(r.x[20]) + v) for r, v in ((small, 0.0), (large, 2e-5))
+    ]  # fmt: skip
+    assert gas[1] - gas[0] == pytest.approx(P_ATM * 2e-5, rel=0.2)
+
+
 def test_names_carry_parameters_and_unknown_ones_are_refused():
     assert effect_of("elasticity:linear:k=123") == LinearSpring(k=123.0)
     assert effect_of("none").family == "none"
@@ -299,8 +363,9 @@ def test_recorded_effect_sizes_are_current(name):
     assert effect_size(default_plan(), [effect_of(name)]) == pytest.approx(recorded, abs=0.02)
 
 
-@pytest.mark.parametrize("kind", EFFECTS[1:], ids=effect_name)
+@pytest.mark.parametrize("kind", [k for k in EFFECTS[1:] if k is not FrictionHeat], ids=effect_name)
 def test_default_strengths_stand_out_of_the_noise(kind):
+    # friction heat cannot: all of the friction's power is 2 standard deviations
     sizes = json.loads(SIZES.read_text())["effects"][effect_name(kind)]["base at truth"]
     judged = [sizes["T"]] if kind is ThermocoupleLag else [sizes["p"], sizes["x"]]
     assert 5 <= max(judged) <= 40

@@ -36,8 +36,8 @@ class Comparison:
     where: tuple[Rule, ...]
 
     def chi2_reduced(self, role: str = "all") -> float:
-        """Mean square error in noise standard deviations over all signals of the runs with ``role``."""
-        return chi2_reduced(self.scores[role])
+        """Mean square error in noise standard deviations over the fitted signals of the runs with ``role``."""
+        return chi2_reduced({n: s for n, s in self.scores[role].items() if self.data.signals[n].fitted})
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""

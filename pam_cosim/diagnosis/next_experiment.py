@@ -40,7 +40,7 @@ def next_experiment(data: DataSet, a: Candidate, b: Candidate, files: Sequence[o
             squares = [
                 np.mean(((one.model[s] - two.model[s]) / signal.sigma) ** 2)
                 for s, signal in data.signals.items()
-                if signal.sigma
+                if signal.fitted and signal.sigma
             ]
             separation = float(np.sqrt(np.mean(squares)))
             if best is None or separation > best[0]:

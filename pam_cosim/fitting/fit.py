@@ -101,7 +101,7 @@ def fit(
     objective = Objective(simulator, data, data.fit_runs if runs is None else runs, chosen, fixed)
     z, jacobian = _solve(objective, _start_points(chosen, starts), progress)
     comparison = compare(simulator, data, objective.values(z), TOLERANCE)
-    sigma = {n: s.sigma for n, s in data.signals.items() if s.sigma is not None}
+    sigma = {n: s.sigma for n, s in data.signals.items() if s.fitted and s.sigma is not None}
     by_role = {
         role: structure(series_of([r for r in comparison.runs if r.run.role == role], sigma))
         for role in ("fit", "holdout")

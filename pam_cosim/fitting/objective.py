@@ -40,7 +40,7 @@ class Objective:
         self.fixed = dict(fixed or {})
         self.evaluations = 0
         self.failures: list[str] = []
-        self._signals = [[s for s in data.signals if run.sample_count(s)] for run in self.runs]
+        self._signals = [[s for s, signal in data.signals.items() if signal.fitted and run.sample_count(s)] for run in self.runs]
         self.size = sum(run.sample_count(s) for run, names in zip(self.runs, self._signals, strict=True) for s in names)
 
     @property

@@ -23,12 +23,14 @@ class Signal:
         unit: the bench's unit of it.
         sigma: standard deviation of the instrument's noise [unit]; None when nobody knows it.
         estimated: ``sigma`` was estimated from the samples, not stated by the experimenter.
+        fitted: parameters are fitted to it and models judged by it; otherwise it is only shown beside the model.
     """
 
     name: str
     unit: str = ""
     sigma: float | None = None
     estimated: bool = False
+    fitted: bool = True
 
 
 @dataclass(frozen=True)
@@ -124,6 +126,8 @@ class DataSet:
         for name, signal in self.signals.items():
             if signal.sigma is None:
                 notes.append(f"the noise of {name} is not known")
+            if not signal.fitted:
+                notes.append(f"{name} is compared but not fitted: it has no table [signals.{name}]")
         for run in self.runs:
             if run.default_inputs:
                 notes.append(f"{run.name}: model defaults for the inputs {', '.join(run.default_inputs)}")

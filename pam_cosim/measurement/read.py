@@ -85,7 +85,10 @@ def _check_signals(document: ExperimentFile, interface: Interface) -> None:
 
 
 def _signals(document: ExperimentFile, interface: Interface, runs: tuple[Run, ...]) -> dict[str, Signal]:
-    """Declared signals in the file's order, then measured columns that are not declared."""
+    """Declared signals in the file's order, then measured columns that are not declared.
+
+    Where some signals are declared, the others are shown but not fitted: a column may be in a file for other reasons.
+    """
     declared = document.content.signals
     for name in declared:
         if not any(run.sample_count(name) for run in runs):
@@ -98,7 +101,7 @@ def _signals(document: ExperimentFile, interface: Interface, runs: tuple[Run, ..
 def _signal(document: ExperimentFile, name: str, unit: str) -> Signal:
     table = document.content.signals.get(name)
     if table is None or table.sigma is None:
-        return Signal(name, unit)
+        return Signal(name, unit, fitted=not document.content.signals)
     path = ("signals", name, "sigma")
     try:
         sigma = quantity(table.sigma, unit, difference=True)

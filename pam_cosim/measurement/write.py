@@ -97,6 +97,8 @@ class _Writer:
         yield f"title = {_text(self.data_set.title)}"
         yield f"model = {_text(self.data_set.model)}"
         for name, signal in self.data_set.signals.items():
+            if not signal.fitted:
+                continue
             yield f"\n[signals.{_key(name)}]"
             if signal.sigma is not None and not signal.estimated:
                 yield f"sigma = {self._quantity(name, signal.sigma, difference=True)}"

@@ -124,3 +124,24 @@ def test_one_recording_alone(make):
     recording = read_recording(make() / ONE, BENCH)
     assert list(recording.inputs) == ["u_in", "u_out", "p_supply"]
     assert list(recording.measurements) == ["p", "x", "T"]
+
+
+def test_columns_without_a_table_are_shown_but_not_fitted(make):
+    signals = read_data_set(make(), describe).signals
+    assert [n for n, s in signals.items() if s.fitted] == ["p", "x", "T"]
+    assert [n for n, s in signals.items() if not s.fitted] == ["eps"]
+
+
+def test_all_columns_are_fitted_where_no_signal_is_declared(make):
+    folder = make()
+    file = folder / TOML
+    lines = file.read_text().split("\n")
+    kept, inside = [], False
+    for line in lines:
+        if line.startswith("["):
+            inside = line.startswith("[signals")
+        if not inside:
+            kept.append(line)
+    file.write_text("\n".join(kept))
+    signals = read_data_set(folder, describe).signals
+    assert signals and all(s.fitted for s in signals.values())

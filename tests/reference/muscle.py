@@ -111,18 +111,20 @@ class _Rig:
         self.film = parameters.heat_coefficient
         for effect in self.effects:
             self.film = effect.film(self.film)
+        self.dead_volume = sum(effect.extra_volume() for effect in self.effects)
+        self.mass = parameters.load + sum(effect.inertia() for effect in self.effects)
 
     def start(self) -> list[float]:
         """At rest on the stop, filled with ambient air."""
         x = -self.par.load * G / self.par.stop_stiffness
-        pv = P_ATM * self.par.volume(x)
+        pv = P_ATM * (self.par.volume(x) + self.dead_volume)
         rest = Rest(x, pv / (R * T_ATM), T_ATM, (0.0, 0.0))
         return [pv / (GAMMA - 1), x, 0.0, *(value for e in self.effects for value in e.initial(rest))]
 
     def gas(self, y: Sequence[float]) -> tuple[float, float]:
         """Absolute pressure [Pa] and temperature [K]."""
         pv = (GAMMA - 1) * y[0]
-        p = pv / self.par.volume(y[1])
+        p = pv / (self.par.volume(y[1]) + self.dead_volume)
         temperature = T_ATM * (p / P_ATM) ** ((self.par.n_g - 1) / self.par.n_g)
         for effect, own in zip(self.effects, self.slices, strict=True):
             temperature = effect.temperature(y[own], pv, temperature)
@@ -133,27 +135,33 @@ class _Rig:
         par, x, v = self.par, y[1], y[2]
         p, temperature = self.gas(y)
         gauge = p - P_ATM
-        currents, leak, extra = command, 0.0, 0.0
+        currents, leak, extra, factor, wall = command, 0.0, 0.0, 1.0, T_ATM
         for effect, own in zip(self.effects, self.slices, strict=True):
             currents = effect.current(y[own], currents)
             leak += effect.leak(p, temperature)
             extra += effect.force(y[own], x, v, gauge)
+            factor *= effect.contraction_factor(gauge)
+            wall = effect.wall_temperature(y[own], wall)
 
         area_in, area_out = (valve_area(u, par.calibration) for u in currents)
+        for effect in self.effects:
+            area_in *= effect.valve_factor(max(p, self.p_source), min(p, self.p_source))
+            area_out *= effect.valve_factor(max(p, P_ATM), min(p, P_ATM))
         m_in = mass_flow(area_in, self.p_source, T_ATM, p, temperature)
         m_out = mass_flow(area_out, p, temperature, P_ATM, T_ATM) + leak
         enthalpy_in = GAMMA * R / (GAMMA - 1) * (
             m_in * (T_ATM if m_in > 0 else temperature) - m_out * (temperature if m_out > 0 else T_ATM)
         )
-        heat = self.film * par.bare_area(x) * (T_ATM - temperature)
-        slope = par.volume_slope(x)
-        energy_rate = heat + enthalpy_in - p * slope * v
+        heat = self.film * par.bare_area(x) * (wall - temperature)
 
         friction = gauge * (par.crossing_area * par.mu_d * tanh(par.k_f * v) + par.mu_fb * par.fibre_area)
         stop = max(0.0, -par.stop_stiffness * x - par.stop_damping * v) if x < 0 else 0.0
-        acceleration = (gauge * slope - friction - extra + stop) / par.load - G
+        pull = gauge * par.volume_slope(factor * x)
+        acceleration = (pull - friction - extra + stop - par.load * G) / self.mass
 
-        now = Now(x, v, gauge, temperature, command, m_in - m_out)
+        rubbed = sum(effect.friction_heat(friction * v) for effect in self.effects)
+        energy_rate = heat + rubbed + enthalpy_in - p * par.volume_slope(x) * v
+        now = Now(x, v, gauge, temperature, command, m_in - m_out, heat)
         rates = [energy_rate, v, acceleration]
         for effect, own in zip(self.effects, self.slices, strict=True):
             rates.extend(effect.rates(y[own], now))
@@ -164,7 +172,10 @@ class _Rig:
         p, temperature = self.gas(y)
         for effect, own in zip(self.effects, self.slices, strict=True):
             temperature = effect.reading(y[own], temperature)
-        return p - P_ATM, temperature
+        gauge = p - P_ATM
+        for effect in self.effects:
+            gauge = effect.pressure_reading(gauge)
+        return gauge, temperature
 
 
 def simulate_muscle(
@@ -174,15 +185,17 @@ def simulate_muscle(
     times: Array,
     effects: Sequence[Effect] = (),
     rtol: float = 1e-8,
-    method: str = "LSODA",
+    method: str | None = None,
 ) -> Trajectory:
     """Simulate one isotonic run from rest on the stop at times[0].
 
-    p_supply: gauge [Pa]; times: increasing, shape (n,) [s]. Raises RuntimeError when integration fails.
+    p_supply: gauge [Pa]; times: increasing, shape (n,) [s]; method: of solve_ivp, by default BDF with stiff
+    effects, else LSODA. Raises RuntimeError when integration fails.
     """
     rig = _Rig(parameters, p_supply, effects)
     late = schedule.delayed(sum(effect.delay() for effect in rig.effects))
     atol = (*_ATOL, *(value for effect in rig.effects for value in effect.atol))
+    method = method or ("BDF" if any(effect.stiff for effect in rig.effects) else "LSODA")
     states = integrate(rig.rates, rig.start(), late, times, atol, rtol, method)
     readings = np.array([rig.reading(column) for column in states.T.tolist()])
     return Trajectory(times, readings[:, 0], states[1], readings[:, 1], states[2])

@@ -127,7 +127,7 @@ def simulate_vessel(
             net += flow
             enthalpy += flow * (outer if flow > 0 else temperature)
         heat = film * vessel.wall_area * (T_ATM - temperature)
-        now = Now(0.0, 0.0, p - P_ATM, temperature, command, net)
+        now = Now(0.0, 0.0, p - P_ATM, temperature, command, net, heat)
         result = [net, GAMMA * R / (GAMMA - 1) * enthalpy + heat]
         for effect, own in zip(effects, slices, strict=True):
             result.extend(effect.rates(y[own], now))
@@ -137,7 +137,10 @@ def simulate_vessel(
         p, temperature = gas(y)
         for effect, own in zip(effects, slices, strict=True):
             temperature = effect.reading(y[own], temperature)
-        return p - P_ATM, temperature
+        gauge = p - P_ATM
+        for effect in effects:
+            gauge = effect.pressure_reading(gauge)
+        return gauge, temperature
 
     p_absolute = p_start + P_ATM
     rest = Rest(0.0, vessel.mass(p_absolute), vessel.temperature(p_absolute), (0.0, 0.0))

@@ -7,24 +7,23 @@ from dataclasses import fields, replace
 from tests.reference.effects.base import Effect
 from tests.reference.effects.force import (
     Coulomb,
+    Creep,
     CubicSpring,
     Dahl,
     ExponentialSpring,
+    HangingMass,
+    KangEnds,
     LinearSpring,
     MooneyRivlin,
     PowerViscous,
     PressureViscous,
+    TonduEnds,
     Viscous,
 )
-from tests.reference.effects.gas import (
-    GasEnergy,
-    LaminarLeak,
-    OrificeLeak,
-    ThermocoupleLag,
-    ValveDeadTime,
-    ValveLag,
-    ValveSecondOrder,
-)
+from tests.reference.effects.gas import DeadVolume, LaminarLeak, OrificeLeak
+from tests.reference.effects.heat import FrictionHeat, GasEnergy, WarmWall
+from tests.reference.effects.sensor import PressureGain, PressureOffset, ThermocoupleLag
+from tests.reference.effects.valve import BackPressure, ValveDeadTime, ValveLag, ValveSecondOrder
 
 __all__ = ["EFFECTS", "Effect", "effect_name", "effect_of", "effect_parameters"]
 
@@ -37,6 +36,14 @@ EFFECTS: tuple[type[Effect], ...] = (
     ValveLag, ValveDeadTime, ValveSecondOrder,
     GasEnergy,
     ThermocoupleLag,
+    Creep,
+    TonduEnds, KangEnds,
+    HangingMass,
+    BackPressure,
+    DeadVolume,
+    WarmWall,
+    FrictionHeat,
+    PressureOffset, PressureGain,
 )  # fmt: skip
 
 

@@ -27,6 +27,7 @@ class Now(NamedTuple):
     temperature: float  # K
     command: Currents  # A, before valve dynamics
     net_mass_flow: float  # kg/s, into the gas volume
+    heat_to_gas: float  # W, through the wall
 
 
 @dataclass(frozen=True)
@@ -36,6 +37,7 @@ class Effect:
     family: ClassVar[str] = "none"
     form: ClassVar[str] = "none"
     atol: ClassVar[tuple[float, ...]] = ()  # one absolute tolerance per own state
+    stiff: ClassVar[bool] = False  # LSODA now and then misses that it must switch to stiff steps
     energy_balance: ClassVar[bool] = False  # a vessel takes its pressure from the energy, not from p V^n
 
     def initial(self, rest: Rest) -> tuple[float, ...]:
@@ -49,6 +51,30 @@ class Effect:
     def force(self, q: Sequence[float], x: float, v: float, p_gauge: float) -> float:
         """Force [N] on the load; positive opposes contraction."""
         return 0.0
+
+    def inertia(self) -> float:
+        """Mass [kg] that moves with the load."""
+        return 0.0
+
+    def contraction_factor(self, p_gauge: float) -> float:
+        """By what the contraction counts in the law of the muscle's force."""
+        return 1.0
+
+    def extra_volume(self) -> float:
+        """Gas volume [m3] that does not take part in contraction."""
+        return 0.0
+
+    def valve_factor(self, p_up: float, p_down: float) -> float:
+        """Factor on the area of a valve between these absolute pressures [Pa]."""
+        return 1.0
+
+    def friction_heat(self, power: float) -> float:
+        """Share [W] of the power of friction that heats the gas."""
+        return 0.0
+
+    def wall_temperature(self, q: Sequence[float], outside: float) -> float:
+        """Temperature [K] that the gas exchanges heat with."""
+        return outside
 
     def leak(self, p: float, temperature: float) -> float:
         """Gas lost to ambient [kg/s] at absolute pressure p [Pa]."""
@@ -73,3 +99,7 @@ class Effect:
     def reading(self, q: Sequence[float], temperature: float) -> float:
         """What the temperature sensor shows [K]."""
         return temperature
+
+    def pressure_reading(self, p_gauge: float) -> float:
+        """What the pressure sensor shows [Pa gauge]."""
+        return p_gauge

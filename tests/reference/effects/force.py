@@ -8,6 +8,7 @@ from math import exp, pi, pow, tanh
 from typing import ClassVar
 
 from tests.reference.effects.base import Effect, Now, Rest
+from tests.reference.flow import G
 
 
 @dataclass(frozen=True)
@@ -83,6 +84,7 @@ class Coulomb(Effect):
 
     family = "dry_friction"
     form = "coulomb"
+    stiff = True
     f_c: float = 8.0  # N
     width: float = 1e-5  # m/s
 
@@ -146,3 +148,63 @@ class PowerViscous(Effect):
 
     def force(self, q: Sequence[float], x: float, v: float, p_gauge: float) -> float:
         return self.c * v * pow(v * v + self.eps * self.eps, (self.a - 1) / 2)
+
+
+@dataclass(frozen=True)
+class Creep(Effect):
+    """A spring that relaxes (Maxwell element): k (x - q) with q' = (x - q)/tau."""
+
+    family = "creep"
+    form = "maxwell"
+    atol: ClassVar[tuple[float, ...]] = (1e-10,)
+    k: float = 400.0  # N/m
+    tau: float = 1.5  # s
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (rest.x,)
+
+    def rates(self, q: Sequence[float], now: Now) -> tuple[float, ...]:
+        return ((now.x - q[0]) / self.tau,)
+
+    def force(self, q: Sequence[float], x: float, v: float, p_gauge: float) -> float:
+        return self.k * (x - q[0])
+
+
+@dataclass(frozen=True)
+class TonduEnds(Effect):
+    """The ends contract less: contraction counts k times in the force (Tondu and Lopez)."""
+
+    family = "end_shape"
+    form = "tondu"
+    k: float = 1.06
+
+    def contraction_factor(self, p_gauge: float) -> float:
+        return self.k
+
+
+@dataclass(frozen=True)
+class KangEnds(Effect):
+    """Contraction counts q(P) = 1 + c1 exp(-P/p0) times in the force (Kang)."""
+
+    family = "end_shape"
+    form = "kang"
+    c1: float = 0.2
+    p0: float = 1.0e5  # Pa
+
+    def contraction_factor(self, p_gauge: float) -> float:
+        return 1 + self.c1 * exp(-p_gauge / self.p0)
+
+
+@dataclass(frozen=True)
+class HangingMass(Effect):
+    """The rig's own moving mass hangs on the muscle too: inertia and weight."""
+
+    family = "moving_mass"
+    form = "hanging"
+    m: float = 0.8  # kg
+
+    def inertia(self) -> float:
+        return self.m
+
+    def force(self, q: Sequence[float], x: float, v: float, p_gauge: float) -> float:
+        return self.m * G
