@@ -1,0 +1,41 @@
+"""The two stories of the demo: a real vessel, and a muscle with an effect that its model does not know."""
+
+import sys
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT))
+
+import pam_cosim as pam  # noqa: E402
+from pam_cosim.files import write_json  # noqa: E402
+from pam_cosim.reporting import diagnosis_report, error_ladder_figure, write_report  # noqa: E402
+
+OUTPUT = ROOT / "demo"
+
+
+def tell(name: str, folder: Path, story: str) -> pam.Diagnosis:
+    """Diagnoses one data set and leaves report, figures and numbers."""
+    print(f"\n=== {story}", flush=True)
+    begin = time.perf_counter()
+    diagnosis = pam.diagnose(pam.read(folder), say=lambda line: print(line, flush=True))
+    print(diagnosis)
+    write_report(OUTPUT / f"{name}.html", diagnosis_report(diagnosis))
+    write_json(OUTPUT / f"{name}.json", diagnosis.as_dict())
+    error_ladder_figure(diagnosis, OUTPUT / f"{name}.png")
+    print(f"report: demo/{name}.html   ({time.perf_counter() - begin:.0f} s)")
+    return diagnosis
+
+
+def main() -> None:
+    OUTPUT.mkdir(exist_ok=True)
+    tell("tank-discharge", ROOT / "examples" / "tank-discharge", "a real vessel: 16.2 L of air through a 2.71 mm hole")
+    from tests.reference.rig import write_rig_data
+
+    folder = OUTPUT / "hidden-effect-data"
+    write_rig_data(folder)
+    tell("hidden-effect", folder, "six runs of a muscle whose bladder is stiffer than its model knows")
+
+
+if __name__ == "__main__":
+    main()
