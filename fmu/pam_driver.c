@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <time.h>
 
 #include "fmi2FunctionTypes.h"
 
@@ -54,7 +55,7 @@ typedef struct {
     fmi2TerminateTYPE *terminate;
     fmi2Component instance;
     int32_t must_reset, tolerance_defined;
-    double tolerance;
+    double tolerance, max_seconds; /* max_seconds: of processor time; 0: no limit */
     size_t n_parameters;
     const fmi2ValueReference *parameters;
     const double *parameter_values;
@@ -76,7 +77,7 @@ typedef struct {
     int32_t status;
 } driver_run;
 
-enum { RESET, SETUP, ENTER, LEAVE, SET_REAL, GET_REAL, SET_SLOPES, DO_STEP, TERMINATE };
+enum { RESET, SETUP, ENTER, LEAVE, SET_REAL, GET_REAL, SET_SLOPES, DO_STEP, TERMINATE, TOO_SLOW };
 
 #define CALL(number, call)                                       \
     do {                                                         \
@@ -119,8 +120,18 @@ static void read_outputs(driver_run *r, int64_t row) {
     CALL(GET_REAL, r->get_real(r->instance, r->outputs, r->n_outputs, values));
 }
 
+/* The clock is asked now and then only: that costs more than a step. */
+static int too_slow(driver_run *r, clock_t begin, size_t point) {
+    if (!(r->max_seconds > 0.0) || point % 8) return 0;
+    if ((double)(clock() - begin) / CLOCKS_PER_SEC <= r->max_seconds) return 0;
+    r->stage = TOO_SLOW;
+    return 1;
+}
+
 static void loop(driver_run *r) {
+    clock_t begin = clock();
     for (size_t k = 0; k < r->n_points; k++) {
+        if (too_slow(r, begin, k)) return;
         if (k > 0) {
             double from = r->times[k - 1];
             CALL(DO_STEP, r->do_step(r->instance, from, r->times[k] - from, fmi2True));

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import zipfile
 from collections.abc import Callable, Sequence
 from importlib.metadata import PackageNotFoundError, version
@@ -9,7 +10,8 @@ from pathlib import Path
 
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import InputError
-from pam_cosim.fmu.cache import cached, digest, written_whole
+from pam_cosim.files import write_bytes
+from pam_cosim.fmu.cache import cached, digest, make_folder
 from pam_cosim.fmu.compile import PLATFORMS, compile_library, native_platform, source_key, universal_binary
 from pam_cosim.fmu.description import model_description, model_identifier
 from pam_cosim.fmu.generate import model_source
@@ -35,15 +37,9 @@ def build_fmu(ode: Ode, path: Path, *, platforms: Sequence[str] = ("native",)) -
         ModelError: the model lacks a value or has an unreadable unit.
         InputError: unknown platform, or ``path`` cannot be written.
     """
-    names = _platform_names(platforms)
-    files = _contents(ode, names)
-    with written_whole(path) as temporary, zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name in sorted(files):
-            entry = zipfile.ZipInfo(name, _DATE)
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            entry.external_attr = 0o644 << 16
-            entry.create_system = 3
-            archive.writestr(entry, files[name])
+    content = fmu_bytes(ode, _platform_names(platforms))
+    make_folder(path.parent)
+    write_bytes(path, content)
     return path
 
 
@@ -57,11 +53,21 @@ def cached_fmu(key: str, make_ode: Callable[[], Ode], *, platforms: Sequence[str
     """
     names = _platform_names(platforms)
     full = digest(key, source_key(RUNTIME), _packaging_key(), *names)
-    return cached("fmus", full, ".fmu", lambda path: _build_into(path, make_ode(), names))
+    return cached("fmus", full, ".fmu", lambda: fmu_bytes(make_ode(), names))
 
 
-def _build_into(path: Path, ode: Ode, names: Sequence[str]) -> None:
-    build_fmu(ode, path, platforms=names)
+def fmu_bytes(ode: Ode, names: Sequence[str]) -> bytes:
+    """The archive for the named platforms."""
+    files = _contents(ode, names)
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name in sorted(files):
+            entry = zipfile.ZipInfo(name, _DATE)
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            entry.external_attr = 0o644 << 16
+            entry.create_system = 3
+            archive.writestr(entry, files[name])
+    return buffer.getvalue()
 
 
 def _platform_names(platforms: Sequence[str]) -> list[str]:

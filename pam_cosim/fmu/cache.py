@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import hashlib
 import os
-import tempfile
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from pathlib import Path
 
 import platformdirs
 
 from pam_cosim.errors import InputError
+from pam_cosim.files import write_bytes
 
 
 def cache_dir() -> Path:
@@ -30,35 +29,29 @@ def digest(*parts: str | bytes) -> str:
     return sha.hexdigest()
 
 
-@contextmanager
-def written_whole(path: Path) -> Iterator[Path]:
-    """A temporary path beside ``path`` that takes its place when the block ends well, and vanishes otherwise.
-
-    Raises:
-        InputError: the directory cannot be written.
-    """
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        handle, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
-    except OSError as error:
-        raise InputError(f"cannot write here: {error.strerror}", path) from error
-    os.close(handle)
-    temporary = Path(name)
-    try:
-        yield temporary
-        temporary.chmod(0o644)
-        os.replace(temporary, path)
-    finally:
-        temporary.unlink(missing_ok=True)
-
-
-def cached(kind: str, key: str, suffix: str, make: Callable[[Path], None]) -> Path:
-    """The file made by ``make(path)`` for this key, made at most once per cache.
+def cached(kind: str, key: str, suffix: str, make: Callable[[], bytes]) -> Path:
+    """The file with the content ``make()`` for this key, made at most once per cache.
 
     Two processes that make the same file at once both succeed; the later one replaces an equal file.
+
+    Raises:
+        InputError: the cache cannot be written.
     """
     path = cache_dir() / kind / f"{key}{suffix}"
     if not path.exists():
-        with written_whole(path) as temporary:
-            make(temporary)
+        content = make()
+        make_folder(path.parent)
+        write_bytes(path, content)
     return path
+
+
+def make_folder(folder: Path) -> None:
+    """Creates a folder with its parents.
+
+    Raises:
+        InputError: it cannot be created.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(f"the folder cannot be made: {error.strerror}", folder) from error

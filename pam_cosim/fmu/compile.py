@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import platform
-import shutil
 import struct
 import subprocess
 import sys
@@ -99,10 +98,10 @@ def compile_library(shipped: Sequence[str], generated: Mapping[str, str], platfo
     target = PLATFORMS[platform_name]
     texts = [text for item in sorted(generated.items()) for text in item]
     key = digest(source_key(shipped), *texts, target.target)
-    return cached("binaries", key, target.suffix, lambda path: _compile(path, shipped, generated, target))
+    return cached("binaries", key, target.suffix, lambda: _compile(shipped, generated, target))
 
 
-def _compile(path: Path, shipped: Sequence[str], generated: Mapping[str, str], target: Platform) -> None:
+def _compile(shipped: Sequence[str], generated: Mapping[str, str], target: Platform) -> bytes:
     with tempfile.TemporaryDirectory(prefix="pam-cosim-") as directory:
         for name, text in generated.items():
             Path(directory, name).write_text(text, encoding="utf-8")
@@ -116,7 +115,7 @@ def _compile(path: Path, shipped: Sequence[str], generated: Mapping[str, str], t
         run = subprocess.run(command, cwd=directory, env=environment, capture_output=True, text=True, check=False)
         if run.returncode != 0:
             raise CompilerError(f"the C compiler failed for {target.target}:\n{run.stderr.strip()}")
-        shutil.copyfile(Path(directory, output), path)
+        return Path(directory, output).read_bytes()
 
 
 _FAT_MAGIC = 0xCAFEBABE

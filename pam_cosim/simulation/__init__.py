@@ -2,7 +2,16 @@
 
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs
+from pam_cosim.simulation.isolated import IsolatedSimulator, run_isolated
 from pam_cosim.simulation.simulator import Simulator, SolverStatistics
 from pam_cosim.simulation.trajectory import Trajectory
 
-__all__ = ["Inputs", "RunFailure", "Simulator", "SolverStatistics", "Trajectory"]
+__all__ = [
+    "Inputs",
+    "IsolatedSimulator",
+    "RunFailure",
+    "Simulator",
+    "SolverStatistics",
+    "Trajectory",
+    "run_isolated",
+]

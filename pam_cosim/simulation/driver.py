@@ -33,6 +33,8 @@ FUNCTIONS = (
     "fmi2DoStep",
     "fmi2Terminate",
 )
+# Named instead of a function where the run took too long.
+TOO_SLOW = "time limit"
 
 
 class _Log(ctypes.Structure):
@@ -46,6 +48,7 @@ class _Run(ctypes.Structure):
         ("must_reset", ctypes.c_int32),
         ("tolerance_defined", ctypes.c_int32),
         ("tolerance", ctypes.c_double),
+        ("max_seconds", ctypes.c_double),
         ("n_parameters", ctypes.c_size_t),
         ("parameters", ctypes.c_void_p),
         ("parameter_values", ctypes.c_void_p),
@@ -129,6 +132,7 @@ class Driver:
         outputs: Sequence[int],
         tolerance: float | None,
         must_reset: bool,
+        max_seconds: float | None,
     ) -> Outcome:
         """One simulation; variables are given by value reference."""
         references = [np.array(r, dtype=np.uint32) for r in (parameters[0], inputs, outputs)]
@@ -141,6 +145,7 @@ class Driver:
             must_reset=must_reset,
             tolerance_defined=tolerance is not None,
             tolerance=tolerance or 0.0,
+            max_seconds=max_seconds or 0.0,
             n_parameters=values.size,
             parameters=references[0].ctypes.data,
             parameter_values=values.ctypes.data,
@@ -159,5 +164,5 @@ class Driver:
             rows_after=plan.rows_after.ctypes.data,
         )
         _library().pam_driver_run(ctypes.byref(run))
-        failed = FUNCTIONS[run.stage] if run.stage >= 0 else None
+        failed = (*FUNCTIONS, TOO_SLOW)[run.stage] if run.stage >= 0 else None
         return Outcome(result[plan.rows], run.time_reached, failed)

@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fmu.read import interface_of, read_description
 from pam_cosim.interface import Interface, Variable
-from pam_cosim.simulation.driver import Callbacks, Driver
+from pam_cosim.simulation.driver import TOO_SLOW, Callbacks, Driver
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs
 from pam_cosim.simulation.plan import plan
@@ -122,6 +122,7 @@ class Simulator:
         outputs: Sequence[str] | None = None,
         tolerance: float | None = None,
         start_time: float | None = None,
+        max_seconds: float | None = None,
     ) -> Trajectory:
         """Simulates from the start values.
 
@@ -133,6 +134,7 @@ class Simulator:
             outputs: names of outputs or of any other variable; default: every output.
             tolerance: relative, of the solver; default: the model's.
             start_time: [s]; default: the first of ``times``.
+            max_seconds: processor time [s] after which the run counts as failed.
 
         Raises:
             InputError: unknown names, or times out of order.
@@ -153,7 +155,7 @@ class Simulator:
         self._callbacks.take_messages()
         outcome = self._driver.run(
             layout, (parameter_references, list(values.values())), input_references, output_references,
-            tolerance, self._used,
+            tolerance, self._used, max_seconds,
         )  # fmt: skip
         self._used = True
         if outcome.failed is not None:
@@ -192,6 +194,8 @@ class Simulator:
 
     def _failure(self, function: str, time: float, values: Mapping[str, float]) -> SimulationFailure:
         messages = self._callbacks.take_messages()
+        if function == TOO_SLOW:
+            messages = ["the run takes longer than it may"]
         reason = "; ".join(messages) if messages else f"the FMU reports an error in {function} and no reason"
         if function == "fmi2Reset":
             self.close()

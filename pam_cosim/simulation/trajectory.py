@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.errors import InputError
-from pam_cosim.fmu.cache import written_whole
+from pam_cosim.files import write_text
 
 Array = NDArray[np.float64]
 
@@ -45,8 +45,7 @@ class Trajectory:
         writer.writerow(["time [s]", *(_header(name, self.units.get(name, "")) for name in names)])
         columns = [self.time.tolist(), *(self.values[name].tolist() for name in names)]
         writer.writerows([repr(value) for value in row] for row in zip(*columns, strict=True))
-        with written_whole(Path(path)) as temporary:
-            temporary.write_text(text.getvalue(), encoding="utf-8")
+        write_text(Path(path), text.getvalue())
         return Path(path)
 
     @classmethod
