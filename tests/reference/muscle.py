@@ -112,11 +112,11 @@ class _Rig:
         for effect in self.effects:
             self.film = effect.film(self.film)
         self.dead_volume = sum(effect.extra_volume() for effect in self.effects)
-        self.mass = parameters.load + sum(effect.inertia() for effect in self.effects)
+        self.mass = parameters.load + sum(effect.hanging_mass() for effect in self.effects)
 
     def start(self) -> list[float]:
         """At rest on the stop, filled with ambient air."""
-        x = -self.par.load * G / self.par.stop_stiffness
+        x = -self.mass * G / self.par.stop_stiffness
         pv = P_ATM * (self.par.volume(x) + self.dead_volume)
         rest = Rest(x, pv / (R * T_ATM), T_ATM, (0.0, 0.0))
         return [pv / (GAMMA - 1), x, 0.0, *(value for e in self.effects for value in e.initial(rest))]
@@ -157,7 +157,7 @@ class _Rig:
         friction = gauge * (par.crossing_area * par.mu_d * tanh(par.k_f * v) + par.mu_fb * par.fibre_area)
         stop = max(0.0, -par.stop_stiffness * x - par.stop_damping * v) if x < 0 else 0.0
         pull = gauge * par.volume_slope(factor * x)
-        acceleration = (pull - friction - extra + stop - par.load * G) / self.mass
+        acceleration = (pull - friction - extra + stop) / self.mass - G
 
         rubbed = sum(effect.friction_heat(friction * v) for effect in self.effects)
         energy_rate = heat + rubbed + enthalpy_in - p * par.volume_slope(x) * v

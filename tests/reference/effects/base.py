@@ -52,8 +52,8 @@ class Effect:
         """Force [N] on the load; positive opposes contraction."""
         return 0.0
 
-    def inertia(self) -> float:
-        """Mass [kg] that moves with the load."""
+    def hanging_mass(self) -> float:
+        """Mass [kg] that hangs on the muscle besides the load."""
         return 0.0
 
     def contraction_factor(self, p_gauge: float) -> float:

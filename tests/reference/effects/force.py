@@ -8,7 +8,6 @@ from math import exp, pi, pow, tanh
 from typing import ClassVar
 
 from tests.reference.effects.base import Effect, Now, Rest
-from tests.reference.flow import G
 
 
 @dataclass(frozen=True)
@@ -203,8 +202,5 @@ class HangingMass(Effect):
     form = "hanging"
     m: float = 0.8  # kg
 
-    def inertia(self) -> float:
+    def hanging_mass(self) -> float:
         return self.m
-
-    def force(self, q: Sequence[float], x: float, v: float, p_gauge: float) -> float:
-        return self.m * G
