@@ -166,6 +166,11 @@ def test_adiabatic_filling_with_energy_balance_has_the_textbook_temperature():
     assert full.temperature == pytest.approx(exact, rel=1e-6)
 
 
+def test_vessel_refuses_effects_of_a_muscle():
+    with pytest.raises(ValueError, match="elasticity"):
+        simulate_vessel(Vessel(), valve_ports(207e3, 0.699), TIMES, effects=[LinearSpring()])
+
+
 # --- muscle ------------------------------------------------------------------------------------------------
 
 

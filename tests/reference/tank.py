@@ -18,6 +18,9 @@ from tests.reference.flow import GAMMA, P_ATM, T_ATM, R, mass_flow, valve_area
 from tests.reference.integrate import Array, integrate
 from tests.reference.schedule import Currents, Schedule
 
+FAMILIES = ("none", "leak", "valve_dynamics", "gas_energy", "thermocouple_lag", "pressure_offset")
+"""Families of effects that a vessel knows; the others belong to a muscle."""
+
 Ports = Callable[[float, float, Currents], Iterable[tuple[float, float]]]
 """Absolute pressure [Pa], temperature [K], currents [A] -> flows into the vessel [kg/s], outer temperatures."""
 
@@ -96,8 +99,12 @@ def simulate_vessel(
 ) -> VesselTrajectory:
     """Pressure and temperature from p_start [Pa gauge], at the vessel's polytropic temperature there.
 
-    times: increasing, shape (n,) [s]. Raises RuntimeError when integration fails.
+    times: increasing, shape (n,) [s]. Raises ValueError for an effect that is not among FAMILIES, RuntimeError
+    when integration fails.
     """
+    for effect in effects:
+        if effect.family not in FAMILIES:
+            raise ValueError(f"a vessel cannot have an effect of the family {effect.family}")
     schedule = schedule or Schedule((), ())
     late = schedule.delayed(sum(effect.delay() for effect in effects))
     slices, at = [], 2
