@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 import casadi as ca
 
 from pam_cosim.compiler.flattening import Residual
+from pam_cosim.compiler.matching import Matching
 from pam_cosim.errors import ModelError
 
 _LARGEST_BY_MINORS = 4
@@ -47,6 +48,8 @@ def _solve_block(
     matrix = ca.jacobian(system, variables)
     if ca.depends_on(matrix, variables):
         raise ModelError(_nonlinear(equations, names))
+    if matrix.is_zero():
+        raise ModelError(f"{names[0]!r} drops out of the equation that should determine it: {equations[0].place}")
     offset = ca.substitute(system, variables, ca.DM.zeros(variables.shape))
     result = -offset / matrix if len(names) == 1 else _linear(matrix, -offset)
     for i, name in enumerate(names):
@@ -116,19 +119,12 @@ def _nonlinear(equations: Sequence[Residual], names: Sequence[str]) -> str:
 
 def _singular(residuals: Sequence[Residual], unknowns: Sequence[str], structure: ca.Sparsity) -> str:
     """Name what the maximum matching leaves over."""
-    matched: dict[int, int] = {}
-
-    def augment(column: int, seen: set[int]) -> bool:
-        for row in structure.row()[structure.colind()[column] : structure.colind()[column + 1]]:
-            if row not in seen:
-                seen.add(row)
-                if row not in matched or augment(matched[row], seen):
-                    matched[row] = column
-                    return True
-        return False
-
-    free = [unknowns[j] for j in range(len(unknowns)) if not augment(j, set())]
-    extra = [residual.place for i, residual in enumerate(residuals) if i not in matched]
+    matched: Matching[str] = Matching()
+    rows: list[list[str]] = [[] for _ in residuals]
+    for row, column in zip(*structure.get_triplet(), strict=True):
+        rows[row].append(unknowns[column])
+    extra = [residual.place for i, residual in enumerate(residuals) if not matched.add(i, rows.__getitem__)]
+    free = [name for name in unknowns if name not in matched]
     return (
         f"the model has {len(residuals)} equations for {len(unknowns)} unknowns; "
         f"no equation determines {', '.join(map(repr, free)) or 'nothing more'}; "

@@ -10,7 +10,7 @@ import casadi as ca
 
 from pam_cosim.compiler import metadata
 from pam_cosim.compiler.blocks import solve
-from pam_cosim.compiler.flattening import FlatModel, Residual, flatten
+from pam_cosim.compiler.flattening import FlatModel, flatten
 from pam_cosim.compiler.index_reduction import System, reduce_index, select_states
 from pam_cosim.compiler.initialization import Start, initial_values
 from pam_cosim.compiler.instance import Instance
@@ -183,16 +183,12 @@ class _Assembly:
     # ---- initial values -----------------------------------------------------------------------------------
 
     def _initial(self) -> list[ca.SX]:
+        constants = self.instantiator.constants
         starts = {name: self._start(name) for name in self.states}
-        equations = []
         for name, leaf in self._leaves().items():
-            if name not in self.states and metadata.is_fixed(leaf, self.instantiator.constants):
-                start = self._start(name)
-                residual = Residual(self.system.variables[name] - start.value, start.place)
-                equations.append(residual)
-        equations += self.flat.initial
-        known = [Residual(self._at_start(r.expression, r.place), r.place) for r in equations]
-        return initial_values(self.states, self.system.variables, starts, known, (self.p, self.p_values))
+            if name not in starts and metadata.is_fixed(leaf, constants):
+                starts[name] = self._start(name)
+        return initial_values(self.system, self.states, starts, self.flat.initial, (self.p, self.p_values))
 
     def _start(self, name: str) -> Start:
         leaf = self._leaf(name)
@@ -204,17 +200,6 @@ class _Assembly:
             if symbol.name() in self.system.variables or symbol.name() in self.system.inputs:
                 raise ModelError(f"the start value of '{name}' depends on the variable '{symbol.name()}'")
         return Start(value, metadata.is_fixed(leaf, self.instantiator.constants), f"start value of '{name}'")
-
-    def _at_start(self, expression: ca.SX, place: str) -> ca.SX:
-        """An initial equation with algebraic variables, inputs and time put in."""
-        names = [s.name() for s in ca.symvar(expression) if s.name() in self.solved]
-        if names:
-            old = _column([self.system.variables[n] for n in names])
-            expression = ca.substitute(expression, old, _column([self.solved[n] for n in names]))
-        for leaf, symbol in self.flat.symbols.inputs.items():
-            if ca.depends_on(expression, symbol):
-                raise ModelError(f"an initial value depends on the input '{leaf.name}': {place}")
-        return ca.substitute(expression, self.flat.symbols.t, ca.SX(0))
 
 
 def _column(values: Sequence[ca.SX]) -> ca.SX:

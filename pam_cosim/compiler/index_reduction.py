@@ -16,6 +16,7 @@ import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 from pam_cosim.compiler.flattening import Residual
+from pam_cosim.compiler.matching import Matching
 from pam_cosim.errors import ModelError
 
 _FORBIDDEN = 1e9
@@ -62,53 +63,31 @@ def reduce_index(system: System) -> None:
     """
     incidence = [_names(residual.expression, system.variables) for residual in system.residuals]
     _check_structure(system, incidence)
-    assigned: dict[str, int] = {}
+    assigned: Matching[str] = Matching()
+    most = _MOST_DIFFERENTIATIONS + 3 * len(system.residuals)
+
+    def highest(number: int) -> list[str]:
+        return [name for name in incidence[number] if name not in system.derivative_of]
+
     for start in range(len(system.residuals)):
         equation = start
-        while True:
-            seen_equations: dict[int, None] = {}
-            seen_variables: dict[str, None] = {}
-            if _augment(equation, incidence, system.derivative_of, assigned, seen_equations, seen_variables):
-                break
-            if len(system.residuals) > _MOST_DIFFERENTIATIONS + len(assigned) * 3:
+        while not assigned.add(equation, highest):
+            equations, names = sorted(assigned.seen_equations), assigned.seen_variables
+            if len(system.residuals) > most:
                 raise ModelError("the equations do not determine the variables: index reduction finds no end")
-            for name in seen_variables:
+            for name in names:
                 _add_derivative(system, name)
-            for number in sorted(seen_equations):
+            for number in equations:
                 system.residuals.append(_differentiate(system, system.residuals[number]))
                 incidence.append(_names(system.residuals[-1].expression, system.variables))
                 system.differentiated[number] = len(system.residuals) - 1
-            for name in seen_variables:
+            for name in names:
                 assigned[system.derivative_of[name]] = system.differentiated[assigned[name]]
             equation = system.differentiated[equation]
 
 
 def _names(expression: ca.SX, variables: Mapping[str, ca.SX]) -> list[str]:
     return [symbol.name() for symbol in ca.symvar(expression) if symbol.name() in variables]
-
-
-def _augment(
-    equation: int,
-    incidence: Sequence[Sequence[str]],
-    derivative_of: Mapping[str, str],
-    assigned: dict[str, int],
-    seen_equations: dict[int, None],
-    seen_variables: dict[str, None],
-) -> bool:
-    """Find an augmenting path from an equation, over variables of highest order."""
-    seen_equations[equation] = None
-    candidates = [name for name in incidence[equation] if name not in derivative_of]
-    for name in candidates:
-        if name not in assigned:
-            assigned[name] = equation
-            return True
-    for name in candidates:
-        if name not in seen_variables:
-            seen_variables[name] = None
-            if _augment(assigned[name], incidence, derivative_of, assigned, seen_equations, seen_variables):
-                assigned[name] = equation
-                return True
-    return False
 
 
 def _add_derivative(system: System, name: str) -> None:
@@ -145,8 +124,8 @@ def _check_structure(system: System, incidence: Sequence[Sequence[str]]) -> None
     """Every equation and every variable must find a partner when x and der(x) count as one."""
     base = {derivative: name for name, derivative in system.derivative_of.items()}
     merged = [list(dict.fromkeys(base.get(name, name) for name in names)) for names in incidence]
-    assigned: dict[str, int] = {}
-    unmatched = [i for i in range(len(merged)) if not _augment(i, merged, {}, assigned, {}, {})]
+    assigned: Matching[str] = Matching()
+    unmatched = [i for i in range(len(merged)) if not assigned.add(i, merged.__getitem__)]
     free = [name for name in system.variables if name not in base and name not in assigned]
     if unmatched or free:
         raise ModelError(_imbalance(system, unmatched, free, len(system.variables) - len(base)))

@@ -10,6 +10,8 @@ import numpy as np
 
 from pam_cosim.compiler.blocks import solve
 from pam_cosim.compiler.flattening import Residual
+from pam_cosim.compiler.index_reduction import System
+from pam_cosim.compiler.matching import Matching
 from pam_cosim.errors import ModelError
 
 _CONSISTENT = 1e-9
@@ -25,80 +27,73 @@ class Start:
 
 
 def initial_values(
+    system: System,
     states: Sequence[str],
-    symbols: Mapping[str, ca.SX],
     starts: Mapping[str, Start],
     equations: Sequence[Residual],
     defaults: tuple[ca.SX, ca.SX],
 ) -> list[ca.SX]:
     """One expression for each state, in terms of parameters.
 
-    Fixed starts of states count first, then the initial equations (fixed starts of other variables among
-    them) in turn; a state that they leave open begins at its start value.
+    At the start all equations of the model hold, and so many more as there are states: the fixed starts, then
+    the initial equations; what these leave open is determined by the starts of states that are not fixed.
 
     Args:
+        system: the equations after index reduction.
         states: names of the states.
-        symbols: symbols by name.
-        starts: start values by name, of the states.
-        equations: initial equations in terms of states and parameters (time and algebraic variables put in).
+        starts: the start values, by name, of states and of all variables with a fixed start.
+        equations: initial equations.
         defaults: the parameters' symbols and values, to judge superfluous equations.
 
     Raises:
         ModelError: initial equations that contradict each other or cannot be solved.
     """
-    known = {name: starts[name].value for name in states if starts[name].fixed}
-    pending: list[Residual] = []
+    fixed = [_start_equation(system, name, start) for name, start in starts.items() if start.fixed]
+    free = [_start_equation(system, name, start) for name, start in starts.items() if not start.fixed]
+    chosen = list(system.residuals)
     superfluous: list[Residual] = []
-    taken: dict[str, int] = {}
-    names_of: list[list[str]] = []
-    for equation in equations:
-        expression = _put_in(equation.expression, known, symbols)
-        names = [s.name() for s in ca.symvar(expression) if s.name() in states]
-        pending.append(Residual(expression, equation.place))
-        names_of.append(names)
-        if not _match(len(pending) - 1, names_of, taken, set()):
-            superfluous.append(pending.pop())
-            names_of.pop()
-    for name in states:
-        if name not in known and name not in taken:
-            known[name] = starts[name].value
-    pending = [Residual(_put_in(r.expression, known, symbols), r.place) for r in pending]
-    open_names = [name for name in states if name in taken]
+    incidence = [_names(residual, system) for residual in chosen]
+    matching: Matching[str] = Matching()
+    for i in range(len(chosen)):
+        matching.add(i, incidence.__getitem__)
+    for number, equation in enumerate([*fixed, *equations, *free]):
+        incidence.append(_names(equation, system))
+        if len(chosen) < len(system.variables) and matching.add(len(chosen), incidence.__getitem__):
+            chosen.append(equation)
+            continue
+        incidence.pop()
+        if number < len(fixed) + len(equations):
+            superfluous.append(equation)
+    zero = [Residual(ca.substitute(r.expression, system.time, ca.SX(0)), r.place) for r in chosen]
     try:
-        known |= solve(pending, open_names, symbols)
+        solved = solve(zero, list(system.variables), system.variables)
     except ModelError as error:
         raise ModelError(f"initial values: {error.message}") from None
-    _check_superfluous(superfluous, known, symbols, defaults)
-    return [known[name] for name in states]
+    _check_superfluous(superfluous, solved, system, defaults)
+    for name in states:
+        inputs = [symbol.name() for symbol in ca.symvar(solved[name]) if symbol.name() in system.inputs]
+        if inputs:
+            raise ModelError(f"the initial value of '{name}' depends on the input '{inputs[0]}'")
+    return [solved[name] for name in states]
 
 
-def _match(equation: int, names_of: Sequence[Sequence[str]], taken: dict[str, int], seen: set[str]) -> bool:
-    for name in names_of[equation]:
-        if name not in seen:
-            seen.add(name)
-            if name not in taken or _match(taken[name], names_of, taken, seen):
-                taken[name] = equation
-                return True
-    return False
+def _start_equation(system: System, name: str, start: Start) -> Residual:
+    return Residual(system.variables[name] - start.value, start.place)
 
 
-def _put_in(expression: ca.SX, known: Mapping[str, ca.SX], symbols: Mapping[str, ca.SX]) -> ca.SX:
-    names = [s.name() for s in ca.symvar(expression) if s.name() in known]
-    if not names:
-        return expression
-    old, new = ca.vertcat(*[symbols[n] for n in names]), ca.vertcat(*[known[n] for n in names])
-    return ca.substitute(expression, old, new)
+def _names(residual: Residual, system: System) -> list[str]:
+    return [s.name() for s in ca.symvar(residual.expression) if s.name() in system.variables]
 
 
 def _check_superfluous(
-    equations: Sequence[Residual],
-    known: Mapping[str, ca.SX],
-    symbols: Mapping[str, ca.SX],
-    defaults: tuple[ca.SX, ca.SX],
+    equations: Sequence[Residual], solved: Mapping[str, ca.SX], system: System, defaults: tuple[ca.SX, ca.SX]
 ) -> None:
     """An initial equation too many is tolerated if it holds at the default parameters."""
     for equation in equations:
-        rest = ca.substitute(_put_in(equation.expression, known, symbols), *defaults)
+        names = _names(equation, system)
+        old = ca.vertcat(ca.SX(0, 1), *[system.variables[n] for n in names])
+        new = ca.vertcat(ca.SX(0, 1), *[solved[n] for n in names])
+        rest = ca.substitute(ca.substitute(equation.expression, old, new), *defaults)
         value = float(ca.evalf(rest)) if not ca.symvar(rest) else float("nan")
         if not np.isfinite(value) or abs(value) > _CONSISTENT:
             raise ModelError(f"the initial values are overdetermined: {equation.place} contradicts the others")
