@@ -37,6 +37,20 @@ def compile_model(model: str, *, files: Sequence[Path] = (), root: Path | None =
     Raises:
         ModelError: the model cannot be found, read, or brought into the form of an explicit ODE.
     """
+    instantiator, top = instantiate(model, files=files, root=root)
+    flat = flatten(instantiator, top)
+    try:
+        return _Assembly(flat, instantiator).ode()
+    except ModelError as error:
+        if error.file is None:
+            definition = top.ancestors[0].definition
+            message = f"{definition.qualified_name}: {error.message}"
+            raise definition.source.error(message, definition.at) from None
+        raise
+
+
+def instantiate(model: str, *, files: Sequence[Path] = (), root: Path | None = None) -> tuple[Instantiator, Instance]:
+    """The components of a model; arguments and errors as for :func:`compile_model`."""
     files = list(files)
     if model.endswith(".mo"):
         path = Path(model)
@@ -45,15 +59,7 @@ def compile_model(model: str, *, files: Sequence[Path] = (), root: Path | None =
     lookup = Lookup(library)
     of = _find(model, library, lookup)
     instantiator = Instantiator(lookup)
-    flat = flatten(instantiator, instantiator.model(of))
-    try:
-        return _Assembly(flat, instantiator).ode()
-    except ModelError as error:
-        if error.file is None:
-            definition = of.definition
-            message = f"{definition.qualified_name}: {error.message}"
-            raise definition.source.error(message, definition.at) from None
-        raise
+    return instantiator, instantiator.model(of)
 
 
 def _find(model: str, library: Library, lookup: Lookup) -> Class:

@@ -162,16 +162,16 @@ class Instantiator:
         if original.constraint is not None:
             limit: Class | None = self.lookup.require(scope, original.constraint.type, original)
         else:
-            limit = self._followed(Class(original, scope))
-        self._check_constraint(found, limit, source, new.at)
+            limit = self.followed(Class(original, scope))
+        self._check_constraint(found, limit, new.at)
         return found
 
-    def _followed(self, of: Class) -> Class | None:
+    def followed(self, of: Class) -> Class:
         """The class with a body that a short class stands for."""
         bases = self.lookup.bases(of) if of.definition.alias is not None else []
-        return self._followed(bases[0]) if bases else of
+        return self.followed(bases[0]) if bases else of
 
-    def _check_constraint(self, new: Class, limit: Class | None, source: object, at: int) -> None:
+    def _check_constraint(self, new: Class, limit: Class | None, at: int) -> None:
         if limit is None or limit.definition.kind == "function":
             return
         wanted = self._public_names(limit)
@@ -263,7 +263,7 @@ class Instantiator:
         limit = self.lookup.find(scope, limit_name.names, limit_name.absolute)
         found = self.lookup.find(place, new.type.names, new.type.absolute)
         if found is not None:
-            self._check_constraint(Class(found.definition, found.outer), limit, source, new.at)
+            self._check_constraint(Class(found.definition, found.outer), limit, new.at)
 
     def expand(self, instance: Instance) -> Instance:
         """Fill in what an instance consists of, if that has not been done; returns what it stands for."""

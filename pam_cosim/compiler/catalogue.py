@@ -1,0 +1,284 @@
+"""The class tree of the library and the user's files, read without instantiating anything."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from pam_cosim.compiler.instantiation import PRIMITIVES
+from pam_cosim.compiler.library import Library
+from pam_cosim.compiler.printing import argument_text, expression_text, modification_text
+from pam_cosim.compiler.scope import Class, Lookup
+from pam_cosim.compiler.syntax import (
+    Argument,
+    ClassDefinition,
+    ComponentDeclaration,
+    Constraint,
+    Extends,
+    Literal,
+    Modification,
+    TypeName,
+)
+from pam_cosim.errors import ModelError
+
+
+@dataclass(frozen=True)
+class BaseInfo:
+    """One ``extends``: full name of the base class, and what modifies it, as text by (dotted) name."""
+
+    name: str
+    modifications: dict[str, str]
+    text: str
+
+
+@dataclass(frozen=True)
+class ComponentInfo:
+    """One declared component.
+
+    Attributes:
+        name: as declared.
+        type: full name of its class, or a built-in type; as written if it cannot be found.
+        prefixes: ``parameter``, ``input``, ``inner``, ``replaceable``, ``protected``, ...
+        modifications: text by (dotted) name; ``value`` is the binding.
+        text: the whole modification as text.
+        dimensions: sizes as text.
+        condition: as text, empty if there is none.
+        constraint: full name of the constraining class of a replaceable component, else empty.
+        owner: full name of the class that declares it.
+    """
+
+    name: str
+    type: str
+    prefixes: frozenset[str]
+    modifications: dict[str, str]
+    value: str
+    text: str
+    dimensions: tuple[str, ...]
+    condition: str
+    description: str
+    constraint: str
+    owner: str
+    line: int
+
+
+@dataclass(frozen=True)
+class ReplaceableInfo:
+    """A replaceable class: ``replaceable model Gas = Default constrainedby Constraint``, full names."""
+
+    name: str
+    kind: str
+    default: str
+    constraint: str
+    description: str
+    owner: str
+
+
+@dataclass(frozen=True)
+class ClassInfo:
+    """What a class declares itself; what it inherits is found by the methods of :class:`ClassTree`.
+
+    Attributes:
+        name: full name.
+        kind: ``model``, ``package``, ``function``, ``connector``, ``record``, ``type`` or ``block``.
+        annotations: top-level annotations as text, by name.
+        documentation: the ``info`` string of the Documentation annotation.
+    """
+
+    name: str
+    kind: str
+    partial: bool
+    description: str
+    extends: tuple[BaseInfo, ...]
+    components: tuple[ComponentInfo, ...]
+    replaceables: tuple[ReplaceableInfo, ...]
+    annotations: dict[str, str]
+    documentation: str
+    file: Path | str
+    line: int
+
+
+class ClassTree:
+    """All classes by full name, parents before their children, in order of files."""
+
+    def __init__(self, library: Library) -> None:
+        self._library = library
+        self._lookup = Lookup(library)
+        self._definitions = {node.qualified_name: node for node in library.walk()}
+        self._infos: dict[str, ClassInfo] = {}
+        self.classes: dict[str, ClassInfo] = {name: self._info(node) for name, node in self._definitions.items()}
+
+    # ---- questions ----------------------------------------------------------------------------------------
+
+    def resolve(self, scope: str, name: str) -> str | None:
+        """The full name of the class that ``name`` means in the text of class ``scope`` (empty: the root)."""
+        names = name.split(".")
+        absolute = names[0] == ""
+        place = self._lookup.static_scope(self._definitions[scope]) if scope else None
+        found = self._lookup.find(place, tuple(names[1:] if absolute else names), absolute)
+        return None if found is None else found.definition.qualified_name
+
+    def bases(self, name: str) -> list[str]:
+        """Full names of all classes that a class inherits from, nearest first; a class only once."""
+        found: dict[str, None] = {}
+        waiting = [self._class(name)]
+        while waiting:
+            of = waiting.pop(0)
+            for base in self._lookup.bases(of):
+                if base.definition.qualified_name not in found:
+                    found[base.definition.qualified_name] = None
+                    waiting.append(base)
+        return list(found)
+
+    def is_subtype(self, name: str, base: str) -> bool:
+        """Whether a class is ``base`` or inherits from it."""
+        return name == base or base in self.bases(name)
+
+    def subtypes(self, base: str) -> list[str]:
+        """All classes other than ``base`` itself that inherit from it, partial ones included."""
+        return [name for name in self.classes if name != base and base in self.bases(name)]
+
+    def components(self, name: str) -> list[ComponentInfo]:
+        """Components with inherited ones, in the order in which the compiler has them."""
+        found: dict[str, ComponentInfo] = {}
+        for part in reversed([name, *self._in_order(name)]):
+            for component in self.classes[part].components:
+                found.setdefault(component.name, component)
+        return list(found.values())
+
+    def replaceables(self, name: str) -> list[ReplaceableInfo]:
+        """Replaceable classes with inherited ones."""
+        found: dict[str, ReplaceableInfo] = {}
+        for part in reversed([name, *self._in_order(name)]):
+            for replaceable in self.classes[part].replaceables:
+                found.setdefault(replaceable.name, replaceable)
+        return list(found.values())
+
+    def constant(self, name: str, constant: str) -> float | int | str | bool | None:
+        """The literal value of a constant (or parameter) of a class, modifications of ``extends`` included.
+
+        None if it has none, or one that is no literal.
+        """
+        return self._constant(self._class(name), constant)
+
+    # ---- reading ------------------------------------------------------------------------------------------
+
+    def _class(self, name: str) -> Class:
+        if name not in self._definitions:
+            raise ModelError(f"there is no class '{name}'")
+        return self._lookup.of(self._definitions[name])
+
+    def _in_order(self, name: str) -> list[str]:
+        """All bases such that, read backwards, a base comes before what extends it."""
+        found: list[str] = []
+        for base in reversed(self._lookup.bases(self._class(name))):
+            base_name = base.definition.qualified_name
+            found += [base_name, *self._in_order(base_name)] if base_name in self._definitions else []
+        return found
+
+    def _constant(self, of: Class, constant: str) -> float | int | str | bool | None:
+        definition = of.definition
+        component = definition.components.get(constant)
+        if component is not None:
+            value = component.modification.value
+            return value.value if isinstance(value, Literal) else None
+        extends = [definition.alias] if definition.alias is not None else definition.extends
+        for clause, base in zip(extends, self._lookup.bases(of), strict=False):
+            argument = clause.modification.argument(constant)
+            if argument is not None and isinstance(argument.modification.value, Literal):
+                return argument.modification.value.value
+            found = self._constant(base, constant)
+            if found is not None:
+                return found
+        return None
+
+    def _info(self, node: ClassDefinition) -> ClassInfo:
+        line, _ = node.source.position(node.at)
+        extends = [node.alias] if node.alias is not None else node.extends
+        documentation = node.annotation.argument("Documentation")
+        info = documentation.modification.argument("info") if documentation is not None else None
+        value = info.modification.value if info is not None else None
+        return ClassInfo(
+            name=node.qualified_name,
+            kind=node.kind,
+            partial=node.partial,
+            description=node.description,
+            extends=tuple(self._base(node, clause) for clause in extends),
+            components=tuple(self._component(node, component) for component in node.components.values()),
+            replaceables=tuple(
+                self._replaceable(node, nested) for nested in node.classes.values() if "replaceable" in nested.prefixes
+            ),
+            annotations={argument.name: argument_text(argument) for argument in node.annotation.arguments},
+            documentation=value.value if isinstance(value, Literal) and isinstance(value.value, str) else "",
+            file=node.source.file,
+            line=line,
+        )
+
+    def _base(self, node: ClassDefinition, clause: Extends) -> BaseInfo:
+        place = node if node.alias is None else node.parent
+        name = self._resolved(place, clause.type)
+        return BaseInfo(name, _modifications(clause.modification), modification_text(clause.modification))
+
+    def _component(self, node: ClassDefinition, component: ComponentDeclaration) -> ComponentInfo:
+        line, _ = node.source.position(component.at)
+        value = component.modification.value
+        type_ = self._resolved(node, component.type)
+        return ComponentInfo(
+            name=component.name,
+            type=type_,
+            prefixes=component.prefixes,
+            modifications=_modifications(component.modification),
+            value="" if value is None else expression_text(value),
+            text=modification_text(component.modification),
+            dimensions=tuple(map(expression_text, component.dimensions)),
+            condition="" if component.condition is None else expression_text(component.condition),
+            description=component.description,
+            constraint=self._constraint(node, component.constraint, type_)
+            if "replaceable" in component.prefixes
+            else "",
+            owner=node.qualified_name,
+            line=line,
+        )
+
+    def _replaceable(self, node: ClassDefinition, nested: ClassDefinition) -> ReplaceableInfo:
+        default = nested.qualified_name
+        if nested.alias is not None:
+            default = self._resolved(node, nested.alias.type)
+        constraint = self._constraint(node, nested.constraint, default)
+        return ReplaceableInfo(nested.name, nested.kind, default, constraint, nested.description, node.qualified_name)
+
+    def _constraint(self, node: ClassDefinition, constraint: Constraint | None, default: str) -> str:
+        return default if constraint is None else self._resolved(node, constraint.type)
+
+    def _resolved(self, place: ClassDefinition | None, name: TypeName) -> str:
+        scope = self._lookup.static_scope(place) if place is not None else None
+        found = self._lookup.find(scope, name.names, name.absolute)
+        if found is not None:
+            return found.definition.qualified_name
+        return name.text if name.text not in PRIMITIVES else name.names[-1]
+
+
+def _modifications(modification: Modification, prefix: str = "") -> dict[str, str]:
+    found: dict[str, str] = {}
+    for argument in modification.arguments:
+        name = prefix + argument.name
+        found |= _entries(argument, name)
+    return found
+
+
+def _entries(argument: Argument, name: str) -> dict[str, str]:
+    if argument.redeclaration is not None:
+        return {name: argument_text(argument)}
+    found = _modifications(argument.modification, f"{name}.")
+    if argument.modification.value is not None:
+        found[name] = expression_text(argument.modification.value)
+    return found
+
+
+def read_library(root: Path, files: Sequence[Path] = ()) -> ClassTree:
+    """The class tree of the library directory ``root`` and of the user's files.
+
+    Raises:
+        ModelError: a syntax error, with its place.
+    """
+    return ClassTree(Library(root, files))

@@ -1,0 +1,101 @@
+"""The components and replaceable classes of one model as it is put together, redeclarations included."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from pam_cosim.compiler.compile import instantiate
+from pam_cosim.compiler.instance import Instance
+from pam_cosim.compiler.instantiation import Instantiator
+from pam_cosim.compiler.syntax import ClassDefinition
+
+
+@dataclass(frozen=True)
+class Part:
+    """A component that is no variable.
+
+    Attributes:
+        path: dotted name from the model; empty for the model itself.
+        type: full name of its class.
+        bases: full names of all classes it consists of, itself included.
+        connectors: its connectors, with the full names of their classes.
+        parameters: its public parameters.
+    """
+
+    path: str
+    type: str
+    bases: tuple[str, ...]
+    connectors: dict[str, str]
+    parameters: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Slot:
+    """A replaceable class inside a model.
+
+    Attributes:
+        path: component that has it; empty for the model itself.
+        name: name of the class there.
+        constraint: full name of the class that a replacement must extend.
+        current: full name of the class that is there now.
+    """
+
+    path: str
+    name: str
+    constraint: str
+    current: str
+
+
+@dataclass(frozen=True)
+class Structure:
+    """All parts and slots of a model, outer ones first."""
+
+    model: str
+    parts: tuple[Part, ...]
+    slots: tuple[Slot, ...]
+
+
+def read_structure(model: str, *, files: Sequence[Path] = (), root: Path | None = None) -> Structure:
+    """What a model consists of; arguments as for :func:`pam_cosim.compiler.compile_model`.
+
+    Raises:
+        ModelError: the model cannot be found or put together.
+    """
+    instantiator, top = instantiate(model, files=files, root=root)
+    nodes = [node for node in top.nodes() if node.kind not in ("connector", "record")]
+    slots = [slot for node in nodes for slot in _slots(node, instantiator)]
+    return Structure(top.ancestors[0].definition.qualified_name, tuple(map(_part, nodes)), tuple(slots))
+
+
+def _part(node: Instance) -> Part:
+    bases = dict.fromkeys(ancestor.definition.qualified_name for ancestor in node.ancestors)
+    public = {name: child for name, child in node.children.items() if "protected" not in child.prefixes}
+    connectors = {
+        name: child.type.definition.qualified_name
+        for name, child in public.items()
+        if child.kind == "connector" and child.type is not None and child.present
+    }
+    parameters = tuple(name for name, child in public.items() if child.variability == "parameter")
+    first = next(a.definition for a in node.ancestors if a.definition.alias is None)
+    return Part(node.name, first.qualified_name, tuple(bases), connectors, parameters)
+
+
+def _slots(node: Instance, instantiator: Instantiator) -> list[Slot]:
+    found = []
+    for ancestor in node.ancestors:
+        for name, nested in ancestor.definition.classes.items():
+            if "replaceable" in nested.prefixes and name in node.classes:
+                current = instantiator.followed(node.classes[name]).definition.qualified_name
+                found.append(Slot(node.name, name, _constraint(nested, instantiator), current))
+    return found
+
+
+def _constraint(nested: ClassDefinition, instantiator: Instantiator) -> str:
+    lookup = instantiator.lookup
+    if nested.constraint is None:
+        return instantiator.followed(lookup.of(nested)).definition.qualified_name
+    assert nested.parent is not None
+    scope = lookup.static_scope(nested.parent)
+    return lookup.require(scope, nested.constraint.type, nested).definition.qualified_name
