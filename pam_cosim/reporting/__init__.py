@@ -1,0 +1,15 @@
+"""Any product -> HTML, PNG."""
+
+from pam_cosim.reporting.comparison_page import comparison_report
+from pam_cosim.reporting.diagnosis_page import diagnosis_report
+from pam_cosim.reporting.plots import error_ladder_figure, plot_comparison, plot_trajectory
+from pam_cosim.reporting.writing import write_report
+
+__all__ = [
+    "comparison_report",
+    "diagnosis_report",
+    "error_ladder_figure",
+    "plot_comparison",
+    "plot_trajectory",
+    "write_report",
+]

@@ -1,0 +1,78 @@
+"""Comparison -> HTML."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from pam_cosim.comparison import Comparison, score
+from pam_cosim.reporting.diagnosis_page import rule_rows
+from pam_cosim.reporting.figures.bars import where_picture
+from pam_cosim.reporting.figures.curves import curve_pictures
+from pam_cosim.reporting.figures.layer import rivals
+from pam_cosim.reporting.figures.residuals import residual_pictures
+from pam_cosim.reporting.labels import model_labels
+from pam_cosim.reporting.page import provenance, render, score_rows, signal_rows
+from pam_cosim.reporting.wording import NOTHING, listed, number, quantity
+
+Row = dict[str, str]
+
+
+def comparison_report(comparison: Comparison, against: Sequence[Comparison] = ()) -> str:
+    """A self-contained HTML page of one model, beside others on the same data. Same input, same bytes."""
+    labels = model_labels([comparison, *against])
+    layers = rivals(comparison, against, labels)
+    return render(
+        "comparison.html",
+        title=comparison.data.title,
+        model=labels[0],
+        against=labels[1:],
+        headline=_headline(comparison),
+        labels=labels,
+        beside=_beside([comparison, *against]) if against else [],
+        scores=score_rows(comparison),
+        curves=curve_pictures(layers),
+        residuals=residual_pictures(layers),
+        where=where_picture(comparison.where) if comparison.where else None,
+        rules=rule_rows(comparison),
+        runs=_run_rows(comparison),
+        names=list(comparison.data.signals),
+        parameters=[(name, number(value, 4)) for name, value in comparison.parameters.items()],
+        signals=signal_rows(comparison.data),
+        notes=comparison.data.notes(),
+        provenance=provenance(comparison.data, comparison.model),
+    )
+
+
+def _headline(comparison: Comparison) -> str:
+    parts = []
+    for name, s in comparison.scores["all"].items():
+        signal = comparison.data.signals[name]
+        noise = "" if signal.sigma is None else f" (noise {quantity(signal.sigma, signal.unit)})"
+        parts.append(f"{quantity(s.rmse, signal.unit)} in {name}{noise}")
+    return f"The rms error over all runs is {listed(parts)}." if parts else "There is no sample to compare with."
+
+
+def _beside(comparisons: Sequence[Comparison]) -> list[dict[str, object]]:
+    """The rms error of each signal and role, model beside model."""
+    rows: list[dict[str, object]] = []
+    for role in ("fit", "holdout"):
+        for name in comparisons[0].scores[role]:
+            scores = [c.scores.get(role, {}).get(name) for c in comparisons]
+            unit = comparisons[0].data.signals[name].unit
+            cells = [NOTHING if s is None else quantity(s.rmse, unit) for s in scores]
+            known = [s.rmse for s in scores if s is not None]
+            best = [s is not None and len(known) > 1 and s.rmse == min(known) for s in scores]
+            rows.append({"role": role, "name": name, "cells": list(zip(cells, best, strict=True))})
+    return rows
+
+
+def _run_rows(comparison: Comparison) -> list[dict[str, object]]:
+    rows: list[dict[str, object]] = []
+    for run in comparison.runs:
+        found = score([run], comparison.data.signals)
+        cells = [
+            quantity(found[name].rmse, signal.unit) if name in found else NOTHING
+            for name, signal in comparison.data.signals.items()
+        ]
+        rows.append({"name": run.run.name, "role": run.run.role, "cells": cells})
+    return rows

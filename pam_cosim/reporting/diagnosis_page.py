@@ -1,0 +1,210 @@
+"""Diagnosis -> HTML."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from pam_cosim.comparison import Comparison
+from pam_cosim.diagnosis import Candidate, Diagnosis
+from pam_cosim.diagnosis.verdict import explained
+from pam_cosim.reporting.figures.bars import Bar, balance_picture, colours, ranking_picture, where_picture
+from pam_cosim.reporting.figures.curves import curve_pictures
+from pam_cosim.reporting.figures.ladder import Rung, ladder_picture
+from pam_cosim.reporting.figures.layer import Layer, before_and_after
+from pam_cosim.reporting.figures.residuals import residual_pictures
+from pam_cosim.reporting.meaning import error_sentence, headline, kind_name, meaning
+from pam_cosim.reporting.page import provenance, render, score_rows, signal_rows
+from pam_cosim.reporting.style import Picture
+from pam_cosim.reporting.wording import (
+    NOTHING, estimate_texts, listed, number, percent, quantity, remark, unit_text, words,
+)  # fmt: skip
+
+_MOST_BARS = 20
+Row = dict[str, str]
+
+
+def diagnosis_report(diagnosis: Diagnosis) -> str:
+    """A self-contained HTML page: verdict, evidence, parameters, equations. Same diagnosis, same bytes."""
+    signals = list(diagnosis.data.signals.values())
+    layers = layers_of(diagnosis)
+    fitted = [c for c in diagnosis.candidates if c.fit is not None]
+    palette = colours([*diagnosis.balance, *(c.balance for c in diagnosis.candidates)])
+    rules = diagnosis.base.comparison.where
+    return render(
+        "diagnosis.html",
+        title=diagnosis.data.title,
+        model=diagnosis.model,
+        kind=diagnosis.verdict.kind,
+        kind_name=kind_name(diagnosis.verdict.kind),
+        headline=headline(diagnosis),
+        error=error_sentence(diagnosis),
+        reason=diagnosis.verdict.reason,
+        meaning=meaning(diagnosis.verdict.kind),
+        summary=_summary(diagnosis),
+        ladder=ladder_picture(rungs_of(diagnosis), signals),
+        curves=curve_pictures(layers),
+        residuals=residual_pictures(layers),
+        where=where_picture(rules) if rules else None,
+        rules=rule_rows(diagnosis.base.comparison),
+        ranking=_ranking_picture(diagnosis, fitted, palette),
+        candidates=[_candidate_row(diagnosis, c) for c in fitted],
+        failed=[
+            {"effect": " + ".join(c.effects), "family": words(c.family), "reason": c.failure or "no reason was given"}
+            for c in diagnosis.candidates
+            if c.fit is None
+        ],
+        parameters=_parameter_rows(diagnosis),
+        added=bool(diagnosis.path),
+        balance=balance_picture(diagnosis.balance, palette) if any(diagnosis.balance.values()) else None,
+        next_experiment=_next_experiment(diagnosis.next_experiment),
+        missing_term=_missing_term(diagnosis),
+        signals=signal_rows(diagnosis.data),
+        scores=score_rows(diagnosis.final.comparison),
+        notes=diagnosis.data.notes(),
+        failures=diagnosis.final.failures,
+        equations=diagnosis.path[-1].equations if diagnosis.path else "",
+        provenance=provenance(diagnosis.data, diagnosis.model),
+    )
+
+
+def layers_of(diagnosis: Diagnosis) -> tuple[Layer, ...]:
+    """The base model and, where effects were added, the final one."""
+    final = diagnosis.final.comparison if diagnosis.path else None
+    return before_and_after(diagnosis.base.comparison, final, f"with {_effects(diagnosis)}")
+
+
+def rungs_of(diagnosis: Diagnosis) -> list[Rung]:
+    """The base model, then each effect as it was added."""
+    added = [Rung(f"+ {c.effect}", c.fit.comparison.scores) for c in diagnosis.path if c.fit is not None]
+    return [Rung("base model", diagnosis.base.comparison.scores), *added]
+
+
+def rule_rows(comparison: Comparison) -> list[Row]:
+    """Where the error sits, as a table."""
+    return [
+        {"signal": r.signal, "rule": r.rule, "error": percent(r.error_share), "time": percent(r.time_share)}
+        for r in comparison.where
+    ]
+
+
+def _effects(diagnosis: Diagnosis) -> str:
+    return " + ".join(c.effect for c in diagnosis.path)
+
+
+def _summary(diagnosis: Diagnosis) -> list[Row]:
+    rows = []
+    for role in ("fit", "holdout"):
+        for name, before in diagnosis.base.comparison.scores[role].items():
+            after = diagnosis.final.comparison.scores[role].get(name) if diagnosis.path else None
+            unit = diagnosis.data.signals[name].unit
+            rows.append(
+                {
+                    "name": name,
+                    "role": role,
+                    "before": quantity(before.rmse, unit),
+                    "after": NOTHING if after is None else quantity(after.rmse, unit),
+                    "noise": quantity(before.noise_rmse, unit),
+                    "chi2_before": number(before.chi2_reduced),
+                    "chi2_after": NOTHING if after is None else number(after.chi2_reduced),
+                }
+            )
+    return rows
+
+
+def _share(diagnosis: Diagnosis, candidate: Candidate) -> float:
+    return 0.0 if candidate.fit is None else explained(diagnosis.base, candidate.fit)
+
+
+def _added(diagnosis: Diagnosis, candidate: Candidate) -> bool:
+    return any(candidate.effects == c.effects for c in diagnosis.path)
+
+
+def _ranking_picture(diagnosis: Diagnosis, fitted: list[Candidate], palette: Mapping[str, str]) -> Picture | None:
+    if not fitted:
+        return None
+    bars = [
+        Bar(f"{' + '.join(c.effects)} ({words(c.family)})", _share(diagnosis, c), c.balance, _added(diagnosis, c))
+        for c in fitted
+    ]
+    runs = "holdout" if diagnosis.base.structure["holdout"].samples else "fitted"
+    return ranking_picture(bars[:_MOST_BARS], palette, max(len(bars) - _MOST_BARS, 0), runs)
+
+
+def _candidate_row(diagnosis: Diagnosis, c: Candidate) -> dict[str, Any]:
+    assert c.fit is not None
+    own = []
+    for name, e in c.parameters.items():
+        value, interval = estimate_texts(e)
+        note = remark(e) or f"{interval}"
+        own.append(f"{name} = {value} {unit_text(e.unit)}".rstrip() + f" ({note})")
+    return {
+        "effect": " + ".join(c.effects),
+        "family": words(c.family),
+        "balance": words(c.balance),
+        "delta_bic": number(c.delta_bic),
+        "probability": percent(c.probability),
+        "explained": percent(_share(diagnosis, c)),
+        "chi2": number(c.fit.comparison.chi2_reduced("fit")),
+        "holdout": number(c.fit.comparison.chi2_reduced("holdout")),
+        "own": own,
+        "added": _added(diagnosis, c),
+    }
+
+
+def _parameter_rows(diagnosis: Diagnosis) -> list[Row]:
+    origin = {name: c.effect for c in diagnosis.path for name in c.own_parameters}
+    rows = []
+    for name, estimate in diagnosis.final.parameters.items():
+        value, interval = estimate_texts(estimate)
+        before = diagnosis.base.parameters.get(name)
+        rows.append(
+            {
+                "name": name,
+                "origin": origin.get(name, "base model"),
+                "base": NOTHING if before is None else estimate_texts(before)[0],
+                "value": value,
+                "interval": interval,
+                "unit": unit_text(estimate.unit),
+                "remark": remark(estimate),
+            }
+        )
+    return rows
+
+
+def _next_experiment(found: Mapping[str, Any] | None) -> list[tuple[str, str]] | None:
+    if not found:
+        return None
+    rows = [("Start from run", str(found.get("run", NOTHING))), ("Change", str(found.get("change", NOTHING)))]
+    if found.get("between"):
+        rows.append(("To tell apart", listed([words(str(f)) for f in found["between"]])))
+    if found.get("separation") is not None:
+        away = f"{number(found['separation'])} noise standard deviations between the two, as root mean square"
+        rows.append(("Expected", away))
+    return rows
+
+
+def _missing_term(diagnosis: Diagnosis) -> dict[str, Any] | None:
+    found = diagnosis.missing_term
+    if not found:
+        return None
+    signals: Mapping[str, Mapping[str, Any]] = found.get("signals") or {}  # type: ignore[assignment]
+    balance = found.get("balance")
+    rows = [
+        {
+            "name": name,
+            "rmse": quantity(s.get("rmse"), diagnosis.data.signals[name].unit),
+            "size": number(s.get("noise_standard_deviations")),
+            "with": str(s.get("correlates_with") or NOTHING),
+            "correlation": number(s.get("correlation"), 2),
+        }
+        for name, s in signals.items()
+    ]
+    return {"balance": words(str(balance)) if balance else "", "rows": rows, "where": _rules(found.get("where"))}
+
+
+def _rules(where: Any) -> list[Row]:
+    return [
+        {"signal": r["signal"], "rule": r["rule"], "error": percent(r["error_share"]), "time": percent(r["time_share"])}
+        for r in where or ()
+    ]

@@ -1,0 +1,128 @@
+"""Horizontal bars with readable labels: where the error sits, what explains it, which balance it is in."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from matplotlib.patches import Patch
+from matplotlib.ticker import PercentFormatter
+
+from pam_cosim.comparison import Rule
+from pam_cosim.reporting.style import (
+    BEFORE, BLUE, GREEN, INK, LINE, ORANGE, PINK, SKY, SOFT, WIDTH, Picture, drawing, new_figure, picture,
+)  # fmt: skip
+from pam_cosim.reporting.wording import percent, shortened, words
+
+_MOST_RULES = 10
+_WORST = -0.2  # an effect that makes the error larger is drawn to here
+_PALETTE = (BLUE, ORANGE, GREEN, PINK, SKY, BEFORE)
+
+
+@dataclass(frozen=True)
+class Bar:
+    """One candidate of the ranking: its label, the share it explains, its balance, and whether it was added."""
+
+    label: str
+    share: float
+    balance: str
+    added: bool
+
+
+def colours(balances: Sequence[str]) -> dict[str, str]:
+    """A colour for each balance, the same in all figures of a report."""
+    return {b: _PALETTE[i % len(_PALETTE)] for i, b in enumerate(sorted(dict.fromkeys(balances)))}
+
+
+def where_picture(rules: Sequence[Rule]) -> Picture:
+    """Share of the error beside share of the time, rule by rule."""
+    shown = list(rules[:_MOST_RULES])
+    labels = [textwrap.fill(f"{r.signal}: {r.rule}", 46) for r in shown]
+    with drawing():
+        figure = new_figure(0.8 * WIDTH, 0.75 + 0.47 * len(shown))
+        axes = figure.subplots()
+        for i, rule in enumerate(shown):
+            axes.barh(i - 0.19, rule.error_share, 0.36, color=BEFORE, zorder=3)
+            axes.barh(i + 0.19, rule.time_share, 0.36, color=LINE, zorder=3)
+            axes.text(rule.error_share + 0.01, i - 0.19, percent(rule.error_share), va="center", fontsize=7.5)
+            axes.text(rule.time_share + 0.01, i + 0.19, percent(rule.time_share), va="center", fontsize=7.5, color=SOFT)
+        axes.set_yticks(range(len(shown)), labels)
+        axes.tick_params(axis="y", length=0, labelcolor=INK)
+        axes.invert_yaxis()
+        axes.set_xlim(0, 1.1)
+        axes.set_xticks([0, 0.25, 0.5, 0.75, 1])
+        axes.xaxis.set_major_formatter(PercentFormatter(1))
+        axes.grid(True, axis="x")
+        handles = [
+            Patch(color=BEFORE, label="share of the signal's error"),
+            Patch(color=LINE, label="share of the samples"),
+        ]
+        figure.legend(handles=handles, loc="outside upper right", ncols=2)
+        return picture(
+            figure,
+            "Share of the error and of the samples in each part of the measurement",
+            "A long coloured bar over a short grey one: a small part of the measurement that holds much of the error. "
+            "What happens there physically is the first clue to what is missing.",
+        )
+
+
+def ranking_picture(bars: Sequence[Bar], palette: Mapping[str, str], left_out: int, runs: str) -> Picture:
+    """How much of the base model's error each tried model explains."""
+    with drawing():
+        figure = new_figure(0.8 * WIDTH, 0.8 + 0.25 * len(bars))
+        axes = figure.subplots()
+        for i, bar in enumerate(bars):
+            value = max(bar.share, _WORST)
+            axes.barh(i, value, 0.72, color=palette[bar.balance], zorder=3)
+            text = percent(bar.share) + ("  added" if bar.added else "")
+            weight = "bold" if bar.added else "normal"
+            axes.text(max(value, 0) + 0.01, i, text, va="center", fontsize=7.5, fontweight=weight)
+        axes.set_yticks(range(len(bars)), [shortened(b.label, 52) for b in bars])
+        axes.tick_params(axis="y", length=0, labelcolor=INK)
+        for label, bar in zip(axes.get_yticklabels(), bars, strict=True):
+            label.set_fontweight("bold" if bar.added else "normal")
+        axes.invert_yaxis()
+        axes.set_xlim(min(0.0, *(max(b.share, _WORST) for b in bars)), 1.16)
+        axes.set_xticks([0, 0.25, 0.5, 0.75, 1])
+        axes.xaxis.set_major_formatter(PercentFormatter(1))
+        axes.axvline(0, color=SOFT, lw=0.8, zorder=4)
+        axes.grid(True, axis="x")
+        used = [b for b in palette if any(bar.balance == b for bar in bars)]
+        handles = [Patch(color=palette[b], label=f"{words(b)} balance") for b in used]
+        figure.legend(handles=handles, loc="outside upper right", ncols=len(handles))
+        more = f" The best {len(bars)} are drawn; the table holds {left_out} more." if left_out else ""
+        return picture(
+            figure,
+            "Share of the error that each tried effect explains",
+            f"Share of the base model's squared error beyond the noise that each model removes on the {runs} runs, "
+            f"in the order of the evidence. Effects of one balance have one colour.{more}",
+        )
+
+
+def balance_picture(balance: Mapping[str, float], palette: Mapping[str, str]) -> Picture:
+    """One bar, divided by balance."""
+    with drawing():
+        figure = new_figure(0.8 * WIDTH, 0.95)
+        axes = figure.subplots()
+        left = 0.0
+        for name, share in balance.items():
+            axes.barh(0, share, 0.6, left=left, color=palette[name], edgecolor="white", linewidth=1.2)
+            if share > 0.06:
+                axes.text(left + share / 2, 0, percent(share), ha="center", va="center", color=_on(palette[name]))
+            left += share
+        axes.set_xlim(0, 1)
+        axes.axis("off")
+        handles = [Patch(color=palette[n], label=f"{words(n)} {percent(s)}") for n, s in balance.items()]
+        figure.legend(handles=handles, loc="outside lower center", ncols=max(len(handles), 1))
+        return picture(
+            figure,
+            "Share of each balance in the error that can be explained",
+            "How the explainable error divides among the balances: each is counted with its best single effect.",
+        )
+
+
+def _on(colour: str) -> str:
+    """White on dark colours, ink on light ones."""
+    red, green, blue = (int(colour[i : i + 2], 16) for i in (1, 3, 5))
+    return "white" if 0.3 * red + 0.59 * green + 0.11 * blue < 140 else INK

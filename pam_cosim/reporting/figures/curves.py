@@ -1,0 +1,76 @@
+"""Measured against model."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
+
+from pam_cosim.comparison import RunComparison
+from pam_cosim.measurement import Signal
+from pam_cosim.quantities import readable_factor
+from pam_cosim.reporting.figures.layer import SPARSE, Layer, pages
+from pam_cosim.reporting.figures.panels import panels
+from pam_cosim.reporting.style import INK, SOFT, Picture, drawing, picture
+from pam_cosim.reporting.wording import listed
+
+DASHES = (4.5, 2.0)
+
+
+def draw_curves(axes: Axes, run: RunComparison, signal: Signal, layers: Sequence[Layer]) -> None:
+    """Measured dots and a line for each model, in readable units."""
+    factor = readable_factor(signal.unit)
+    measured = run.run.measurements[signal.name] * factor
+    few = run.run.sample_count(signal.name) <= SPARSE
+    axes.plot(
+        run.run.time, measured, ls="none", marker="o", mec="none", alpha=1.0 if few else 0.45, zorder=2,
+        ms=4.5 if few else 2.0, mfc=INK if few else SOFT, rasterized=not few,
+    )  # fmt: skip
+    for i, layer in enumerate(layers):
+        own = layer.run(run.run.name)
+        if own is not None and signal.name in own.model:
+            (line,) = axes.plot(own.run.time, own.model[signal.name] * factor, color=layer.colour, lw=1.5, zorder=3 + i)
+            if layer.dashed:
+                line.set_dashes(DASHES)
+
+
+def legend(layers: Sequence[Layer], few: bool) -> list[Line2D]:
+    """Handles for measured dots and the models."""
+    dot = Line2D([], [], ls="none", marker="o", mec="none", ms=4.5 if few else 3, mfc=INK if few else SOFT)
+    dot.set_label("measured")
+    handles = [dot]
+    for layer in layers:
+        line = Line2D([], [], color=layer.colour, lw=1.6, label=layer.label)
+        if layer.dashed:
+            line.set_dashes(DASHES)
+        handles.append(line)
+    return handles
+
+
+def curve_pictures(layers: Sequence[Layer]) -> list[Picture]:
+    """Measured and modelled signals of all runs, some runs a picture."""
+    comparison = layers[-1].comparison
+    signals = list(comparison.data.signals.values())
+    few = max((len(r.run.time) for r in comparison.runs), default=0) <= SPARSE
+    found = []
+    for runs in pages(comparison.runs):
+        with drawing():
+            figure = panels(runs, signals, lambda a, r, s: draw_curves(a, r, s, layers))
+            handles = legend(layers, few)
+            figure.legend(handles=handles, loc="outside upper center", ncols=len(handles))
+            alt = f"Measured and modelled {listed([s.name for s in signals])} over time"
+            found.append(picture(figure, alt, _caption(layers, bool(np.any([r.run.role == "holdout" for r in runs])))))
+    return found
+
+
+def _caption(layers: Sequence[Layer], holdout: bool) -> str:
+    if len(layers) == 1:
+        text = "Dots are measured, the line is the model. Where the line leaves the dots, the model is wrong."
+    else:
+        text = (
+            "Dots are measured. The solid line should run through the dots where the dashed one misses them. "
+            "All runs of a row share one scale."
+        )
+    return f"{text} Runs marked holdout were never fitted." if holdout else text

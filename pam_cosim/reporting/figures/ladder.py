@@ -1,0 +1,113 @@
+"""The error ladder: how far each added effect brings the error down towards the noise."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from pam_cosim.comparison import SignalScore
+from pam_cosim.measurement import Signal
+from pam_cosim.quantities import readable_factor
+from pam_cosim.reporting.style import AFTER, BEFORE, INK, SOFT, WIDTH, Picture, drawing, new_figure, picture
+from pam_cosim.reporting.wording import number, shortened, unit_text
+
+ROLES = ("fit", "holdout")
+_WIDEST = 3  # panels beside each other
+
+
+@dataclass(frozen=True)
+class Rung:
+    """One model of the ladder.
+
+    Attributes:
+        label: what was added.
+        scores: per role and signal.
+    """
+
+    label: str
+    scores: Mapping[str, Mapping[str, SignalScore]]
+
+
+def draw_ladder(axes: Axes, rungs: Sequence[Rung], signal: Signal, size: float = 7.5) -> None:
+    """Bars of the rms error of one signal, a group for each rung, one bar for each role that has runs."""
+    factor = readable_factor(signal.unit)
+    roles = [r for r in ROLES if any(signal.name in rung.scores.get(r, {}) for rung in rungs)]
+    width = 0.76 / max(len(roles), 1)
+    highest = 0.0
+    for i, rung in enumerate(rungs):
+        for k, role in enumerate(roles):
+            score = rung.scores.get(role, {}).get(signal.name)
+            if score is None or not np.isfinite(score.rmse):
+                continue
+            at = i + (k - (len(roles) - 1) / 2) * width
+            value = score.rmse * factor
+            highest = max(highest, value)
+            colour = BEFORE if i == 0 else AFTER
+            axes.bar(at, value, 0.9 * width, facecolor=colour if role == "fit" else "white", edgecolor=colour,
+                     hatch=None if role == "fit" else "////", linewidth=1.0, zorder=3)  # fmt: skip
+            axes.annotate(number(value), (at, value), (0, 2.5), textcoords="offset points", ha="center", va="bottom",
+                          fontsize=size, color=INK, zorder=6)  # fmt: skip
+    _noise(axes, signal, factor, len(rungs))
+    noise = (signal.sigma or 0.0) * factor
+    axes.set_ylim(0, 1.16 * max(highest, noise) or 1)
+    axes.set_xlim(-0.6, len(rungs) - 0.4)
+    axes.set_xticks(range(len(rungs)), [shortened(r.label, 24) for r in rungs])
+    axes.tick_params(axis="x", length=0, labelcolor=INK)
+    axes.grid(True, axis="y")
+    unit = unit_text(signal.unit)
+    axes.set_ylabel(f"rms error [{unit}]" if unit else "rms error")
+
+
+def _noise(axes: Axes, signal: Signal, factor: float, rungs: int) -> None:
+    if signal.sigma is not None and np.isfinite(signal.sigma):
+        axes.axhline(signal.sigma * factor, color=INK, lw=1.1, dashes=(3, 2), zorder=5)
+
+
+def ladder_legend(roles: Sequence[str]) -> list[Patch | Line2D]:
+    """Handles for the two roles and the noise."""
+    handles: list[Patch | Line2D] = []
+    if "fit" in roles:
+        handles.append(Patch(facecolor=SOFT, edgecolor=SOFT, label="fitted runs"))
+    if "holdout" in roles:
+        handles.append(Patch(facecolor="white", edgecolor=SOFT, hatch="////", label="holdout runs, never fitted"))
+    noise = Line2D([], [], color=INK, lw=1.1, label="noise of the instrument")
+    noise.set_dashes((3, 2))
+    return [*handles, noise]
+
+
+def roles_of(rungs: Sequence[Rung]) -> list[str]:
+    """The roles that have runs."""
+    return [r for r in ROLES if any(rung.scores.get(r) for rung in rungs)]
+
+
+def ladder_picture(rungs: Sequence[Rung], signals: Sequence[Signal]) -> Picture:
+    """The ladder of every signal."""
+    columns = max(1, min(len(signals), _WIDEST if len(rungs) <= 3 else 2))
+    rows = -(-len(signals) // columns)
+    with drawing():
+        figure = new_figure(WIDTH if columns > 1 else 0.7 * WIDTH, 0.5 + 2.5 * rows)
+        grid = figure.subplots(rows, columns, squeeze=False).ravel()
+        for axes, signal in zip(grid, signals, strict=False):
+            draw_ladder(axes, rungs, signal)
+            axes.set_title(signal.name, loc="left", fontweight="bold")
+        for axes in grid[len(signals) :]:
+            axes.set_visible(False)
+        handles = ladder_legend(roles_of(rungs))
+        figure.legend(handles=handles, loc="outside upper center", ncols=len(handles))
+        return picture(figure, "Root mean square error of each signal, model by model", _caption(rungs))
+
+
+def _caption(rungs: Sequence[Rung]) -> str:
+    holdout = "holdout" in roles_of(rungs)
+    if len(rungs) == 1:
+        return "Root mean square error of the base model. The dashed line is the noise: no honest model goes below it."
+    text = (
+        "Root mean square error, from the base model to the model with all effects that were added. "
+        "The dashed line is the noise: no honest model goes below it."
+    )
+    return f"{text} An effect that is real lowers the hatched bars as much as the solid ones." if holdout else text

@@ -1,0 +1,55 @@
+"""A model's curve over a measurement."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from pam_cosim.comparison import Comparison, RunComparison
+from pam_cosim.reporting.style import AFTER, BEFORE, FURTHER
+
+COLUMNS = 6  # runs beside each other; more go to a further figure
+SPARSE = 60  # samples of a run up to which each is drawn large
+
+
+@dataclass(frozen=True)
+class Layer:
+    """One model in the figures.
+
+    Attributes:
+        label: its name in the legend.
+        comparison: its curves.
+        colour: of its curves.
+        dashed: whether the curves are dashed.
+    """
+
+    label: str
+    comparison: Comparison
+    colour: str
+    dashed: bool = False
+
+    def run(self, name: str) -> RunComparison | None:
+        """The run of this name; None when this model was not run on it."""
+        return next((r for r in self.comparison.runs if r.run.name == name), None)
+
+
+def before_and_after(base: Comparison, final: Comparison | None, label: str) -> tuple[Layer, ...]:
+    """The base model dashed and, where an effect was added, the model with it solid."""
+    before = Layer("base model", base, BEFORE, dashed=final is not None)
+    return (before,) if final is None else (before, Layer(label, final, AFTER))
+
+
+def rivals(comparison: Comparison, against: Sequence[Comparison], labels: Sequence[str]) -> tuple[Layer, ...]:
+    """A model solid and those it is compared with dashed; the first is drawn last, on top."""
+    others = [
+        Layer(label, c, FURTHER[i % len(FURTHER)], dashed=True)
+        for i, (label, c) in enumerate(zip(labels[1:], against, strict=True))
+    ]
+    return (*others, Layer(labels[0], comparison, AFTER))
+
+
+def pages(runs: Sequence[RunComparison]) -> list[Sequence[RunComparison]]:
+    """Runs in groups of nearly equal size that fit beside each other."""
+    count = -(-len(runs) // COLUMNS)
+    size = -(-len(runs) // count) if count else 0
+    return [runs[i * size : (i + 1) * size] for i in range(count)]

@@ -1,0 +1,68 @@
+"""Small multiples: one row a signal, one column a run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from pam_cosim.comparison import RunComparison
+from pam_cosim.measurement import Signal
+from pam_cosim.reporting.style import LINE, WIDTH, message, new_figure
+from pam_cosim.reporting.wording import shortened, unit_text
+
+_NARROW = 4  # columns up to which a figure need not be as wide as the page
+_HEIGHT, _MARGIN = 1.55, 0.85  # in, of a row and of what surrounds the rows
+Panel = Callable[[Axes, RunComparison, Signal], None]
+
+
+def panels(runs: Sequence[RunComparison], signals: Sequence[Signal], draw: Panel, what: str = "{}") -> Figure:
+    """A grid of axes, filled by ``draw`` where the run measured the signal; it says so where it did not.
+
+    Args:
+        runs: the columns.
+        signals: the rows.
+        draw: draws one panel.
+        what: the label of a row, ``{}`` stands for the signal.
+    """
+    columns = len(runs)
+    height = _MARGIN + _HEIGHT * len(signals) * (1.25 if columns <= 2 else 1.0)
+    figure = new_figure(WIDTH if columns > 1 else 0.75 * WIDTH, height)
+    grid = figure.subplots(len(signals), columns, sharex="col", sharey="row", squeeze=False)
+    for i, signal in enumerate(signals):
+        for j, run in enumerate(runs):
+            axes = grid[i, j]
+            if run.run.sample_count(signal.name):
+                axes.grid(True)
+                draw(axes, run, signal)
+            else:
+                message(axes, "not measured")
+                axes.tick_params(left=False, bottom=False)
+                for spine in axes.spines.values():
+                    spine.set_color(LINE)
+        grid[i, 0].set_ylabel(_label(what.format(signal.name), signal.unit))
+    for j, run in enumerate(runs):
+        grid[0, j].set_title(_title(run, columns), fontweight="bold" if run.run.role == "holdout" else "normal")
+        grid[-1, j].set_xlabel("time [s]")
+        _limits(grid[-1, j], run)
+    figure.align_ylabels(grid[:, 0])
+    return figure
+
+
+def _label(name: str, unit: str) -> str:
+    text = unit_text(unit)
+    return f"{name} [{text}]" if text else name
+
+
+def _title(run: RunComparison, columns: int) -> str:
+    longest = 22 if columns > _NARROW else 32
+    return f"{shortened(run.run.name, longest)}\n{run.run.role}"
+
+
+def _limits(axes: Axes, run: RunComparison) -> None:
+    low, high = float(np.min(run.run.time)), float(np.max(run.run.time))
+    space = 0.03 * (high - low)
+    if space > 0:
+        axes.set_xlim(low - space, high + space)

@@ -1,0 +1,60 @@
+"""What each model leaves, against the noise."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from pam_cosim.comparison import RunComparison
+from pam_cosim.measurement import Signal
+from pam_cosim.quantities import readable_factor
+from pam_cosim.reporting.figures.layer import SPARSE, Layer, pages
+from pam_cosim.reporting.figures.panels import panels
+from pam_cosim.reporting.style import BAND, SOFT, Picture, drawing, picture
+from pam_cosim.reporting.wording import listed
+
+_BAND_SIGMAS = 2
+
+
+def draw_residuals(axes: Axes, run: RunComparison, signal: Signal, layers: Sequence[Layer]) -> None:
+    """Measured minus model for each model, over the band of the noise."""
+    factor = readable_factor(signal.unit)
+    if signal.sigma is not None:
+        reach = _BAND_SIGMAS * signal.sigma * factor
+        axes.axhspan(-reach, reach, color=BAND, zorder=1)
+    axes.axhline(0, color=SOFT, lw=0.8, zorder=2)
+    few = run.run.sample_count(signal.name) <= SPARSE
+    for i, layer in enumerate(layers):
+        own = layer.run(run.run.name)
+        if own is None or signal.name not in own.model:
+            continue
+        axes.plot(
+            own.run.time, own.residual(signal.name) * factor, color=layer.colour, zorder=3 + i, marker="o", mec="none",
+            ms=4 if few else 1.6, ls="-" if few else "none", lw=0.8, alpha=1.0 if few else 0.6, rasterized=not few,
+        )  # fmt: skip
+
+
+def residual_pictures(layers: Sequence[Layer]) -> list[Picture]:
+    """Measured minus model of all runs, some runs a picture."""
+    comparison = layers[-1].comparison
+    signals = list(comparison.data.signals.values())
+    found = []
+    handles: list[Line2D | Patch] = [
+        Line2D([], [], color=x.colour, marker="o", mec="none", ms=4, ls="none", label=x.label) for x in layers
+    ]
+    if any(s.sigma is not None for s in signals):
+        handles.append(Patch(color=BAND, label=f"noise, ±{_BAND_SIGMAS} standard deviations"))
+    for runs in pages(comparison.runs):
+        with drawing():
+            figure = panels(runs, signals, lambda a, r, s: draw_residuals(a, r, s, layers), "{} error")
+            figure.legend(handles=handles, loc="outside upper center", ncols=len(handles))
+            alt = f"Measured minus modelled {listed([s.name for s in signals])} over time, with the band of the noise"
+            caption = (
+                "Measured minus model. A complete model leaves points scattered within the grey band, 19 of 20 of them; "
+                "a curve that can be followed by eye is physics that is not in the model."
+            )
+            found.append(picture(figure, alt, caption))
+    return found

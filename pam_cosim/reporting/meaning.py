@@ -1,0 +1,82 @@
+"""What a verdict means, in words for the person who has to act on it."""
+
+from __future__ import annotations
+
+from pam_cosim.diagnosis import Diagnosis
+from pam_cosim.reporting.wording import listed, quantity, words
+
+_NAMES = {
+    "none_missing": "Nothing missing",
+    "identified": "Identified",
+    "ambiguous": "Ambiguous",
+    "unknown": "Unknown",
+}
+_MEANING = {
+    "none_missing": (
+        "What the base model leaves looks like noise: it has no course in time that could be followed, and it is no "
+        "larger than the noise allows. That does not prove the model complete. It says that these runs, with these "
+        "instruments, could not show a further effect. Faster, larger or longer tests might."
+    ),
+    "identified": (
+        "One explanation stands out: the added effects remove the error, and what remains is noise. "
+        "No effect of another family comes close. Add the effect to the model, and use the fitted parameters below "
+        "within the range of pressures, loads and speeds that were tested."
+    ),
+    "ambiguous": (
+        "An effect is missing, but several families explain these data about equally well. Do not choose one by its "
+        "small lead in the ranking: their predictions part elsewhere. The next experiment named below is the one, among "
+        "variations of the runs at hand, in which they differ most."
+    ),
+    "unknown": (
+        "The error has a structure that no effect of the catalogue explains entirely. Effects that were added help, but "
+        "their parameters may be bent to stand in for what is missing: do not trust them as physical values. "
+        "The description of what is left says where to look."
+    ),
+}
+
+
+def kind_name(kind: str) -> str:
+    """The kind of a verdict as a short label."""
+    return _NAMES[kind]
+
+
+def meaning(kind: str) -> str:
+    """What a kind of verdict says and does not say."""
+    return _MEANING[kind]
+
+
+def headline(diagnosis: Diagnosis) -> str:
+    """The verdict in a sentence."""
+    verdict = diagnosis.verdict
+    families = listed([words(f) for f in verdict.families])
+    several = len(verdict.families) > 1
+    if verdict.kind == "none_missing":
+        return "These data show no missing effect: what the model leaves is noise."
+    if verdict.kind == "identified":
+        return f"The model lacks {families} ({' + '.join(verdict.effects)})."
+    if verdict.kind == "ambiguous":
+        return f"An effect is missing, but these data cannot tell {families} apart."
+    if verdict.families:
+        return (
+            f"{families.capitalize()} {'explain' if several else 'explains'} a part of the error; the rest is unknown."
+        )
+    return "Something is missing, and no effect of the catalogue explains it."
+
+
+def error_sentence(diagnosis: Diagnosis) -> str:
+    """The error before and after, of the signal that gains most (without an added effect: that is worst)."""
+    role = "holdout" if diagnosis.base.comparison.scores["holdout"] else "fit"
+    before, after = (fit.comparison.scores[role] for fit in (diagnosis.base, diagnosis.final))
+    signals = diagnosis.data.signals
+    names = [n for n in before if n in after and signals[n].fitted and before[n].chi2_reduced >= 0]
+    if not names:
+        return ""
+    final = diagnosis.final is not diagnosis.base
+    name = max(names, key=lambda n: before[n].chi2_reduced - (after[n].chi2_reduced if final else 0.0))
+    unit = signals[name].unit
+    runs = "runs that were never fitted" if role == "holdout" else "the fitted runs"
+    noise = f"the instrument's noise is {quantity(before[name].noise_rmse, unit)}"
+    if not final:
+        return f"On {runs} the rms error of {name} is {quantity(before[name].rmse, unit)}; {noise}."
+    course = f"goes from {quantity(before[name].rmse, unit)} to {quantity(after[name].rmse, unit)}"
+    return f"On {runs} the rms error of {name} {course}; {noise}."

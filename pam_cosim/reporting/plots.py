@@ -1,0 +1,66 @@
+"""Single pictures as PNG files."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from pam_cosim.comparison import Comparison
+from pam_cosim.diagnosis import Diagnosis
+from pam_cosim.errors import InputError
+from pam_cosim.files import check_writable, write_bytes
+from pam_cosim.reporting.diagnosis_page import layers_of, rungs_of
+from pam_cosim.reporting.figures.course import course
+from pam_cosim.reporting.figures.curves import draw_curves, legend
+from pam_cosim.reporting.figures.layer import SPARSE, rivals
+from pam_cosim.reporting.figures.panels import panels
+from pam_cosim.reporting.figures.showcase import showcase
+from pam_cosim.reporting.labels import model_labels
+from pam_cosim.reporting.style import drawing, png
+from pam_cosim.reporting.telling import most_telling
+from pam_cosim.simulation import Trajectory
+
+
+def plot_trajectory(trajectory: Trajectory, path: Path | str) -> None:
+    """Draws every signal of a simulation, one panel each, as PNG.
+
+    Raises:
+        InputError: there is nothing to draw, or the file cannot be written.
+    """
+    if not trajectory.values or not len(trajectory.time):
+        raise InputError("the simulation has no output to draw")
+    check_writable(Path(path))
+    with drawing():
+        write_bytes(Path(path), png(course(trajectory)))
+
+
+def plot_comparison(comparison: Comparison, path: Path | str, against: Sequence[Comparison] = ()) -> None:
+    """Draws measured and modelled signals of all runs, one column a run, as PNG.
+
+    Raises:
+        InputError: the file cannot be written.
+    """
+    check_writable(Path(path))
+    layers = rivals(comparison, against, model_labels([comparison, *against]))
+    few = max(len(r.run.time) for r in comparison.runs) <= SPARSE
+    with drawing():
+        signals = list(comparison.data.signals.values())
+        figure = panels(comparison.runs, signals, lambda a, r, s: draw_curves(a, r, s, layers))
+        handles = legend(layers, few)
+        figure.legend(handles=handles, loc="outside upper center", ncols=len(handles))
+        write_bytes(Path(path), png(figure))
+
+
+def error_ladder_figure(diagnosis: Diagnosis, path: Path | str) -> None:
+    """Draws the diagnosis in one picture, 1350 pixels wide: the most telling course and the error coming down.
+
+    Raises:
+        InputError: the data hold no sample, or the file cannot be written.
+    """
+    check_writable(Path(path))
+    layers, rungs = layers_of(diagnosis), rungs_of(diagnosis)
+    found = most_telling(layers, list(diagnosis.data.signals.values()))
+    if found is None:
+        raise InputError("the data hold no sample to draw", diagnosis.data.folder)
+    with drawing():
+        write_bytes(Path(path), png(showcase(layers, rungs, *found)))

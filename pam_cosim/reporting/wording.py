@@ -1,0 +1,94 @@
+"""Numbers, units and names as a person reads them in a report."""
+
+from __future__ import annotations
+
+import math
+import re
+
+from pam_cosim.fitting import Estimate
+from pam_cosim.quantities import readable_factor, readable_unit
+
+NOTHING = "–"
+_SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+_SMALLEST, _LARGEST = 1e-3, 1e6  # outside, a power of ten is easier to read
+_MOST_DIGITS = 6
+
+
+def number(value: float | None, digits: int = 3) -> str:
+    """``value`` with so many significant digits; a dash where there is no number."""
+    if value is None or not math.isfinite(value):
+        return NOTHING
+    if value == 0:
+        return "0"
+    rounded = float(f"{value:.{max(digits, 1) - 1}e}")
+    exponent = math.floor(math.log10(abs(rounded)))
+    if _SMALLEST <= abs(rounded) < _LARGEST:
+        text = f"{value:.{max(digits - 1 - exponent, 0)}f}"
+    else:
+        text = f"{rounded / 10.0**exponent:.{digits - 1}f}×10{str(exponent).translate(_SUPERSCRIPT)}"
+    return text.replace("-", "−")
+
+
+def unit_text(unit: str) -> str:
+    """The readable unit of a quantity stored in SI ``unit``, with superscripts: "W/(m²·K)"; "" without dimension."""
+    text = readable_unit(unit)
+    text = re.sub(r"(?<=[A-Za-z)])(-?\d+)", lambda m: m.group(1).translate(_SUPERSCRIPT), text)
+    return text.replace("*", "·").replace(".", "·")
+
+
+def quantity(value: float | None, unit: str, digits: int = 3) -> str:
+    """``value`` [SI ``unit``] with a readable unit: 84000 Pa is "84.0 kPa"."""
+    if value is None or not math.isfinite(value):
+        return NOTHING
+    return f"{number(value * readable_factor(unit), digits)}\u00a0{unit_text(unit)}".rstrip()
+
+
+def percent(share: float | None, digits: int = 0) -> str:
+    """0.713 is "71 %"; just under the whole keeps a decimal, so that 99.7 % does not read as all."""
+    if share is None or not math.isfinite(share):
+        return NOTHING
+    if digits == 0 and 0.99 < share < 1:
+        digits = 1
+    text = f"{100 * share:.{digits}f}".replace("-", "−")
+    return f"{'0' if text == '−0' else text}\u00a0%"
+
+
+def estimate_texts(estimate: Estimate) -> tuple[str, str]:
+    """Value and 95 % interval in the readable unit, with the digits that the interval supports."""
+    factor = readable_factor(estimate.unit)
+    reach = (estimate.high - estimate.low) / 2
+    digits = 3
+    if estimate.determined and estimate.value and reach > 0 and math.isfinite(reach):
+        digits = min(max(2 + math.floor(math.log10(abs(estimate.value) / reach)), 2), _MOST_DIGITS)
+    value = number(estimate.value * factor, digits)
+    if not estimate.determined or not math.isfinite(reach):
+        return value, NOTHING
+    return value, f"{number(estimate.low * factor, digits)} to {number(estimate.high * factor, digits)}"
+
+
+def remark(estimate: Estimate) -> str:
+    """What a reader must know before using the value; "" when there is nothing to say."""
+    remarks = []
+    if not estimate.determined:
+        remarks.append("not determined by these data")
+    if estimate.at_bound:
+        remarks.append("at its bound")
+    return ", ".join(remarks)
+
+
+def words(identifier: str) -> str:
+    """An identifier as words: "dry_friction" is "dry friction"."""
+    return identifier.replace("_", " ")
+
+
+def listed(items: list[str] | tuple[str, ...], last: str = "and") -> str:
+    """ "a, b and c"."""
+    return items[0] if len(items) == 1 else f"{', '.join(items[:-1])} {last} {items[-1]}" if items else ""
+
+
+def shortened(text: str, longest: int = 28) -> str:
+    """``text``, its middle left out when it is too long for a figure."""
+    if len(text) <= longest:
+        return text
+    tail = longest // 2 - 1
+    return f"{text[: longest - tail - 1]}…{text[-tail:]}"
