@@ -21,6 +21,7 @@ from pam_cosim.compiler.syntax import (
     TypeName,
 )
 from pam_cosim.errors import ModelError
+from pam_cosim.resources import modelica_root
 
 
 @dataclass(frozen=True)
@@ -135,8 +136,12 @@ class ClassTree:
         return name == base or base in self.bases(name)
 
     def subtypes(self, base: str) -> list[str]:
-        """All classes other than ``base`` itself that inherit from it, partial ones included."""
-        return [name for name in self.classes if name != base and base in self.bases(name)]
+        """All classes of packages that inherit from ``base``, partial ones included, local ones of models not."""
+        return [
+            name
+            for name, node in self._definitions.items()
+            if name != base and (node.parent is None or node.parent.kind == "package") and base in self.bases(name)
+        ]
 
     def components(self, name: str) -> list[ComponentInfo]:
         """Components with inherited ones, in the order in which the compiler has them."""
@@ -275,10 +280,10 @@ def _entries(argument: Argument, name: str) -> dict[str, str]:
     return found
 
 
-def read_library(root: Path, files: Sequence[Path] = ()) -> ClassTree:
-    """The class tree of the library directory ``root`` and of the user's files.
+def read_library(root: Path | None = None, files: Sequence[Path] = ()) -> ClassTree:
+    """The class tree of the library directory ``root`` (by default the project's own) and of the user's files.
 
     Raises:
         ModelError: a syntax error, with its place.
     """
-    return ClassTree(Library(root, files))
+    return ClassTree(Library(modelica_root() if root is None else root, files))

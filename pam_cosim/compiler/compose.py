@@ -1,0 +1,182 @@
+"""A model with effects added, as the Modelica text that a person would write.
+
+Where an effect belongs follows from the types alone. If it extends the constraining class of a replaceable class of
+the model, it is redeclared there. If it has the same terminals as a component of the model, that is, both extend
+a class that declares all its connectors, it is connected in parallel, connector by connector, and the parameters that
+the terminals declare are taken over.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from pam_cosim.compiler.catalogue import ClassTree
+from pam_cosim.compiler.effects import EFFECT, EffectClass, effect_classes
+from pam_cosim.compiler.structure import Part, Slot, Structure, read_structure
+from pam_cosim.errors import InputError
+
+
+@dataclass(frozen=True)
+class Composition:
+    """A composed model.
+
+    Attributes:
+        name: of the class.
+        text: Modelica source of the class.
+        parameters: for each effect, the full names of its parameters that are to be fitted.
+    """
+
+    name: str
+    text: str
+    parameters: dict[str, tuple[str, ...]]
+
+
+class _Draft:
+    """What has been decided of a composed model so far."""
+
+    def __init__(self, structure: Structure, tree: ClassTree) -> None:
+        self.structure, self.tree = structure, tree
+        self.names = {p.path for p in structure.parts if "." not in p.path}
+        self.redeclarations: list[tuple[str, str]] = []
+        self.components: list[str] = []
+        self.connections: list[str] = []
+        self.parameters: dict[str, tuple[str, ...]] = {}
+        self.filled: set[tuple[str, str]] = set()
+
+    def place(self, effect: EffectClass) -> bool:
+        """Puts an effect where it belongs; False where it belongs nowhere."""
+        slots = self._slots(effect)
+        if slots:
+            for slot in slots:
+                self._redeclare(effect, slot)
+            return True
+        hosts = self._hosts(effect)
+        for host, terminals in hosts:
+            self._connect(effect, host, terminals)
+        return bool(hosts)
+
+    def _slots(self, effect: EffectClass) -> list[Slot]:
+        bases = self.tree.bases(effect.qualified_name)
+        return [
+            slot
+            for slot in self.structure.slots
+            if slot.constraint in bases
+            and (slot.path, slot.name) not in self.filled
+            and not self.tree.is_subtype(slot.current, EFFECT)
+        ]
+
+    def _redeclare(self, effect: EffectClass, slot: Slot) -> None:
+        self.filled.add((slot.path, slot.name))
+        text = f"redeclare model {slot.name} = {effect.qualified_name}"
+        for name in reversed(slot.path.split(".") if slot.path else []):
+            text = f"{name}({text})"
+        self.redeclarations.append((slot.path, text))
+        users = [p for p in self.structure.parts if _parent(p.path) == slot.path and _uses(p, slot)]
+        own = [f"{p.path}.{name}" for p in users for name in effect.parameters]
+        self.parameters[effect.name] = (*self.parameters.get(effect.name, ()), *own)
+
+    def _hosts(self, effect: EffectClass) -> list[tuple[Part, str]]:
+        bases = self.tree.bases(effect.qualified_name)
+        needed = {c.name for c in self.tree.components(effect.qualified_name) if self._is_connector(c.type)}
+        found = []
+        for part in self.structure.parts:
+            if not part.path or "." in part.path or EFFECT in part.bases:
+                continue
+            shared = [b for b in bases if b in part.bases and needed and needed <= self._connectors(b)]
+            if shared:
+                found.append((part, shared[0]))
+        return found
+
+    def _connect(self, effect: EffectClass, host: Part, terminals: str) -> None:
+        first = self.parameters.get(effect.name)
+        name = self._free_name(effect.component_name)
+        shared = [c for c in self.tree.components(terminals) if "parameter" in c.prefixes]
+        bindings = [f"{c.name}={host.path}.{c.name}" for c in shared]
+        if first:  # one effect on several hosts has one set of parameters
+            bindings += [f"{full.rpartition('.')[2]}={full}" for full in first]
+        else:
+            self.parameters[effect.name] = tuple(f"{name}.{p}" for p in effect.parameters)
+        modifier = f"({', '.join(bindings)})" if bindings else ""
+        self.components.append(f'{effect.qualified_name} {name}{modifier} "{effect.description}"')
+        for connector in sorted(self._connectors(terminals)):
+            self.connections.append(f"connect({name}.{connector}, {host.path}.{connector})")
+
+    def _is_connector(self, name: str) -> bool:
+        info = self.tree.classes.get(name)
+        return info is not None and info.kind == "connector"
+
+    def _connectors(self, name: str) -> set[str]:
+        return {c.name for c in self.tree.components(name) if self._is_connector(c.type)}
+
+    def _free_name(self, wanted: str) -> str:
+        name, number = wanted, 1
+        while name in self.names:
+            number += 1
+            name = f"{wanted}{number}"
+        self.names.add(name)
+        return name
+
+
+def _parent(path: str) -> str:
+    return path.rpartition(".")[0]
+
+
+def _uses(part: Part, slot: Slot) -> bool:
+    return any(base.rpartition(".")[2] == slot.name for base in part.bases)
+
+
+def compose(
+    tree: ClassTree, model: str, effects: Sequence[str], name: str | None = None, *, files: Sequence[Path] = ()
+) -> Composition | None:
+    """The model with the named effects, in that order; None where one of them finds no place in it.
+
+    Args:
+        tree: the library and the user's files.
+        model: full name of a class, a bench's name, or a ``.mo`` file.
+        effects: names of effect classes, with or without their packages.
+        name: of the new class; default: made from the names.
+        files: the user's files.
+
+    Raises:
+        InputError: an unknown effect.
+        ModelError: the model cannot be found or put together.
+    """
+    structure = read_structure(qualified(tree, model), files=files)
+    draft = _Draft(structure, tree)
+    known = {e.name: e for e in effect_classes(tree)}
+    known |= {e.qualified_name: e for e in known.values()}
+    for wanted in effects:
+        if wanted not in known:
+            raise InputError(f"there is no effect '{wanted}'; 'pam-cosim effects' lists them")
+        if not draft.place(known[wanted]):
+            return None
+    base = structure.model.rpartition(".")[2]
+    chosen = name or base + "With" + "And".join(w.rpartition(".")[2] for w in effects)
+    return Composition(chosen, _text(chosen, structure, draft, [known[e] for e in effects]), draft.parameters)
+
+
+def qualified(tree: ClassTree, model: str) -> str:
+    """The full name of a bench that is called by its short name; anything else as it is."""
+    bench = f"PneumaticMuscle.Benches.{model}"
+    return bench if bench in tree.classes else model
+
+
+def _text(name: str, structure: Structure, draft: _Draft, effects: Sequence[EffectClass]) -> str:
+    base = structure.model
+    lacks = "; ".join(e.description for e in effects).replace('"', "'")
+    lines = [f'model {name} "{base.rpartition(".")[2]}, and: {lacks}"']
+    if draft.redeclarations:
+        changes = ",\n    ".join(text for _, text in draft.redeclarations)
+        lines.append(f"  extends {base}(\n    {changes});")
+    else:
+        lines.append(f"  extends {base};")
+    lines += [f"  {component};" for component in draft.components]
+    if draft.connections:
+        lines.append("equation")
+        lines += [f"  {connection};" for connection in draft.connections]
+    experiment = draft.tree.classes[base].annotations.get("experiment")
+    if experiment:
+        lines.append(f"  annotation ({experiment});")
+    return "\n".join([*lines, f"end {name};", ""])

@@ -1,0 +1,86 @@
+"""The catalogue of effects: every class of the library and the user's files that calls itself one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from pam_cosim.compiler.catalogue import ClassTree
+from pam_cosim.errors import ModelError
+
+EFFECT = "PneumaticMuscle.Interfaces.Effect"
+
+
+@dataclass(frozen=True)
+class EffectClass:
+    """One effect, as its Modelica class declares it.
+
+    Attributes:
+        name: the class's own name; ``qualified_name`` with its packages.
+        family, balance: what it says of itself.
+        description: one line.
+        documentation: HTML.
+        parameters: its own public parameters that have both a minimum and a maximum: those that a diagnosis fits.
+        component_name: name that its instance takes.
+        file: where it is written.
+    """
+
+    name: str
+    qualified_name: str
+    family: str
+    balance: str
+    description: str
+    documentation: str
+    parameters: tuple[str, ...]
+    component_name: str
+    file: Path
+
+
+def effect_classes(tree: ClassTree) -> list[EffectClass]:
+    """Every effect that is not partial, by family and name.
+
+    Raises:
+        ModelError: an effect does not say its family or balance, or two have the same name.
+    """
+    found = [_effect(tree, name) for name in tree.subtypes(EFFECT) if not tree.classes[name].partial]
+    names: dict[str, EffectClass] = {}
+    for effect in found:
+        if effect.name in names:
+            raise ModelError(f"there are two effects named {effect.name}", effect.file)
+        names[effect.name] = effect
+    return sorted(found, key=lambda e: (e.family, e.name))
+
+
+def _effect(tree: ClassTree, name: str) -> EffectClass:
+    info = tree.classes[name]
+    short = name.rpartition(".")[2]
+    sayings = {}
+    for saying in ("family", "balance"):
+        value = tree.constant(name, saying)
+        if not isinstance(value, str) or not value:
+            raise ModelError(f'effect {short} must say its {saying}: extends ...({saying}="...")', info.file, info.line)
+        sayings[saying] = value
+    own = [
+        c.name
+        for c in tree.components(name)
+        if "parameter" in c.prefixes
+        and not c.prefixes & {"protected", "final"}
+        and tree.is_subtype(c.owner, EFFECT)
+        and {"min", "max"} <= c.modifications.keys()
+    ]
+    return EffectClass(
+        name=short,
+        qualified_name=name,
+        family=sayings["family"],
+        balance=sayings["balance"],
+        description=info.description,
+        documentation=info.documentation,
+        parameters=tuple(own),
+        component_name=_component_name(short, info.annotations.get("defaultComponentName", "")),
+        file=Path(info.file),
+    )
+
+
+def _component_name(short: str, annotation: str) -> str:
+    stated = annotation.partition("=")[2].strip().strip('"')
+    return stated or short[0].lower() + short[1:]

@@ -1,0 +1,101 @@
+"""The class tree, the structure of a model, printing, hashing."""
+
+import shutil
+
+import pytest
+
+from pam_cosim.compiler import compile_model, flat_hash, read_library, read_structure
+from pam_cosim.compiler.expression_parser import ExpressionParser
+from pam_cosim.compiler.lexer import tokenise
+from pam_cosim.compiler.printing import expression_text
+from pam_cosim.compiler.source import Source
+from tests.compiler.run import MODELS
+
+
+@pytest.fixture(scope="module")
+def tree():
+    return read_library(MODELS)
+
+
+def test_class_info(tree):
+    tank = tree.classes["Tanks.Tank"]
+    assert (tank.kind, tank.partial, tank.description, tank.line) == ("model", False, "A tank", 12)
+    area = next(c for c in tank.components if c.name == "A")
+    assert area.type == "Real" and area.value == "2" and "parameter" in area.prefixes
+    assert area.modifications["min"] == "0.01" and area.description == "Cross-section"
+    assert tree.classes["Tanks.TwoPorts"].partial
+    assert tree.classes["Tanks.Valve"].extends[0].name == "Tanks.TwoPorts"
+    other = next(c for c in tree.classes["Tanks.Switched"].components if c.name == "other")
+    assert (other.type, other.condition, other.modifications) == ("Tanks.Valve", "second", {"k": "0.7"})
+
+
+def test_inheritance(tree):
+    assert tree.bases("Tanks.SwitchedOn") == ["Tanks.Switched", "Tanks.Bench"]
+    assert tree.is_subtype("Muscles.Energetic", "Muscles.PartialGas")
+    assert tree.subtypes("Muscles.PartialGas") == ["Muscles.Polytropic", "Muscles.Energetic"]
+    names = [component.name for component in tree.components("Muscles.Energetic")]
+    assert names == ["port", "V", "n", "p_start", "p", "T", "h", "m"]
+    assert tree.resolve("Muscles.Bench", "Muscle") == "Muscles.Muscle"
+    assert tree.resolve("Muscles.Bench", "Nothing") is None
+    assert tree.constant("Language.Big", "a") == 10
+
+
+def test_replaceables(tree):
+    (gas,) = tree.replaceables("Muscles.Muscle")
+    assert (gas.name, gas.default, gas.constraint) == ("Gas", "Muscles.Polytropic", "Muscles.PartialGas")
+
+
+def test_structure_shows_what_is_redeclared():
+    structure = read_structure("Muscles.Redeclared", root=MODELS)
+    (slot,) = structure.slots
+    assert (slot.path, slot.constraint, slot.current) == ("muscle", "Muscles.PartialGas", "Muscles.Energetic")
+    parts = {part.path: part for part in structure.parts}
+    assert parts["muscle.gas"].type == "Muscles.Energetic" and "Muscles.PartialGas" in parts["muscle.gas"].bases
+    assert parts["muscle"].connectors == {"port": "Muscles.Port"}
+    assert parts[""].bases == ("Muscles.Redeclared", "Muscles.Bench")
+
+
+def test_user_file_extends_the_library(tmp_path):
+    file = tmp_path / "Mine.mo"
+    file.write_text("model Mine extends Tanks.Bench(valve(k=9)); end Mine;")
+    ode = compile_model(str(file), root=MODELS)
+    assert ode.interface.model == "Mine" and ode.interface.parameters["valve.k"].start == 9
+    assert ode.interface.stop_time == 20
+    assert compile_model("Mine", files=[file], root=MODELS).interface == ode.interface
+    assert read_library(MODELS, [file]).is_subtype("Mine", "Tanks.Bench")
+
+
+def test_user_class_within_a_library_package(tmp_path):
+    file = tmp_path / "More.mo"
+    file.write_text("within Tanks; model More extends Bench; Tank third; end More;")
+    assert len(compile_model("Tanks.More", files=[file], root=MODELS).states) == 3
+
+
+def test_hash_changes_with_any_source(tmp_path):
+    root = tmp_path / "library"
+    shutil.copytree(MODELS, root)
+    before = flat_hash("Tanks.Bench", root=root)
+    assert before == flat_hash("Tanks.Bench", root=MODELS)
+    assert before != flat_hash("Tanks.Short", root=root)
+    with (root / "Tanks.mo").open("a") as stream:
+        stream.write("// changed\n")
+    assert before != flat_hash("Tanks.Bench", root=root)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a - (b - c)*d^2",
+        "-(a + b)/c",
+        "(a^b)^c",
+        "if x > 0 and not y then {1, 2.5} else f(x, n=3)",
+        'g("say \\"x\\"", 1:2:n, v[end, :])',
+        "sum(x[i]^2 for i in 1:n)",
+        "-a^2",
+        "2*(if x then 1 else 2)",
+    ],
+)
+def test_printed_expression_reads_the_same(text):
+    source = Source("text", text)
+    printed = expression_text(ExpressionParser(source, tokenise(source)).expression())
+    assert printed == text

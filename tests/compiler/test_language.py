@@ -1,0 +1,104 @@
+"""One construct of the language after the other."""
+
+import numpy as np
+import pytest
+
+from tests.compiler.run import at, compiled, initial, simulate
+
+
+def test_arrays_and_for_equations():
+    ode = compiled("Language.Arrays")
+    assert [state.name for state in ode.states] == ["x[1]", "x[2]", "x[3]", "x[4]", "y[1]", "y[2]"]
+    assert initial(ode, {"start": 5})["x[3]"] == 5
+    x = {"x[1]": 1.0, "x[2]": 2.0, "x[3]": 4.0, "x[4]": 7.0, "y[1]": 1.0, "y[2]": 2.0}
+    found = at(ode, x, p={"tau[3]": 3})
+    assert [found[f"der(x[{i}])"] for i in range(1, 5)] == pytest.approx([-2, -1, -2 / 3, -1.5])
+    assert [found["der(y[1])"], found["der(y[2])"]] == pytest.approx([1, 1])
+    assert found["total"] == 14 and found["largest"] == 7
+    assert found["weighted"] == pytest.approx(0.5 + 2 + 12 + 14)
+
+
+def test_outer_components_find_the_inner_one():
+    found = at(compiled("Language.InnerOuter"), p={"world.g": 3})
+    assert [found["der(balls[1].v)"], found["der(balls[2].v)"]] == [-3, -3]
+
+
+@pytest.mark.parametrize(("u", "expected"), [(2.0, 5 * 14), (0.5, 2.5), (-1.0, 0.0)])
+def test_functions_with_loops_branches_and_redeclaration(u, expected):
+    found = at(compiled("Language.Functions"), u=[u])
+    assert found["y"] == 2 * u and found["z"] == pytest.approx(expected)
+    assert found["square"] == u**2 and found["cube"] == pytest.approx(u**3)
+
+
+def test_function_redeclared_two_levels_down():
+    assert at(compiled("Language.NestedFunction"), u=[2.0])["element.y"] == 3 * 14
+
+
+def test_records_enumerations_and_constructors():
+    ode = compiled("Language.Records")
+    assert ode.interface.parameters["data.a"].start == 10 and ode.interface.parameters["data.b"].start == 5
+    found = at(ode, p={"data.a": 4, "other.a": 3})
+    assert found["area"] == 16 and found["sum_"] == 3 + 6
+
+
+def test_redeclared_record():
+    ode = compiled("Language.RedeclaredRecord")
+    assert ode.interface.parameters["other.a"].start == 4
+    assert at(ode)["sum_"] == 4 + 8
+
+
+def test_linear_loop_is_solved():
+    found = at(compiled("Language.Loop"), {"x": 2.0, "v": 0.5}, p={"k1": 20})
+    force = 2.0 / (1 / 20 + 1 / 30)
+    assert found["node"] == pytest.approx(force / 20) and found["der(v)"] == pytest.approx(-force / 2)
+
+
+def test_rigid_coupling_is_reduced_from_index_three():
+    ode = compiled("Language.Rigid")
+    assert [state.name for state in ode.states] == ["s1", "v1"]
+    times = np.linspace(0, 3, 7)
+    assert simulate(ode, times)["s1"] == pytest.approx(0.5 * np.cos(np.sqrt(2) * times), abs=1e-8)
+    assert at(ode)["f"] == pytest.approx(3 * 8 * 0.5 / 4)
+    assert at(ode)["s2"] == 1.5
+
+
+def test_initial_equations_follow_parameters():
+    ode = compiled("Language.Initial")
+    found = initial(ode, {"T0": 350})
+    assert found["m"] == 2 and found["steady"] == pytest.approx(350 / 3)
+    assert at(ode, p={"T0": 350})["T"] == pytest.approx(350)
+
+
+@pytest.mark.parametrize(("t", "x", "y"), [(0.0, 1.0, 1.0), (0.0, 0.2, 0.5), (1.0, 1.0, 1.0), (1.0, 0.05, 2.0)])
+def test_conditions(t, x, y):
+    found = at(compiled("Language.Conditions"), {"x": x}, t=t)
+    assert found["der(x)"] == -2 * x and found["y"] == y
+    assert found["rate"] == pytest.approx(2 * x * -2 * x + 1)
+
+
+def test_state_select_decides():
+    ode = compiled("Language.Chosen")
+    assert [state.name for state in ode.states] == ["b"]
+    assert initial(ode) == {"b": 3} and at(ode)["der(b)"] == pytest.approx(-2)
+
+
+def test_algorithm_section():
+    assert at(compiled("Language.Algorithm"), u=[3.0])["y"] == 81
+
+
+def test_only_literal_public_top_most_parameters_are_free():
+    ode = compiled("Language.Parameters")
+    assert list(ode.interface.parameters) == ["free", "constant_expression", "third.tau"]
+    assert {"computed", "inner_.tau", "hidden", "fixed_"} <= set(ode.interface.locals)
+
+
+def test_connections_through_outside_connectors_and_arrays():
+    found = at(compiled("Language.Circuit"))
+    assert found["current"] == pytest.approx(12 / 6) and found["top.i"] == 0
+    assert found["box.b.i"] == pytest.approx(-2)
+
+
+def test_output_that_is_a_state():
+    ode = compiled("Language.Lowpass")
+    assert [state.name for state in ode.states] == ["y"] and list(ode.interface.outputs) == ["y"]
+    assert at(ode, {"y": 0.25}, u=[1.0], p={"tau": 3}) == {"der(y)": 0.25, "y": 0.25}

@@ -1,0 +1,3 @@
+model NoInner
+  Language.Ball ball;
+end NoInner;

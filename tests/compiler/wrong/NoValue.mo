@@ -1,0 +1,4 @@
+model NoValue
+  parameter Real k;
+  Real x = k;
+end NoValue;

@@ -1,0 +1,7 @@
+model Nonlinear
+  Real x(start=1, fixed=true);
+  Real root;
+equation
+  der(x) = -root;
+  root^3 + root = x;
+end Nonlinear;

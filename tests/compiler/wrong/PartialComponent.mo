@@ -1,0 +1,3 @@
+model PartialComponent
+  Tanks.TwoPorts thing;
+end PartialComponent;

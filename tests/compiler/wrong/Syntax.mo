@@ -1,0 +1,6 @@
+model Syntax
+  Real x;
+equation
+  der(x) = -x
+  x = 3;
+end Syntax;

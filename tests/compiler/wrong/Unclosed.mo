@@ -1,0 +1,3 @@
+model Unclosed "never ends
+  Real x;
+end Unclosed;

@@ -1,0 +1,3 @@
+model Unfit
+  extends Muscles.Bench(muscle(redeclare model Gas = Tanks.Tank));
+end Unfit;

@@ -1,0 +1,3 @@
+model UnknownBase
+  extends Tanks.Benchh;
+end UnknownBase;

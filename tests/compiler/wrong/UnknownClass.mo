@@ -1,0 +1,4 @@
+model UnknownClass
+  Real y = 1;
+  Tanks.Tnk tank;
+end UnknownClass;

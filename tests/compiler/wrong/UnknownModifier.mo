@@ -1,0 +1,4 @@
+model UnknownModifier
+  extends Tanks.Bench(
+    left(AA=3));
+end UnknownModifier;

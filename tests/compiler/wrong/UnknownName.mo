@@ -1,0 +1,3 @@
+model UnknownName
+  Real x = 2*velocity;
+end UnknownName;
