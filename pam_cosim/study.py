@@ -48,7 +48,11 @@ def build(model: str, output: Path | str | None = None, *, files: Paths = ()) ->
 def benches() -> list[str]:
     """Names of the benches of the library."""
     tree = read_library()
-    return [c.name for c in tree.classes.values() if c.qualified_name.startswith("PneumaticMuscle.Benches.")]
+    return [
+        name.rpartition(".")[2]
+        for name, info in tree.classes.items()
+        if name.startswith("PneumaticMuscle.Benches.") and info.kind == "model" and not info.partial
+    ]
 
 
 def read(folder: Path | str, *, model: str | None = None, files: Paths = ()) -> DataSet:
@@ -130,7 +134,7 @@ def add(names: Sequence[str], to: str, output: Path | str | None = None, *, file
     extra = _paths(files) + ([Path(to)] if to.endswith(".mo") else [])
     tree = read_library(files=extra)
     name = Path(output).stem if output else None
-    composition = compose(tree, to, names, name)
+    composition = compose(tree, to, names, name, files=extra)
     if composition is None:
         raise InputError(f"{to} has no place for {', '.join(names)}")
     if output:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from pam_cosim.compiler import Composition, EffectClass, compose, effect_classes, read_library
+from pam_cosim.compiler import ClassTree, EffectClass, compose, effect_classes, read_library
 from pam_cosim.diagnosis.candidate import Candidate, role_summary
 from pam_cosim.diagnosis.evidence import convincing, leaves_structure, rank
 from pam_cosim.diagnosis.missing_term import missing_term
@@ -163,7 +163,7 @@ def _sources(model: str, files: Sequence[Path]) -> list[Path]:
 
 
 def _trials(
-    tree: object,
+    tree: ClassTree,
     model: str,
     shelf: Sequence[EffectClass],
     path: Sequence[Candidate],
@@ -173,14 +173,15 @@ def _trials(
 ) -> list[Trial]:
     taken = {c.family for c in path}
     added = [c.effect for c in path]
+    sources = tuple(_sources(model, files))
     trials = []
     for effect in shelf:
         if effect.family in taken:
             continue
         names = (*added, effect.name)
-        composition: Composition | None = compose(tree, model, names)  # type: ignore[arg-type]
+        composition = compose(tree, model, names, files=sources)
         if composition is not None:
-            trials.append(Trial(effect, names, composition, data, present.values, tuple(_sources(model, files))))
+            trials.append(Trial(effect, names, composition, data, present.values, sources))
     return trials
 
 
