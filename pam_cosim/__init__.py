@@ -1,1 +1,42 @@
-"""pam-cosim: from a measurement of a pneumatic muscle to the physical effect its model lacks."""
+"""pam-cosim: from a measurement of a pneumatic muscle to the physical effect its model lacks.
+
+    import pam_cosim as pam
+
+    data = pam.read("my-rig")
+    print(pam.compare(data))
+    diagnosis = pam.diagnose(data)
+    print(diagnosis.verdict)
+    pam.add(diagnosis.verdict.effects, to=data.model, output="Better.mo")
+"""
+
+from pam_cosim.diagnosis import Diagnosis
+from pam_cosim.errors import InputError, ModelError, SimulationFailure
+from pam_cosim.study import (
+    add,
+    build,
+    compare,
+    describe,
+    diagnose,
+    effects,
+    fit,
+    read,
+    simulate,
+    sweep,
+)
+
+__all__ = [
+    "Diagnosis",
+    "InputError",
+    "ModelError",
+    "SimulationFailure",
+    "add",
+    "build",
+    "compare",
+    "describe",
+    "diagnose",
+    "effects",
+    "fit",
+    "read",
+    "simulate",
+    "sweep",
+]

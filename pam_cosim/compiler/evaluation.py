@@ -395,7 +395,11 @@ class Evaluator:
 
     def _call(self, node: Call, scope: Scope, names: Environment) -> Value:
         results = self.results(node, scope, names)
-        return results[0] if isinstance(results, tuple) else results
+        if isinstance(results, tuple):
+            if not results:
+                raise ModelError(f"function '{node.function.text}' has no output")
+            return results[0]
+        return results
 
     def results(self, node: Call, scope: Scope, names: Environment) -> Value:
         """The value of a call: a tuple of all results for a function that is written in Modelica."""

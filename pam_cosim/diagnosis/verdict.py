@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import prod
 from typing import Literal
 
 from pam_cosim.diagnosis.candidate import Candidate
@@ -41,14 +42,36 @@ class Verdict:
         }
 
 
+_FAR = 2.0  # times the error of the best on signals that nobody fitted
+
+
 def rivals(best: Candidate, ranked: Sequence[Candidate]) -> list[Candidate]:
-    """Candidates of other families that the data hardly distinguish from the best, one of each family."""
+    """Candidates of other families that the data hardly distinguish from the best, one of each family.
+
+    Neither the evidence of the fitted samples, nor the holdout runs, nor signals that were compared but not fitted
+    may tell them apart.
+    """
     found: dict[str, Candidate] = {}
     for c in ranked:
         if c.fit is None or c.family == best.family or c.delta_bic - best.delta_bic > SIGNIFICANT:
             continue
-        found.setdefault(c.family, c)
+        assert best.fit is not None
+        if not _refuted(c.fit, best.fit):
+            found.setdefault(c.family, c)
     return list(found.values())
+
+
+def _refuted(rival: Fit, best: Fit) -> bool:
+    a, b = rival.structure["holdout"], best.structure["holdout"]
+    if a.samples and (a.chi2 - b.chi2) / max(1.0, b.chi2_reduced) > SIGNIFICANT:
+        return True
+    signals = best.comparison.data.signals
+    ratios = [
+        score.rmse / other.rmse
+        for name, score in rival.comparison.scores["all"].items()
+        if not signals[name].fitted and (other := best.comparison.scores["all"][name]).rmse > 0
+    ]
+    return bool(ratios) and prod(ratios) ** (1 / len(ratios)) > _FAR
 
 
 def judge(base: Fit, path: Sequence[Candidate], others: Sequence[Candidate]) -> Verdict:

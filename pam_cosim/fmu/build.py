@@ -12,7 +12,7 @@ from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_bytes
 from pam_cosim.fmu.cache import cached, digest, make_folder
-from pam_cosim.fmu.compile import PLATFORMS, compile_library, native_platform, source_key, universal_binary
+from pam_cosim.fmu.compile import PLATFORMS, binary_folder, compile_library, native_platform, source_key, universal_binary
 from pam_cosim.fmu.description import model_description, model_identifier
 from pam_cosim.fmu.generate import model_source
 from pam_cosim.fmu.table import table
@@ -106,6 +106,6 @@ def _contents(ode: Ode, names: Sequence[str]) -> dict[str, bytes]:
     slices: dict[str, list[bytes]] = {}
     for name in names:
         target = PLATFORMS[name]
-        binary = f"binaries/{target.folder}/{model_identifier(ode.interface.model)}{target.suffix}"
+        binary = f"binaries/{binary_folder(name, names)}/{model_identifier(ode.interface.model)}{target.suffix}"
         slices.setdefault(binary, []).append(compile_library(RUNTIME, source, name).read_bytes())
     return files | {name: thin[0] if len(thin) == 1 else universal_binary(thin) for name, thin in slices.items()}

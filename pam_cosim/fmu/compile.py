@@ -66,6 +66,14 @@ def native_platform() -> str:
     return name
 
 
+def binary_folder(name: str, names: Sequence[str]) -> str:
+    """Directory of a platform's binary in an archive for ``names``.
+
+    FMI 2.0 knows one 64-bit Linux, and tools on an ARM machine look there too: ARM alone takes that place.
+    """
+    return "linux64" if name == "aarch64-linux" and "x86_64-linux" not in names else PLATFORMS[name].folder
+
+
 @cache
 def _fmi_headers() -> Path:
     return Path(fmpy.__file__).parent / "c-code"

@@ -38,6 +38,7 @@ def comparison_report(comparison: Comparison, against: Sequence[Comparison] = ()
         names=list(comparison.data.signals),
         parameters=[(name, number(value, 4)) for name, value in comparison.parameters.items()],
         signals=signal_rows(comparison.data),
+        runs_in_words=[run.describe() for run in comparison.data.runs],
         notes=comparison.data.notes(),
         provenance=provenance(comparison.data, comparison.model),
     )

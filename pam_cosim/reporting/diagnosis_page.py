@@ -17,7 +17,15 @@ from pam_cosim.reporting.meaning import error_sentence, headline, kind_name, mea
 from pam_cosim.reporting.page import provenance, render, score_rows, signal_rows
 from pam_cosim.reporting.style import Picture
 from pam_cosim.reporting.wording import (
-    NOTHING, estimate_texts, listed, number, percent, quantity, remark, unit_text, words,
+    NOTHING,
+    estimate_texts,
+    listed,
+    number,
+    percent,
+    quantity,
+    remark,
+    unit_text,
+    words,
 )  # fmt: skip
 
 _MOST_BARS = 20
@@ -61,6 +69,7 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
         missing_term=_missing_term(diagnosis),
         signals=signal_rows(diagnosis.data),
         scores=score_rows(diagnosis.final.comparison),
+        runs_in_words=[run.describe() for run in diagnosis.data.runs],
         notes=diagnosis.data.notes(),
         failures=diagnosis.final.failures,
         equations=diagnosis.path[-1].equations if diagnosis.path else "",

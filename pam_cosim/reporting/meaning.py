@@ -24,12 +24,12 @@ _MEANING = {
     ),
     "ambiguous": (
         "An effect is missing, but several families explain these data about equally well. Do not choose one by its "
-        "small lead in the ranking: their predictions part elsewhere. The next experiment named below is the one, among "
-        "variations of the runs at hand, in which they differ most."
+        "small lead in the ranking: their predictions part elsewhere. The next experiment named below is the "
+        "one, among variations of the runs at hand, in which they differ most."
     ),
     "unknown": (
-        "The error has a structure that no effect of the catalogue explains entirely. Effects that were added help, but "
-        "their parameters may be bent to stand in for what is missing: do not trust them as physical values. "
+        "The error has a structure that no effect of the catalogue explains entirely. Effects that were added help, "
+        "but their parameters may be bent to stand in for what is missing: do not trust them as physical values. "
         "The description of what is left says where to look."
     ),
 }
@@ -78,5 +78,8 @@ def error_sentence(diagnosis: Diagnosis) -> str:
     noise = f"the instrument's noise is {quantity(before[name].noise_rmse, unit)}"
     if not final:
         return f"On {runs} the rms error of {name} is {quantity(before[name].rmse, unit)}; {noise}."
-    course = f"goes from {quantity(before[name].rmse, unit)} to {quantity(after[name].rmse, unit)}"
+    falls = after[name].rmse < before[name].rmse
+    course = (
+        f"{'falls' if falls else 'goes'} from {quantity(before[name].rmse, unit)} to {quantity(after[name].rmse, unit)}"
+    )
     return f"On {runs} the rms error of {name} {course}; {noise}."

@@ -7,6 +7,7 @@ import io
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from typing import Any
 
 import matplotlib
 from matplotlib.axes import Axes
@@ -15,12 +16,12 @@ from matplotlib.figure import Figure
 
 # Okabe and Ito (2008): distinguishable with every kind of colour vision, and in grey by their brightness.
 BLUE, VERMILLION, GREEN, PINK, ORANGE, SKY = "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"
-INK, SOFT, LINE, BAND = "#2b2f33", "#6b7178", "#d5d9dd", "#e4e7ea"
+INK, SOFT, LINE, HALO, BAND = "#2b2f33", "#6b7178", "#d5d9dd", "#aeb4ba", "#e4e7ea"
 BEFORE, AFTER = VERMILLION, BLUE
 FURTHER = (VERMILLION, GREEN, PINK, ORANGE, SKY)
 
-WIDTH = 10.6  # in, the full width of a page
-_SETTINGS: dict[str, object] = {
+WIDTH = 11.0  # in, the full width of a page
+_SETTINGS: dict[str, Any] = {
     "font.family": "DejaVu Sans",
     "font.size": 8.5,
     "axes.titlesize": 8.5,
@@ -72,7 +73,9 @@ class Picture:
 def drawing() -> Iterator[None]:
     """The settings of all figures, for as long as one is drawn and saved."""
     with matplotlib.rc_context():
-        matplotlib.rcParams.update(matplotlib.rcParamsDefault)  # a user's matplotlibrc must not change a report
+        # A user's matplotlibrc must not change a report; the backend is left alone, no context would restore it.
+        defaults: Any = {k: v for k, v in matplotlib.rcParamsDefault.items() if not k.startswith("backend")}
+        matplotlib.rcParams.update(defaults)
         matplotlib.rcParams.update(_SETTINGS)
         yield
 

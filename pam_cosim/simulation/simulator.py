@@ -18,9 +18,10 @@ from fmpy.fmi2 import FMU2Slave
 from numpy.typing import ArrayLike, NDArray
 
 from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.fmu.compile import PLATFORMS, native_platform
 from pam_cosim.fmu.read import interface_of, read_description
 from pam_cosim.interface import Interface, Variable
-from pam_cosim.simulation.driver import TOO_SLOW, Callbacks, Driver
+from pam_cosim.simulation.driver import TOO_SLOW, Callbacks, Driver, Outcome
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs
 from pam_cosim.simulation.plan import plan
@@ -77,11 +78,25 @@ class Simulator:
                 unzipDirectory=self._directory,
                 modelIdentifier=settings.modelIdentifier,
                 instanceName="instance",
+                libraryPath=self._library(settings.modelIdentifier),
             )
         except Exception as error:  # fmpy raises bare Exceptions
             raise InputError(f"the FMU cannot be loaded on this machine: {error}", self.path) from error
         self._instantiate(self._slave)
         self._slopes = bool(settings.canInterpolateInputs)
+        self._driver = Driver(self._slave.dll, self._slave.component, self._slopes)
+
+    def _library(self, identifier: str) -> str | None:
+        """The binary in a directory of this platform's own; None: FMPy's choice, in the directory that FMI names."""
+        own = PLATFORMS[native_platform()]
+        path = Path(self._directory, "binaries", own.folder, f"{identifier}{own.suffix}")
+        return str(path) if path.exists() else None
+
+    def _renew(self) -> None:
+        """A fresh instance, for FMUs that cannot be reset."""
+        assert self._slave is not None
+        self._slave.fmi2FreeInstance(self._slave.component)
+        self._instantiate(self._slave)
         self._driver = Driver(self._slave.dll, self._slave.component, self._slopes)
 
     def _instantiate(self, slave: FMU2Slave) -> None:
@@ -153,10 +168,18 @@ class Simulator:
         input_references = self._lookup(input_names, self.interface.inputs, "input")
         output_references = self._lookup(names, self._references, "output")
         self._callbacks.take_messages()
-        outcome = self._driver.run(
-            layout, (parameter_references, list(values.values())), input_references, output_references,
-            tolerance, self._used, max_seconds,
-        )  # fmt: skip
+        parameter_values = list(values.values())
+
+        def drive() -> Outcome:
+            return self._driver.run(
+                layout, (parameter_references, parameter_values), input_references, output_references,
+                tolerance, self._used, max_seconds,
+            )  # fmt: skip
+
+        outcome = drive()
+        if outcome.failed == "fmi2Reset":
+            self._renew()
+            outcome = drive()
         self._used = True
         if outcome.failed is not None:
             raise self._failure(outcome.failed, outcome.time, values)
@@ -197,8 +220,6 @@ class Simulator:
         if function == TOO_SLOW:
             messages = ["the run takes longer than it may"]
         reason = "; ".join(messages) if messages else f"the FMU reports an error in {function} and no reason"
-        if function == "fmi2Reset":
-            self.close()
         return RunFailure(reason, time, self._changed(values))
 
     def _check_finite(self, times: Array, names: Sequence[str], found: Array, values: Mapping[str, float]) -> None:

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import tempfile
+from collections.abc import Callable, Mapping
+from functools import cache
+from pathlib import Path
 
 import casadi as ca
 
 from pam_cosim.compiler.ode import Ode
+from pam_cosim.fmu import build_fmu
 from pam_cosim.interface import Interface, Variable
 
 
@@ -80,3 +84,64 @@ def lag() -> Ode:
         parameters={"tau": (tau, 0.5), "x_start": (start, 0.0)},
         stop_time=5.0,
     )
+
+
+def ramp_driven() -> Ode:
+    """Two states in a chain, driven by two inputs, with known solution for straight inputs."""
+    x, z, u, v = (ca.SX.sym(n) for n in ("x", "z", "u", "v"))
+    return ode("Test.Ramp", {"x": (x, u - x, 0.0), "z": (z, v, 0.0)}, {"x_out": x, "z_out": z}, inputs={"u": u, "v": v})
+
+
+def algebraic() -> Ode:
+    """No states at all."""
+    u, k, t = ca.SX.sym("u"), ca.SX.sym("k"), ca.SX.sym("t")
+    return ode("Test.Gain", {}, {"y": k * u + t}, inputs={"u": u}, parameters={"k": (k, 3.0)}, t=t)
+
+
+def breaks_down() -> Ode:
+    """x' = -sqrt(x - floor), which leaves the real numbers at a time that the parameter sets."""
+    x, floor = ca.SX.sym("x"), ca.SX.sym("floor")
+    states = {"tank.x": (x, -1 - ca.sqrt(x - floor), 1.0)}
+    return ode("Test.Break", states, {"y": x}, parameters={"floor": (floor, 0.5)})
+
+
+def forced() -> Ode:
+    """Nonlinear and dependent on time: x = exp(sin t), v = tan-free rotation driven by x."""
+    x, v, t = ca.SX.sym("x"), ca.SX.sym("v"), ca.SX.sym("t")
+    return ode(
+        "Test.Forced",
+        {"x": (x, x * ca.cos(t), 1.0), "v": (v, -(v**2) * x * (1 + ca.sin(t) ** 2), 1.0)},
+        {"y": x},
+        t=t,
+        stop_time=3.0,
+    )
+
+
+def oscillator() -> Ode:
+    """An output that is a state, a state that is another's derivative, units, display units, limits."""
+    s, v, k, m = (ca.SX.sym(n) for n in ("s", "der(s)", "k", "m"))
+    return ode(
+        "Test.Oscillator",
+        {"s": (s, v, 0.1), "der(s)": (v, -k / m * s, 0.0)},
+        {"s": s, "F": -k * s},
+        parameters={"k": (k, 0.1 + 0.2), "m": (m, 1 / 3)},
+        local={"E": k * s**2 / 2 + m * v**2 / 2, "s": s, "T": ca.SX(293.15)},
+        variables={
+            "s": Variable("s", "m", "deflection & <more>", nominal=0.1, display_unit="mm", quantity="Length"),
+            "der(s)": Variable("der(s)", "m/s"),
+            "F": Variable("F", "N"),
+            "k": Variable("k", "N/m", "stiffness", start=0.1 + 0.2, min=0.0, max=1e3),
+            "m": Variable("m", "kg", start=1 / 3, min=1e-9),
+            "E": Variable("E", "J"),
+            "T": Variable("T", "K", display_unit="degC"),
+        },
+    )
+
+
+_FOLDER = tempfile.TemporaryDirectory(prefix="pam-cosim-tests-")
+
+
+@cache
+def fmu(make: Callable[[], Ode]) -> Path:
+    """The FMU of one of these models, built once per session."""
+    return build_fmu(make(), Path(_FOLDER.name, f"{make.__name__}.fmu"))

@@ -11,7 +11,20 @@ from matplotlib.ticker import PercentFormatter
 
 from pam_cosim.comparison import Rule
 from pam_cosim.reporting.style import (
-    BEFORE, BLUE, GREEN, INK, LINE, ORANGE, PINK, SKY, SOFT, WIDTH, Picture, drawing, new_figure, picture,
+    BEFORE,
+    BLUE,
+    GREEN,
+    INK,
+    LINE,
+    ORANGE,
+    PINK,
+    SKY,
+    SOFT,
+    WIDTH,
+    Picture,
+    drawing,
+    new_figure,
+    picture,
 )  # fmt: skip
 from pam_cosim.reporting.wording import percent, shortened, words
 

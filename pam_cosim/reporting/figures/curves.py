@@ -13,33 +13,35 @@ from pam_cosim.measurement import Signal
 from pam_cosim.quantities import readable_factor
 from pam_cosim.reporting.figures.layer import SPARSE, Layer, pages
 from pam_cosim.reporting.figures.panels import panels
-from pam_cosim.reporting.style import INK, SOFT, Picture, drawing, picture
+from pam_cosim.reporting.style import HALO, INK, Picture, drawing, picture
 from pam_cosim.reporting.wording import listed
 
 DASHES = (4.5, 2.0)
 
 
-def draw_curves(axes: Axes, run: RunComparison, signal: Signal, layers: Sequence[Layer]) -> None:
-    """Measured dots and a line for each model, in readable units."""
+def draw_curves(axes: Axes, run: RunComparison, signal: Signal, layers: Sequence[Layer], every: int = 1) -> None:
+    """Measured dots, one of ``every``, and a line for each model, in readable units."""
     factor = readable_factor(signal.unit)
-    measured = run.run.measurements[signal.name] * factor
-    few = run.run.sample_count(signal.name) <= SPARSE
+    kept = np.flatnonzero(np.isfinite(run.run.measurements[signal.name]))[::every]
+    few = len(kept) <= SPARSE
     axes.plot(
-        run.run.time, measured, ls="none", marker="o", mec="none", alpha=1.0 if few else 0.45, zorder=2,
-        ms=4.5 if few else 2.0, mfc=INK if few else SOFT, rasterized=not few,
+        run.run.time[kept], run.run.measurements[signal.name][kept] * factor, ls="none", marker="o", mec="none",
+        zorder=2, ms=4.5 if few else 3.6, mfc=INK if few else HALO, rasterized=not few,
     )  # fmt: skip
     for i, layer in enumerate(layers):
         own = layer.run(run.run.name)
         if own is not None and signal.name in own.model:
-            (line,) = axes.plot(own.run.time, own.model[signal.name] * factor, color=layer.colour, lw=1.5, zorder=3 + i)
+            (line,) = axes.plot(
+                own.run.time, own.model[signal.name] * factor, color=layer.colour, lw=1.6 if few else 1.1, zorder=3 + i
+            )
             if layer.dashed:
                 line.set_dashes(DASHES)
 
 
-def legend(layers: Sequence[Layer], few: bool) -> list[Line2D]:
+def legend(layers: Sequence[Layer], few: bool, every: int = 1) -> list[Line2D]:
     """Handles for measured dots and the models."""
-    dot = Line2D([], [], ls="none", marker="o", mec="none", ms=4.5 if few else 3, mfc=INK if few else SOFT)
-    dot.set_label("measured")
+    dot = Line2D([], [], ls="none", marker="o", mec="none", ms=4.5, mfc=INK if few else HALO)
+    dot.set_label("measured" if every == 1 else f"measured, 1 of {every} samples")
     handles = [dot]
     for layer in layers:
         line = Line2D([], [], color=layer.colour, lw=1.6, label=layer.label)

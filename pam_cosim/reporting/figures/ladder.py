@@ -37,7 +37,7 @@ def draw_ladder(axes: Axes, rungs: Sequence[Rung], signal: Signal, size: float =
     """Bars of the rms error of one signal, a group for each rung, one bar for each role that has runs."""
     factor = readable_factor(signal.unit)
     roles = [r for r in ROLES if any(signal.name in rung.scores.get(r, {}) for rung in rungs)]
-    width = 0.76 / max(len(roles), 1)
+    width = min(0.38, 0.76 / max(len(roles), 1))
     highest = 0.0
     for i, rung in enumerate(rungs):
         for k, role in enumerate(roles):
@@ -55,7 +55,8 @@ def draw_ladder(axes: Axes, rungs: Sequence[Rung], signal: Signal, size: float =
     _noise(axes, signal, factor, len(rungs))
     noise = (signal.sigma or 0.0) * factor
     axes.set_ylim(0, 1.16 * max(highest, noise) or 1)
-    axes.set_xlim(-0.6, len(rungs) - 0.4)
+    space = 1.2 if len(rungs) == 1 else 0.6
+    axes.set_xlim(-space, len(rungs) - 1 + space)
     axes.set_xticks(range(len(rungs)), [shortened(r.label, 24) for r in rungs])
     axes.tick_params(axis="x", length=0, labelcolor=INK)
     axes.grid(True, axis="y")
@@ -74,8 +75,8 @@ def ladder_legend(roles: Sequence[str]) -> list[Patch | Line2D]:
     if "fit" in roles:
         handles.append(Patch(facecolor=SOFT, edgecolor=SOFT, label="fitted runs"))
     if "holdout" in roles:
-        handles.append(Patch(facecolor="white", edgecolor=SOFT, hatch="////", label="holdout runs, never fitted"))
-    noise = Line2D([], [], color=INK, lw=1.1, label="noise of the instrument")
+        handles.append(Patch(facecolor="white", edgecolor=SOFT, hatch="////", label="holdout runs"))
+    noise = Line2D([], [], color=INK, lw=1.1, label="noise")
     noise.set_dashes((3, 2))
     return [*handles, noise]
 

@@ -25,6 +25,8 @@ def draw_residuals(axes: Axes, run: RunComparison, signal: Signal, layers: Seque
     if signal.sigma is not None:
         reach = _BAND_SIGMAS * signal.sigma * factor
         axes.axhspan(-reach, reach, color=BAND, zorder=1)
+        for edge in (-reach, reach):
+            axes.axhline(edge, color=SOFT, lw=0.6, zorder=9)
     axes.axhline(0, color=SOFT, lw=0.8, zorder=2)
     few = run.run.sample_count(signal.name) <= SPARSE
     for i, layer in enumerate(layers):
@@ -53,7 +55,7 @@ def residual_pictures(layers: Sequence[Layer]) -> list[Picture]:
             figure.legend(handles=handles, loc="outside upper center", ncols=len(handles))
             alt = f"Measured minus modelled {listed([s.name for s in signals])} over time, with the band of the noise"
             caption = (
-                "Measured minus model. A complete model leaves points scattered within the grey band, 19 of 20 of them; "
+                "Measured minus model. A complete model leaves points scattered within the grey band, 19 of 20; "
                 "a curve that can be followed by eye is physics that is not in the model."
             )
             found.append(picture(figure, alt, caption))

@@ -14,24 +14,28 @@ from pam_cosim.reporting.figures.layer import SPARSE, Layer
 from pam_cosim.reporting.style import new_figure
 from pam_cosim.reporting.wording import shortened, unit_text
 
+_DOTS = SPARSE  # more would hide under the line
+
 
 def showcase(layers: Sequence[Layer], rungs: Sequence[Rung], run: RunComparison, signal: Signal) -> Figure:
     """Left: measured and modelled course of one run. Right: the ladder of that signal."""
     figure = new_figure(9.0, 3.9)
     left, right = figure.subplots(1, 2, width_ratios=[1.75, 1.0] if len(rungs) < 3 else [1.35, 1.0])
     left.grid(True)
-    draw_curves(left, run, signal, layers)
+    every = -(-run.run.sample_count(signal.name) // _DOTS)
+    draw_curves(left, run, signal, layers, every)
     unit = unit_text(signal.unit)
     left.set_ylabel(f"{signal.name} [{unit}]" if unit else signal.name)
     left.set_xlabel("time [s]")
     kind = "a holdout run, never fitted" if run.run.role == "holdout" else "a fitted run"
     left.set_title(f"{shortened(run.run.name)}, {kind}", loc="left", fontweight="bold", fontsize=9.5)
-    handles = legend(layers, run.run.sample_count(signal.name) <= SPARSE)
+    handles = legend(layers, True, every)
     left.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=len(handles), columnspacing=1.4)
     draw_ladder(right, rungs, signal, size=8.5)
     right.set_title(f"error of {signal.name}", loc="left", fontweight="bold", fontsize=9.5)
+    below = ladder_legend(roles_of(rungs))
     right.legend(
-        handles=ladder_legend(roles_of(rungs)), loc="upper right", fontsize=8, handlelength=1.6, borderaxespad=0.2,
-        frameon=True, framealpha=0.9, edgecolor="none",
+        handles=below, loc="upper center", bbox_to_anchor=(0.45, -0.16), ncols=len(below), columnspacing=1.2,
+        handlelength=1.5,
     )  # fmt: skip
     return figure
