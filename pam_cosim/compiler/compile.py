@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 
 import casadi as ca
@@ -109,6 +110,11 @@ class _Assembly:
         initial = self._initial()
         outputs = [leaf for leaf in self._unknown_leaves() if self._is_output(leaf)]
         local = self._locals(outputs)
+        derivatives, values, others = _shared(
+            [self._derivative(name) for name in self.states],
+            [self._value(leaf.name) for leaf in outputs],
+            [value for _, value in local],
+        )
         interface = Interface(
             model=root.ancestors[0].definition.qualified_name,
             inputs={leaf.name: metadata.variable(leaf, constants) for leaf in symbols.inputs},
@@ -124,9 +130,9 @@ class _Assembly:
             x=_column([system.variables[name] for name in self.states]),
             u=_column(list(symbols.inputs.values())),
             p=self.p,
-            derivatives=_column([self._derivative(name) for name in self.states]),
-            outputs=_column([self._value(leaf.name) for leaf in outputs]),
-            locals=_column([value for _, value in local]),
+            derivatives=derivatives,
+            outputs=values,
+            locals=others,
             initial=_column(initial),
             description=root.ancestors[0].definition.description,
         )
@@ -210,3 +216,12 @@ class _Assembly:
 
 def _column(values: Sequence[ca.SX]) -> ca.SX:
     return ca.vertcat(ca.SX(0, 1), *values)
+
+
+def _shared(*groups: Sequence[ca.SX]) -> list[ca.SX]:
+    """Columns in which equal parts of expressions are computed once."""
+    whole = ca.cse(_column([value for group in groups for value in group]))
+    ends = [0]
+    for group in groups:
+        ends.append(ends[-1] + len(group))
+    return [whole[start:end] for start, end in pairwise(ends)]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import ast
+import re
 from typing import NoReturn
 
 from pam_cosim.compiler.lexer import Tokens
@@ -24,6 +24,8 @@ from pam_cosim.compiler.syntax import (
     Whole,
 )
 
+_ESCAPE = re.compile(r"\\(.)", re.DOTALL)
+_ESCAPED = {"n": "\n", "t": "\t", "r": "\r", "a": "\a", "b": "\b", "f": "\f", "v": "\v"}
 _RELATIONS = frozenset(("<", "<=", ">", ">=", "==", "<>"))
 _ADDITIONS = frozenset(("+", "-", ".+", ".-"))
 _PRODUCTS = frozenset(("*", "/", ".*", "./"))
@@ -320,8 +322,4 @@ class ExpressionParser:
 
 def unquote(token: str) -> str:
     """The value of a string token."""
-    body = token[1:-1]
-    if "\\" not in body:
-        return body
-    escaped = body.replace("\r\n", "\n").replace("\n", "\\n").replace('\\"', '"').replace('"', '\\"')
-    return str(ast.literal_eval(f'"{escaped.replace(chr(92) + "?", "?")}"'))
+    return _ESCAPE.sub(lambda found: _ESCAPED.get(found[1], found[1]), token[1:-1])

@@ -117,7 +117,9 @@ class Instantiator:
             scope.components.add(declaration.name)
             if declaration.name not in instance.children:
                 instance.children[declaration.name] = self._child(instance, declaration, scope, modification)
-        instance.sections += [(section, scope) for section in definition.sections]
+        # a class that is inherited twice states its equations once
+        present = [section for section, _ in instance.sections]
+        instance.sections += [(section, scope) for section in definition.sections if section not in present]
         return scope
 
     def _populate_short(self, instance: Instance, of: Class, modification: Mod, depth: int) -> Scope:

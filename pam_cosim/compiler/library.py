@@ -72,7 +72,7 @@ class Library:
 
 def _read(file: Path) -> Source:
     try:
-        return Source(file, file.read_text(encoding="utf-8"))
+        return Source(file, file.read_text(encoding="utf-8-sig"))
     except FileNotFoundError:
         raise ModelError("there is no such file", file) from None
     except (OSError, UnicodeDecodeError) as error:

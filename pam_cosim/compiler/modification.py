@@ -22,10 +22,7 @@ ATTRIBUTES = frozenset(
 
 @dataclass(eq=False)
 class Bound:
-    """An expression and the place where its names are looked up.
-
-    ``values`` are names that belong to neither class nor instance, such as loop counters.
-    """
+    """An expression and the place where its names are looked up."""
 
     expression: Expression
     scope: Scope

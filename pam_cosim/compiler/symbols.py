@@ -8,7 +8,6 @@ from pam_cosim.compiler import arithmetic
 from pam_cosim.compiler.evaluation import Evaluator, Value
 from pam_cosim.compiler.instance import Instance
 from pam_cosim.compiler.instantiation import Instantiator
-from pam_cosim.compiler.syntax import ClassDefinition
 from pam_cosim.errors import ModelError
 
 
@@ -109,9 +108,3 @@ class SymbolTable(Evaluator):
         if name not in self.derivatives:
             self.derivatives[name] = ca.SX.sym(f"der({name})")
         return self.derivatives[name]
-
-
-def holder_of(instance: Instance) -> ClassDefinition:
-    """The class whose text declares an instance."""
-    assert instance.scope is not None
-    return instance.scope.definition

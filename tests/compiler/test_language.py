@@ -102,3 +102,13 @@ def test_output_that_is_a_state():
     ode = compiled("Language.Lowpass")
     assert [state.name for state in ode.states] == ["y"] and list(ode.interface.outputs) == ["y"]
     assert at(ode, {"y": 0.25}, u=[1.0], p={"tau": 3}) == {"der(y)": 0.25, "y": 0.25}
+
+
+def test_base_class_inherited_twice_states_its_equations_once():
+    assert at(compiled("Diamond.Both")) == {"der(x)": -1, "x": 1, "left": 2, "right": 3}
+
+
+def test_signal_connectors():
+    ode = compiled("Diamond.Signals")
+    assert list(ode.interface.inputs) == ["u"] and ode.interface.outputs["y"].unit == "V"
+    assert at(ode, u=[2])["y"] == 6

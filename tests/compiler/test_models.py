@@ -112,6 +112,14 @@ def test_redeclared_component_keeps_the_modifications_of_the_constraint_only():
     assert initial(new)["gas.p"] == 3e5
 
 
+def test_outermost_modification_counts():
+    again = compiled("Muscles.RedeclaredAgain").interface.parameters
+    assert "muscle.gas.h" not in again and again["muscle.m"].start == 4 and again["muscle.L0"].start == 0.25
+    modified = compiled("Muscles.ModifiedClass").interface.parameters
+    assert modified["muscle.gas.h"].start == 8 and modified["muscle.gas.n"].start == 1.1
+    assert compiled("Muscles.ModifiedComponent").interface.parameters["gas.h"].start == 3
+
+
 def test_computed_parameter_is_no_parameter_but_follows():
     ode = compiled("Muscles.Bench")
     assert "muscle.b" not in ode.interface.parameters

@@ -100,4 +100,16 @@ package Muscles "A gas volume with a wall that moves, and gases to choose from"
   model RedeclaredComponent
     extends ReplaceableComponent(redeclare Energetic gas(h=9));
   end RedeclaredComponent;
+
+  model RedeclaredAgain "The outermost redeclaration counts"
+    extends Redeclared(muscle(redeclare model Gas = Polytropic, m=4));
+  end RedeclaredAgain;
+
+  model ModifiedClass "A modification of the redeclared class itself, and of a component of it"
+    extends Redeclared(muscle(Gas(h=8), gas(n=1.1)));
+  end ModifiedClass;
+
+  model ModifiedComponent
+    extends RedeclaredComponent(gas(h=3));
+  end ModifiedComponent;
 end Muscles;
