@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import difflib
 import math
+import os
 import shutil
 import tempfile
 from collections.abc import Iterable, Mapping, Sequence
@@ -72,6 +73,7 @@ class Simulator:
         settings = self._description.coSimulation
         fmpy.extract(str(self.path), unzipdir=self._directory)
         self._callbacks = Callbacks()
+        folder = os.getcwd()
         try:
             self._slave = FMU2Slave(
                 guid=self._description.guid,
@@ -82,6 +84,8 @@ class Simulator:
             )
         except Exception as error:  # fmpy raises bare Exceptions
             raise InputError(f"the FMU cannot be loaded on this machine: {error}", self.path) from error
+        finally:
+            os.chdir(folder)  # FMPy goes to the library's folder and stays there when loading fails
         self._instantiate(self._slave)
         self._slopes = bool(settings.canInterpolateInputs)
         self._driver = Driver(self._slave.dll, self._slave.component, self._slopes)

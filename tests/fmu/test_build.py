@@ -1,0 +1,184 @@
+"""Archives: valid, complete, the same every time; the interface reads back as it was written."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import zipfile
+from dataclasses import replace
+from pathlib import Path
+from xml.etree import ElementTree as Xml
+
+import casadi as ca
+import pytest
+from fmpy.validation import validate_fmu
+
+from pam_cosim.compiler.ode import Ode
+from pam_cosim.errors import InputError, ModelError
+from pam_cosim.fmu import build_fmu, build_model, build_source, cached_fmu, read_interface
+from pam_cosim.fmu.compile import universal_binary
+from pam_cosim.interface import Variable
+from tests.fmu import models
+
+ALL = [models.van_der_pol, models.lag, models.ramp_driven, models.algebraic, models.forced, models.oscillator]
+
+
+@pytest.mark.parametrize("make", ALL, ids=lambda make: make.__name__)
+def test_fmpy_finds_no_problem(make) -> None:  # type: ignore[no-untyped-def]
+    assert validate_fmu(str(models.fmu(make))) == []
+
+
+@pytest.mark.parametrize("make", ALL, ids=lambda make: make.__name__)
+def test_interface_reads_back_exactly(make) -> None:  # type: ignore[no-untyped-def]
+    written, read = make().interface, read_interface(models.fmu(make))
+    assert read.model == written.model
+    assert read.inputs == written.inputs
+    assert read.parameters == written.parameters
+    assert list(read.outputs) == list(written.outputs)
+    assert set(written.locals) <= set(read.locals) | set(read.outputs)
+    assert (read.stop_time, read.interval, read.tolerance) == (
+        written.stop_time,
+        written.interval,
+        written.tolerance,
+    )
+
+
+def test_same_model_same_bytes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    first = models.fmu(models.lag).read_bytes()
+    assert build_fmu(models.lag(), tmp_path / "again.fmu").read_bytes() == first
+    code = "import sys; from pathlib import Path; from tests.fmu import models; from pam_cosim.fmu import build_fmu;"
+    code += "build_fmu(models.lag(), Path(sys.argv[1]))"
+    other = tmp_path / "other.fmu"
+    environment = os.environ | {"PYTHONHASHSEED": "7"}
+    root = Path(models.__file__).parents[2]
+    subprocess.run([sys.executable, "-c", code, str(other)], check=True, cwd=root, env=environment)
+    assert other.read_bytes() == first
+
+
+def _tree(path: Path) -> Xml.Element:
+    with zipfile.ZipFile(path) as archive:
+        return Xml.fromstring(archive.read("modelDescription.xml"))
+
+
+def _dependencies(path: Path, part: str) -> dict[str, list[str]]:
+    tree = _tree(path)
+    names = [v.attrib["name"] for v in tree.iter("ScalarVariable")]
+    unknowns = tree.find(f"ModelStructure/{part}")
+    assert unknowns is not None
+    return {
+        names[int(u.attrib["index"]) - 1]: [names[int(i) - 1] for i in u.attrib["dependencies"].split()]
+        for u in unknowns
+    }
+
+
+def test_dependencies_are_exact() -> None:
+    path = models.fmu(models.lag)
+    assert _dependencies(path, "Outputs") == {"y": ["x"], "feed": ["x", "u"]}
+    assert _dependencies(path, "Derivatives") == {"der(x)": ["x", "u"]}
+    assert _dependencies(path, "InitialUnknowns") == {
+        "x": ["x_start"],
+        "der(x)": ["u", "tau", "x_start"],
+        "y": ["x_start"],
+        "feed": ["u", "x_start"],
+    }
+    assert _dependencies(models.fmu(models.algebraic), "Outputs") == {"y": ["u", "time"]}
+
+
+def test_state_that_is_output_and_derivative() -> None:
+    path = models.fmu(models.oscillator)
+    names = [v.attrib["name"] for v in _tree(path).iter("ScalarVariable")]
+    assert names == ["s", "der(s)", "der(s,2)", "F", "k", "m", "E", "T", "time"]
+    assert _dependencies(path, "Outputs") == {"s": ["s"], "F": ["s"]}
+    assert _dependencies(path, "Derivatives") == {"der(s)": ["der(s)"], "der(s,2)": ["s"]}
+
+
+def test_units_in_the_description() -> None:
+    units = {u.attrib["name"]: u for u in _tree(models.fmu(models.oscillator)).iter("Unit")}
+    assert units["N"][0].attrib == {"kg": "1", "m": "1", "s": "-2"}
+    degrees = units["K"].find("DisplayUnit")
+    assert degrees is not None and float(degrees.attrib["offset"]) == -273.15
+
+
+def _with_parameter(variable: Variable) -> Ode:
+    made = models.lag()
+    return replace(made, interface=replace(made.interface, parameters={**made.interface.parameters, "tau": variable}))
+
+
+@pytest.mark.parametrize(
+    ("variable", "message"),
+    [
+        (Variable("tau"), "parameter 'tau' has no value"),
+        (Variable("tau", start=float("nan")), "not a finite number"),
+        (Variable("tau", unit="wibble", start=1.0), "variable 'tau': unit 'wibble'"),
+        (Variable("tau", unit="s", display_unit="m", start=1.0), "variable 'tau': display unit 'm'"),
+        (Variable("u", start=1.0), "'u' is the name of two variables"),
+    ],
+)
+def test_faulty_models_are_named_and_nothing_is_written(tmp_path: Path, variable: Variable, message: str) -> None:
+    with pytest.raises(ModelError, match=message):
+        build_fmu(_with_parameter(variable), tmp_path / "x.fmu")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_symbol_without_a_value(tmp_path: Path) -> None:
+    faulty = replace(models.lag(), derivatives=ca.SX.sym("ghost"))
+    with pytest.raises(ModelError, match="ghost"):
+        build_fmu(faulty, tmp_path / "x.fmu")
+
+
+def test_unknown_platform(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="no platform 'amiga'; choose from native, all, x86_64-linux"):
+        build_fmu(models.lag(), tmp_path / "x.fmu", platforms=["amiga"])
+
+
+def test_cached_fmu_compiles_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("pam_cosim.fmu.cache.cache_dir", lambda: tmp_path)
+    made = []
+
+    def make() -> Ode:
+        made.append(1)
+        return models.lag()
+
+    first = cached_fmu("key", make)
+    assert cached_fmu("key", make) == first and len(made) == 1
+    assert cached_fmu("other", make) != first and len(made) == 2
+
+
+def test_processes_may_build_the_same_at_once(tmp_path: Path) -> None:
+    """Two processes on a cold cache of binaries: both succeed with the same bytes."""
+    code = "import sys; from pathlib import Path; from tests.fmu import models; from dataclasses import replace\n"
+    code += "from pam_cosim.fmu import build_fmu; \n"
+    code += "m = models.lag(); m = replace(m, description=sys.argv[2]); build_fmu(m, Path(sys.argv[1]))"
+    root, secret = Path(models.__file__).parents[2], os.urandom(8).hex()
+    paths = [tmp_path / f"{i}.fmu" for i in range(2)]
+    running = [subprocess.Popen([sys.executable, "-c", code, str(p), secret], cwd=root) for p in paths]
+    assert [process.wait() for process in running] == [0, 0]
+    assert len({p.read_bytes() for p in paths}) == 1
+
+
+def test_foreign_files_are_refused(tmp_path: Path) -> None:
+    text = tmp_path / "x.fmu"
+    text.write_text("no archive")
+    with pytest.raises(InputError, match="not an FMU"):
+        read_interface(text)
+    with pytest.raises(InputError, match="no such file"):
+        read_interface(tmp_path / "missing.fmu")
+    with pytest.raises(InputError, match="no such file"):
+        build_model(str(tmp_path / "missing.fmu"))
+
+
+def test_modelica_source_to_fmu() -> None:
+    source = "model Decay parameter Real k = 2; output Real y; Real x(start = 1, fixed = true);\n"
+    path = build_source("Decay", source + "equation der(x) = -k*x; y = x; end Decay;")
+    assert read_interface(path).parameters["k"].start == 2.0
+    assert validate_fmu(str(path)) == []
+
+
+def test_universal_binary_keeps_its_slices() -> None:
+    slices = [bytes.fromhex("cffaedfe0700000103000000") + b"x" * 100, bytes.fromhex("cffaedfe0c00000100000000") + b"y"]
+    fat = universal_binary(slices)
+    assert fat[:8] == bytes.fromhex("cafebabe00000002")
+    for i, data in enumerate(slices):
+        offset, size = (int.from_bytes(fat[8 + 20 * i + k : 12 + 20 * i + k], "big") for k in (8, 12))
+        assert fat[offset : offset + size] == data and offset % 16384 == 0

@@ -1,0 +1,57 @@
+"""Units of Modelica as FMI unit definitions."""
+
+from __future__ import annotations
+
+import pytest
+
+from pam_cosim.errors import ModelError
+from pam_cosim.fmu.units import parse_unit
+
+
+@pytest.mark.parametrize(
+    ("text", "exponents"),
+    [
+        ("1", {}),
+        ("Pa", {"kg": 1, "m": -1, "s": -2}),
+        ("N.s/m", {"kg": 1, "s": -1}),
+        ("W/(m2.K)", {"kg": 1, "s": -3, "K": -1}),
+        ("J/(kg.K)", {"m": 2, "s": -2, "K": -1}),
+        ("kg.m2", {"kg": 1, "m": 2}),
+        ("m.s-2", {"m": 1, "s": -2}),
+        ("1/s", {"s": -1}),
+        ("Hz", {"s": -1}),
+        ("rad/s", {"rad": 1, "s": -1}),
+        ("V/A", {"kg": 1, "m": 2, "s": -3, "A": -2}),
+    ],
+)
+def test_si_units(text: str, exponents: dict[str, int]) -> None:
+    unit = parse_unit(text)
+    assert dict(unit.exponents) == exponents
+    assert (unit.factor, unit.offset) == (1.0, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("display", "unit", "value", "shown"),
+    [
+        ("bar", "Pa", 250e3, 2.5),
+        ("degC", "K", 293.15, 20.0),
+        ("mm", "m", 0.0125, 12.5),
+        ("kN/m", "N/m", 1500.0, 1.5),
+        ("deg", "rad", 3.141592653589793, 180.0),
+        ("l/min", "m3/s", 1e-3 / 60, 1.0),
+    ],
+)
+def test_display_units(display: str, unit: str, value: float, shown: float) -> None:
+    factor, offset = parse_unit(display).display(parse_unit(unit))
+    assert factor * value + offset == pytest.approx(shown, rel=1e-12, abs=1e-9)
+
+
+@pytest.mark.parametrize("text", ["", "N*m", "m/s/s", "kg/m.s", "wibble", "m^2", "(m"])
+def test_what_is_no_unit_is_named(text: str) -> None:
+    with pytest.raises(ModelError, match="unit"):
+        parse_unit(text)
+
+
+def test_display_unit_of_another_quantity() -> None:
+    with pytest.raises(ModelError, match="'bar' does not fit unit 'K'"):
+        parse_unit("bar").display(parse_unit("K"))

@@ -1,0 +1,266 @@
+"""Runs, failures, foreign FMUs and crashes."""
+
+from __future__ import annotations
+
+import gc
+import os
+import pickle
+import sys
+import time
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.fmu.build import RUNTIME
+from pam_cosim.fmu.compile import compile_library, native_platform
+from pam_cosim.fmu.generate import model_source
+from pam_cosim.fmu.read import read_description
+from pam_cosim.resources import fmu_runtime
+from pam_cosim.simulation import Inputs, IsolatedSimulator, RunFailure, Simulator, run_isolated
+from tests.fmu import models
+
+TIMES = np.linspace(0.0, 2.0, 21)
+
+
+def test_parameters_outputs_and_units() -> None:
+    with Simulator(models.fmu(models.oscillator)) as simulator:
+        run = simulator.run(TIMES, parameters={"k": 4.0, "m": 1.0, "s": 0.2}, outputs=["s", "F", "E"], tolerance=1e-9)
+    assert run["s"] == pytest.approx(0.2 * np.cos(2.0 * TIMES), abs=1e-8)
+    assert run["E"] == pytest.approx(np.full(21, 0.08), rel=1e-7)
+    assert run.units == {"s": "m", "F": "N", "E": "J"}
+
+
+def test_runs_are_independent_and_repeat_every_bit() -> None:
+    with Simulator(models.fmu(models.lag)) as simulator:
+        first = simulator.run(TIMES, inputs=Inputs([0.0, 1.0], {"u": [0.0, 1.0]}))
+        simulator.run(TIMES, parameters={"tau": 0.01, "x_start": 3.0}, tolerance=1e-3)
+        again = simulator.run(TIMES, inputs=Inputs([0.0, 1.0], {"u": [0.0, 1.0]}))
+        rest = simulator.run(TIMES)
+    assert first["y"].tolist() == again["y"].tolist() and first["y"][-1] > 0.5
+    assert not rest["y"].any()
+
+
+def test_start_time() -> None:
+    with Simulator(models.fmu(models.lag)) as simulator:
+        late = simulator.run([1.0, 2.0], parameters={"x_start": 1.0}, tolerance=1e-9)
+        early = simulator.run([1.0, 2.0], parameters={"x_start": 1.0}, start_time=0.0, tolerance=1e-9)
+    assert late["y"] == pytest.approx([1.0, np.exp(-2.0)], rel=1e-7)
+    assert early["y"] == pytest.approx([np.exp(-2.0), np.exp(-4.0)], rel=1e-7)
+
+
+def test_feedthrough_before_and_after_a_step() -> None:
+    inputs = Inputs(np.array([0.0, 1.0, 1.0]), {"u": np.array([2.0, 2.0, 7.0])})
+    with Simulator(models.fmu(models.algebraic)) as simulator:
+        run = simulator.run([0.0, 1.0, 1.0, 2.0], inputs=inputs)
+        ramp = simulator.run([0.0, 0.5, 1.0], inputs=Inputs([0.0, 1.0], {"u": [0.0, 1.0]}))
+    assert run["y"].tolist() == [6.0, 7.0, 22.0, 23.0]
+    assert ramp["y"].tolist() == [0.0, 2.0, 4.0]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"parameters": {"taw": 1.0}}, "no parameter 'taw'; did you mean tau?"),
+        ({"parameters": {"x": 1.0}}, "no parameter 'x'"),
+        ({"parameters": {"tau": float("nan")}}, "parameter 'tau' must be a finite number"),
+        ({"outputs": ["feeed"]}, "no output 'feeed'; did you mean feed?"),
+        ({"inputs": Inputs([0.0], {"v": [0.0]})}, "no input 'v'; there are u"),
+    ],
+)
+def test_unknown_names(arguments: dict, message: str) -> None:  # type: ignore[type-arg]
+    with Simulator(models.fmu(models.lag)) as simulator, pytest.raises(InputError) as caught:
+        simulator.run(TIMES, **arguments)
+    assert message in str(caught.value)
+
+
+def test_breakdown_says_where_and_with_what() -> None:
+    """x' = -1 - sqrt(x - 0.75) from 1: the real numbers end when x reaches the floor, at 0.38 s or so."""
+    with Simulator(models.fmu(models.breaks_down)) as simulator:
+        with pytest.raises(RunFailure) as caught:
+            simulator.run(TIMES, parameters={"floor": 0.75})
+        failure = caught.value
+        assert isinstance(failure, SimulationFailure)
+        assert "'tank.x'" in failure.reason and failure.parameters == {"floor": 0.75}
+        assert failure.time is not None and 0.1 <= failure.time <= 0.2
+        assert "floor = 0.75" in str(failure)
+        copy = pickle.loads(pickle.dumps(failure))
+        assert (str(copy), copy.time, copy.parameters) == (str(failure), failure.time, failure.parameters)
+        good = simulator.run(np.linspace(0, 0.1, 5), parameters={"floor": -9.0})
+    assert np.isfinite(good["y"]).all()
+
+
+def test_not_a_number_from_the_start() -> None:
+    with Simulator(models.fmu(models.breaks_down)) as simulator:
+        with pytest.raises(RunFailure, match="derivative of 'tank.x' is not a finite number at time 0 s"):
+            simulator.run(TIMES, parameters={"floor": 2.0})
+        with pytest.raises(RunFailure, match="slope of der\\('tank.x'\\) with respect to 'tank.x'"):
+            simulator.run(TIMES, parameters={"floor": 1.0})
+
+
+def test_output_that_is_not_a_number() -> None:
+    ca = models.ca
+
+    def root() -> models.Ode:
+        u = ca.SX.sym("u")
+        return models.ode("Test.Root", {}, {"y": ca.sqrt(u)}, inputs={"u": u})
+
+    inputs = Inputs([0.0, 1.0], {"u": [1.0, -1.0]})
+    message = "'y' is not a finite number at time 1 s"
+    with Simulator(models.fmu(root)) as simulator, pytest.raises(RunFailure, match=message):
+        simulator.run([0.0, 1.0], inputs=inputs)
+
+
+def test_time_limit() -> None:
+    with Simulator(models.fmu(models.van_der_pol)) as simulator:
+        times = np.linspace(0.0, 2000.0, 200_001)
+        with pytest.raises(RunFailure, match="longer than it may"):
+            simulator.run(times, tolerance=1e-10, max_seconds=0.02)
+        assert simulator.run([0.0, 1.0])["y"].size == 2
+
+
+def test_thousands_of_runs_in_one_process() -> None:
+    """Neither memory nor open files grow, over runs and over instances."""
+
+    def resident() -> int:
+        with open("/proc/self/statm") as file:
+            return int(file.read().split()[1]) * 4096
+
+    if not sys.platform.startswith("linux"):
+        pytest.skip("reads /proc")
+    with Simulator(models.fmu(models.lag)) as simulator:
+        for _ in range(200):
+            simulator.run(TIMES)
+        gc.collect()
+        before = resident()
+        for i in range(3000):
+            simulator.run(TIMES, parameters={"tau": 0.1 + 1e-4 * i})
+        gc.collect()
+        assert resident() - before < 2_000_000
+    files = len(os.listdir("/proc/self/fd"))
+    for _ in range(30):
+        with Simulator(models.fmu(models.lag)) as simulator:
+            simulator.run(TIMES)
+    assert len(os.listdir("/proc/self/fd")) <= files
+
+
+def test_closing_removes_the_files() -> None:
+    simulator = Simulator(models.fmu(models.lag))
+    folder = Path(simulator._directory)
+    assert folder.exists()
+    simulator.close()
+    simulator.close()
+    assert not folder.exists()
+    with pytest.raises(RuntimeError, match="closed"):
+        simulator.run(TIMES)
+
+
+def test_speed() -> None:
+    """A stiff run with a thousand outputs takes milliseconds: no Python per point, no step per point."""
+    with Simulator(models.fmu(models.van_der_pol)) as simulator:
+        times = np.linspace(0.0, 2.0, 1001)
+        taken = []
+        for _ in range(20):
+            begin = time.perf_counter()
+            simulator.run(times, tolerance=1e-6)
+            taken.append(time.perf_counter() - begin)
+    assert min(taken) < 3e-3
+
+
+# --- FMUs of other tools ----------------------------------------------------------------------------------------
+
+
+def _repacked(source: Path, target: Path, change: dict[str, str] | None = None, binary: bytes | None = None) -> Path:
+    """A copy with texts of the model description replaced, or with another binary."""
+    with zipfile.ZipFile(source) as old, zipfile.ZipFile(target, "w") as new:
+        for name in old.namelist():
+            data = old.read(name)
+            if name == "modelDescription.xml":
+                text = data.decode()
+                for a, b in (change or {}).items():
+                    assert a in text
+                    text = text.replace(a, b)
+                data = text.encode()
+            elif binary is not None:
+                data = binary
+            new.writestr(name, data)
+    return target
+
+
+def test_fmu_without_slopes_gets_steps_of_the_default_interval(tmp_path: Path) -> None:
+    change = {'canInterpolateInputs="true"': 'canInterpolateInputs="false"'}
+    path = _repacked(models.fmu(models.lag), tmp_path / "x.fmu", change)
+    with Simulator(path) as simulator:
+        run = simulator.run(TIMES, inputs=Inputs([0.0, 2.0], {"u": [0.0, 2.0]}), tolerance=1e-8)
+    exact = TIMES - 0.5 + 0.5 * np.exp(-TIMES / 0.5)
+    error = np.abs(run["y"] - exact).max()
+    assert 1e-3 < error < 0.5 * simulator.interface.interval * 1.05  # held inputs lag by half a step
+
+
+def _patched(tmp_path: Path, name: str, old: str, new: str) -> Path:
+    """The lag with another C text in one file of its runtime: an FMU that misbehaves."""
+    guid = read_description(models.fmu(models.lag)).guid
+    sources = {name: (fmu_runtime() / name).read_text() for name in RUNTIME}
+    assert old in sources[name]
+    sources[name] = "#include <stdlib.h>\n" + sources[name].replace(old, new)
+    sources["model.c"] = model_source(models.lag(), guid)
+    binary = compile_library((), sources, native_platform()).read_bytes()
+    return _repacked(models.fmu(models.lag), tmp_path / "x.fmu", binary=binary)
+
+
+def test_fmu_that_cannot_be_reset_is_made_anew(tmp_path: Path) -> None:
+    check = 'pam_check(component, ANY, "fmi2Reset")'
+    with Simulator(_patched(tmp_path, "pam_fmi2.c", check, "0")) as simulator:
+        runs = [simulator.run(TIMES, parameters={"x_start": 1.0})["y"].tolist() for _ in range(3)]
+    assert runs[0] == runs[1] == runs[2]
+
+
+_STEP = "pam_core *core = &c->core;"
+
+
+def test_crash_ends_one_run_only(tmp_path: Path) -> None:
+    path = _patched(tmp_path, "pam_cosimulation.c", _STEP, f"if (now > 0.99) abort(); {_STEP}")
+    with IsolatedSimulator(path) as simulator:
+        good = simulator.run(TIMES[:5], parameters={"x_start": 1.0})
+        with pytest.raises(RunFailure, match="crashed its process \\(signal SIGABRT\\)"):
+            simulator.run(TIMES)
+        assert simulator.run(TIMES[:5], parameters={"x_start": 1.0})["y"].tolist() == good["y"].tolist()
+        with pytest.raises(InputError, match="no parameter 'taw'"):
+            simulator.run(TIMES, parameters={"taw": 1.0})
+
+
+def test_endless_step_is_ended(tmp_path: Path) -> None:
+    path = _patched(tmp_path, "pam_cosimulation.c", _STEP, f"for (volatile int i = 1; i;) {{}} {_STEP}")
+    with pytest.raises(RunFailure, match="longer than 1.5 s"):
+        run_isolated(path, TIMES, timeout=1.5)
+
+
+def test_run_isolated_equals_run() -> None:
+    with Simulator(models.fmu(models.lag)) as simulator:
+        here = simulator.run(TIMES, parameters={"x_start": 1.0})
+    there = run_isolated(models.fmu(models.lag), TIMES, parameters={"x_start": 1.0})
+    assert here["y"].tolist() == there["y"].tolist()
+
+
+def test_fmu_without_a_binary_for_this_platform(tmp_path: Path) -> None:
+    path = tmp_path / "x.fmu"
+    with zipfile.ZipFile(models.fmu(models.lag)) as old, zipfile.ZipFile(path, "w") as new:
+        new.writestr("modelDescription.xml", old.read("modelDescription.xml"))
+    with pytest.raises(InputError, match="cannot be loaded on this machine"):
+        Simulator(path)
+
+
+def test_binary_that_is_none(tmp_path: Path) -> None:
+    path = _repacked(models.fmu(models.lag), tmp_path / "x.fmu", binary=b"nothing")
+    here = os.getcwd()
+    with pytest.raises(InputError, match="cannot be loaded"):
+        Simulator(path)
+    assert os.getcwd() == here
+
+
+def test_guid_that_does_not_belong(tmp_path: Path) -> None:
+    path = _repacked(models.fmu(models.lag), tmp_path / "x.fmu", {'guid="{': 'guid="{0'})
+    with pytest.raises(SimulationFailure, match="GUID does not belong"):
+        Simulator(path)
