@@ -12,7 +12,14 @@ from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_bytes
 from pam_cosim.fmu.cache import cached, digest, make_folder
-from pam_cosim.fmu.compile import PLATFORMS, binary_folder, compile_library, native_platform, source_key, universal_binary
+from pam_cosim.fmu.compile import (
+    PLATFORMS,
+    binary_folder,
+    compile_library,
+    native_platform,
+    source_key,
+    universal_binary,
+)
 from pam_cosim.fmu.description import model_description, model_identifier
 from pam_cosim.fmu.generate import model_source
 from pam_cosim.fmu.table import table
