@@ -264,5 +264,3 @@ def run() -> None:
 
 if __name__ == "__main__":
     run()
-
-

@@ -20,7 +20,7 @@ from pam_cosim.fitting import fit as _fit
 from pam_cosim.fmu import build_model, read_interface
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet, read_data_set
-from pam_cosim.simulation import Inputs, Simulator, Trajectory
+from pam_cosim.simulation import Inputs, IsolatedSimulator, Simulator, Trajectory
 
 Paths = Sequence[Path | str]
 
@@ -43,6 +43,12 @@ def build(model: str, output: Path | str | None = None, *, files: Paths = ()) ->
     target.parent.mkdir(parents=True, exist_ok=True)
     write_bytes(target, made.read_bytes())
     return target
+
+
+def opened(model: str, files: Paths = ()) -> Simulator | IsolatedSimulator:
+    """A model ready to run; an FMU of somebody else's runs in a process of its own, which it may crash."""
+    path = build(model, files=files)
+    return IsolatedSimulator(path) if model.endswith(".fmu") else Simulator(path)
 
 
 def benches() -> list[str]:
@@ -68,7 +74,7 @@ def compare(
     data: DataSet, model: str | None = None, parameters: Mapping[str, float] | None = None, *, files: Paths = ()
 ) -> Comparison:
     """Simulates every run of ``data`` with ``model`` (default: its bench) and scores the differences."""
-    with Simulator(build(model or data.model, files=files)) as simulator:
+    with opened(model or data.model, files) as simulator:
         return _compare(simulator, complete_noise(data), parameters)
 
 
@@ -97,7 +103,7 @@ def fit(
     """
     if method not in METHODS:
         raise InputError(f"there is no method '{method}' to fit with; choose one of {', '.join(METHODS)}")
-    with Simulator(build(model or data.model, files=files)) as simulator:
+    with opened(model or data.model, files) as simulator:
         free = base_parameters(data, simulator.interface)
         if not free:
             raise InputError("nothing to fit: name the free parameters under [fit]", data.folder / "experiment.toml")
@@ -157,7 +163,7 @@ def simulate(
         InputError: an unknown model, parameter or input.
         SimulationFailure: the run did not reach its end.
     """
-    with Simulator(build(model, files=files)) as simulator:
+    with opened(model, files) as simulator:
         times = output_times(simulator.interface, inputs, stop_time, interval)
         return simulator.run(times, parameters=parameters, inputs=inputs)
 
@@ -197,7 +203,7 @@ def sweep(
     names = list(vary)
     grid = np.stack(np.meshgrid(*[list(vary[n]) for n in names], indexing="ij"), axis=-1).reshape(-1, len(names))
     points = []
-    with Simulator(build(model, files=files)) as simulator:
+    with opened(model, files) as simulator:
         times = output_times(simulator.interface, inputs, stop_time)
         for i, values in enumerate(grid):
             varied = {n: float(v) for n, v in zip(names, values, strict=True)}

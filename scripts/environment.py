@@ -21,7 +21,7 @@ PYTHON = HOME / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 
 
 def main(extra: str) -> int:
-    if sys.version_info < (3, 11):
+    if sys.version_info < (3, 11):  # noqa: UP036 - this script is what tells people
         print(f"pam-cosim needs Python 3.11 or newer; this is {sys.version.split()[0]}", file=sys.stderr)
         return 2
     stamp = HOME / f"ready-{extra or 'base'}"

@@ -10,7 +10,7 @@ from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.comparison.where import Rule, where
 from pam_cosim.measurement import DataSet
 from pam_cosim.quantities import readable
-from pam_cosim.simulation import Simulator
+from pam_cosim.simulation import AnySimulator
 
 ROLES = ("fit", "holdout")
 
@@ -80,7 +80,7 @@ class Comparison:
 
 
 def compare(
-    simulator: Simulator,
+    simulator: AnySimulator,
     data: DataSet,
     parameters: Mapping[str, float] | None = None,
     tolerance: float | None = None,

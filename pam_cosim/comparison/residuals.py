@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.measurement import DataSet, Run
-from pam_cosim.simulation import Inputs, Simulator
+from pam_cosim.simulation import AnySimulator, Inputs
 
 Array = NDArray[np.float64]
 
@@ -42,7 +42,7 @@ def start_time(run: Run) -> float:
 
 
 def simulate_run(
-    simulator: Simulator,
+    simulator: AnySimulator,
     data: DataSet,
     run: Run,
     parameters: Mapping[str, float],

@@ -14,7 +14,7 @@ from pam_cosim.diagnosis.next_experiment import next_experiment
 from pam_cosim.diagnosis.trial import Trial, crashed, run_trial
 from pam_cosim.diagnosis.verdict import Verdict, explained, judge, rivals
 from pam_cosim.diagnosis.workers import run_tasks
-from pam_cosim.errors import InputError
+from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fitting import Fit, complete_noise, fit
 from pam_cosim.fmu import build_model
 from pam_cosim.measurement import DataSet
@@ -133,6 +133,8 @@ def diagnose(
     while len(path) < _MOST_EFFECTS and (not path or any(leaves_structure(s) for s in present.structure.values())):
         trials = _trials(tree, name, shelf, path, data, present, files)
         found = run_tasks(run_trial, trials, crashed, lambda c: say(_line(c)), workers)
+        if found and all(c.fit is None for c in found):
+            raise SimulationFailure(f"no effect could be tried; {found[0].effect}: {found[0].failure}")
         ranked = rank(present, found)
         tried += ranked
         if not ranked or not convincing(present, ranked[0]):
@@ -188,7 +190,9 @@ def _trials(
 def _line(c: Candidate) -> str:
     if c.fit is None:
         return f"  {c.effect} ({c.family}): could not be fitted: {c.failure}"
-    return f"  {c.effect} ({c.family}): rms error {describe_fit(c.fit)}, chi2 {c.fit.comparison.chi2_reduced('fit'):.4g}"
+    return (
+        f"  {c.effect} ({c.family}): rms error {describe_fit(c.fit)}, chi2 {c.fit.comparison.chi2_reduced('fit'):.4g}"
+    )
 
 
 def _balance(base: Fit, candidates: Sequence[Candidate]) -> dict[str, float]:

@@ -17,7 +17,9 @@ from pam_cosim.simulation import Simulator
 _FACTORS = (0.5, 0.75, 1.25, 1.5)
 
 
-def next_experiment(data: DataSet, a: Candidate, b: Candidate, files: Sequence[object] = ()) -> dict[str, object] | None:
+def next_experiment(
+    data: DataSet, a: Candidate, b: Candidate, files: Sequence[object] = ()
+) -> dict[str, object] | None:
     """Searches variations of the runs at hand for the one in which two fitted rivals differ most.
 
     Each input of each run, and each parameter that differs between runs, is scaled by a few factors. The rivals

@@ -92,7 +92,9 @@ def judge(base: Fit, path: Sequence[Candidate], others: Sequence[Candidate]) -> 
         return Verdict("ambiguous", families, effects, f"These data cannot separate {names}.")
     text = f"{' + '.join(effects)} removes {100 * share:.1f} % of the squared error beyond the noise"
     if any(leaves_structure(last.fit.structure[r]) for r in _ROLES):
-        return Verdict("unknown", families, effects, f"{text}, but what remains has structure: something else is missing.")
+        return Verdict(
+            "unknown", families, effects, f"{text}, but what remains has structure: something else is missing."
+        )
     loud = last.fit.structure["fit"].chi2_reduced
     noise = f"; the noise is {loud**0.5:.2g} times the stated one" if loud > 1.5 else ""
     return Verdict("identified", families, effects, f"{text}; what remains is noise{noise}.")

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import multiprocessing
 import os
 from collections.abc import Callable, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures import FIRST_COMPLETED, Future, wait
 from concurrent.futures.process import BrokenProcessPool
 from typing import TypeVar
+
+from loky import ProcessPoolExecutor  # its processes do not run the user's script again, as the standard ones do
 
 Task = TypeVar("Task")
 Result = TypeVar("Result")
@@ -54,9 +55,8 @@ def _attempt(
     count: int,
 ) -> list[int]:
     """Runs the chosen tasks; returns those whose pool broke."""
-    context = multiprocessing.get_context("spawn")
     lost: list[int] = []
-    with ProcessPoolExecutor(count, mp_context=context) as pool:
+    with ProcessPoolExecutor(count, timeout=None) as pool:
         running: dict[Future[Result], int] = {}
         for i in chosen:
             try:

@@ -18,7 +18,7 @@ from pam_cosim.fitting.free import Free, base_parameters
 from pam_cosim.fitting.objective import TOLERANCE, Objective
 from pam_cosim.fitting.structure import Structure, series_of, structure
 from pam_cosim.measurement import DataSet, Run
-from pam_cosim.simulation import Simulator
+from pam_cosim.simulation import AnySimulator
 
 Array = NDArray[np.float64]
 Progress = Callable[[int, float], None]
@@ -73,7 +73,7 @@ class Fit:
 
 
 def fit(
-    simulator: Simulator,
+    simulator: AnySimulator,
     data: DataSet,
     free: Sequence[Free] | None = None,
     *,

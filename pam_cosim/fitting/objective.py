@@ -11,7 +11,7 @@ from pam_cosim.comparison import RunComparison, simulate_run
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.free import Free
 from pam_cosim.measurement import DataSet, Run
-from pam_cosim.simulation import Simulator
+from pam_cosim.simulation import AnySimulator
 
 Array = NDArray[np.float64]
 
@@ -30,7 +30,7 @@ class Objective:
 
     def __init__(
         self,
-        simulator: Simulator,
+        simulator: AnySimulator,
         data: DataSet,
         runs: Sequence[Run],
         free: Sequence[Free],
@@ -40,7 +40,9 @@ class Objective:
         self.fixed = dict(fixed or {})
         self.evaluations = 0
         self.failures: list[str] = []
-        self._signals = [[s for s, signal in data.signals.items() if signal.fitted and run.sample_count(s)] for run in self.runs]
+        self._signals = [
+            [s for s, signal in data.signals.items() if signal.fitted and run.sample_count(s)] for run in self.runs
+        ]
         self.size = sum(run.sample_count(s) for run, names in zip(self.runs, self._signals, strict=True) for s in names)
 
     @property

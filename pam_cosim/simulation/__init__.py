@@ -6,7 +6,10 @@ from pam_cosim.simulation.isolated import IsolatedSimulator, run_isolated
 from pam_cosim.simulation.simulator import Simulator, SolverStatistics
 from pam_cosim.simulation.trajectory import Trajectory
 
+AnySimulator = Simulator | IsolatedSimulator
+
 __all__ = [
+    "AnySimulator",
     "Inputs",
     "IsolatedSimulator",
     "RunFailure",
