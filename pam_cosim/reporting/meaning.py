@@ -75,11 +75,9 @@ def error_sentence(diagnosis: Diagnosis) -> str:
     name = max(names, key=lambda n: before[n].chi2_reduced - (after[n].chi2_reduced if final else 0.0))
     unit = signals[name].unit
     runs = "runs that were never fitted" if role == "holdout" else "the fitted runs"
-    noise = f"the instrument's noise is {quantity(before[name].noise_rmse, unit)}"
+    noise = f"the noise is {quantity(before[name].noise_rmse, unit)}"
     if not final:
         return f"On {runs} the rms error of {name} is {quantity(before[name].rmse, unit)}; {noise}."
-    falls = after[name].rmse < before[name].rmse
-    course = (
-        f"{'falls' if falls else 'goes'} from {quantity(before[name].rmse, unit)} to {quantity(after[name].rmse, unit)}"
-    )
+    old, new = before[name].rmse, after[name].rmse
+    course = f"{'falls' if new < old else 'goes'} from {quantity(old, unit)} to {quantity(new, unit)}"
     return f"On {runs} the rms error of {name} {course}; {noise}."

@@ -74,9 +74,9 @@ def drawing() -> Iterator[None]:
     """The settings of all figures, for as long as one is drawn and saved."""
     with matplotlib.rc_context():
         # A user's matplotlibrc must not change a report; the backend is left alone, no context would restore it.
-        defaults: Any = {k: v for k, v in matplotlib.rcParamsDefault.items() if not k.startswith("backend")}
-        matplotlib.rcParams.update(defaults)
-        matplotlib.rcParams.update(_SETTINGS)
+        settings: Any = matplotlib.rcParams
+        settings.update({k: v for k, v in matplotlib.rcParamsDefault.items() if not k.startswith("backend")})
+        settings.update(_SETTINGS)
         yield
 
 

@@ -56,14 +56,28 @@ def percent(share: float | None, digits: int = 0) -> str:
 def estimate_texts(estimate: Estimate) -> tuple[str, str]:
     """Value and 95 % interval in the readable unit, with the digits that the interval supports."""
     factor = readable_factor(estimate.unit)
-    reach = (estimate.high - estimate.low) / 2
-    digits = 3
-    if estimate.determined and estimate.value and reach > 0 and math.isfinite(reach):
-        digits = min(max(2 + math.floor(math.log10(abs(estimate.value) / reach)), 2), _MOST_DIGITS)
-    value = number(estimate.value * factor, digits)
-    if not estimate.determined or not math.isfinite(reach):
-        return value, NOTHING
-    return value, f"{number(estimate.low * factor, digits)} to {number(estimate.high * factor, digits)}"
+    value, low, high = (v * factor for v in (estimate.value, estimate.low, estimate.high))
+    if not estimate.determined or not math.isfinite(high - low):
+        return number(value), NOTHING
+    digits = _digits(value, (high - low) / 2)
+    return number(value, digits), f"{_beside(low, value, digits)} to {_beside(high, value, digits)}"
+
+
+def _digits(value: float, reach: float) -> int:
+    """Significant digits of ``value`` down to the first uncertain one, to the second where that is a 1 or 2."""
+    if not value or reach <= 0:
+        return 3
+    exponent = math.floor(math.log10(reach))
+    digits = math.floor(math.log10(abs(value))) - exponent + (2 if reach < 3 * 10.0**exponent else 1)
+    return min(max(digits, 2), _MOST_DIGITS)
+
+
+def _beside(bound: float, value: float, digits: int) -> str:
+    """``bound`` with as many decimals as ``value`` has."""
+    if not (_SMALLEST <= abs(value) < _LARGEST):
+        return number(bound, digits)
+    decimals = max(digits - 1 - math.floor(math.log10(abs(value))), 0)
+    return f"{bound:.{decimals}f}".replace("-", "−")
 
 
 def remark(estimate: Estimate) -> str:

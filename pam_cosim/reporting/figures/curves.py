@@ -72,7 +72,7 @@ def _caption(layers: Sequence[Layer], holdout: bool) -> str:
         text = "Dots are measured, the line is the model. Where the line leaves the dots, the model is wrong."
     else:
         text = (
-            "Dots are measured. The solid line should run through the dots where the dashed one misses them. "
+            "Dots are measured. The solid line should run through the dots where a dashed one misses them. "
             "All runs of a row share one scale."
         )
     return f"{text} Runs marked holdout were never fitted." if holdout else text

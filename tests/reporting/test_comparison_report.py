@@ -1,0 +1,41 @@
+from __future__ import annotations
+
+from pam_cosim.reporting import comparison_report
+from tests.reporting.html_checks import checked
+from tests.reporting.synthetic import make_comparison, make_data
+
+
+def test_scores_stand_in_readable_units():
+    comparison = make_comparison(make_data(), 10.0)
+    text = checked(comparison_report(comparison)).text
+    s = comparison.scores["holdout"]["x"]
+    assert f"holdout x {s.rmse * 1e3:.2f} mm 0.200 mm" in text
+    assert "in x (noise 0.200 mm)" in text
+    assert "valve.C_A 0.7000" in text
+    assert "Model beside model" not in text
+
+
+def test_models_beside_each_other_with_the_best_marked():
+    data = make_data()
+    good, bad = make_comparison(data, 0.0, "A.Full"), make_comparison(data, 10.0, "A.Base")
+    html = comparison_report(good, [bad])
+    text = checked(html).text
+    assert "Comparison of Full with Base" in text
+    assert html.count('<td class="n best">') == 6
+    best = f'<td class="n best">{good.scores["fit"]["p"].rmse / 1e3:.3f}\u00a0kPa</td>'
+    assert best in html
+
+
+def test_equal_names_are_numbered():
+    data = make_data()
+    text = checked(comparison_report(make_comparison(data, 0.0), [make_comparison(data, 5.0)])).text
+    assert "Isotonic (1)" in text and "Isotonic (2)" in text
+
+
+def test_deterministic_and_safe():
+    data = make_data(("fit",), samples=15, title="<script>1</script>")
+    comparison = make_comparison(data, 3.0)
+    html = comparison_report(comparison)
+    assert html == comparison_report(comparison)
+    assert "<script" not in html
+    assert "<script>1</script>" in checked(html).text

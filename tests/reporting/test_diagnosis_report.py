@@ -1,0 +1,158 @@
+from __future__ import annotations
+
+import base64
+import xml.etree.ElementTree as ElementTree
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from pam_cosim.measurement import Signal
+from pam_cosim.reporting import diagnosis_report
+from tests.reporting.html_checks import checked
+from tests.reporting.synthetic import EQUATIONS, SIGNALS, make_data, make_diagnosis
+
+KINDS = ("none_missing", "identified", "ambiguous", "unknown")
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_verdict_makes_a_sound_page_that_names_what_was_tried(kind):
+    diagnosis = make_diagnosis(kind)
+    page = checked(diagnosis_report(diagnosis))
+    for candidate in diagnosis.candidates:
+        assert candidate.effect in page.text
+    assert diagnosis.verdict.reason in page.text
+    assert "no start value <can> be simulated" in page.text
+    assert "pam-cosim" in page.text and "1800 " in f"{page.text} "
+
+
+def test_each_verdict_is_said_and_explained_in_its_own_words():
+    texts = {kind: checked(diagnosis_report(make_diagnosis(kind))).text for kind in KINDS}
+    assert "These data show no missing effect" in texts["none_missing"]
+    assert "The model lacks elasticity (StiffWall)." in texts["identified"]
+    assert "these data cannot tell elasticity and end shape apart" in texts["ambiguous"]
+    assert "no effect of the catalogue explains it" in texts["unknown"]
+    assert "That does not prove the model complete" in texts["none_missing"]
+    assert "Do not choose one by its small lead" in texts["ambiguous"]
+    assert "do not trust them as physical values" in texts["unknown"]
+
+
+def test_the_error_before_and_after_stands_first_in_readable_units():
+    diagnosis = make_diagnosis("identified")
+    text = checked(diagnosis_report(diagnosis)).text
+    before, after = (f.comparison.scores["holdout"]["p"].rmse for f in (diagnosis.base, diagnosis.final))
+    assert before == pytest.approx(3.6e3, rel=0.1) and after == pytest.approx(500, rel=0.1)
+    assert f"{before / 1e3:.2f} kPa" in text and f"{after / 1e3:.3f} kPa" in text
+    assert "On runs that were never fitted the rms error of" in text
+    assert text.index("The model lacks") < text.index("The error ladder") < text.index("Measured against model")
+    assert text.index("Where the error") < text.index("Which effects") < text.index("What this verdict means")
+
+
+def test_parameters_have_intervals_units_and_plain_remarks():
+    text = checked(diagnosis_report(make_diagnosis("identified"))).text
+    assert "bladder.k StiffWall – 812 804 to 820 N/m" in text
+    assert "valve.C_A base model 0.712 0.699 0.695 to 0.703" in text
+    assert "bladder.L_free StiffWall – 200 – mm not determined by these data, at its bound" in text
+    assert "film.h StiffWall – 7.6 7.1 to 8.1 W/(m²·K)" in text
+    assert "mm at its bound" in text
+
+
+def test_ranking_gives_the_evidence_and_marks_what_was_added():
+    html = diagnosis_report(make_diagnosis("identified"))
+    text = checked(html).text
+    assert "−5200" in text and "98 %" in text
+    assert html.count('<tr class="added">') == 1
+    assert "Could not be fitted" in text
+
+
+def test_where_the_error_sits_is_a_table_too():
+    text = checked(diagnosis_report(make_diagnosis("identified"))).text
+    assert "x filling, 40 kPa < p < 120 kPa 71 % 22 %" in text
+
+
+def test_the_next_experiment_and_the_missing_term_are_told():
+    text = checked(diagnosis_report(make_diagnosis("ambiguous"))).text
+    assert "run-2" in text and "p_supply times 1.5" in text and "12.3 noise standard deviations" in text
+    text = checked(diagnosis_report(make_diagnosis("unknown"))).text
+    assert "those of the force balance come closest" in text
+    assert "p 5.00 kPa 7.07 p −0.61" in text
+
+
+def test_titles_and_names_cannot_carry_markup():
+    title = "<script>alert('x')</script> & \"friends\""
+    data = make_data(title=title)
+    html = diagnosis_report(make_diagnosis("identified", data))
+    assert "<script" not in html
+    assert title in checked(html).text
+
+
+def test_the_final_model_can_be_read():
+    html = diagnosis_report(make_diagnosis("identified"))
+    page = checked(html)
+    assert EQUATIONS in "".join(page.texts)
+    assert "details" in page.tags
+    assert "Modelica text" not in checked(diagnosis_report(make_diagnosis("none_missing"))).text
+
+
+def test_two_renderings_are_identical():
+    assert diagnosis_report(make_diagnosis("identified")) == diagnosis_report(make_diagnosis("identified"))
+
+
+def test_pictures_are_complete_vector_pictures_without_outside_resources():
+    page = checked(diagnosis_report(make_diagnosis("identified")))
+    sources = [value for tag, name, value in page.attributes if (tag, name) == ("img", "src")]
+    assert len(sources) == 6
+    for source in sources:
+        assert source.startswith("data:image/svg+xml;base64,")
+        root = ElementTree.fromstring(base64.b64decode(source.split(",", 1)[1]))
+        links = [v for e in root.iter() for n, v in e.attrib.items() if n.endswith("href")]
+        assert all(link.startswith(("#", "data:")) for link in links)
+
+
+def test_without_holdout_runs_nothing_is_said_of_them_but_the_note():
+    text = checked(diagnosis_report(make_diagnosis("identified", make_data(("fit", "fit"))))).text
+    assert "no holdout run: nothing checks a fit on data it has not seen" in text
+    assert "never fitted" not in text
+    assert "On the fitted runs the rms error of" in text
+
+
+def test_fifteen_points_of_one_run_with_gaps():
+    data = make_data(("fit",), samples=15)
+    data.runs[0].measurements["T"][[3, 4, 9]] = np.nan
+    text = checked(diagnosis_report(make_diagnosis("identified", data))).text
+    assert "T 0.300 K estimated from the samples fitted 12 0" in text
+
+
+def test_a_run_that_lacks_a_signal_and_a_signal_whose_noise_nobody_knows():
+    data = make_data()
+    short = make_data(leave_out=("x",)).runs[1]
+    data = replace(
+        data, runs=(data.runs[0], short, data.runs[2]), signals={**SIGNALS, "T": Signal("T", "K", fitted=False)}
+    )
+    diagnosis = make_diagnosis("identified", data)
+    text = checked(diagnosis_report(diagnosis)).text
+    assert "the noise of T is not known" in text
+    assert "x 0.200 mm stated fitted 200 200" in text
+
+
+def test_many_runs_go_to_further_figures():
+    few = checked(diagnosis_report(make_diagnosis("identified", make_data(("fit",) * 5 + ("holdout",), 30))))
+    many = checked(diagnosis_report(make_diagnosis("identified", make_data(("fit",) * 6 + ("holdout",), 30))))
+    assert many.tags.count("img") == few.tags.count("img") + 2
+
+
+def test_several_effects_make_a_longer_ladder():
+    diagnosis = make_diagnosis("identified")
+    first, second = diagnosis.path[0], diagnosis.candidates[1]
+    both = replace(second, effects=("StiffWall", "RoundEnds"))
+    diagnosis = replace(diagnosis, path=(first, both), candidates=(both, *diagnosis.candidates))
+    html = diagnosis_report(diagnosis)
+    assert "StiffWall + RoundEnds" in checked(html).text
+    assert html.count('<tr class="added">') == 2
+
+
+def test_nothing_tried_and_nothing_free():
+    diagnosis = make_diagnosis("none_missing", candidates=(), balance={})
+    diagnosis = replace(diagnosis, base=replace(diagnosis.base, parameters={}, failures=()))
+    text = checked(diagnosis_report(diagnosis)).text
+    assert "No effect could be fitted." in text and "No parameter was free." in text
