@@ -13,11 +13,13 @@ from typing import Any
 
 import casadi as ca
 
+from pam_cosim.errors import ModelError
+
 Value = Any
 
 
-class ArithmeticProblem(ValueError):
-    """An operation that has no result."""
+class ArithmeticProblem(ModelError):
+    """An operation that has no result; the evaluator adds the place."""
 
 
 def is_symbolic(value: Value) -> bool:

@@ -124,8 +124,6 @@ class Evaluator:
             if error.file is None and not isinstance(error, AbsentComponent):
                 raise scope.definition.source.error(error.message, expression.at) from None
             raise
-        except arithmetic.ArithmeticProblem as problem:
-            raise scope.definition.source.error(str(problem), expression.at) from None
 
     # ---- instances ----------------------------------------------------------------------------------------
 

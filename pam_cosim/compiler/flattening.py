@@ -162,7 +162,7 @@ class _Flattener:
             try:
                 residual = arithmetic.binary("-", a, b)
             except arithmetic.ArithmeticProblem as problem:
-                raise scope.definition.source.error(str(problem), at) from None
+                raise scope.definition.source.error(problem.message, at) from None
             (self.flat.initial if initial else self.flat.residuals).append(Residual(ca.SX(residual), place))
 
     def _if(self, equation: If, scope: Scope, names: Environment, initial: bool) -> None:
