@@ -7,7 +7,6 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, Any
 
-import click
 import typer
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
@@ -241,20 +240,16 @@ def effects(files: FilesOption = None) -> None:
 def main(arguments: list[str] | None = None) -> int:
     """Runs the command; 0 when done, 2 when the input cannot be used, 1 when a simulation failed."""
     try:
-        result = app(args=arguments, standalone_mode=False)
-        return result if isinstance(result, int) else 0
+        app(args=arguments)
+    except SystemExit as end:  # typer has printed its own message for words it does not know
+        return end.code if isinstance(end.code, int) else 1
     except InputError as problem:
         print(f"pam-cosim: {problem}", file=sys.stderr)
         return 2
     except SimulationFailure as failure:
         print(f"pam-cosim: the simulation failed: {failure}", file=sys.stderr)
         return 1
-    except click.exceptions.ClickException as problem:
-        problem.show()
-        return 2
-    except (click.exceptions.Abort, KeyboardInterrupt):
-        print("pam-cosim: stopped", file=sys.stderr)
-        return 130
+    return 0
 
 
 def run() -> None:
