@@ -13,6 +13,7 @@ from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError, ModelError, SimulationFailure
 from pam_cosim.study import (
     add,
+    benches,
     build,
     compare,
     describe,
@@ -30,6 +31,7 @@ __all__ = [
     "ModelError",
     "SimulationFailure",
     "add",
+    "benches",
     "build",
     "compare",
     "describe",

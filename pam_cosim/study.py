@@ -57,7 +57,7 @@ def benches() -> list[str]:
     return [
         name.rpartition(".")[2]
         for name, info in tree.classes.items()
-        if name.startswith("PneumaticMuscle.Benches.") and info.kind == "model" and not info.partial
+        if name.rpartition(".")[0] == "PneumaticMuscle.Benches" and info.kind == "model" and not info.partial
     ]
 
 

@@ -10,8 +10,13 @@ sys.path.insert(0, str(ROOT))
 import pam_cosim as pam  # noqa: E402
 from pam_cosim.files import write_json  # noqa: E402
 from pam_cosim.reporting import diagnosis_report, error_ladder_figure, write_report  # noqa: E402
+from tests.reference import rig  # noqa: E402
+from tests.reference.effects import effect_of  # noqa: E402
+from tests.reference.plan import default_plan  # noqa: E402
 
 OUTPUT = ROOT / "demo"
+HIDDEN = "elasticity:exponential"  # a spring law that no effect of the catalogue has
+HIDDEN_TITLE = "Six runs of a muscle on the simulated rig"
 
 
 def tell(name: str, folder: Path, story: str) -> pam.Diagnosis:
@@ -29,12 +34,12 @@ def tell(name: str, folder: Path, story: str) -> pam.Diagnosis:
 
 def main() -> None:
     OUTPUT.mkdir(exist_ok=True)
+    for bench in pam.benches():
+        pam.build(bench, ROOT / "fmu" / "build" / f"{bench}.fmu")
     tell("tank-discharge", ROOT / "examples" / "tank-discharge", "a real vessel: 16.2 L of air through a 2.71 mm hole")
-    from tests.reference.rig import write_rig_data
-
     folder = OUTPUT / "hidden-effect-data"
-    write_rig_data(folder)
-    tell("hidden-effect", folder, "six runs of a muscle whose bladder is stiffer than its model knows")
+    rig.write_data_set(folder, rig.measure(default_plan(), [effect_of(HIDDEN)], seed=1), title=HIDDEN_TITLE)
+    tell("hidden-effect", folder, "six runs of a muscle with a rubber bladder that its model leaves out")
 
 
 if __name__ == "__main__":
