@@ -101,8 +101,8 @@ def judge(base: Fit, path: Sequence[Candidate], others: Sequence[Candidate]) -> 
 
 
 def explained(before: Fit, after: Fit) -> float:
-    """Share of the squared error beyond the noise that is gone, on holdout runs where there are any."""
+    """Share of the squared error beyond the noise that is gone, on holdout runs where there are any; at most 1."""
     role = "holdout" if before.structure["holdout"].samples else "fit"
     a, b = before.structure[role], after.structure[role]
     excess = a.chi2 - a.samples
-    return (a.chi2 - b.chi2) / excess if excess > 0 else 0.0
+    return min((a.chi2 - b.chi2) / excess, 1.0) if excess > 0 else 0.0
