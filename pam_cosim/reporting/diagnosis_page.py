@@ -13,12 +13,13 @@ from pam_cosim.reporting.figures.curves import curve_pictures
 from pam_cosim.reporting.figures.ladder import Rung, ladder_picture
 from pam_cosim.reporting.figures.layer import Layer, before_and_after
 from pam_cosim.reporting.figures.residuals import residual_pictures
-from pam_cosim.reporting.meaning import error_sentence, headline, kind_name, meaning
+from pam_cosim.reporting.meaning import compared_sentence, error_sentence, headline, kind_name, meaning
 from pam_cosim.reporting.page import provenance, render, score_rows, signal_rows
 from pam_cosim.reporting.style import Picture
 from pam_cosim.reporting.wording import (
     NOTHING,
     estimate_texts,
+    fixed,
     listed,
     number,
     percent,
@@ -47,6 +48,7 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
         kind_name=kind_name(diagnosis.verdict.kind),
         headline=headline(diagnosis),
         error=error_sentence(diagnosis),
+        compared=compared_sentence(diagnosis),
         reason=diagnosis.verdict.reason,
         meaning=meaning(diagnosis.verdict.kind),
         summary=_summary(diagnosis),
@@ -109,7 +111,7 @@ def _summary(diagnosis: Diagnosis) -> list[Row]:
             unit = diagnosis.data.signals[name].unit
             rows.append(
                 {
-                    "name": name,
+                    "name": name if diagnosis.data.signals[name].fitted else f"{name} (not fitted)",
                     "role": role,
                     "before": quantity(before.rmse, unit),
                     "after": NOTHING if after is None else quantity(after.rmse, unit),
@@ -151,7 +153,7 @@ def _candidate_row(diagnosis: Diagnosis, c: Candidate) -> dict[str, Any]:
         "effect": " + ".join(c.effects),
         "family": words(c.family),
         "balance": words(c.balance),
-        "delta_bic": number(c.delta_bic),
+        "delta_bic": fixed(c.delta_bic),
         "probability": percent(c.probability),
         "explained": percent(_share(diagnosis, c)),
         "chi2": number(c.fit.comparison.chi2_reduced("fit")),

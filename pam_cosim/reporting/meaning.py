@@ -81,3 +81,16 @@ def error_sentence(diagnosis: Diagnosis) -> str:
     old, new = before[name].rmse, after[name].rmse
     course = f"{'falls' if new < old else 'goes'} from {quantity(old, unit)} to {quantity(new, unit)}"
     return f"On {runs} the rms error of {name} {course}; {noise}."
+
+
+def compared_sentence(diagnosis: Diagnosis) -> str:
+    """The error of the signals that the verdict does not rest on; "" where there are none."""
+    role = "holdout" if diagnosis.base.comparison.scores["holdout"] else "fit"
+    before, after = (fit.comparison.scores[role] for fit in (diagnosis.base, diagnosis.final))
+    parts = []
+    for name, signal in diagnosis.data.signals.items():
+        if signal.fitted or name not in before or name not in after:
+            continue
+        old, new = (quantity(s[name].rmse, signal.unit) for s in (before, after))
+        parts.append(f"{name}, with an rms error of {f'{old} before and {new} after' if diagnosis.path else old}")
+    return f"Compared but not fitted, so the verdict does not rest on it: {listed(parts)}." if parts else ""

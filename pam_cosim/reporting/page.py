@@ -36,7 +36,7 @@ def installed(name: str) -> str:
     try:
         return version(name)
     except PackageNotFoundError:
-        return "not installed as a package"
+        return "run from its sources, not installed"
 
 
 def provenance(data: DataSet, model: str) -> list[tuple[str, str]]:
@@ -80,7 +80,7 @@ def score_rows(comparison: Comparison) -> list[dict[str, str]]:
             rows.append(
                 {
                     "role": role,
-                    "name": name,
+                    "name": name if comparison.data.signals[name].fitted else f"{name} (not fitted)",
                     "rmse": quantity(s.rmse, unit),
                     "noise": quantity(s.noise_rmse, unit),
                     "range": number(100 * s.nrmse),

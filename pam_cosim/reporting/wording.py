@@ -29,6 +29,14 @@ def number(value: float | None, digits: int = 3) -> str:
     return text.replace("-", "−")
 
 
+def fixed(value: float | None, decimals: int = 1) -> str:
+    """``value`` with so many decimals, where the distance from zero matters and small numbers do not."""
+    if value is None or not math.isfinite(value):
+        return NOTHING
+    text = f"{value:.{decimals}f}"
+    return text.removeprefix("-") if float(text) == 0 else text.replace("-", "−")
+
+
 def unit_text(unit: str) -> str:
     """The readable unit of a quantity stored in SI ``unit``, with superscripts: "W/(m²·K)"; "" without dimension."""
     text = readable_unit(unit)

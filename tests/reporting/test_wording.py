@@ -5,6 +5,7 @@ import pytest
 from pam_cosim.fitting import Estimate
 from pam_cosim.reporting.wording import (
     estimate_texts,
+    fixed,
     listed,
     number,
     percent,
@@ -51,6 +52,10 @@ def test_the_interval_decides_the_digits():
     assert estimate_texts(Estimate(0.7, 0.7, 0.7, "1", at_bound=True)) == ("0.700", "0.700 to 0.700")
     assert estimate_texts(Estimate(0.7, 0.0, 1.0, "1", determined=False)) == ("0.700", "–")
     assert estimate_texts(Estimate(0.0, -1.0, 1.0, "Pa"))[0] == "0"
+
+
+def test_fixed_decimals_have_no_negative_zero():
+    assert [fixed(v) for v in (-4e-4, -5200.44, 12.0, float("nan"), None)] == ["0.0", "−5200.4", "12.0", "–", "–"]
 
 
 def test_remarks():

@@ -105,11 +105,13 @@ def ranking_picture(bars: Sequence[Bar], palette: Mapping[str, str], left_out: i
         handles = [Patch(color=palette[b], label=f"{words(b)} balance") for b in used]
         figure.legend(handles=handles, loc="outside upper right", ncols=len(handles))
         more = f" The best {len(bars)} are drawn; the table holds {left_out} more." if left_out else ""
+        worse = f" A bar to the left: the fitted model is worse there (cut at {percent(_WORST)})."
+        note = (worse if any(b.share < 0 for b in bars) else "") + more
         return picture(
             figure,
             "Share of the error that each tried effect explains",
             f"Share of the base model's squared error beyond the noise that each model removes on the {runs} runs, "
-            f"in the order of the evidence. Effects of one balance have one colour.{more}",
+            f"in the order of the evidence. Effects of one balance have one colour.{note}",
         )
 
 

@@ -95,7 +95,9 @@ def ladder_picture(rungs: Sequence[Rung], signals: Sequence[Signal]) -> Picture:
         grid = figure.subplots(rows, columns, squeeze=False).ravel()
         for axes, signal in zip(grid, signals, strict=False):
             draw_ladder(axes, rungs, signal)
-            axes.set_title(signal.name, loc="left", fontweight="bold")
+            axes.set_title(
+                signal.name if signal.fitted else f"{signal.name} (not fitted)", loc="left", fontweight="bold"
+            )
         for axes in grid[len(signals) :]:
             axes.set_visible(False)
         handles = ladder_legend(roles_of(rungs))

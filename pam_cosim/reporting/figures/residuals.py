@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
@@ -33,8 +34,10 @@ def draw_residuals(axes: Axes, run: RunComparison, signal: Signal, layers: Seque
         own = layer.run(run.run.name)
         if own is None or signal.name not in own.model:
             continue
+        residual = own.residual(signal.name) * factor
+        kept = np.isfinite(residual)
         axes.plot(
-            own.run.time, own.residual(signal.name) * factor, color=layer.colour, zorder=3 + i, marker="o", mec="none",
+            own.run.time[kept], residual[kept], color=layer.colour, zorder=3 + i, marker="o", mec="none",
             ms=4 if few else 1.6, ls="-" if few else "none", lw=0.8, alpha=1.0 if few else 0.6, rasterized=not few,
         )  # fmt: skip
 
