@@ -68,9 +68,8 @@ class Comparison:
             for name, s in self.scores[role].items():
                 unit = self.data.signals[name].unit
                 noise = "" if s.noise_rmse != s.noise_rmse else f", noise {readable(s.noise_rmse, unit)}"
-                lines.append(
-                    f"  {role:8} {name:4} rms error {readable(s.rmse, unit):>10} ({100 * s.nrmse:.1f} % of range{noise})"
-                )
+                share = f"{100 * s.nrmse:.1f} % of range{noise}"
+                lines.append(f"  {role:8} {name:4} rms error {readable(s.rmse, unit):>10} ({share})")
         for rule in self.where[:5]:
             lines.append(
                 f"  {100 * rule.error_share:.0f} % of the error of {rule.signal} in "

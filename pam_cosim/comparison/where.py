@@ -83,7 +83,7 @@ def _collect(runs: Sequence[RunComparison], signal: Signal, outputs: Mapping[str
     late = joined([_relative_time(r.run.time) for r in parts])
     times = [("early", late < 1 / 3), ("middle", (late >= 1 / 3) & (late < 2 / 3)), ("late", late >= 2 / 3)]
     names = np.concatenate([np.full(int(k.sum()), i) for i, k in enumerate(kept)])
-    by_run = [(f"run {r.run.name}", names == i) for i, r in enumerate(parts)] if len(parts) > 1 else []
+    by_run = [(f"in {r.run.name}", names == i) for i, r in enumerate(parts)] if len(parts) > 1 else []
     return _Samples(excess, [phases, bands + times + by_run])
 
 
@@ -109,7 +109,8 @@ def _bands(name: str, variable: Variable, values: Array) -> list[tuple[str, Mask
     found: list[tuple[str, Mask]] = []
     for i in range(_BANDS):
         inside = (values >= edges[i]) & ((values < edges[i + 1]) | (i == _BANDS - 1))
-        text = f"{edges[i] * factor:.3g} {unit} < {name} < {edges[i + 1] * factor:.3g} {unit}"
+        first, last = (0.0 if abs(e) < 1e-3 * (high - low) else e for e in (edges[i], edges[i + 1]))
+        text = f"{first * factor:.3g} {unit} < {name} < {last * factor:.3g} {unit}"
         found.append((text.replace("  ", " "), inside))
     return found
 
