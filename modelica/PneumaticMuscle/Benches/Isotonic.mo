@@ -7,20 +7,24 @@ model Isotonic "A muscle that lifts a hanging mass, driven by current-driven val
   output Types.Length x "Contraction";
   output Types.Temperature T "Temperature reading in the muscle";
   replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer";
+  replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer";
+  replaceable model Line = Components.DirectLine constrainedby Interfaces.Line "Line between valves and muscle";
   inner Components.Ambient ambient "Surroundings";
   Components.Supply supply(p_gauge=p_supply) "Air supply";
   Components.Atmosphere atmosphere "Outlet";
   Components.ValvePair valve(u_in=u_in, u_out=u_out) "Inlet and exhaust valve";
+  Line line "Line between valves and muscle";
   Components.Muscle muscle "Muscle";
   Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs";
   Components.Load load(s_start=-load.m*Constants.g/stop.k) "Hanging mass, at rest on the stop";
   Components.Stop stop(L0=muscle.L0) "Full extension";
-  Sensors.GaugePressure manometer "Pressure transducer";
+  Manometer manometer "Pressure transducer";
   Thermometer thermometer(T_start=ambient.T) "Thermometer";
   Sensors.Contraction ruler "Displacement transducer";
 equation
   connect(supply.port, valve.supply);
-  connect(valve.port, muscle.port);
+  connect(valve.port, line.port_a);
+  connect(line.port_b, muscle.port);
   connect(valve.exhaust, atmosphere.port);
   connect(muscle.port, manometer.port);
   connect(muscle.port, thermometer.port);

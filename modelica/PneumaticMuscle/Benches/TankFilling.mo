@@ -6,16 +6,20 @@ model TankFilling "A tank that is filled and emptied through current-driven valv
   output Types.GaugePressure p "Gauge pressure in the tank";
   output Types.Temperature T(displayUnit="degC") "Temperature reading in the tank";
   replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer";
+  replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer";
+  replaceable model Line = Components.DirectLine constrainedby Interfaces.Line "Line between valves and tank";
   inner Components.Ambient ambient "Surroundings";
   Components.Supply supply(p_gauge=p_supply) "Air supply";
   Components.Atmosphere atmosphere "Outlet";
   Components.ValvePair valve(u_in=u_in, u_out=u_out) "Inlet and exhaust valve";
+  Line line "Line between valves and tank";
   Components.Tank tank "Tank";
-  Sensors.GaugePressure manometer "Pressure transducer";
+  Manometer manometer "Pressure transducer";
   Thermometer thermometer(T_start=tank.T_start) "Thermometer";
 equation
   connect(supply.port, valve.supply);
-  connect(valve.port, tank.port);
+  connect(valve.port, line.port_a);
+  connect(line.port_b, tank.port);
   connect(valve.exhaust, atmosphere.port);
   connect(tank.port, manometer.port);
   connect(tank.port, thermometer.port);

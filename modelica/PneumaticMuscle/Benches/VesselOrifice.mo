@@ -4,11 +4,12 @@ model VesselOrifice "A vessel that empties or fills through a plain orifice"
   output Types.Temperature T "Temperature reading in the vessel";
   parameter Types.GaugePressure p_outside(min=-1.01e5, max=1e8) = 0 "Gauge pressure outside";
   replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer";
+  replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer";
   inner Components.Ambient ambient "Surroundings";
   Components.Tank tank(V=16.2e-3, p_start=6.9e5, startIsReference=true) "Vessel";
   Components.PlainOrifice orifice "Hole";
   Components.Atmosphere atmosphere(p_gauge=p_outside) "Outside";
-  Sensors.GaugePressure manometer "Pressure transducer";
+  Manometer manometer "Pressure transducer";
   Thermometer thermometer(T_start=tank.T_start) "Thermometer";
 equation
   connect(tank.port, orifice.port_a);

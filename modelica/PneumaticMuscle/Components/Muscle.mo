@@ -12,6 +12,8 @@ model Muscle "McKibben muscle of Doumit and Pardoel; default parameters: latex b
   parameter Types.Length z(min=1e-5, max=0.01) = 0.254e-3 "Length of a crossing along a fibre";
   replaceable model Gas = PolytropicMuscleGas constrainedby Interfaces.Gas "Law of the gas";
   replaceable model Wall = FilmWall constrainedby Interfaces.Wall "Law of the wall";
+  replaceable model Surroundings = StillAir constrainedby Interfaces.Surroundings "What the wall gives its heat to";
+  replaceable model FrictionHeat = LostFrictionHeat constrainedby Interfaces.FrictionHeat "Heat of friction";
   replaceable model Braid = CylindricalBraid constrainedby Interfaces.Braid "Law of the sleeve";
   outer Ambient ambient "Surroundings";
 protected
@@ -23,16 +25,21 @@ public
   Gas gas(V=braid.V, n=n_g, p_start=ambient.p, T_start=ambient.T, p_reference=ambient.p, T_reference=ambient.T,
     h_film=h_film) "Gas in the bladder";
   Wall wall(A=max(0, Constants.pi*braid.D*braid.L - A_fibre), h_film=gas.h_wall, k=k_wall, t=t_wall) "Bladder as a wall";
+  Surroundings surroundings "What the wall gives its heat to";
   FibreFriction fibreFriction(L0=L0, D0=D0, turns=turns, t_wall=t_wall, A_ff=crossings*w*z, mu_d=mu_d, K_f=K_f)
     "Friction of fibre on fibre";
   BladderFriction bladderFriction(L0=L0, D0=D0, turns=turns, t_wall=t_wall, A_fb=A_fibre, mu_fb=mu_fb)
     "Friction between fibres and bladder";
+  FrictionHeat frictionHeat(P_fibre=fibreFriction.f*fibreFriction.v, P_bladder=bladderFriction.f*bladderFriction.v)
+    "Heat of friction";
 equation
   connect(port, gas.port);
   connect(port, braid.port);
   connect(port, fibreFriction.port);
   connect(port, bladderFriction.port);
   connect(gas.heatPort, wall.heatPort);
+  connect(gas.heatPort, frictionHeat.heatPort);
+  connect(wall.outside, surroundings.heatPort);
   connect(flange_a, braid.flange_a);
   connect(flange_a, fibreFriction.flange_a);
   connect(flange_a, bladderFriction.flange_a);

@@ -9,15 +9,18 @@ model Tank "A rigid vessel"
     "true: the polytropic law starts from p_start and T_start; false: from the ambient, DP (60)";
   replaceable model Gas = PolytropicVesselGas constrainedby Interfaces.Gas "Law of the gas";
   replaceable model Wall = MetalWall constrainedby Interfaces.Wall "Law of the wall";
+  replaceable model Surroundings = StillAir constrainedby Interfaces.Surroundings "What the wall gives its heat to";
   outer Ambient ambient "Surroundings";
   final parameter Types.Area A = 2.5*Constants.pi*(2*V/Constants.pi)^(2/3) "Inner surface of a cylinder twice as long as wide";
   Gas gas(V=V, n=n, p_start=ambient.p + p_start, T_start=T_start,
     p_reference=if startIsReference then ambient.p + p_start else ambient.p,
     T_reference=if startIsReference then T_start else ambient.T, h_film=0) "Gas in the vessel";
   Wall wall(A=A, h_film=gas.h_wall, k=50, t=0.01) "Wall of the vessel";
+  Surroundings surroundings "What the wall gives its heat to";
 equation
   connect(port, gas.port);
   connect(gas.heatPort, wall.heatPort);
+  connect(wall.outside, surroundings.heatPort);
   annotation (Documentation(info="<html>
 <p>DP (63)-(66). The base gas takes no heat from the wall: its polytropic exponent stands for the heat.</p>
 </html>"));

@@ -7,9 +7,11 @@ model ValvePair "An inlet and an exhaust valve, current-driven, of one make, DP 
   input Types.Current u_out "Current of the exhaust valve";
   parameter Real C_A(unit="1", min=0.1, max=3) = 0.699 "Calibration of the effective area, both valves";
   replaceable model Drive = ImmediateDrive constrainedby Interfaces.ValveDrive "Dynamics of the valves";
-  Drive drive(u={u_in, u_out}) "From current to opening";
-  Orifice inlet(A=C_A*max(0, 1.80e-6*drive.y[1] - 2.61e-7)) "Inlet valve";
-  Orifice outlet(A=C_A*max(0, 1.80e-6*drive.y[2] - 2.61e-7)) "Exhaust valve";
+  replaceable model Area = LinearArea constrainedby Interfaces.ValveArea "Law of the effective areas";
+  Drive drive(u={u_in, u_out}) "From command to current";
+  Area area(u=drive.y, p_a={supply.p, port.p}, p_b={port.p, exhaust.p}, C_A=C_A) "From current to effective area";
+  Orifice inlet(A=area.A[1]) "Inlet valve";
+  Orifice outlet(A=area.A[2]) "Exhaust valve";
 equation
   connect(supply, inlet.port_a);
   connect(inlet.port_b, port);

@@ -1,9 +1,9 @@
 within PneumaticMuscle.Interfaces;
-partial model Wall "What stands between the gas and the surroundings"
+partial model Wall "What stands between the gas and what is outside"
   HeatPort heatPort "Gas side";
+  HeatPort outside "Outer side";
   input Types.Area A "Area that exchanges heat";
   input Types.CoefficientOfHeatTransfer h_film "Film coefficient";
   parameter Types.ThermalConductivity k "Thermal conductivity";
   parameter Types.Length t "Thickness";
-  outer Components.Ambient ambient "Surroundings";
 end Wall;

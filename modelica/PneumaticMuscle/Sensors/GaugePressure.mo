@@ -1,10 +1,6 @@
 within PneumaticMuscle.Sensors;
 model GaugePressure "A gauge pressure transducer"
-  Interfaces.GasPort port "Pressure tap";
-  Types.GaugePressure p "Reading";
-  outer Components.Ambient ambient "Surroundings";
+  extends Interfaces.Manometer;
 equation
   p = port.p - ambient.p;
-  port.m_flow = 0;
-  port.H_flow = 0;
 end GaugePressure;

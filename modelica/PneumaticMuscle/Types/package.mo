@@ -16,6 +16,9 @@ package Types "Physical quantities with their SI units"
   type Current = Real(final quantity="ElectricCurrent", final unit="A") "Electric current";
   type TranslationalStiffness = Real(final quantity="Stiffness", final unit="N/m") "Stiffness";
   type TranslationalDamping = Real(final quantity="Damping", final unit="N.s/m") "Damping";
+  type HeatCapacity = Real(final quantity="HeatCapacity", final unit="J/K", nominal=1) "Heat capacity";
+  type ThermalConductance = Real(final quantity="ThermalConductance", final unit="W/K") "Thermal conductance";
+  type Pressure = Real(final quantity="Pressure", final unit="Pa") "Stress, elastic modulus";
   type SpecificHeatCapacity = Real(final quantity="SpecificHeatCapacity", final unit="J/(kg.K)") "Specific heat capacity";
   type ThermalConductivity = Real(final quantity="ThermalConductivity", final unit="W/(m.K)") "Thermal conductivity";
   type CoefficientOfHeatTransfer = Real(final quantity="CoefficientOfHeatTransfer", final unit="W/(m2.K)") "Heat transfer coefficient";

@@ -1,0 +1,10 @@
+within PneumaticMuscle.Functions;
+function openingArea "Effective area of a valve by its current, uncalibrated, DP (62)"
+  input Types.Current u "Current";
+  output Types.Area A "Effective area";
+algorithm
+  A := max(0, 1.80e-6*u - 2.61e-7);
+  annotation (Documentation(info="<html>
+<p>A(u) = max(0, 1.80e-6 u - 2.61e-7) m2, u in A, DP (62).</p>
+</html>"));
+end openingArea;

@@ -1,0 +1,6 @@
+within PneumaticMuscle.Interfaces;
+partial model FrictionHeat "What becomes of the work that friction dissipates in the muscle"
+  HeatPort heatPort "Gas in the muscle";
+  input Types.Power P_fibre "Power of the friction of fibre on fibre";
+  input Types.Power P_bladder "Power of the friction between fibres and bladder";
+end FrictionHeat;

@@ -1,0 +1,8 @@
+within PneumaticMuscle.Interfaces;
+partial model ValveArea "From currents to the effective areas of the valves"
+  input Types.Current u[2] "Currents that set the openings of the inlet and the exhaust valve";
+  input Types.AbsolutePressure p_a[2] "Pressures on the sides that gas comes from in normal use";
+  input Types.AbsolutePressure p_b[2] "Pressures on the other sides";
+  parameter Real C_A(unit="1") "Calibration of the effective area, both valves";
+  Types.Area A[2] "Effective areas";
+end ValveArea;
