@@ -156,7 +156,9 @@ def compare(
 def fit(
     data: Data,
     model: ModelOption = None,
-    method: Annotated[str, typer.Option(help="How to search: least-squares or multi-start.")] = "least-squares",
+    method: Annotated[
+        str, typer.Option(help="How to search: least-squares, multi-start or particle-swarm.")
+    ] = "least-squares",
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the parameters (.json, .ssv).")] = None,
     json: JsonOption = None,
     files: FilesOption = None,

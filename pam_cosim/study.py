@@ -15,7 +15,7 @@ from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis import diagnose as _diagnose
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.files import write_bytes, write_text
-from pam_cosim.fitting import Fit, base_parameters, complete_noise, spread_starts
+from pam_cosim.fitting import Fit, base_parameters, complete_noise, spread_starts, swarm_start
 from pam_cosim.fitting import fit as _fit
 from pam_cosim.fmu import build_model, read_interface
 from pam_cosim.interface import Interface
@@ -92,7 +92,8 @@ def fit(
     Args:
         data: the measurement.
         model: default: the bench of the data set.
-        method: "least-squares" from the start values, or "multi-start": also from points spread over the bounds.
+        method: "least-squares" from the start values; "multi-start": also from points spread over the bounds;
+            "particle-swarm": also from the best point of a swarm (Dzahir and Yamamoto 2019).
         parameters: further values to use [SI].
         files: further Modelica files.
         progress: called with the number of simulations and the reduced chi-square.
@@ -107,11 +108,16 @@ def fit(
         free = base_parameters(data, simulator.interface)
         if not free:
             raise InputError("nothing to fit: name the free parameters under [fit]", data.folder / "experiment.toml")
-        starts = spread_starts(free) if method == "multi-start" else ()
-        return _fit(simulator, complete_noise(data), free, fixed=parameters, starts=starts, progress=progress)
+        data = complete_noise(data)
+        starts: list[dict[str, float]] = []
+        if method == "multi-start":
+            starts = spread_starts(free)
+        elif method == "particle-swarm":
+            starts = [swarm_start(simulator, data, free, parameters)]
+        return _fit(simulator, data, free, fixed=parameters, starts=starts, progress=progress)
 
 
-METHODS = ("least-squares", "multi-start")
+METHODS = ("least-squares", "multi-start", "particle-swarm")
 
 
 def diagnose(

@@ -1,7 +1,7 @@
 """Data set and model -> fitted parameters with intervals."""
 
 from pam_cosim.fitting.estimate import Estimate, estimates
-from pam_cosim.fitting.fit import Fit, fit, spread_starts
+from pam_cosim.fitting.fit import Fit, fit, spread_starts, swarm_start
 from pam_cosim.fitting.free import Free, base_parameters, free_from_variable
 from pam_cosim.fitting.noise import complete_noise
 from pam_cosim.fitting.parameter_file import read_parameters, write_parameters
@@ -21,5 +21,6 @@ __all__ = [
     "series_of",
     "spread_starts",
     "structure",
+    "swarm_start",
     "write_parameters",
 ]
