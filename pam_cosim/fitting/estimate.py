@@ -48,9 +48,8 @@ class Estimate:
 
     def __str__(self) -> str:
         text = f"{self.value:.4g} ({self.low:.4g} to {self.high:.4g}) {'' if self.unit == '1' else self.unit}".rstrip()
-        if not self.determined:
-            return f"{text}, not determined by these data"
-        return f"{text}, at its bound" if self.at_bound else text
+        notes = ["at its bound"] * self.at_bound + ["not determined by these data"] * (not self.determined)
+        return ", ".join([text, *notes])
 
 
 def estimates(
