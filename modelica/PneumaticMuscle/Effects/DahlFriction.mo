@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects;
 model DahlFriction "Dry friction with a small elastic travel before it slips"
-  extends Interfaces.ForceEffect(final family="dry_friction");
+  extends Interfaces.ForceEffect(final family="dry_friction", final absent="F_c=0.01");
   parameter Types.Force F_c(min=0.01, max=500, nominal=5) = 5 "Friction force when slipping";
   parameter Types.Length d(min=1e-5, max=4e-3, nominal=2e-4) = 5e-4 "Elastic travel";
   Real r(start=0, fixed=true, unit="1", nominal=1) "Share of the friction force";
@@ -10,7 +10,8 @@ equation
   d*der(r) = v - sqrt(v^2 + v_smooth^2)*r;
   f = F_c*r;
   annotation (defaultComponentName="dryFriction", Documentation(info="<html>
-<p>f = F_c r, d r_dot = v - |v| r (Dahl 1968): stiffness F_c/d before slip.</p>
+<p>f = F_c r, d r_dot = v - |v| r Source: P. R. Dahl, <i>A solid friction model</i>, 1968;: stiffness F_c/d
+before slip.</p>
 <p>Fingerprint: as CoulombFriction; after a reversal the contraction answers at first as against a spring.</p>
 </html>"));
 end DahlFriction;

@@ -10,9 +10,10 @@ equation
   V*der(p) = -Constants.gamma*p*der(V) + (Constants.gamma - 1)*(heatPort.Q_flow + port.H_flow);
   h_wall = h;
   annotation (Documentation(info="<html>
-<p>Ideal gas with mass and energy balance, DP (43), (53), (54), (59); DP (60) falls away. h takes the place of
-the film coefficient that the owner assumes; a polytropic exponent of the owner has no effect any more.</p>
-<p>Fingerprint: the temperature returns to ambient in a hold and undershoots in venting; the pressure of a vessel
-moves from the adiabatic to the isothermal curve as time goes on.</p>
+<p>Ideal gas with mass and energy balance. Source: DP (43), (53), (54), (59); DP (60) falls away, so that no
+value of h gives the base law back. Typical 5 to 50 W/(m2.K). h takes the place of the film coefficient that the
+owner assumes; a polytropic exponent of the owner has no effect any more.</p>
+<p>Fingerprint: the temperature returns to ambient in a hold and undershoots in venting; the pressure of a
+vessel moves from the adiabatic to the isothermal curve as time goes on.</p>
 </html>"));
 end EnergyGas;

@@ -1,12 +1,12 @@
 within PneumaticMuscle.Effects;
 model LinearBladder "The bladder is a linear spring"
-  extends Interfaces.ForceEffect(final family="elasticity");
+  extends Interfaces.ForceEffect(final family="elasticity", final absent="k=0");
   parameter Types.TranslationalStiffness k(min=0, max=2e4, nominal=200) = 200 "Stiffness";
 equation
   f = k*x;
   annotation (defaultComponentName="bladder", Documentation(info="<html>
 <p>f = k x. Source: the spring of Reynolds' model, DP (6); typical 50 to 2000 N/m.</p>
-<p>Fingerprint: contraction falls short in proportion to itself, in filling and holding alike; the pressure hardly
-changes.</p>
+<p>Fingerprint: contraction falls short in proportion to itself, in filling and holding alike; the pressure
+hardly changes.</p>
 </html>"));
 end LinearBladder;

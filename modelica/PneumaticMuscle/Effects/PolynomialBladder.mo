@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects;
 model PolynomialBladder "The bladder is a spring whose stiffness changes with contraction"
-  extends Interfaces.ForceEffect(final family="elasticity");
+  extends Interfaces.ForceEffect(final family="elasticity", final absent="k1=0, k2=0, k3=0");
   parameter Types.TranslationalStiffness k1(min=-5e3, max=2e4, nominal=200) = 100 "Stiffness at rest";
   parameter Real k2(unit="N/m2", min=-2e6, max=2e6, nominal=2e3) = 0 "Quadratic coefficient";
   parameter Real k3(unit="N/m3", min=-2e7, max=2e7, nominal=2e4) = 0 "Cubic coefficient";

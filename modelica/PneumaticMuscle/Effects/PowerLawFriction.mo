@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects;
 model PowerLawFriction "Friction that grows with a power of speed"
-  extends Interfaces.ForceEffect(final family="rate_friction");
+  extends Interfaces.ForceEffect(final family="rate_friction", final absent="c=0");
   parameter Types.TranslationalDamping c(min=0, max=2e4, nominal=100) = 100 "Damping at the reference speed";
   parameter Real a(unit="1", min=0.4, max=2.5) = 1.2 "Exponent";
 protected
@@ -9,7 +9,8 @@ protected
 equation
   f = c*v*((v^2 + v_smooth^2)/v_reference^2)^((a - 1)/2);
   annotation (defaultComponentName="damper", Documentation(info="<html>
-<p>f = c v |v/v_ref|^(a-1), v_ref = 0.1 m/s: a = 1 is viscous, a = 2 quadratic, a below 1 shear-thinning.</p>
+<p>f = c v |v/v_ref|^(a-1), v_ref = 0.1 m/s: a = 1 is viscous, a = 2 quadratic, a below 1 shear-thinning.
+Source: the viscous term of DP (5) with its exponent left free (Ostwald and de Waele).</p>
 <p>Fingerprint: as ViscousFriction, with another weight of fast against slow motion.</p>
 </html>"));
 end PowerLawFriction;

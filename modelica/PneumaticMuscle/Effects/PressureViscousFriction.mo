@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects;
 model PressureViscousFriction "Friction in proportion to speed and gauge pressure"
-  extends Interfaces.ForceEffect(final family="rate_friction");
+  extends Interfaces.ForceEffect(final family="rate_friction", final absent="c_p=0");
   parameter Real c_p(unit="N.s/(m.Pa)", min=0, max=0.1, nominal=1e-3) = 1e-3 "Damping per gauge pressure";
 equation
   f = c_p*p_gauge*v;

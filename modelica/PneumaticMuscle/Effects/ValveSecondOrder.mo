@@ -1,20 +1,19 @@
 within PneumaticMuscle.Effects;
-model ValveSecondOrder "The valves follow their currents as a mass on a damped spring does"
-  extends Interfaces.ValveDrive;
-  extends Interfaces.Effect(final family="valve_dynamics", final balance="mass");
-  parameter Real omega(unit="rad/s", min=2, max=1000, nominal=50) = 50 "Natural frequency";
-  parameter Real zeta(unit="1", min=0.2, max=4, nominal=1) = 0.8 "Damping ratio";
-protected
-  Real rate[2](each unit="A/s", each start=0, each fixed=true, each nominal=10) "Rate of change of the openings' currents";
+model ValveSecondOrder "The valves follow their currents as a damped oscillator"
+  extends Interfaces.ValveDrive(y(each start=0, each fixed=true));
+  extends Interfaces.Effect(final family="valve_dynamics", final balance="mass", final absent="omega=2e3");
+  parameter Real omega(unit="rad/s", min=2, max=2e3, nominal=50) = 40 "Undamped angular frequency";
+  parameter Real zeta(unit="1", min=0.3, max=2, nominal=1) = 0.8 "Damping ratio";
+  Real w[2](each unit="A/s", each start=0, each fixed=true, each nominal=1) "Rates of the currents that are felt";
 equation
   for i in 1:2 loop
-    der(y[i]) = rate[i];
-    der(rate[i]) = omega^2*(u[i] - y[i]) - 2*zeta*omega*rate[i];
+    der(y[i]) = w[i];
+    der(w[i]) = omega^2*(u[i] - y[i]) - 2*zeta*omega*w[i];
   end for;
   annotation (Documentation(info="<html>
-<p>y_ddot + 2 zeta omega y_dot + omega^2 y = omega^2 u for either valve: the armature on its spring that DP section 4.4
-describes and leaves out. Typical natural frequencies are 20 to 500 rad/s.</p>
-<p>Fingerprint: pressure and contraction start late at every switching of a valve, more softly than with ValveLag; the
-holds are right.</p>
+<p>y_ddot + 2 zeta omega y_dot + omega^2 y = omega^2 u for either valve. Source: the mass of plunger and spring
+behind the magnet, as data sheets of servo valves state it; typical 30 to 600 rad/s, 0.5 to 1. Both valves are
+shut before the start.</p>
+<p>Fingerprint: as ValveLag, with a soft beginning, and an overshoot of the flow where zeta is small.</p>
 </html>"));
 end ValveSecondOrder;

@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects;
 model ViscousFriction "Friction in proportion to speed"
-  extends Interfaces.ForceEffect(final family="rate_friction");
+  extends Interfaces.ForceEffect(final family="rate_friction", final absent="c=0");
   parameter Types.TranslationalDamping c(min=0, max=2e4, nominal=100) = 100 "Damping";
 equation
   f = c*v;
