@@ -8,9 +8,9 @@ from pathlib import Path
 
 from pam_cosim.compiler import ClassTree, EffectClass, compose, effect_classes, read_library
 from pam_cosim.diagnosis.candidate import Candidate, role_summary
-from pam_cosim.diagnosis.evidence import convincing, leaves_structure, rank
+from pam_cosim.diagnosis.evidence import convincing, leading, leaves_structure, rank
 from pam_cosim.diagnosis.missing_term import missing_term
-from pam_cosim.diagnosis.next_experiment import next_experiment
+from pam_cosim.diagnosis.next_experiment import Plan, told_apart
 from pam_cosim.diagnosis.trial import Trial, crashed, run_trial
 from pam_cosim.diagnosis.verdict import Verdict, explained, judge, rivals
 from pam_cosim.diagnosis.workers import run_tasks
@@ -128,7 +128,7 @@ def diagnose(
     shelf = effect_classes(tree)
     path: list[Candidate] = []
     tried: list[Candidate] = []
-    others: list[Candidate] = []
+    others: list[Plan] = []
     present = base
     while len(path) < _MOST_EFFECTS and (not path or any(leaves_structure(s) for s in present.structure.values())):
         trials = _trials(tree, name, shelf, path, data, present, files)
@@ -137,15 +137,14 @@ def diagnose(
             raise SimulationFailure(f"no effect could be tried; {found[0].effect}: {found[0].failure}")
         ranked = rank(present, found)
         tried += ranked
-        if not ranked or not convincing(present, ranked[0]):
+        if not ranked or not convincing(present, best := leading(ranked)):
             break
-        best = ranked[0]
         assert best.fit is not None
         path.append(best)
-        others = rivals(best, ranked)
+        others = told_apart(data, best, rivals(best, ranked), _sources(name, files))
         present = best.fit
         say(f"added {best.effect} ({best.family}): rms error {describe_fit(present)}")
-    verdict = judge(base, path, others)
+    verdict = judge(base, path, [c for c, _ in others])
     balance = _balance(base, tried[: len(trials)])
     return Diagnosis(
         data=data,
@@ -155,7 +154,7 @@ def diagnose(
         path=tuple(path),
         balance=balance,
         verdict=verdict,
-        next_experiment=next_experiment(data, path[-1], others[0], files) if others else None,
+        next_experiment=others[0][1] if others else None,
         missing_term=missing_term(present, balance) if verdict.kind == "unknown" else None,
     )
 

@@ -54,13 +54,36 @@ def rank(base: Fit, candidates: Sequence[Candidate]) -> list[Candidate]:
         return list(candidates)
     variance, time = _scale([base, *(c.fit for c in fitted if c.fit is not None)])
     start = bic(base, variance, time)
-    scored = [replace(c, delta_bic=bic(c.fit, variance, time) - start) for c in fitted if c.fit is not None]
+    # a parameter that was driven to a bound has done its work there, although nothing is known of it any more
+    price = math.log(max(base.structure["fit"].samples / time, 2.0))
+    scored = [
+        replace(c, delta_bic=bic(c.fit, variance, time) + price * _lost(c) - start) for c in fitted if c.fit is not None
+    ]
     lowest = min(0.0, *(c.delta_bic for c in scored))
     weights = {c.effects: math.exp(-(c.delta_bic - lowest) / 2) for c in scored}
     total = math.exp(lowest / 2) + sum(weights.values())
     ranked = [replace(c, probability=weights[c.effects] / total) for c in scored]
     ranked.sort(key=lambda c: (c.delta_bic, c.effects))
     return ranked + [c for c in candidates if c.fit is None]
+
+
+def degenerate(candidate: Candidate) -> bool:
+    """Whether the fit drove a parameter of the tried effect to a bound and the data do not determine it.
+
+    What is left is a limit of the effect's law, which is as a rule another, simpler effect: creep that takes for
+    ever is a spring.
+    """
+    return _lost(candidate) > 0
+
+
+def _lost(candidate: Candidate) -> int:
+    return sum(e.at_bound and not e.determined for e in candidate.parameters.values())
+
+
+def leading(ranked: Sequence[Candidate]) -> Candidate:
+    """The best candidate; of those that the evidence hardly tells from it, the first that is not degenerate."""
+    close = [c for c in ranked if c.delta_bic - ranked[0].delta_bic <= SIGNIFICANT]
+    return next((c for c in close if not degenerate(c)), ranked[0])
 
 
 def convincing(base: Fit, candidate: Candidate) -> bool:
