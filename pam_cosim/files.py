@@ -43,6 +43,24 @@ def write_json(path: Path, content: Any) -> None:
     write_text(path, json.dumps(_plain(content), indent=1, allow_nan=False) + "\n")
 
 
+def read_json(path: Path) -> Any:
+    """The content of a JSON file.
+
+    Raises:
+        InputError: the file is missing or is not JSON.
+    """
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except OSError as problem:
+        raise InputError(f"cannot be read: {problem.strerror}", path) from problem
+    except UnicodeDecodeError as problem:
+        raise InputError("cannot be read: it is not UTF-8 text", path) from problem
+    except json.JSONDecodeError as problem:
+        raise InputError(f"not JSON: {problem.msg}", path, problem.lineno, problem.colno) from problem
+    except (RecursionError, ValueError) as problem:  # nested too deeply; an integer of thousands of digits
+        raise InputError("not JSON that can be read: nested too deeply, or a number too long", path) from problem
+
+
 def check_writable(path: Path) -> None:
     """Finds out before long work whether its result can be written.
 

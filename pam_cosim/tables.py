@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from pam_cosim.comparison import Comparison
 from pam_cosim.errors import InputError
-from pam_cosim.files import write_text
+from pam_cosim.files import read_json, write_text
 from pam_cosim.interface import Interface
 from pam_cosim.quantities import readable
 from pam_cosim.study import SweepPoint
@@ -52,17 +51,12 @@ def read_comparison(path: Path) -> dict[str, Any]:
     Raises:
         InputError: the file is missing or is not such a file.
     """
-    try:
-        content = json.loads(path.read_text(encoding="utf-8"))
-    except OSError as problem:
-        raise InputError(f"cannot be read: {problem.strerror}", path) from problem
-    except UnicodeDecodeError as problem:
-        raise InputError("cannot be read: it is not UTF-8 text", path) from problem
-    except json.JSONDecodeError as problem:
-        raise InputError(f"not JSON: {problem.msg}", path, problem.lineno, problem.colno) from problem
-    if not isinstance(content, dict) or not isinstance(content.get("signals"), dict):
+    content = read_json(path)
+    signals = content.get("signals") if isinstance(content, dict) else None
+    if not isinstance(signals, dict) or not all(isinstance(s, dict) for s in signals.values()):
         raise InputError("is not a result of 'pam-cosim compare --json'", path)
-    return content
+    found: dict[str, Any] = content
+    return found
 
 
 def against_lines(comparison: Comparison, earlier: Sequence[tuple[str, dict[str, Any]]]) -> list[str]:

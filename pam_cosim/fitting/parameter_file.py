@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import math
 from pathlib import Path
 from xml.etree import ElementTree
 
 from pam_cosim.errors import InputError
-from pam_cosim.files import write_json, write_text
+from pam_cosim.files import read_json, write_json, write_text
 from pam_cosim.fitting.fit import Fit
 
 _SSV = "http://ssp-standard.org/SSP1/SystemStructureParameterValues"
@@ -44,23 +43,15 @@ def read_parameters(path: Path) -> dict[str, float]:
     Raises:
         InputError: the file is missing or is not such a file.
     """
-    try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as problem:
-        reason = problem.strerror if isinstance(problem, OSError) else "it is not UTF-8 text"
-        raise InputError(f"parameters cannot be read: {reason}", path) from problem
-    values = _from_ssv(path, text) if path.suffix.lower() == ".ssv" else _from_json(path, text)
+    values = _from_ssv(path) if path.suffix.lower() == ".ssv" else _from_json(path)
     for name, value in values.items():
         if not math.isfinite(value):
             raise InputError(f"parameter '{name}' is not a finite number", path)
     return values
 
 
-def _from_json(path: Path, text: str) -> dict[str, float]:
-    try:
-        content = json.loads(text)
-    except json.JSONDecodeError as problem:
-        raise InputError(f"not JSON: {problem.msg}", path, problem.lineno, problem.colno) from problem
+def _from_json(path: Path) -> dict[str, float]:
+    content = read_json(path)
     found = content.get("parameters", content) if isinstance(content, dict) else None
     if not isinstance(found, dict):
         raise InputError("must hold an object with parameter names and values", path)
@@ -69,16 +60,21 @@ def _from_json(path: Path, text: str) -> dict[str, float]:
         value = entry.get("value") if isinstance(entry, dict) else entry
         if isinstance(value, bool) or not isinstance(value, (int, float)):
             raise InputError(f"parameter '{name}' has no number as its value", path)
-        values[name] = float(value)
+        try:
+            values[name] = float(value)
+        except OverflowError:
+            values[name] = math.inf
     return values
 
 
-def _from_ssv(path: Path, text: str) -> dict[str, float]:
+def _from_ssv(path: Path) -> dict[str, float]:
     try:
-        root = ElementTree.fromstring(text)
+        root = ElementTree.fromstring(path.read_bytes())
         return {
             p.attrib["name"]: float(p.find(f"{{{_SSV}}}Real").attrib["value"])  # type: ignore[union-attr]
             for p in root.iter(f"{{{_SSV}}}Parameter")
         }
-    except (ElementTree.ParseError, KeyError, ValueError, AttributeError) as problem:
+    except OSError as problem:
+        raise InputError(f"cannot be read: {problem.strerror}", path) from problem
+    except (ElementTree.ParseError, LookupError, ValueError, AttributeError) as problem:
         raise InputError("is not an SSV file with real parameters", path) from problem

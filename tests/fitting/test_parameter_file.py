@@ -1,0 +1,102 @@
+"""Fitted parameters go through a file without loss, and a bad file is one clear message."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from types import SimpleNamespace
+from xml.etree import ElementTree
+
+import pytest
+
+from pam_cosim.errors import InputError
+from pam_cosim.fitting import Estimate, Fit, read_parameters, write_parameters
+
+VALUES = {"orifice.C_d": 0.1 + 0.2, "tank.gas.h": 7.874133972542709, "leak.G": 1.2345678901234567e-12}
+FOUND = Fit(
+    "Test.Vessel",
+    {n: Estimate(v, v / 2, v * 2, "W/(m2.K)" if n == "tank.gas.h" else "1") for n, v in VALUES.items()},
+    SimpleNamespace(),  # type: ignore[arg-type]
+    {},
+    1,
+)
+
+
+@pytest.mark.parametrize("name", ["found.json", "found.ssv", "FOUND.SSV", "found.txt"])
+def test_round_trip_to_the_last_bit(tmp_path: Path, name: str) -> None:
+    write_parameters(tmp_path / name, FOUND)
+    assert read_parameters(tmp_path / name) == VALUES
+    assert [p.name for p in tmp_path.iterdir()] == [name]
+
+
+def test_json_carries_intervals_and_units(tmp_path: Path) -> None:
+    write_parameters(tmp_path / "p.json", FOUND)
+    content = json.loads((tmp_path / "p.json").read_text())
+    assert content["model"] == "Test.Vessel"
+    entry = content["parameters"]["tank.gas.h"]
+    assert entry["low"] == VALUES["tank.gas.h"] / 2 and entry["unit"] == "W/(m2.K)"
+
+
+def test_ssv_is_what_the_standard_says(tmp_path: Path) -> None:
+    """System Structure Parameter Values 1.0: ParameterSet/Parameters/Parameter/Real in its namespace."""
+    write_parameters(tmp_path / "p.ssv", FOUND)
+    root = ElementTree.parse(tmp_path / "p.ssv").getroot()
+    space = "{http://ssp-standard.org/SSP1/SystemStructureParameterValues}"
+    assert root.tag == f"{space}ParameterSet" and root.attrib["version"] == "1.0" and root.attrib["name"]
+    reals = root.findall(f"{space}Parameters/{space}Parameter/{space}Real")
+    assert [float(r.attrib["value"]) for r in reals] == list(VALUES.values())
+
+
+def test_plain_object_of_names_and_numbers(tmp_path: Path) -> None:
+    (tmp_path / "p.json").write_text('{"load.m": 5, "tank.n": 1.2}')
+    assert read_parameters(tmp_path / "p.json") == {"load.m": 5.0, "tank.n": 1.2}
+
+
+SSV = '<P xmlns:s="http://ssp-standard.org/SSP1/SystemStructureParameterValues">{}</P>'
+BAD = [
+    ("p.json", "", "not JSON", 1),
+    ("p.json", '{"a": 1,\n "b" 2}', "not JSON", 2),
+    ("p.json", "[1, 2]", "must hold an object", None),
+    ("p.json", '{"parameters": [1]}', "must hold an object", None),
+    ("p.json", '{"a": "5 kg"}', "parameter 'a' has no number", None),
+    ("p.json", '{"a": {"low": 1}}', "parameter 'a' has no number", None),
+    ("p.json", '{"a": true}', "parameter 'a' has no number", None),
+    ("p.json", '{"a": NaN}', "parameter 'a' is not a finite number", None),
+    ("p.json", '{"a": 1e999}', "parameter 'a' is not a finite number", None),
+    ("p.json", '{"a": 1' + "0" * 400 + "}", "parameter 'a' is not a finite number", None),
+    ("p.json", "[" * 100_000, "not JSON", None),
+    ("p.ssv", "", "is not an SSV file", None),
+    ("p.ssv", "<a><b></a>", "is not an SSV file", None),
+    ("p.ssv", SSV.format('<s:Parameter name="a"><s:Real value="x"/></s:Parameter>'), "is not an SSV file", None),
+    ("p.ssv", SSV.format('<s:Parameter name="a"><s:Integer value="1"/></s:Parameter>'), "is not an SSV file", None),
+    ("p.ssv", SSV.format('<s:Parameter><s:Real value="1"/></s:Parameter>'), "is not an SSV file", None),
+    ("p.ssv", SSV.format('<s:Parameter name="a"><s:Real value="nan"/></s:Parameter>'), "not a finite number", None),
+]
+
+
+@pytest.mark.parametrize(("name", "text", "words", "line"), BAD, ids=[f"{c[0]}-{c[2]}-{i}" for i, c in enumerate(BAD)])
+def test_bad_file_is_one_clear_message(tmp_path: Path, name: str, text: str, words: str, line: int | None) -> None:
+    file = tmp_path / name
+    file.write_text(text)
+    with pytest.raises(InputError) as caught:
+        read_parameters(file)
+    assert words in caught.value.message
+    assert (caught.value.file, caught.value.line) == (file, line)
+
+
+def test_bytes_that_are_no_text(tmp_path: Path) -> None:
+    (tmp_path / "p.json").write_bytes(b"\xff\xfe{")
+    with pytest.raises(InputError, match="UTF-8"):
+        read_parameters(tmp_path / "p.json")
+
+
+@pytest.mark.parametrize("missing", ["none.json", "folder"])
+def test_missing_file(tmp_path: Path, missing: str) -> None:
+    (tmp_path / "folder").mkdir()
+    with pytest.raises(InputError, match="cannot be read"):
+        read_parameters(tmp_path / missing)
+
+
+def test_unwritable(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="cannot be written"):
+        write_parameters(tmp_path / "no" / "p.json", FOUND)

@@ -1,0 +1,107 @@
+"""Statistics of residuals on noise whose statistics are known."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from pam_cosim.fitting import complete_noise, structure
+from tests.fitting.models import data_set, recording
+
+Array = NDArray[np.float64]
+
+
+def white(seed: int, n: int = 400) -> Array:
+    return np.random.default_rng([seed, 11]).standard_normal(n)
+
+
+def red(rho: float, seed: int, n: int = 4000) -> Array:
+    """First-order autoregression with variance one."""
+    e = white(seed, n)
+    for i in range(1, n):
+        e[i] = rho * e[i - 1] + np.sqrt(1 - rho**2) * e[i]
+    return e
+
+
+def test_white_noise_has_a_standard_score() -> None:
+    """Over 400 seeds: mean 0 +- 0.05, standard deviation 1 +- 0.035; thrice that is allowed."""
+    found = [structure([white(s), white(s + 1000, 300)]) for s in range(400)]
+    scores = np.array([f.score for f in found])
+    assert abs(scores.mean()) < 0.15
+    assert scores.std() == pytest.approx(1.0, abs=0.11)
+    assert np.mean([f.chi2_reduced for f in found]) == pytest.approx(1.0, abs=0.01)
+    assert np.mean([f.noise for f in found]) == pytest.approx(1.0, abs=0.01)
+    assert np.mean([f.correlation_time for f in found]) < 1.15
+
+
+@pytest.mark.parametrize("rho", [0.3, 0.6, 0.9])
+def test_autoregression(rho: float) -> None:
+    """Correlation time (1 + rho)/(1 - rho), white part 1 - rho, score rho sqrt(n)."""
+    found = [structure([red(rho, s)]) for s in range(20)]
+    assert np.mean([f.correlation_time for f in found]) == pytest.approx((1 + rho) / (1 - rho), rel=0.1)
+    assert np.mean([f.noise for f in found]) == pytest.approx(1 - rho, rel=0.05)
+    assert np.mean([f.excess for f in found]) == pytest.approx(rho, abs=0.05)
+    assert np.mean([f.score for f in found]) == pytest.approx(rho * np.sqrt(4000), rel=0.05)
+
+
+def test_alternating_residuals_are_not_taken_for_drift() -> None:
+    found = structure([red(-0.5, 0)])
+    assert found.score < -20 and found.correlation_time == 1.0 and found.excess == 0.0
+
+
+def test_offset_shows_as_structure() -> None:
+    """A constant of one noise standard deviation doubles the mean square; the white part does not see it."""
+    found = structure([white(0, 2000) + 1.0])
+    assert found.score > 15
+    assert found.excess == pytest.approx(1.0, abs=0.1)
+    assert found.noise == pytest.approx(1.0, abs=0.1)
+
+
+def test_series_are_not_joined() -> None:
+    """The jump from one series to the next is no residual."""
+    found = structure([white(1, 100) * 1e-3 + 1.0, white(2, 100) * 1e-3 - 1.0])
+    assert found.noise == pytest.approx(1e-6, rel=0.3)
+    assert (found.samples, found.chi2) == (200, pytest.approx(200, rel=1e-2))
+
+
+def test_nothing_and_next_to_nothing() -> None:
+    for series in ([], [np.zeros(0)], [np.array([2.0])], [np.zeros(50)]):
+        found = structure(series)
+        assert (found.score, found.correlation_time) == (0.0, 1.0)
+    assert structure([np.array([2.0])]).chi2_reduced == 4.0
+
+
+TIME = np.linspace(0.0, 10.0, 201)
+
+
+def test_stated_noise_is_kept() -> None:
+    data = complete_noise(data_set("m", [recording(TIME, {"y": np.sin(TIME)})], {"y": 0.5}))
+    assert data.signals["y"].sigma == 0.5 and not data.signals["y"].estimated
+
+
+def test_noise_of_dense_samples_is_estimated() -> None:
+    y = np.sin(TIME) + 0.05 * white(3, 201)
+    signal = complete_noise(data_set("m", [recording(TIME, {"y": y})], {"y": None})).signals["y"]
+    assert signal.estimated and signal.sigma == pytest.approx(0.05, rel=0.25)
+
+
+@pytest.mark.parametrize("count", [2, 5, 20])
+def test_sparse_samples_get_a_hundredth_of_their_range(count: int) -> None:
+    """Points read off a printed figure show no noise to estimate."""
+    time = np.linspace(0.0, 10.0, count)
+    signal = complete_noise(data_set("m", [recording(time, {"y": 40 * time})], {"y": None})).signals["y"]
+    assert signal.estimated and signal.sigma == pytest.approx(4.0)
+
+
+def test_missing_samples_do_not_spoil_the_range() -> None:
+    y = np.array([np.nan, 1.0, np.nan, 3.0])
+    data = data_set("m", [recording(np.arange(4.0), {"y": y}), recording(np.arange(4.0), {})], {"y": None})
+    assert complete_noise(data).signals["y"].sigma == pytest.approx(0.02)
+
+
+def test_constant_signal_still_has_a_level() -> None:
+    for value in (0.0, 250.0):
+        data = data_set("m", [recording(np.arange(4.0), {"y": np.full(4, value)})], {"y": None})
+        sigma = complete_noise(data).signals["y"].sigma
+        assert sigma is not None and 0 < sigma <= 1e-3
