@@ -18,6 +18,6 @@ Vo-Minh and others, <i>Cascade position control of a single pneumatic artificial
 hysteresis compensation</i>, 2010), where four elements give the hysteresis of one muscle; each is a smooth one
 (Dahl's), so that slip has no corner.</p>
 <p>Fingerprint: as DahlFriction; the loop is rounded over a longer travel and small loops inside the large one
-are narrower. Bound: more than 8 mm of travel is a spring, not friction.</p>
+are narrower. Typical F_c 1 to 30 N, d 0.5 to 5 mm; more than 8 mm of travel is a spring, not friction.</p>
 </html>"));
 end MaxwellSlipFriction;

@@ -8,8 +8,8 @@ model StorageWall "A wall that stores heat between a film inside and a film outs
 initial equation
   T_w = outside.T;
 equation
-  heatPort.Q_flow*(1/h_film + t/(2*k)) = A*(heatPort.T - T_w);
-  outside.Q_flow*(1/(r*h_film) + t/(2*k)) = A*(outside.T - T_w);
+  heatPort.Q_flow*(1 + h_film*t/(2*k)) = h_film*A*(heatPort.T - T_w);
+  outside.Q_flow*(1 + r*h_film*t/(2*k)) = r*h_film*A*(outside.T - T_w);
   C*der(T_w) = heatPort.Q_flow + outside.Q_flow;
   annotation (Documentation(info="<html>
 <p>Film, half the wall, store of heat, half the wall, film. Source: DP (44)-(45) with the films of

@@ -6,7 +6,7 @@ model ThermocoupleLag "The temperature reading lags"
 equation
   tau*der(T) = port.T - T;
   annotation (Documentation(info="<html>
-<p>tau T_dot = T_gas - T. Source: heat balance of a small bead in a gas stream; typical 0.05 s (bare wire of 25
+<p>tau T_dot = T_gas - T. Source: heat balance of a small bead in a gas stream. Typical 0.05 s (bare wire of 25
 micrometres) to 10 s (sheathed).</p>
 <p>Fingerprint: the temperature is smooth and late; pressure and contraction are right.</p>
 </html>"));

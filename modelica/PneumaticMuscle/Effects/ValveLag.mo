@@ -8,8 +8,8 @@ equation
     tau*der(y[i]) = u[i] - y[i];
   end for;
   annotation (Documentation(info="<html>
-<p>tau y_dot = u - y for either valve; source: the first-order lag that data sheets of proportional valves give,
-typical 5 to 100 ms. Both valves are shut before the start.</p>
+<p>tau y_dot = u - y for either valve. Source: the first-order lag that data sheets of proportional valves give.
+Typical 5 to 100 ms. Both valves are shut before the start.</p>
 <p>Fingerprint: pressure and contraction are late at every switching of a valve; the holds are right.</p>
 </html>"));
 end ValveLag;

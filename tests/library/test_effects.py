@@ -1,0 +1,117 @@
+"""Every effect of the library, whichever it is: what it declares, that it runs, vanishes and shows."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import casadi as ca
+import numpy as np
+import pytest
+
+from pam_cosim.compiler import EffectClass, Ode, compile_model
+from tests.library.shelf import absent, base, built, effects, full_names, homes, noise, run, tree
+
+BALANCES = {
+    "elasticity": "force", "dry_friction": "force", "rate_friction": "force", "creep": "force", "end_shape": "force",
+    "moving_mass": "force", "valve_dynamics": "mass", "valve_area": "mass", "supply_line": "mass",
+    "dead_volume": "mass", "leak": "mass", "gas_energy": "energy", "wall_heat": "energy", "friction_heat": "energy",
+    "thermocouple_lag": "sensor", "pressure_offset": "sensor",
+}  # fmt: skip
+
+every_effect = pytest.mark.parametrize("effect", effects(), ids=lambda e: e.name)
+
+
+def test_every_family_has_an_effect_and_none_is_unknown() -> None:
+    assert {e.family: e.balance for e in effects()} == BALANCES
+
+
+@every_effect
+def test_declaration_is_complete(effect: EffectClass) -> None:
+    own = {c.name: c for c in tree().components(effect.qualified_name)}
+    for word in ("Source:", "Fingerprint:"):
+        assert word in effect.documentation, f"{effect.name} does not state its {word}"
+    assert "typical" in effect.documentation.lower(), f"{effect.name} does not state what is typical"
+    assert effect.description and effect.parameters
+    for name in effect.parameters:
+        assert own[name].description
+    assert set(absent(effect)) <= set(effect.parameters)
+
+
+@every_effect
+def test_parameters_have_units_and_start_inside_their_bounds(effect: EffectClass) -> None:
+    for bench, composition in homes(effect.name).items():
+        _, interface = run(built(bench, effect.name), {})
+        for name in composition.parameters[effect.name]:
+            v = interface.parameters[name]
+            assert v.unit and v.description, name
+            assert v.min is not None and v.max is not None and v.start is not None, name
+            assert v.min <= v.start <= v.max and v.min < v.max, name
+            assert v.nominal is None or v.nominal > 0, name
+
+
+@every_effect
+def test_runs_everywhere_within_its_bounds(effect: EffectClass) -> None:
+    assert homes(effect.name), "finds a place in no bench"
+    for bench, composition in homes(effect.name).items():
+        fmu = built(bench, effect.name)
+        _, interface = run(fmu, {})
+        for name in composition.parameters[effect.name]:
+            v = interface.parameters[name]
+            for value in (v.min, v.max):
+                assert value is not None
+                outputs, _ = run(fmu, {name: value})
+                assert all(np.isfinite(y).all() for y in outputs.values()), (bench, name, value)
+
+
+@every_effect
+def test_shows_in_a_measurement(effect: EffectClass) -> None:
+    largest = 0.0
+    for bench in homes(effect.name):
+        outputs, interface = run(built(bench, effect.name), {})
+        without, _ = base(bench)
+        largest = max(
+            [largest] + [float(np.abs(y - without[n]).max()) / noise(interface.outputs[n]) for n, y in outputs.items()]
+        )
+    assert largest > 1
+
+
+@every_effect
+def test_vanishes_where_it_says_so(effect: EffectClass) -> None:
+    values = absent(effect)
+    if not values:
+        assert "gives the base law back" in " ".join(effect.documentation.split()), "does not say when it is absent"
+        return
+    share = 1e-3 if set(values.values()) <= {0.0, 1.0} else 1.0  # exactly, or in the limit
+    for bench, composition in homes(effect.name).items():
+        names = full_names(effect, composition)
+        outputs, interface = run(built(bench, effect.name), {names[n]: v for n, v in values.items()})
+        without, _ = base(bench)
+        for name, y in outputs.items():
+            assert np.abs(y - without[name]).max() <= share * noise(interface.outputs[name]), (bench, name)
+
+
+@every_effect
+def test_derivatives_are_finite_at_rest_and_at_the_bounds(effect: EffectClass, tmp_path: Path) -> None:
+    for composition in homes(effect.name).values():
+        file = tmp_path / f"{composition.name}.mo"
+        file.write_text(composition.text)
+        ode = compile_model(str(file))
+        variables = ode.interface.parameters
+        rates = ca.Function("rates", [ode.t, ode.x, ode.u, ode.p], [ode.derivatives])
+        slopes = rates.jacobian()
+        initial = ca.Function("initial", [ode.p], [ode.initial])
+        inputs = [[v.start or 0.0 for v in ode.interface.inputs.values()], [0.0] * len(ode.interface.inputs)]
+        for name in composition.parameters[effect.name]:
+            v = variables[name]
+            for value in (v.min, v.start, v.max):
+                p = [value if n == name else other.start for n, other in variables.items()]
+                at_start = initial(p).full().ravel()
+                for x, u in ((x, u) for x in (at_start, _at_corners(ode, at_start)) for u in inputs):
+                    found = slopes(0, x, u, p, rates(0, x, u, p))
+                    parts = found if isinstance(found, tuple) else (found,)
+                    assert all(np.isfinite(part.full()).all() for part in parts), (name, value)
+
+
+def _at_corners(ode: Ode, x: np.ndarray) -> np.ndarray:
+    """The same state with every length, speed and share at zero, where laws have their corners."""
+    return np.where([state.unit in ("m", "m/s", "1") for state in ode.states], 0.0, x)
