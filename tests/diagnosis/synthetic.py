@@ -1,0 +1,59 @@
+"""Fits and candidates whose statistics are written down."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import SimpleNamespace
+
+from pam_cosim.diagnosis import Candidate
+from pam_cosim.fitting import Estimate, Fit, Structure
+
+SAMPLES = 1000
+NOISE = 1.0  # chi2 of a residual that is noise
+
+
+def statistics(chi2: float, score: float = 0.0, time: float = 1.0, samples: int = SAMPLES) -> Structure:
+    """``chi2`` reduced; the white part of the residual is that of the noise."""
+    return Structure(chi2 * samples, samples, min(chi2, NOISE), score, time)
+
+
+EMPTY = Structure(0.0, 0, float("nan"), 0.0, 1.0)
+
+
+def fitted(
+    chi2: float,
+    holdout: float | None = None,
+    score: float = 0.0,
+    parameters: int = 2,
+    time: float = 1.0,
+    own: Mapping[str, Estimate] | None = None,
+    shown: Mapping[str, float] | None = None,
+) -> Fit:
+    """A fit whose residual has these reduced chi-squares; ``shown``: rms errors of signals that were not fitted."""
+    estimates = {f"base.{i}": Estimate(1.0, 0.9, 1.1) for i in range(parameters)} | dict(own or {})
+    signals = {n: SimpleNamespace(fitted=False) for n in shown or {}}
+    comparison = SimpleNamespace(
+        data=SimpleNamespace(signals=signals),
+        scores={"all": {n: SimpleNamespace(rmse=v) for n, v in (shown or {}).items()}},
+    )
+    structure = {
+        "fit": statistics(chi2, score, time),
+        "holdout": EMPTY if holdout is None else statistics(holdout, score, time),
+    }
+    return Fit("Test", estimates, comparison, structure, 1)  # type: ignore[arg-type]
+
+
+def candidate(
+    effect: str,
+    fit: Fit | None,
+    family: str | None = None,
+    own: Mapping[str, Estimate] | None = None,
+    balance: str = "force",
+    before: tuple[str, ...] = (),
+) -> Candidate:
+    failure = None if fit is not None else "no answer"
+    return Candidate(effect, family or effect, balance, (*before, effect), tuple(own or {}), fit, failure)
+
+
+LOST = Estimate(1e4, 0.1, 1e4, "s", at_bound=True, determined=False)
+KNOWN = Estimate(250.0, 240.0, 260.0, "N/m")

@@ -1,0 +1,102 @@
+"""All kinds of verdict from statistics that are written down."""
+
+from __future__ import annotations
+
+import pytest
+
+from pam_cosim.diagnosis.evidence import rank
+from pam_cosim.diagnosis.verdict import explained, judge, rivals
+from tests.diagnosis.synthetic import KNOWN, LOST, candidate, fitted
+
+BASE = fitted(10.0, holdout=9.0, score=50.0)
+GOOD = candidate("Leak", fitted(1.0, holdout=1.0), "leak", balance="mass")
+
+
+def test_none_missing() -> None:
+    verdict = judge(fitted(1.0, holdout=1.02, score=1.0), [], [])
+    assert (verdict.kind, verdict.families, verdict.effects) == ("none_missing", (), ())
+
+
+def test_structure_in_the_holdout_runs_alone_is_enough_to_object() -> None:
+    odd = fitted(1.0, holdout=2.0)
+    odd.structure["holdout"] = BASE.structure["holdout"]
+    assert judge(odd, [], []).kind == "unknown"
+
+
+def test_identified() -> None:
+    verdict = judge(BASE, [GOOD], [])
+    assert (verdict.kind, verdict.families, verdict.effects) == ("identified", ("leak",), ("Leak",))
+    assert "100.0 %" in verdict.reason
+
+
+def test_several_effects_in_the_order_in_which_they_were_added() -> None:
+    second = candidate("Lag", fitted(1.0, holdout=1.0), "valve", before=("Leak",))
+    verdict = judge(BASE, [candidate("Leak", fitted(3.0, holdout=3.0, score=30.0), "leak"), second], [])
+    assert (verdict.families, verdict.effects) == (("leak", "valve"), ("Leak", "Lag"))
+    assert verdict.reason.startswith("Leak + Lag removes")
+
+
+def test_loud_noise_is_said() -> None:
+    loud = candidate("Leak", fitted(4.0, holdout=4.0), "leak")
+    verdict = judge(fitted(40.0, holdout=40.0, score=50.0), [loud], [])
+    assert verdict.kind == "identified" and "2 times the stated" in verdict.reason
+    assert "stated" not in judge(BASE, [GOOD], []).reason
+
+
+def test_ambiguous_names_all() -> None:
+    verdict = judge(BASE, [GOOD], [candidate("Offset", fitted(1.001, holdout=1.001), "offset")])
+    assert verdict.kind == "ambiguous"
+    assert verdict.families == ("leak", "offset") and verdict.effects == ("Leak", "Offset")
+    assert "leak and offset" in verdict.reason
+
+
+def test_unknown_without_and_with_effects() -> None:
+    nothing = judge(BASE, [], [])
+    assert (nothing.kind, nothing.families) == ("unknown", ())
+    part = candidate("Leak", fitted(3.0, holdout=3.0, score=30.0), "leak")
+    some = judge(BASE, [part], [])
+    assert (some.kind, some.families) == ("unknown", ("leak",))
+    assert "something else is missing" in some.reason
+
+
+def test_share_explained_is_of_the_error_beyond_the_noise_of_the_holdout_runs() -> None:
+    assert explained(fitted(3.0, holdout=5.0), fitted(1.0, holdout=2.0)) == pytest.approx(0.75)
+    assert explained(fitted(3.0), fitted(2.0)) == pytest.approx(0.5)
+    assert explained(fitted(1.0), fitted(0.9)) == 0.0
+
+
+def _rivals(*others):  # type: ignore[no-untyped-def]  # noqa: ANN002, ANN202
+    ranked = rank(BASE, [GOOD, *others])
+    assert ranked[0].effect == "Leak"
+    return [c.effect for c in rivals(ranked[0], ranked)]
+
+
+def test_rivals_are_close_and_of_other_families() -> None:
+    close = candidate("Offset", fitted(1.005, holdout=1.0), "offset")
+    far = candidate("Lag", fitted(1.02, holdout=1.0), "lag")
+    sister = candidate("SmallLeak", fitted(1.001, holdout=1.0), "leak")
+    assert _rivals(close, far, sister, candidate("Broken", None)) == ["Offset"]
+
+
+def test_one_rival_of_a_family() -> None:
+    a, b = (candidate(n, fitted(c, holdout=1.0), "offset") for n, c in (("Worse", 1.004), ("Better", 1.002)))
+    assert _rivals(a, b) == ["Better"]
+
+
+def test_holdout_runs_refute_a_rival() -> None:
+    assert _rivals(candidate("Offset", fitted(1.005, holdout=1.02), "offset")) == []
+    assert _rivals(candidate("Offset", fitted(1.005, holdout=1.005), "offset")) == ["Offset"]
+
+
+def test_signals_that_were_not_fitted_refute_a_rival() -> None:
+    best = candidate("Gas", fitted(1.0, shown={"T": 15.0}), "gas")
+    for rms, expected in ((80.0, []), (20.0, ["Offset"])):
+        other = candidate("Offset", fitted(1.001, shown={"T": rms}), "offset")
+        ranked = rank(BASE, [best, other])
+        assert [c.effect for c in rivals(ranked[0], ranked)] == expected
+
+
+def test_a_rival_at_the_limit_of_its_law_is_none() -> None:
+    lost = {"k": KNOWN, "tau": LOST}
+    limit = candidate("Creep", fitted(0.999, holdout=1.0, own=lost), "creep", lost)
+    assert _rivals(limit) == []
