@@ -1,0 +1,34 @@
+within PneumaticMuscle.Benches;
+model LumpedLinear "Linear model of three states, pressure, length and its rate, AM Fig. 9"
+  input Types.GaugePressure p_in(start=4.5e5) "Pressure that the regulator is told";
+  output Types.GaugePressure p "Gauge pressure in the muscle";
+  output Types.Length L "Length, from that at the operating point";
+  output Types.Force F "Pull of the muscle";
+  parameter Types.GaugePressure p_0(min=0, max=1e6) = 2.5e5 "Gauge pressure at the operating point";
+  parameter Types.Time tau(min=1e-3, max=10) = 0.1 "Time constant of the pressure";
+  parameter Types.Area C_1(min=1e-6, max=1e-2, nominal=1e-4) = 5.7238e-4 "Pull per gauge pressure";
+  parameter Types.TranslationalStiffness C_2(min=0, max=1e5) = 8061.8 "Pull per length";
+  parameter Types.TranslationalStiffness k(min=0, max=1e5) = 500 "Stiffness of what it pulls";
+  parameter Types.TranslationalDamping b(min=0, max=1e4) = 60 "Damping";
+  parameter Types.Mass m(min=0.001, max=1000) = 2 "Mass";
+  parameter Types.Force F_0(min=0, max=1e5) = 0 "Pull at the operating point";
+  Types.GaugePressure P(start=p_0, fixed=true) "Pressure";
+  Types.Velocity v(start=0, fixed=true) "Rate of the length";
+protected
+  Types.Length l(start=0, fixed=true) "Length, from that at the operating point";
+equation
+  tau*der(P) = p_in - P;
+  der(l) = v;
+  m*der(v) = -C_1*(P - p_0) - (C_2 + k)*l - b*v;
+  p = P;
+  L = l;
+  F = F_0 + C_1*(P - p_0) + C_2*l;
+  annotation (experiment(StopTime=2, Interval=0.002, Tolerance=1e-6), Documentation(info="<html>
+<p>d/dt [P, L, L_dot] = [-1/tau, 0, 0; 0, 0, 1; -C_1/m, -(C_2 + k)/m, -b/m] [P, L, L_dot] + [1/tau, 0, 0] P_in and
+F = F_0 + C_1 dP + C_2 dL, AM, dynamic model; L counts from the operating point p_0. The default is the step from 2.5
+to 4.5 bar. tau, k, b and m are not given; these are for illustration.</p>
+<p>C_1 and C_2 are those of AM Fig. 7 about 6 bar and 10 % strain, but C_1 is printed as 5.7238e-5: the force equation with
+the stated parameters gives 5.7239e-4 m2 and 8061.8 N/m, so a power of ten was lost. The step lies below the
+operating point: at 3.5 bar and 10 % the same equation gives 4.28e-4 m2 and 5706 N/m.</p>
+</html>"));
+end LumpedLinear;

@@ -1,0 +1,27 @@
+within PneumaticMuscle.Benches;
+model VerticalLoad "The empirical muscle with a hanging load, driven by pressure, DY Fig. 1"
+  input Types.GaugePressure p(start=200e3) "Gauge pressure in the muscle";
+  output Types.Length x "Contraction";
+  output Real eps(unit="1") "Contraction ratio";
+  parameter Real frequency(unit="Hz", min=0.01, max=100) = 0.5 "Frequency of the excitation";
+  inner Components.Ambient ambient "Surroundings";
+  Components.Supply supply(p_gauge=p) "Pressure regulator";
+  Components.EmpiricalMuscle muscle(F_load=load.m*Constants.g, frequency=frequency) "Muscle";
+  Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs";
+  Components.Load load(m=10, s_start=muscle.L0 - muscle.elasticity.L_o - (load.m*Constants.g/muscle.elasticity.K)^(1/3))
+    "Hanging mass, at rest without pressure";
+  Sensors.Contraction ruler "Displacement transducer";
+equation
+  connect(supply.port, muscle.port);
+  connect(muscle.flange_a, load.flange);
+  connect(muscle.flange_b, ceiling.flange);
+  connect(muscle.flange_a, ruler.flange);
+  x = ruler.x;
+  eps = x/muscle.L0;
+  annotation (experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
+<p>M L eps_ddot = F_s(P, eps) - F_elastic - F_hys - M g, DY (13)-(16), with x = L eps. Load (5 to 30 kg) and frequency
+(0.5 to 2 Hz) are constants of a run. The sign of the speed is rounded (<code>Laws.Frictions.CoulombViscous</code>).
+Only the product of <code>muscle.friction.a</code> and <code>muscle.friction.b_f</code> can be found from
+measurements: keep one fixed.</p>
+</html>"));
+end VerticalLoad;

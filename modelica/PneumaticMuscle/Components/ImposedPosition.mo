@@ -1,0 +1,18 @@
+within PneumaticMuscle.Components;
+model ImposedPosition "Moves a flange to where the input says, through a fast critically damped filter"
+  Interfaces.Flange flange "Moved flange";
+  input Types.Length s_wanted "Position wanted";
+  parameter Types.Time tau(min=1e-4, max=1) = 5e-3 "Time constant of the filter";
+  parameter Types.Length s_start = 0 "Position at the start";
+  Types.Length s(start=s_start, fixed=true) "Position";
+  Types.Velocity v(start=0, fixed=true) "Speed";
+equation
+  flange.s = s;
+  der(s) = v;
+  tau^2*der(v) = s_wanted - s - 2*tau*v;
+  annotation (Documentation(info="<html>
+<p>tau^2 s_ddot + 2 tau s_dot + s = s_wanted. The volume of a muscle changes with the speed of its end, so an imposed
+position would have to be differentiated; the filter has the derivatives. A step is followed to 1 % within 6.6 tau, and a ramp
+with a delay of 2 tau, 10 ms; keep tau below the sampling interval.</p>
+</html>"));
+end ImposedPosition;

@@ -1,0 +1,9 @@
+within PneumaticMuscle.Laws.Flows;
+model Isentropic "Compressible flow, choked or not, DP (40)-(42)"
+  extends Flow;
+equation
+  m_flow = Functions.isentropicFlow(port_a.p, port_b.p, T_up, A);
+  annotation (Documentation(info="<html>
+<p>m_flow = K p_up A N/sqrt(T_up), DP (41); see <code>Functions.isentropicFlow</code>. The base model's own law.</p>
+</html>"));
+end Isentropic;

@@ -1,0 +1,7 @@
+within PneumaticMuscle.Laws.Forces;
+model Kerscher "Factors on strain and on force, DY (5)-(7)"
+  extends Empirical(final k=1);
+  annotation (Documentation(info="<html>
+<p>F_s of DY (5) with q(P), DY (6), and mu(eps), DY (7).</p>
+</html>"));
+end Kerscher;

@@ -1,0 +1,18 @@
+within PneumaticMuscle.Laws.Forces;
+model TothovaPitel "A barrel: the diameter varies along the muscle, DP (9)"
+  extends Interfaces.Braid;
+  parameter Types.Length d_1(min=1e-3, max=0.2) = 0.013 "Diameter at the ends; that of the valve in DP";
+protected
+  Real N_pi(unit="1") = turns*Constants.pi "Half a circle by turns";
+equation
+  D = sqrt(max(b^2 - L^2, 1e-8))/N_pi;
+  V = Constants.pi*L/60*(8*D^2 + 4*D*d_1 + 3*d_1^2);
+  F = -(port.p - ambient.p)*(Constants.pi*d_1^2/20 + (2*b^2 - 6*L^2)/(15*Constants.pi*turns^2)
+    + d_1*N_pi*D/(15*turns) - d_1*L^2/(15*turns*N_pi*D));
+  annotation (Documentation(info="<html>
+<p>F = -p dV/dh = -p (pi d_1^2/20 + (8 L^2 - 6 h^2)/(15 pi N^2) + d_1 sqrt(4 L^2 - h^2)/(15 N)
+- d_1 h^2/(15 N sqrt(4 L^2 - h^2))), DP (9); L there is half the length of a fibre, b = 2 L, and h the length of the
+muscle, L here. It is the derivative of the volume of a barrel with parabolic staves, V = pi h/60 (8 D^2 + 4 D d_1 +
+3 d_1^2), with D = sqrt(b^2 - h^2)/(pi N) in the middle: the printed signs and factors are right.</p>
+</html>"));
+end TothovaPitel;

@@ -1,0 +1,13 @@
+within PneumaticMuscle.Sources;
+block Step "A step with a short rise"
+  parameter Real before = 0 "Value before the step";
+  parameter Real after = 1 "Value after the step";
+  parameter Types.Time start = 1 "Time in the middle of the rise";
+  parameter Types.Time rise(min=1e-4) = 5e-3 "Time over which it rises";
+  output Real y "Signal";
+equation
+  y = before + (after - before)*0.5*(1 + tanh((time - start)/rise));
+  annotation (Documentation(info="<html>
+<p>y = before + (after - before) (1 + tanh((t - start)/rise))/2.</p>
+</html>"));
+end Step;

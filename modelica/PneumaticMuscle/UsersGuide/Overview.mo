@@ -1,0 +1,18 @@
+within PneumaticMuscle.UsersGuide;
+class Overview "What is where"
+  annotation (Documentation(info="<html>
+<p>A <b>bench</b> (<code>Benches</code>) is a test rig: plain inputs are what is driven, plain outputs what instruments
+read. Pressures are absolute inside the components and gauge pressures in the signals of a bench.</p>
+<p>A bench is put together from <b>components</b>. Gas flows through <code>Interfaces.GasPort</code>: volumes and sources
+set pressure and temperature, resistances set mass and enthalpy flow; the two alternate. Muscles end in
+<code>Interfaces.Flange</code> as the Modelica Standard Library has it, positive in contraction.</p>
+<p>Where the papers differ, a component has a replaceable law with a constraining class: the <code>Gas</code>, the
+<code>Wall</code> and the <code>Braid</code> of a muscle, the <code>Drive</code> and the <code>Area</code> of the valves, the
+<code>Thermometer</code> of a bench. <code>Laws</code> holds those that the papers review, <code>Effects</code> those that a
+diagnosis tries on a measurement.</p>
+<p>No model has events. Corners, signs and stops are rounded over less than an instrument resolves; where, is said
+in the class. All expressions have finite derivatives throughout the range of operation.</p>
+<p>Two laws of the base model contradict each other as printed: the energy balance DP (59) and the polytropic temperature
+DP (60). The base model keeps both, since that is the published model; <code>Effects.EnergyGas</code> mends it.</p>
+</html>"));
+end Overview;

@@ -1,0 +1,6 @@
+within PneumaticMuscle;
+package UsersGuide "How the library is meant to be read and extended"
+  annotation (Documentation(info="<html>
+<p>Overview, how to add an effect, references.</p>
+</html>"));
+end UsersGuide;
