@@ -8,7 +8,7 @@ from pathlib import Path
 
 from pam_cosim.compiler import ClassTree, EffectClass, compose, effect_classes, read_library
 from pam_cosim.diagnosis.candidate import Candidate, role_summary
-from pam_cosim.diagnosis.evidence import convincing, leading, leaves_structure, rank
+from pam_cosim.diagnosis.evidence import convincing, leading, leaves_structure, rank, structured
 from pam_cosim.diagnosis.missing_term import missing_term
 from pam_cosim.diagnosis.next_experiment import Plan, told_apart
 from pam_cosim.diagnosis.trial import Trial, crashed, run_trial
@@ -137,7 +137,9 @@ def diagnose(
             raise SimulationFailure(f"no effect could be tried; {found[0].effect}: {found[0].failure}")
         ranked = rank(present, found)
         tried += ranked
-        if not ranked or not convincing(present, best := leading(ranked)):
+        if not ranked or not any(structured(s) for s in present.structure.values()):
+            break  # many samples make the smallest difference of two programs significant: noise needs no effect
+        if not convincing(present, best := leading(ranked)):
             break
         assert best.fit is not None
         path.append(best)
