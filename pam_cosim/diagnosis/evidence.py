@@ -54,7 +54,7 @@ def rank(base: Fit, candidates: Sequence[Candidate]) -> list[Candidate]:
         return list(candidates)
     variance, time = _scale([base, *(c.fit for c in fitted if c.fit is not None)])
     start = bic(base, variance, time)
-    # a parameter that was driven to a bound has done its work there, although nothing is known of it any more
+    # an effect pays for every parameter it brings, also for those that have done their work at one end of their range
     price = math.log(max(base.structure["fit"].samples / time, 2.0))
     scored = [
         replace(c, delta_bic=bic(c.fit, variance, time) + price * _lost(c) - start) for c in fitted if c.fit is not None
@@ -68,7 +68,7 @@ def rank(base: Fit, candidates: Sequence[Candidate]) -> list[Candidate]:
 
 
 def degenerate(candidate: Candidate) -> bool:
-    """Whether the fit drove a parameter of the tried effect to a bound and the data do not determine it.
+    """Whether the data do not determine every parameter of the tried effect.
 
     What is left is a limit of the effect's law, which is as a rule another, simpler effect: creep that takes for
     ever is a spring.
@@ -77,7 +77,7 @@ def degenerate(candidate: Candidate) -> bool:
 
 
 def _lost(candidate: Candidate) -> int:
-    return sum(e.at_bound and not e.determined for e in candidate.parameters.values())
+    return sum(not e.determined for e in candidate.parameters.values())
 
 
 def leading(ranked: Sequence[Candidate]) -> Candidate:

@@ -8,7 +8,7 @@ from math import prod
 from typing import Literal
 
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.evidence import SIGNIFICANT, degenerate, leaves_structure, structured
+from pam_cosim.diagnosis.evidence import SIGNIFICANT, leaves_structure, structured
 from pam_cosim.fitting import Fit
 
 Kind = Literal["none_missing", "identified", "ambiguous", "unknown"]
@@ -49,12 +49,10 @@ def rivals(best: Candidate, ranked: Sequence[Candidate]) -> list[Candidate]:
     """Candidates of other families that the data hardly distinguish from the best, one of each family.
 
     Neither the evidence of the fitted samples, nor the holdout runs, nor signals that were compared but not fitted
-    may tell them apart. A rival that had to give up a part of its law to fit as well is none, unless the best had to.
+    may tell them apart.
     """
     found: dict[str, Candidate] = {}
     for c in ranked:
-        if degenerate(c) and not degenerate(best):
-            continue
         if c.fit is None or c.family == best.family or c.delta_bic - best.delta_bic > SIGNIFICANT:
             continue
         assert best.fit is not None

@@ -91,6 +91,12 @@ def test_a_law_at_its_limit_pays_for_the_parameter_and_does_not_lead() -> None:
     assert degenerate(creep) and not degenerate(spring)
 
 
+def test_base_parameters_that_an_effect_makes_idle_do_not_count_against_it() -> None:
+    """The polytropic exponent has no say beside an energy balance: that is no fault of the effect."""
+    idle = Estimate(1.2, 1.0, 1.4, determined=False)
+    assert not degenerate(candidate("Gas", fitted(1.0, own={"n": idle, "h": KNOWN}), "gas", {"h": KNOWN}))
+
+
 @pytest.mark.parametrize(
     ("chi2", "score", "samples", "expected"),
     [

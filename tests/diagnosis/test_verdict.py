@@ -6,7 +6,7 @@ import pytest
 
 from pam_cosim.diagnosis.evidence import rank
 from pam_cosim.diagnosis.verdict import explained, judge, rivals
-from tests.diagnosis.synthetic import KNOWN, LOST, candidate, fitted
+from tests.diagnosis.synthetic import candidate, fitted
 
 BASE = fitted(10.0, holdout=9.0, score=50.0)
 GOOD = candidate("Leak", fitted(1.0, holdout=1.0), "leak", balance="mass")
@@ -94,9 +94,3 @@ def test_signals_that_were_not_fitted_refute_a_rival() -> None:
         other = candidate("Offset", fitted(1.001, shown={"T": rms}), "offset")
         ranked = rank(BASE, [best, other])
         assert [c.effect for c in rivals(ranked[0], ranked)] == expected
-
-
-def test_a_rival_at_the_limit_of_its_law_is_none() -> None:
-    lost = {"k": KNOWN, "tau": LOST}
-    limit = candidate("Creep", fitted(0.999, holdout=1.0, own=lost), "creep", lost)
-    assert _rivals(limit) == []

@@ -1,0 +1,60 @@
+"""Rivals that mean the same are one; rivals that differ come with the run that would decide."""
+
+from __future__ import annotations
+
+import pytest
+
+from pam_cosim import study
+from pam_cosim.compiler import compose, read_library
+from pam_cosim.diagnosis import Candidate
+from pam_cosim.diagnosis.next_experiment import next_experiment, told_apart
+from pam_cosim.fitting import Estimate, Fit
+from pam_cosim.measurement import DataSet, read_data_set
+from tests.systems.rig import write_light_data
+
+
+@pytest.fixture(scope="module")
+def data(tmp_path_factory: pytest.TempPathFactory) -> DataSet:
+    folder = write_light_data(tmp_path_factory.mktemp("rig") / "d")
+    return read_data_set(folder, lambda name: study.describe(name))
+
+
+def rival(effect: str, family: str, data: DataSet, **values: float) -> Candidate:
+    """The Isotonic bench with an effect at these parameters."""
+    composition = compose(read_library(), data.model, [effect])
+    assert composition is not None
+    own = composition.parameters[effect]
+    given = {n: Estimate(values[n.rpartition(".")[2]], 0.0, 1.0) for n in own}
+    fit = Fit(composition.name, given, None, {}, 1)  # type: ignore[arg-type]
+    return Candidate(effect, family, "force", (effect,), tuple(own), fit, equations=composition.text)
+
+
+def test_creep_without_end_is_a_spring(data: DataSet) -> None:
+    spring = rival("LinearBladder", "elasticity", data, k=250.0)
+    slow = rival("MaxwellCreep", "creep", data, k=250.0, tau=1e4)
+    fast = rival("MaxwellCreep", "creep", data, k=250.0, tau=1.5)
+    assert told_apart(data, spring, [slow]) == []
+    ((kept, plan),) = told_apart(data, spring, [slow, fast])
+    assert kept is fast
+    assert plan is not None and plan["separation"] > 5
+    assert set(plan) == {"run", "change", "separation", "evidence", "between"}
+    assert plan["between"] == ["elasticity", "creep"]
+
+
+def test_the_simpler_of_two_stays_a_rival_of_the_richer(data: DataSet) -> None:
+    """Which of them leads is decided by evidence; a rival with fewer parameters is not dropped."""
+    slow = rival("MaxwellCreep", "creep", data, k=250.0, tau=1e4)
+    spring = rival("LinearBladder", "elasticity", data, k=250.0)
+    assert len(told_apart(data, slow, [spring])) == 1
+
+
+def test_best_variation_is_chosen(data: DataSet) -> None:
+    """A spring and a rubber spring of the same force at one contraction differ most where the muscle goes furthest."""
+    a = rival("ViscousFriction", "rate_friction", data, c=300.0)
+    b = rival("ViscousFriction", "rate_friction", data, c=330.0)
+    plan = next_experiment(data, a, b)
+    assert plan is not None
+    repeat = next_experiment(data, a, a)
+    assert repeat is not None and repeat["separation"] == 0.0
+    assert isinstance(plan["separation"], float) and plan["separation"] > 0.5
+    assert "times" in str(plan["change"])
