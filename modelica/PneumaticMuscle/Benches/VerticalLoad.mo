@@ -5,14 +5,14 @@ model VerticalLoad "The empirical muscle with a hanging load, driven by pressure
   output Real eps(unit="1") "Contraction ratio";
   parameter Real frequency(unit="Hz", min=0.01, max=100) = 0.5 "Frequency of the excitation";
   inner Components.Ambient ambient "Surroundings";
-  Components.Supply supply(p_gauge=p) "Pressure regulator";
+  Components.Regulator regulator(p_wanted=p) "Pressure regulator";
   Components.EmpiricalMuscle muscle(F_load=load.m*Constants.g, frequency=frequency) "Muscle";
   Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs";
   Components.Load load(m=10, s_start=muscle.L0 - muscle.elasticity.L_o - (load.m*Constants.g/muscle.elasticity.K)^(1/3))
     "Hanging mass, at rest without pressure";
   Sensors.Contraction ruler "Displacement transducer";
 equation
-  connect(supply.port, muscle.port);
+  connect(regulator.port, muscle.port);
   connect(muscle.flange_a, load.flange);
   connect(muscle.flange_b, ceiling.flange);
   connect(muscle.flange_a, ruler.flange);

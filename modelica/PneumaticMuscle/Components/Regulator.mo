@@ -1,0 +1,16 @@
+within PneumaticMuscle.Components;
+model Regulator "A pressure regulator: the pressure follows the input with a short lag"
+  Interfaces.GasPort port "Gas port";
+  input Types.GaugePressure p_wanted "Gauge pressure wanted";
+  parameter Types.Time tau(min=1e-4, max=10) = 2e-3 "Time constant";
+  Types.GaugePressure p(start=0, fixed=true) "Gauge pressure";
+  outer Ambient ambient "Surroundings";
+equation
+  tau*der(p) = p_wanted - p;
+  port.p = ambient.p + p;
+  port.T = ambient.T;
+  annotation (Documentation(info="<html>
+<p>tau p_dot = p_wanted - p. It gives whatever mass the pressure needs. The lag, below what is sampled, lets volumes be
+attached, whose flow depends on the rate of the pressure.</p>
+</html>"));
+end Regulator;
