@@ -6,15 +6,21 @@ absolute; the signals of a bench are what instruments read, gauge pressures.</p>
 <ul>
 <li>DP: M. D. Doumit, S. Pardoel, <i>Dynamic contraction behaviour of pneumatic artificial muscle</i>,
 Mechanical Systems and Signal Processing 91 (2017) 93-110.</li>
+<li>DY: M. A. Mat Dzahir, S. Yamamoto, <i>Dynamic modeling of McKibben muscle using empirical model and particle
+swarm optimization method</i>, Applied Sciences 9 (2019) 2538.</li>
 </ul>
 <p>A class of <code>Effects</code> is one physical effect that the base model lacks. Where it attaches is said
 by the interface it extends:</p>
 <ul>
-<li>it has the same terminals as a component of the bench
+<li>it extends <code>Interfaces.ForceEffect</code> or <code>Interfaces.GasPortEffect</code>, or has otherwise the same terminals as a component of the bench
 (<code>Interfaces.MuscleTerminals</code>, <code>Interfaces.VesselTerminals</code>): it is connected in parallel
 with that component, terminal by terminal, and takes over the parameters that the terminals declare;</li>
 <li>it extends the constraining class of a replaceable model (<code>Interfaces.Gas</code>,
-<code>Interfaces.ValveDrive</code>, <code>Interfaces.Thermometer</code>, ...): it is redeclared there.</li>
+<code>Interfaces.Wall</code>, <code>Interfaces.Surroundings</code>, <code>Interfaces.FrictionHeat</code>,
+<code>Interfaces.Braid</code>, <code>Interfaces.ValveDrive</code>, <code>Interfaces.ValveArea</code>,
+<code>Interfaces.Line</code>, <code>Interfaces.Thermometer</code>, <code>Interfaces.Manometer</code>): it is redeclared
+there.</li>
 </ul>
+<p>An effect says in <code>absent</code> at which values of its parameters the base model is left.</p>
 </html>"));
 end PneumaticMuscle;

@@ -1,9 +1,10 @@
 """A model with effects added, as the Modelica text that a person would write.
 
 Where an effect belongs follows from the types alone. If it extends the constraining class of a replaceable class of
-the model, it is redeclared there. If it has the same terminals as a component of the model, that is, both extend
-a class that declares all its connectors, it is connected in parallel, connector by connector, and the parameters that
-the terminals declare are taken over.
+the model, it is redeclared there, unless it extends a class that is both an effect and has terminals: what is made to
+lie beside a component never takes the place of one. If it has the same terminals as a component of the model, that is,
+both extend a class that declares all its connectors, it is connected in parallel, connector by connector, and the
+parameters that the terminals declare are taken over.
 """
 
 from __future__ import annotations
@@ -47,7 +48,7 @@ class _Draft:
 
     def place(self, effect: EffectClass) -> bool:
         """Puts an effect where it belongs; False where it belongs nowhere."""
-        slots = self._slots(effect)
+        slots = [] if self._lies_beside(effect) else self._slots(effect)
         if slots:
             for slot in slots:
                 self._redeclare(effect, slot)
@@ -56,6 +57,10 @@ class _Draft:
         for host, terminals in hosts:
             self._connect(effect, host, terminals)
         return bool(hosts)
+
+    def _lies_beside(self, effect: EffectClass) -> bool:
+        bases = [b for b in self.tree.bases(effect.qualified_name) if self.tree.is_subtype(b, EFFECT)]
+        return any(self._connectors(b) for b in bases)
 
     def _slots(self, effect: EffectClass) -> list[Slot]:
         bases = self.tree.bases(effect.qualified_name)

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from pam_cosim.compiler import ClassTree, Composition, EffectClass, compose, effect_classes, read_library
+from pam_cosim.errors import ModelError
 from pam_cosim.fmu import build_model, build_source
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.simulation import Inputs, Simulator
@@ -43,9 +44,22 @@ def benches() -> tuple[str, ...]:
 
 @cache
 def homes(effect: str) -> dict[str, Composition]:
-    """The benches in which an effect finds a place."""
+    """The benches in which an effect finds a place.
+
+    Where a bench imposes a contraction or a pressure without its rate, what depends on the rate has none.
+    """
     found = {bench: compose(tree(), bench, [effect]) for bench in benches()}
-    return {bench: composition for bench, composition in found.items() if composition is not None}
+    return {b: c for b, c in found.items() if c is not None and not _needs_rate_of_input(c)}
+
+
+def _needs_rate_of_input(composition: Composition) -> bool:
+    try:
+        build_source(composition.name, composition.text)
+    except ModelError as problem:
+        if "needs the derivative of its input" in problem.message:
+            return True
+        raise
+    return False
 
 
 def absent(effect: EffectClass) -> dict[str, float]:
@@ -56,9 +70,9 @@ def absent(effect: EffectClass) -> dict[str, float]:
     return {name.strip(): float(value) for name, value in pairs}
 
 
-def full_names(effect: EffectClass, composition: Composition) -> dict[str, str]:
-    """Full names of an effect's parameters in a composed model, by their own."""
-    return {full.rpartition(".")[2]: full for full in composition.parameters[effect.name]}
+def values(effect: EffectClass, composition: Composition, own: dict[str, float]) -> dict[str, float]:
+    """Values of an effect's parameters by their full names in a composed model, at every place that it has there."""
+    return {full: own[n] for full in composition.parameters[effect.name] if (n := full.rpartition(".")[2]) in own}
 
 
 @cache

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pam_cosim.compiler import EffectClass, Ode, compile_model
-from tests.library.shelf import absent, base, built, effects, full_names, homes, noise, run, tree
+from tests.library.shelf import absent, base, built, effects, homes, noise, run, tree, values
 
 BALANCES = {
     "elasticity": "force", "dry_friction": "force", "rate_friction": "force", "creep": "force", "end_shape": "force",
@@ -17,6 +17,9 @@ BALANCES = {
     "dead_volume": "mass", "leak": "mass", "gas_energy": "energy", "wall_heat": "energy", "friction_heat": "energy",
     "thermocouple_lag": "sensor", "pressure_offset": "sensor",
 }  # fmt: skip
+
+OTHER_LAWS = ("VerticalLoad", "StaticForce")
+"""Benches whose muscle has not the laws of Doumit and Pardoel, so that an effect takes the place of something else."""
 
 every_effect = pytest.mark.parametrize("effect", effects(), ids=lambda e: e.name)
 
@@ -77,14 +80,15 @@ def test_shows_in_a_measurement(effect: EffectClass) -> None:
 
 @every_effect
 def test_vanishes_where_it_says_so(effect: EffectClass) -> None:
-    values = absent(effect)
-    if not values:
+    own = absent(effect)
+    if not own:
         assert "gives the base law back" in " ".join(effect.documentation.split()), "does not say when it is absent"
         return
-    share = 1e-3 if set(values.values()) <= {0.0, 1.0} else 1.0  # exactly, or in the limit
+    share = 1e-3 if set(own.values()) <= {0.0, 1.0} else 1.0  # exactly, or in the limit
     for bench, composition in homes(effect.name).items():
-        names = full_names(effect, composition)
-        outputs, interface = run(built(bench, effect.name), {names[n]: v for n, v in values.items()})
+        if bench.endswith(OTHER_LAWS) and "redeclare" in composition.text:
+            continue
+        outputs, interface = run(built(bench, effect.name), values(effect, composition, own))
         without, _ = base(bench)
         for name, y in outputs.items():
             assert np.abs(y - without[name]).max() <= share * noise(interface.outputs[name]), (bench, name)
@@ -92,7 +96,7 @@ def test_vanishes_where_it_says_so(effect: EffectClass) -> None:
 
 @every_effect
 def test_derivatives_are_finite_at_rest_and_at_the_bounds(effect: EffectClass, tmp_path: Path) -> None:
-    for composition in homes(effect.name).values():
+    for composition in list(homes(effect.name).values())[:2]:  # the law is the same everywhere
         file = tmp_path / f"{composition.name}.mo"
         file.write_text(composition.text)
         ode = compile_model(str(file))

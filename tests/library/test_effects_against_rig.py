@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from pam_cosim.simulation import Inputs, Simulator
-from tests.library.shelf import NOISE, built, effects, full_names, homes
+from tests.library.shelf import NOISE, built, effects, homes, values
 from tests.reference.effects import effect_of
 from tests.reference.muscle import simulate_muscle
 from tests.reference.plan import default_plan
@@ -36,7 +36,7 @@ SAME = {
     "valve_dynamics:second_order": ("ValveSecondOrder", {"omega": 25, "zeta": 0.7}),
     "valve_area:back_pressure": ("BackPressureArea", {"beta": 0.15}),
     "dead_volume:constant": ("DeadVolume", {"V_d": 1e-5}),
-    "gas_energy:film": ("EnergyGas", {"h": 2 * 20}),
+    "gas_energy:film": ("EnergyGas", {"h": 20}),
     "wall_heat:lumped": ("WarmWall", {"C": 0.4, "G": 0.02}),
     "friction_heat:share": ("FrictionHeat", {"share": 1}),
     "thermocouple_lag:first_order": ("ThermocoupleLag", {"tau": 0.15}),
@@ -47,20 +47,19 @@ SAME = {
 
 @pytest.mark.parametrize("form", SAME)
 def test_same_physics_same_curve(form: str) -> None:
-    name, values = SAME[form]
+    name, own = SAME[form]
     effect = next(e for e in effects() if e.name == name)
-    names = full_names(effect, homes(name)[BENCH])
-    parameters = {names[n]: float(v) for n, v in values.items()}
-    parameters |= {"valve.C_A": TRUTH.calibration, "muscle.mu_fb": TRUTH.mu_fb, "load.m": RUN.load}
     if name == "EnergyGas":  # the rig's film coefficient is that of the whole wall
-        parameters[names["h"]] = 2 / (1 / 20 - TRUTH.t_wall / TRUTH.k_wall)
+        own = {"h": 2 / (1 / own["h"] - TRUTH.t_wall / TRUTH.k_wall)}
+    parameters = values(effect, homes(name)[BENCH], own)
+    parameters |= {"valve.C_A": TRUTH.calibration, "muscle.mu_fb": TRUTH.mu_fb, "load.m": RUN.load}
     muscle = replace(TRUTH, load=RUN.load)
     expected = simulate_muscle(muscle, RUN.p_supply, RUN.schedule, TIMES, [effect_of(form)])
     with Simulator(built(BENCH, name)) as simulator:
         found = simulator.run(TIMES, parameters=parameters, inputs=_drive(), tolerance=1e-7).values
-    for signal, values_, unit in (("p", expected.p, "Pa"), ("x", expected.x, "m"), ("T", expected.temperature, "K")):
+    for signal, course, unit in (("p", expected.p, "Pa"), ("x", expected.x, "m"), ("T", expected.temperature, "K")):
         # regularisation at equal pressures and the position at rest on the stop differ a little
-        assert np.abs(found[signal] - values_).max() < 0.3 * NOISE[unit], signal
+        assert np.abs(found[signal] - course).max() < 0.3 * NOISE[unit], signal
 
 
 def _drive() -> Inputs:

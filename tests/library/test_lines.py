@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from pam_cosim.simulation import Inputs, Simulator
-from tests.library.shelf import built, effects, full_names, homes
+from tests.library.shelf import built, effects, homes, values
 from tests.reference.flow import GAMMA, P_ATM, T_ATM, R, mass_flow, valve_area
 
 BENCH = "PneumaticMuscle.Benches.TankFilling"
@@ -51,9 +51,9 @@ def by_hand(volume, flow):  # type: ignore[no-untyped-def]
 
 @pytest.mark.parametrize("name", LINES)
 def test_tank_behind_a_line(name: str) -> None:
-    values, volume, flow = LINES[name]
+    own, volume, flow = LINES[name]
     effect = next(e for e in effects() if e.name == name)
-    names = full_names(effect, homes(name)[BENCH])
+    parameters = values(effect, homes(name)[BENCH], own)
     drive = {
         "u_in": np.array([0.35, 0.0]),
         "u_out": np.array([0.0, 0.35]),
@@ -62,7 +62,7 @@ def test_tank_behind_a_line(name: str) -> None:
     with Simulator(built(BENCH, name)) as simulator:
         found = simulator.run(
             TIMES,
-            parameters={names[n]: v for n, v in values.items()} | {"tank.V": V_TANK, "tank.n": N},
+            parameters=parameters | {"tank.V": V_TANK, "tank.n": N},
             inputs=Inputs(np.array([0.0, 20.0]), drive, "previous"),
             tolerance=1e-7,
         ).values["p"]
