@@ -15,7 +15,7 @@ from tests.reference.tank import Vessel, orifice_port, simulate_vessel
 
 Array = NDArray[np.float64]
 
-UNITS = {"p": "Pa", "T": "K", "x": "m", "y": "1"}
+UNITS = {"p": "Pa", "T": "K", "x": "m", "y": "1", "pressure": "Pa", "temperature": "K"}
 
 DIAMETER, VOLUME, P_START, T_START = 2.71e-3, 16.2e-3, 690e3, 293.15
 TRUE_C_D, TRUE_N = 0.84, 1.25

@@ -1,0 +1,88 @@
+"""One effect is hidden in the independent rig's data: the diagnosis names its family, and its strength."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import pi
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pam_cosim import Diagnosis, study
+from pam_cosim.measurement import DataSet, FreeParameter
+from tests.fitting.models import data_set, recording
+from tests.reference.effects import effect_of
+from tests.reference.schedule import Phase, Schedule
+from tests.reference.tank import Vessel, simulate_vessel, valve_ports
+from tests.systems.rig import write_light_data
+
+_FILM = 2 / (1 / 20.0 - 0.254e-3 / 0.14)  # two films and the wall make 20 W/(m2 K)
+
+# hidden effect: its family, the same law in the catalogue with its parameter and true value
+HIDDEN = {
+    "elasticity:linear": ("LinearBladder", "k", 250.0),
+    "dry_friction:coulomb": ("CoulombFriction", "F_c", 8.0),
+    "rate_friction:viscous": ("ViscousFriction", "c", 300.0),
+    "leak:orifice": ("OrificeLeak", "A", 0.7 * pi / 4 * 0.1e-3**2),
+    "valve_dynamics:lag": ("ValveLag", "tau", 0.08),
+    "gas_energy:film": ("EnergyGas", "h", _FILM),
+    "thermocouple_lag:first_order": ("ThermocoupleLag", "tau", 0.15),
+}
+
+
+@pytest.mark.parametrize("hidden", HIDDEN)
+def test_hidden_effect_is_found(tmp_path: Path, workers: int | None, hidden: str) -> None:
+    family = hidden.partition(":")[0]
+    data = study.read(write_light_data(tmp_path / "d", [effect_of(hidden)], seed=1))
+    found = study.diagnose(data, workers=workers)
+    assert found.verdict.kind == "identified", found.verdict
+    assert found.verdict.families == (family,)
+    assert found.candidates[0].family == family
+    fit, holdout = (found.final.comparison.chi2_reduced(role) for role in ("fit", "holdout"))
+    assert 0.9 < holdout < 1.2 and 0.85 < fit < 1.15
+    assert found.base.comparison.chi2_reduced("holdout") > 2
+    law, parameter, true = HIDDEN[hidden]
+    (same,) = [c for c in found.candidates if c.effects == (law,)]
+    (estimate,) = [e for name, e in same.parameters.items() if name.rpartition(".")[2] == parameter]
+    assert estimate.low <= true <= estimate.high, (parameter, str(estimate))
+    assert estimate.high - estimate.low < 0.1 * true
+    assert sum(found.balance.values()) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_muscle_that_lacks_nothing(tmp_path: Path, workers: int | None, seed: int) -> None:
+    _nothing(study.diagnose(study.read(write_light_data(tmp_path / "d", seed=seed)), workers=workers))
+
+
+@pytest.mark.parametrize("seed", range(4, 10))
+def test_tank_that_lacks_nothing(tmp_path: Path, workers: int | None, seed: int) -> None:
+    _nothing(study.diagnose(_tank(seed), workers=workers))
+
+
+def _nothing(found: Diagnosis) -> None:
+    assert found.verdict.kind == "none_missing", found.verdict
+    assert (found.verdict.families, found.path, found.next_experiment) == ((), (), None)
+    assert found.final is found.base
+
+
+def _tank(seed: int) -> DataSet:
+    """The 0.35 L tank, filled, held and emptied in parts; a second run from another supply to judge."""
+    times = np.arange(201) / 20
+    rng = np.random.default_rng([seed, 9])
+    runs = []
+    for role, supply in (("fit", 207e3), ("holdout", 138e3)):
+        schedule = Schedule.of(
+            [Phase(2.5, u_in=0.35), Phase(1.5), Phase(2.0, u_in=0.3), Phase(1.5), Phase(2.5, u_out=0.3)]
+        )
+        found = simulate_vessel(Vessel(0.35e-3), valve_ports(supply, 0.72), times, schedule=schedule)
+        currents = np.array([schedule.at(t) for t in times.tolist()])
+        inputs = {"u_in": currents[:, 0], "u_out": currents[:, 1], "p_supply": np.full(len(times), supply)}
+        noisy = {
+            "p": found.p + 500.0 * rng.standard_normal(len(times)),
+            "T": found.temperature + 0.3 * rng.standard_normal(len(times)),
+        }
+        run = recording(times, noisy, role, inputs)
+        runs.append(replace(run, interpolation="previous", parameters={"tank.V": 0.35e-3}))
+    fit = [FreeParameter("valve.C_A", 0.5, 0.9), FreeParameter("tank.n", 1.0, 1.4)]
+    return data_set("PneumaticMuscle.Benches.TankFilling", runs, {"p": 500.0, "T": 0.3}, fit, {"tank.V": 0.35e-3})
