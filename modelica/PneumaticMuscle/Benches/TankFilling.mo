@@ -25,5 +25,8 @@ equation
   connect(tank.port, thermometer.port);
   p = manometer.p;
   T = thermometer.T;
-  annotation (experiment(StopTime=60, Interval=0.06, Tolerance=1e-6));
+  annotation (experiment(StopTime=60, Interval=0.06, Tolerance=1e-6), Documentation(info="<html>
+<p>DP (60), (62)-(66), Figs. 4 and 5: eight volumes, two supplies, 0.35 A. The library's tests hold the times against
+quadrature.</p>
+</html>"));
 end TankFilling;

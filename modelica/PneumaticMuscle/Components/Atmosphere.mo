@@ -6,4 +6,7 @@ model Atmosphere "The air outside, at ambient temperature"
 equation
   port.p = ambient.p + p_gauge;
   port.T = ambient.T;
+  annotation (Documentation(info="<html>
+<p>port.p = p_atm + p_gauge, port.T = T_atm, whatever flows: an infinite volume.</p>
+</html>"));
 end Atmosphere;

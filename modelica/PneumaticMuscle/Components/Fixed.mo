@@ -4,4 +4,7 @@ model Fixed "A flange that does not move"
   parameter Types.Length s0 "Position";
 equation
   flange.s = s0;
+  annotation (Documentation(info="<html>
+<p>flange.s = s0.</p>
+</html>"));
 end Fixed;

@@ -9,4 +9,7 @@ equation
   flange.s = s;
   v = der(s);
   m*der(v) = flange.f - m*Constants.g;
+  annotation (Documentation(info="<html>
+<p>m x_ddot = F - m g, DP (16)-(18), positive upwards.</p>
+</html>"));
 end Load;

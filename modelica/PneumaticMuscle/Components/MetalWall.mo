@@ -4,4 +4,7 @@ model MetalWall "A thick wall that stays at ambient temperature: only the film o
 equation
   heatPort.Q_flow = h_film*A*(heatPort.T - outside.T);
   outside.Q_flow = -heatPort.Q_flow;
+  annotation (Documentation(info="<html>
+<p>Q_flow = h A (T - T_outside), DP (44) with the film inside alone.</p>
+</html>"));
 end MetalWall;

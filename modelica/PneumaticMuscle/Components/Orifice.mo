@@ -4,4 +4,7 @@ model Orifice "An orifice with isentropic flow whose effective area is given fro
   input Types.Area A "Effective area";
 equation
   m_flow = Functions.isentropicFlow(port_a.p, port_b.p, T_up, A);
+  annotation (Documentation(info="<html>
+<p>m_flow = K p_up A N/sqrt(T_up), DP (40)-(42), <code>Functions.isentropicFlow</code>.</p>
+</html>"));
 end Orifice;

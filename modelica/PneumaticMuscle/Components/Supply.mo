@@ -6,4 +6,7 @@ model Supply "An air supply at a given gauge pressure and ambient temperature"
 equation
   port.p = ambient.p + p_gauge;
   port.T = ambient.T;
+  annotation (Documentation(info="<html>
+<p>port.p = p_atm + p_gauge, port.T = T_atm, whatever flows.</p>
+</html>"));
 end Supply;

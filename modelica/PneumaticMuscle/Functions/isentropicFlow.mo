@@ -6,7 +6,7 @@ function isentropicFlow "Mass flow rate through an orifice, either way, choked o
   input Types.Area A "Effective area";
   output Types.MassFlowRate m_flow "Mass flow rate from a to b";
 protected
-  constant Real gamma = Constants.gamma;
+  constant Real gamma = Constants.gamma "Ratio of specific heats";
   constant Real K = sqrt(gamma/Constants.R*(2/(gamma + 1))^((gamma + 1)/(gamma - 1))) "DP (42)";
   constant Real z_critical = 1 - (2/(gamma + 1))^(gamma/(gamma - 1)) "Relative pressure drop at which the flow chokes";
   constant Real N_scale = 2/(gamma - 1)*((gamma + 1)/2)^((gamma + 1)/(gamma - 1)) "Square of the factor in DP (40)";

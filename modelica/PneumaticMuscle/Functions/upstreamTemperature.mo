@@ -11,4 +11,8 @@ protected
 algorithm
   z := pressureDrop(p_a, p_b);
   T_up := T_b + (T_a - T_b)*0.5*(1 + z/sqrt(z^2 + z_blend^2));
+  annotation (Documentation(info="<html>
+<p>T_up = T_b + (T_a - T_b) (1 + z/sqrt(z^2 + z_b^2))/2 with the relative pressure drop z: blended over 3e-4 of the
+pressure.</p>
+</html>"));
 end upstreamTemperature;

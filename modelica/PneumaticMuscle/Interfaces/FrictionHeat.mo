@@ -3,4 +3,7 @@ partial model FrictionHeat "What becomes of the work that friction dissipates in
   HeatPort heatPort "Gas in the muscle";
   input Types.Power P_fibre "Power of the friction of fibre on fibre";
   input Types.Power P_bladder "Power of the friction between fibres and bladder";
+  annotation (Documentation(info="<html>
+<p>Left to the extending class: the equation of heatPort.Q_flow, positive out of the gas.</p>
+</html>"));
 end FrictionHeat;

@@ -6,4 +6,7 @@ partial model Manometer "What the instrument makes of the gas pressure"
 equation
   port.m_flow = 0;
   port.H_flow = 0;
+  annotation (Documentation(info="<html>
+<p>A pressure tap, which takes no gas. Left to the extending class: the equation of p.</p>
+</html>"));
 end Manometer;

@@ -6,4 +6,7 @@ partial model Thermometer "What the instrument makes of the gas temperature"
 equation
   port.m_flow = 0;
   port.H_flow = 0;
+  annotation (Documentation(info="<html>
+<p>Takes no gas. Left to the extending class: the equation of T.</p>
+</html>"));
 end Thermometer;

@@ -5,4 +5,7 @@ partial model ValveArea "From currents to the effective areas of the valves"
   input Types.AbsolutePressure p_b[2] "Pressures on the other sides";
   parameter Real C_A(unit="1") "Calibration of the effective area, both valves";
   Types.Area A[2] "Effective areas";
+  annotation (Documentation(info="<html>
+<p>Left to the extending class: the equations of both areas.</p>
+</html>"));
 end ValveArea;

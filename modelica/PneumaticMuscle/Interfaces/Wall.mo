@@ -6,4 +6,7 @@ partial model Wall "What stands between the gas and what is outside"
   input Types.CoefficientOfHeatTransfer h_film "Film coefficient";
   parameter Types.ThermalConductivity k "Thermal conductivity";
   parameter Types.Length t "Thickness";
+  annotation (Documentation(info="<html>
+<p>Left to the extending class: two equations between temperatures and heat flows of the two sides.</p>
+</html>"));
 end Wall;

@@ -5,4 +5,7 @@ model Contraction "A displacement transducer at the load end"
 equation
   x = flange.s;
   flange.f = 0;
+  annotation (Documentation(info="<html>
+<p>x = flange.s: the load end is at zero when the muscle is at its length at rest.</p>
+</html>"));
 end Contraction;

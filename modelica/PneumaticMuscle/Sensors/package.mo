@@ -1,3 +1,6 @@
 within PneumaticMuscle;
 package Sensors "What instruments read"
+  annotation (Documentation(info="<html>
+<p>Transducers without load; instruments with faults of their own are among the effects.</p>
+</html>"));
 end Sensors;

@@ -22,4 +22,7 @@ package Types "Physical quantities with their SI units"
   type SpecificHeatCapacity = Real(final quantity="SpecificHeatCapacity", final unit="J/(kg.K)") "Specific heat capacity";
   type ThermalConductivity = Real(final quantity="ThermalConductivity", final unit="W/(m.K)") "Thermal conductivity";
   type CoefficientOfHeatTransfer = Real(final quantity="CoefficientOfHeatTransfer", final unit="W/(m2.K)") "Heat transfer coefficient";
+  annotation (Documentation(info="<html>
+<p>Units are final; nominal values are of the size met in a muscle of DP.</p>
+</html>"));
 end Types;
