@@ -103,7 +103,12 @@ def test_polytropic_vessel_needs_heat_that_nothing_gives() -> None:
 
 # Virtual work: F = -p dV/dL for every sleeve whose force is derived from its volume.
 
-BY_WORK = ("Components.CylindricalBraid", "Laws.Forces.Gaylord", "Laws.Forces.ThreeElementShape", "Laws.Forces.TothovaPitel")
+BY_WORK = (
+    "Components.CylindricalBraid",
+    "Laws.Forces.Gaylord",
+    "Laws.Forces.ThreeElementShape",
+    "Laws.Forces.TothovaPitel",
+)
 
 
 @pytest.mark.parametrize("braid", BY_WORK)
@@ -131,7 +136,14 @@ def test_laws_of_the_pull_alone_are_known() -> None:
 # Finite everywhere: states in their range of operation, inputs from nothing to more than full, parameters within
 # their bounds.
 
-_RANGES = {"Pa": (0.0, 6e5), "m": (-0.002, 0.08), "m/s": (-2.0, 2.0), "K": (200.0, 500.0), "rad": (-1.5, 1.5), "rad/s": (-30, 30)}
+_RANGES = {
+    "Pa": (0.0, 6e5),
+    "m": (-0.002, 0.08),
+    "m/s": (-2.0, 2.0),
+    "K": (200.0, 500.0),
+    "rad": (-1.5, 1.5),
+    "rad/s": (-30, 30),
+}
 _INPUTS = {"A": (0.0, 0.6), "Pa": (0.0, 6e5), "m": (0.0, 0.07), "1": (0.0, 0.3)}
 _MODELS = {name: Model(name) for name in benches()}
 
