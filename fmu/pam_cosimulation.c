@@ -80,7 +80,10 @@ fmi2Status fmi2DoStep(fmi2Component component, fmi2Real now, fmi2Real step, fmi2
         return pam_log(c, fmi2Error, "fmi2DoStep to %.9g s goes beyond the stop time %.9g s", target, core->stop_time);
     if (core->state_changed) pam_solver_set_state(&c->solver, core->time, c->x);
     core->state_changed = 0;
-    pam_solver_inputs(&c->solver, core->time, c->u, c->du);
+    if (pam_solver_inputs(&c->solver, core->time, c->u, c->du)) {
+        pam_log(c, fmi2Error, "%s", c->solver.message);
+        return fail(c);
+    }
     if (pam_solver_advance(&c->solver, target)) {
         if (core->solver.t > core->time) move_to(c, core->solver.t);
         pam_log(c, fmi2Error, "%s", c->solver.message);

@@ -27,7 +27,9 @@ static void *allocate(const fmi2CallbackFunctions *f, size_t n, size_t size) {
 
 static void release(pam_instance *c) {
     void (*freeMemory)(void *) = c->callbacks.freeMemory;
-    void *blocks[] = {c->solver.pivot, c->solver.iw, c->solver.k, c->saved, c->dx, c->name, c};
+    for (int i = 0; c->solver.past && i < c->model->nd; i++)
+        if (c->solver.past[i].segments) freeMemory(c->solver.past[i].segments);
+    void *blocks[] = {c->solver.past, c->solver.pivot, c->solver.iw, c->solver.k, c->saved, c->dx, c->name, c};
     for (size_t i = 0; i < sizeof blocks / sizeof *blocks; i++)
         if (blocks[i]) freeMemory(blocks[i]);
 }
@@ -36,16 +38,19 @@ static void release(pam_instance *c) {
 static int allocate_arrays(pam_instance *c) {
     const pam_model *m = c->model;
     const fmi2CallbackFunctions *f = &c->callbacks;
-    size_t solver_size = pam_solver_saved_size(m), nx = (size_t)m->nx, nu = (size_t)m->nu, np = (size_t)m->np;
+    size_t solver_size = pam_solver_saved_size(m), nx = (size_t)m->nx, nu = (size_t)m->nu, np = (size_t)m->np,
+           nd = (size_t)m->nd;
     size_t results = nx + (size_t)(m->ny + m->nw);
     c->saved_size = solver_size + 2 * nx + 2 * nu;
     c->saved = allocate(f, c->saved_size, sizeof(double));
     double *scratch = allocate(f, pam_solver_scratch_size(m), sizeof(double));
     int *pivot = allocate(f, nx, sizeof(int));
     long long *iw = allocate(f, (size_t)m->size_iw, sizeof(long long));
-    c->dx = allocate(f, results + (nx + nu + np + 1) + (results + nx), sizeof(double));
+    c->dx = allocate(f, results + (nx + nu + np + 1) + (results + nx) + 4 * nd, sizeof(double));
+    c->solver.past = allocate(f, nd, sizeof *c->solver.past);
+    c->solver.memory = (pam_memory){f->allocateMemory, f->freeMemory};
     if (c->saved && scratch) pam_solver_bind(&c->solver, m, &c->core.solver, c->saved, scratch, pivot, iw);
-    if (!c->saved || !scratch || !pivot || !iw || !c->dx) {
+    if (!c->saved || !scratch || !pivot || !iw || !c->dx || !c->solver.past) {
         c->solver.k = scratch;
         c->solver.pivot = pivot;
         c->solver.iw = iw;
@@ -59,6 +64,10 @@ static int allocate_arrays(pam_instance *c) {
     c->w = c->y + m->ny;
     c->seed = c->dx + results;
     c->result = c->seed + nx + nu + np + 1;
+    c->d = c->result + results + nx;
+    c->dd = c->d + nd;
+    c->seed_d = c->dd + nd;
+    c->rate_d = c->seed_d + nd;
     return 1;
 }
 
@@ -75,6 +84,8 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
     if (!name || !*name) return refuse(f, name, "fmi2Instantiate needs an instance name");
     if (!guid || strcmp(guid, pam_the_model.guid) != 0)
         return refuse(f, name, "the GUID does not belong to this FMU");
+    if (type == fmi2ModelExchange && pam_the_model.nd)
+        return refuse(f, name, "a model with delayed inputs cannot be used for model exchange");
     pam_instance *c = allocate(f, 1, sizeof *c);
     if (!c) return refuse(f, name, "out of memory");
     c->callbacks = *f;
@@ -134,7 +145,11 @@ fmi2Status fmi2ExitInitializationMode(fmi2Component component) {
         return fmi2OK;
     }
     if (c->model->nx) memcpy(c->solver.x, c->x, sizeof(double) * (size_t)c->model->nx);
-    pam_solver_begin(&c->solver, c->core.time, c->u, c->du, c->core.tolerance);
+    if (pam_solver_begin(&c->solver, c->core.time, c->u, c->du, c->core.tolerance)) {
+        c->core.phase = FAILED;
+        return pam_log(c, fmi2Error, "%s", c->solver.message);
+    }
+    pam_forget(c);
     c->core.state_changed = 0;
     c->core.phase = STEP;
     return fmi2OK;
@@ -223,76 +238,6 @@ NO_VARIABLES(fmi2GetString, fmi2String)
 NO_VARIABLES(fmi2SetInteger, const fmi2Integer)
 NO_VARIABLES(fmi2SetBoolean, const fmi2Boolean)
 NO_VARIABLES(fmi2SetString, const fmi2String)
-
-/* --- the FMU state -------------------------------------------------------------------------------------- */
-
-typedef struct {
-    char guid[64];
-    pam_core core;
-    double saved[];
-} pam_snapshot;
-
-static size_t snapshot_size(const pam_instance *c) {
-    return sizeof(pam_snapshot) + c->saved_size * sizeof(double);
-}
-
-fmi2Status fmi2GetFMUstate(fmi2Component component, fmi2FMUstate *state) {
-    pam_instance *c = pam_check(component, ANY & ~FAILED, "fmi2GetFMUstate");
-    if (!c || !state) return fmi2Error;
-    if (!*state) *state = allocate(&c->callbacks, 1, snapshot_size(c));
-    pam_snapshot *s = *state;
-    if (!s) return pam_log(c, fmi2Error, "out of memory");
-    strncpy(s->guid, c->model->guid, sizeof s->guid - 1);
-    s->core = c->core;
-    memcpy(s->saved, c->saved, c->saved_size * sizeof(double));
-    return fmi2OK;
-}
-
-fmi2Status fmi2SetFMUstate(fmi2Component component, fmi2FMUstate state) {
-    pam_instance *c = pam_check(component, ANY, "fmi2SetFMUstate");
-    const pam_snapshot *s = state;
-    if (!c || !s) return fmi2Error;
-    c->core = s->core;
-    memcpy(c->saved, s->saved, c->saved_size * sizeof(double));
-    pam_forget(c);
-    return fmi2OK;
-}
-
-fmi2Status fmi2FreeFMUstate(fmi2Component component, fmi2FMUstate *state) {
-    pam_instance *c = pam_check(component, ANY, "fmi2FreeFMUstate");
-    if (!c) return fmi2Error;
-    if (!state || !*state) return fmi2OK;
-    c->callbacks.freeMemory(*state);
-    *state = NULL;
-    return fmi2OK;
-}
-
-fmi2Status fmi2SerializedFMUstateSize(fmi2Component component, fmi2FMUstate state, size_t *size) {
-    pam_instance *c = pam_check(component, ANY, "fmi2SerializedFMUstateSize");
-    if (!c || !state || !size) return fmi2Error;
-    *size = snapshot_size(c);
-    return fmi2OK;
-}
-
-fmi2Status fmi2SerializeFMUstate(fmi2Component component, fmi2FMUstate state, fmi2Byte bytes[], size_t size) {
-    pam_instance *c = pam_check(component, ANY, "fmi2SerializeFMUstate");
-    if (!c || !state || !bytes) return fmi2Error;
-    if (size < snapshot_size(c)) return pam_log(c, fmi2Error, "the buffer for the FMU state is too small");
-    memcpy(bytes, state, snapshot_size(c));
-    return fmi2OK;
-}
-
-fmi2Status fmi2DeSerializeFMUstate(fmi2Component component, const fmi2Byte bytes[], size_t size,
-                                   fmi2FMUstate *state) {
-    pam_instance *c = pam_check(component, ANY, "fmi2DeSerializeFMUstate");
-    if (!c || !bytes || !state) return fmi2Error;
-    if (size != snapshot_size(c) || strncmp(bytes, c->model->guid, sizeof((pam_snapshot *)0)->guid) != 0)
-        return pam_log(c, fmi2Error, "the serialized FMU state does not belong to this FMU");
-    if (!*state) *state = allocate(&c->callbacks, 1, size);
-    if (!*state) return pam_log(c, fmi2Error, "out of memory");
-    memcpy(*state, bytes, size);
-    return fmi2OK;
-}
 
 /* --- derivatives ---------------------------------------------------------------------------------------- */
 

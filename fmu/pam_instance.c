@@ -56,6 +56,7 @@ void pam_reset(pam_instance *c) {
     c->core.last_step = fmi2OK;
     for (int i = 0; i < m->nu; i++) c->u[i] = m->input_starts[i];
     for (int i = 0; i < m->np; i++) c->solver.p[i] = m->parameter_starts[i];
+    for (int i = 0; i < m->nd; i++) c->solver.past[i].first = c->solver.past[i].end = 0;
     pam_forget(c);
 }
 
@@ -70,9 +71,33 @@ void pam_initialise_states(pam_instance *c) {
     c->core.initial_known = 1;
 }
 
+/* Whether a delayed input is the present input: before the run, and where the delay is zero. */
+static int is_present(const pam_instance *c, int i) {
+    const pam_history *h = &c->solver.past[i];
+    return h->first == h->end || c->solver.delay[i] == 0.0;
+}
+
+static void find_delayed(pam_instance *c) {
+    const pam_model *m = c->model;
+    for (int i = 0; i < m->nd; i++) {
+        int input = m->delayed_inputs[i];
+        if (is_present(c, i) && input >= 0) {
+            c->d[i] = c->u[input];
+            c->dd[i] = c->du[input];
+            continue;
+        }
+        c->d[i] = c->dd[i] = 0.0;
+        if (c->solver.past[i].first == c->solver.past[i].end) continue;
+        const pam_segment *now = pam_history_at(&c->solver.past[i], c->solver.delay[i], c->core.time, NULL);
+        c->d[i] = pam_segment_value(now, c->solver.delay[i], c->core.time);
+        c->dd[i] = now->slope;
+    }
+}
+
 static void evaluate(pam_instance *c, pam_function f, double *to) {
     pam_initialise_states(c);
-    const double *arg[] = {&c->core.time, c->x, c->u, c->solver.p};
+    find_delayed(c);
+    const double *arg[] = {&c->core.time, c->x, c->u, c->d, c->solver.p};
     double *res[] = {to};
     f(arg, res, c->solver.iw, c->solver.w, 0);
 }
@@ -95,6 +120,18 @@ const double *pam_locals(pam_instance *c) {
     return c->w;
 }
 
+/* d(t) = u(t - T): the present input does not count, time and the delay do. */
+static void seed_delayed(pam_instance *c, double st, const double *su, const double *sp) {
+    const pam_model *m = c->model;
+    const double *arg[] = {c->solver.p, sp};
+    double *res[] = {NULL, c->rate_d};
+    if (m->nd) m->delay(arg, res, c->solver.iw, c->solver.w, 0);
+    for (int i = 0; i < m->nd; i++) {
+        int input = m->delayed_inputs[i];
+        c->seed_d[i] = is_present(c, i) && input >= 0 ? su[input] : c->dd[i] * (st - c->rate_d[i]);
+    }
+}
+
 void pam_directional(pam_instance *c) {
     const pam_model *m = c->model;
     double *sx = c->seed, *su = sx + m->nx, *sp = su + m->nu, *st = sp + m->np;
@@ -107,7 +144,9 @@ void pam_directional(pam_instance *c) {
         for (int i = 0; i < m->nx; i++)
             if (c->x_explicit[i] == 0.0) sx[i] += start[i];
     }
-    const double *arg[] = {&c->core.time, c->x, c->u, c->solver.p, st, sx, su, sp};
+    find_delayed(c);
+    seed_delayed(c, st[0], su, sp);
+    const double *arg[] = {&c->core.time, c->x, c->u, c->d, c->solver.p, st, sx, su, c->seed_d, sp};
     double *res[] = {rx, ry, rw};
     m->jvp(arg, res, c->solver.iw, c->solver.w, 0);
 }

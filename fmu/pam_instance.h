@@ -20,7 +20,7 @@ enum {
 /* Value references are one contiguous table in this order. */
 typedef enum { STATE, DERIVATIVE, INPUT, OUTPUT, PARAMETER, LOCAL, TIME } pam_kind;
 
-/* Plain data: with the block of doubles at pam_instance.saved this is the whole FMU state. */
+/* Plain data: with the block of doubles at pam_instance.saved and the histories this is the whole FMU state. */
 typedef struct {
     int phase;
     int state_changed;  /* co-simulation: x was set since the last step */
@@ -43,7 +43,9 @@ typedef struct {
     double *x, *u, *du, *x_explicit; /* in saved: now; x_explicit: 1 where the user set the start value */
     pam_solver solver;
     double *dx, *y, *w;              /* results at the present time */
+    double *d, *dd;                  /* delayed inputs at the present time and their slopes */
     double *seed, *result;           /* nx + nu + np + 1; nx + ny + nw + nx */
+    double *seed_d, *rate_d;         /* nd: the seed that follows for delayed inputs; delays along the seed */
     int dx_known, y_known, w_known;
 } pam_instance;
 

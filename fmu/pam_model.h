@@ -9,7 +9,7 @@ typedef int (*pam_function)(const double **arg, double **res, long long *iw, dou
 
 typedef struct {
     const char *guid;
-    int nx, nu, ny, np, nw;           /* states, inputs, outputs, parameters, locals */
+    int nx, nu, nd, ny, np, nw;       /* states, inputs, delayed inputs, outputs, parameters, locals */
     int size_iw, size_w;              /* work space of the generated functions */
     double tolerance;                 /* default relative tolerance */
     double max_step;                  /* [s]; 0: no limit */
@@ -17,13 +17,16 @@ typedef struct {
     const double *state_nominals;     /* 0: not declared */
     const double *input_starts;
     const double *parameter_starts;
-    pam_function rhs;                 /* (t, x, u, p) -> dx */
-    pam_function out;                 /* (t, x, u, p) -> y */
-    pam_function loc;                 /* (t, x, u, p) -> w */
-    pam_function lin;                 /* (t, x, u, du, p) -> (dx, d dx/dx, d dx/dt + d dx/du du) */
-    pam_function jvp;                 /* (t, x, u, p, st, sx, su, sp) -> (dx, y, w) along the seed s */
+    const int *delayed_inputs;        /* nd: which input it is that is delayed; -1: 0 until the start, then 1 */
+    const int *direct_inputs;         /* nu: 1 where dx depends on the input's present value */
+    pam_function rhs;                 /* (t, x, u, d, p) -> dx */
+    pam_function out;                 /* (t, x, u, d, p) -> y */
+    pam_function loc;                 /* (t, x, u, d, p) -> w */
+    pam_function lin;                 /* (t, x, u, d, du, dd, p) -> (dx, d dx/dx, d dx/dt + d dx/du du + d dx/dd dd) */
+    pam_function jvp;                 /* (t, x, u, d, p, st, sx, su, sd, sp) -> (dx, y, w) along the seed s */
     pam_function init;                /* (p) -> x0 */
     pam_function init_jvp;            /* (p, sp) -> x0 along the seed sp */
+    pam_function delay;               /* (p, sp) -> (delays [s], delays along the seed sp) */
 } pam_model;
 
 extern const pam_model pam_the_model;

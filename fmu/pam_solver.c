@@ -11,10 +11,10 @@
 static const double SAFETY = 0.9, SHRINK = 0.2, GROW = 6.0, ORDER = 5.0;
 static const double INTEGRAL = 0.7, PROPORTIONAL = 0.4;
 
-size_t pam_solver_saved_size(const pam_model *m) { return (size_t)(6 * m->nx + 2 * m->nu + m->np); }
+size_t pam_solver_saved_size(const pam_model *m) { return (size_t)(6 * m->nx + 2 * m->nu + m->np + m->nd); }
 
 size_t pam_solver_scratch_size(const pam_model *m) {
-    return (size_t)((PAM_STAGES + 4) * m->nx + m->nu + 2 * m->nx * m->nx + m->size_w);
+    return (size_t)((PAM_STAGES + 4) * m->nx + m->nu + 3 * m->nd + 2 * m->nx * m->nx + m->size_w);
 }
 
 static double *take(double **block, int n) {
@@ -35,12 +35,16 @@ void pam_solver_bind(pam_solver *v, const pam_model *m, pam_solver_scalars *s, d
     v->u = take(&saved, m->nu);
     v->du = take(&saved, m->nu);
     v->p = take(&saved, m->np);
+    v->delay = take(&saved, m->nd);
     v->k = take(&scratch, PAM_STAGES * nx);
     v->f = take(&scratch, nx);
     v->ft = take(&scratch, nx);
     v->stage = take(&scratch, nx);
     v->rhs = take(&scratch, nx);
     v->u_stage = take(&scratch, m->nu);
+    v->d = take(&scratch, m->nd);
+    v->dd = take(&scratch, m->nd);
+    v->d_stage = take(&scratch, m->nd);
     v->jac = take(&scratch, nx * nx);
     v->lu = take(&scratch, nx * nx);
     v->w = take(&scratch, m->size_w);
@@ -54,9 +58,19 @@ void pam_solver_input_values(const pam_solver *v, double t, double *u) {
     for (int i = 0; i < v->model->nu; i++) u[i] = v->u[i] + v->du[i] * dt;
 }
 
+void pam_solver_delayed_values(const pam_solver *v, double t, double *d, double *dd) {
+    for (int i = 0; i < v->model->nd; i++) {
+        const pam_segment *now = pam_history_at(&v->past[i], v->delay[i], t, NULL);
+        d[i] = pam_segment_value(now, v->delay[i], t);
+        dd[i] = now->slope;
+    }
+}
+
+/* At any stage of a step the delayed inputs are on the lines on which it began. */
 static void evaluate(pam_solver *v, double t, const double *x, double *dx) {
     pam_solver_input_values(v, t, v->u_stage);
-    const double *arg[] = {&t, x, v->u_stage, v->p};
+    for (int i = 0; i < v->model->nd; i++) v->d_stage[i] = v->d[i] + v->dd[i] * (t - v->s->t);
+    const double *arg[] = {&t, x, v->u_stage, v->d_stage, v->p};
     double *res[] = {dx};
     v->model->rhs(arg, res, v->iw, v->w, 0);
     v->s->statistics.rhs++;
@@ -65,7 +79,7 @@ static void evaluate(pam_solver *v, double t, const double *x, double *dx) {
 /* f, df/dx and the total df/dt along the inputs' slope, at the start of the step. */
 static void linearise(pam_solver *v) {
     pam_solver_input_values(v, v->s->t, v->u_stage);
-    const double *arg[] = {&v->s->t, v->x, v->u_stage, v->du, v->p};
+    const double *arg[] = {&v->s->t, v->x, v->u_stage, v->d, v->du, v->dd, v->p};
     double *res[] = {v->f, v->jac, v->ft};
     v->model->lin(arg, res, v->iw, v->w, 0);
     v->s->statistics.rhs++;
@@ -78,9 +92,35 @@ static int first_not_finite(int n, const double *x) {
     return -1;
 }
 
+static int fail_memory(pam_solver *v) {
+    snprintf(v->message, sizeof v->message, "out of memory for the past of a delayed input");
+    return 1;
+}
+
 static double weight(const pam_solver *v, int i, double x) { return v->s->rtol * (fabs(x) + v->scale[i]); }
 
-void pam_solver_begin(pam_solver *v, double t, const double *u, const double *du, double rtol) {
+/* Delays and the beginning of the delayed inputs' past. */
+static int begin_past(pam_solver *v, double t) {
+    const pam_model *m = v->model;
+    const double *arg[] = {v->p, NULL};
+    double *res[] = {v->delay, NULL};
+    if (m->nd) m->delay(arg, res, v->iw, v->w, 0);
+    for (int i = 0; i < m->nd; i++) {
+        int input = m->delayed_inputs[i];
+        if (!(v->delay[i] >= 0.0) || !isfinite(v->delay[i])) {
+            snprintf(v->message, sizeof v->message, "a delay of an input is %.9g s; it must be zero or positive",
+                     v->delay[i]);
+            return 1;
+        }
+        pam_segment start = {t, 1.0, 0.0, 1.0};
+        if (input >= 0) start = (pam_segment){t, v->u[input], v->du[input], 0.0};
+        double before = input >= 0 ? start.value : 0.0;
+        if (pam_history_begin(&v->past[i], &v->memory, before, start)) return fail_memory(v);
+    }
+    return 0;
+}
+
+int pam_solver_begin(pam_solver *v, double t, const double *u, const double *du, double rtol) {
     const pam_model *m = v->model;
     memset(v->s, 0, sizeof *v->s);
     v->s->t = t;
@@ -95,6 +135,7 @@ void pam_solver_begin(pam_solver *v, double t, const double *u, const double *du
         double nominal = m->state_nominals[i];
         v->scale[i] = nominal > 0.0 ? nominal : v->x[i] == 0.0 ? 1.0 : fmin(1.0, fmax(1e-6, fabs(v->x[i])));
     }
+    return begin_past(v, t);
 }
 
 void pam_solver_state(const pam_solver *v, double t, double *x) {
@@ -127,21 +168,53 @@ void pam_solver_set_state(pam_solver *v, double t, const double *x) {
     v->s->estimate = 1;
 }
 
-void pam_solver_inputs(pam_solver *v, double t, const double *u, const double *du) {
-    int jump = 0, bend = 0;
-    double dt = t - v->s->input_time;
-    for (int i = 0; i < v->model->nu; i++) {
-        double assumed = v->u[i] + v->du[i] * dt;
-        double rounding = 16.0 * DBL_EPSILON * (fabs(assumed) + fabs(u[i]) + fabs(v->du[i]) * fabs(t));
-        if (fabs(u[i] - assumed) > rounding) jump = 1;
-        if (fabs(du[i] - v->du[i]) > 1e-12 * fabs(v->du[i])) bend = 1;
+enum { AS_ASSUMED, BEND, JUMP };
+
+/* What an input does at time t. */
+static int change_of(const pam_solver *v, int i, double t, double u, double du) {
+    double assumed = v->u[i] + v->du[i] * (t - v->s->input_time);
+    double rounding = 16.0 * DBL_EPSILON * (fabs(assumed) + fabs(u) + fabs(v->du[i]) * fabs(t));
+    if (fabs(u - assumed) > rounding) return JUMP;
+    return fabs(du - v->du[i]) > 1e-12 * fabs(v->du[i]) ? BEND : AS_ASSUMED;
+}
+
+/* Writes a change of an input into the past of those made from it; it acts when the delay is over. */
+static int record(pam_solver *v, int input, pam_segment segment) {
+    pam_solver_scalars *s = v->s;
+    for (int i = 0; i < v->model->nd; i++) {
+        if (v->model->delayed_inputs[i] != input) continue;
+        pam_history_forget(&v->past[i], v->delay[i], s->t);
+        if (pam_history_append(&v->past[i], &v->memory, segment)) return fail_memory(v);
+        double acts = segment.time + v->delay[i];
+        if (s->h > 0.0 && acts < s->until) {
+            s->until = acts;
+            s->truncated = 1;
+            if (s->h_next > s->h) s->h_next = s->h;
+        }
     }
-    if (!jump && !bend) return;
-    cut(v, t);
-    memcpy(v->u, u, sizeof(double) * (size_t)v->model->nu);
-    memcpy(v->du, du, sizeof(double) * (size_t)v->model->nu);
+    return 0;
+}
+
+int pam_solver_inputs(pam_solver *v, double t, const double *u, const double *du) {
+    const pam_model *m = v->model;
+    int most = AS_ASSUMED, most_direct = AS_ASSUMED;
+    for (int i = 0; i < m->nu; i++) {
+        int change = change_of(v, i, t, u[i], du[i]);
+        if (change > most) most = change;
+        if (m->direct_inputs[i] && change > most_direct) most_direct = change;
+    }
+    if (most == AS_ASSUMED) return 0;
+    if (most_direct != AS_ASSUMED) cut(v, t);
+    if (most_direct == JUMP) v->s->estimate = 1;
+    for (int i = 0; i < m->nu; i++) {
+        int change = change_of(v, i, t, u[i], du[i]);
+        pam_segment segment = {t, u[i], du[i], change == JUMP};
+        if (change != AS_ASSUMED && record(v, i, segment)) return 1;
+    }
+    memcpy(v->u, u, sizeof(double) * (size_t)m->nu);
+    memcpy(v->du, du, sizeof(double) * (size_t)m->nu);
     v->s->input_time = t;
-    if (jump) v->s->estimate = 1;
+    return 0;
 }
 
 /* A first step length from f and its exact time derivative (Hairer, Norsett, Wanner, Solving ODEs I, II.4).
@@ -251,11 +324,32 @@ static int fail_step(pam_solver *v, const char *what, double h, int worst, int f
     return 1;
 }
 
+/* Puts the step that begins now on the lines of the delayed inputs that act from now on. Returns the time of the
+ * next change; one that only rounding separates from now takes place now.
+ */
+static double enter_lines(pam_solver *v, double smallest) {
+    pam_solver_scalars *s = v->s;
+    double next_change = s->t;
+    while (next_change - s->t <= smallest) {
+        s->t = next_change;
+        next_change = INFINITY;
+        for (int i = 0; i < v->model->nd; i++) {
+            const pam_segment *next, *now = pam_history_at(&v->past[i], v->delay[i], s->t, &next);
+            if (now->jump != 0.0 && now->time + v->delay[i] >= s->t - smallest) s->estimate = 1;
+            if (next) next_change = fmin(next_change, next->time + v->delay[i]);
+        }
+    }
+    if (v->model->nd) pam_solver_delayed_values(v, s->t, v->d, v->dd);
+    return next_change;
+}
+
 /* Finds a step that meets the tolerance; it becomes the pending step. Returns 1 with a message on failure. */
 static int take_step(pam_solver *v, double target, int *budget) {
     const pam_model *m = v->model;
     pam_solver_scalars *s = v->s;
     int n = m->nx, rejected = 0, worst = 0;
+    double smallest = 16.0 * DBL_EPSILON * fmax(fabs(s->t), fabs(target));
+    double change = enter_lines(v, smallest), room = change - s->t;
     linearise(v);
     if (first_not_finite(n, v->f) >= 0 || first_not_finite(n * n, v->jac) >= 0 || first_not_finite(n, v->ft) >= 0)
         return fail_not_finite(v);
@@ -266,11 +360,11 @@ static int take_step(pam_solver *v, double target, int *budget) {
         s->estimate = 0;
         s->error_previous = 1.0;
     }
-    double smallest = 16.0 * DBL_EPSILON * fmax(fabs(s->t), fabs(target));
     for (;;) {
         if (m->max_step > 0.0) h = fmin(h, m->max_step);
-        double error = INFINITY;
-        int bad = -1;
+        double wished = h, error = INFINITY;
+        int bad = -1, ends_at_change = h >= room;
+        if (ends_at_change) h = room;
         if (!factorise(v, h) && (bad = stages(v, h)) < 0) error = error_norm(v, &worst);
         if (error <= 1.0) {
             double factor = SAFETY * pow(fmax(error, 1e-10), -INTEGRAL / ORDER)
@@ -278,7 +372,9 @@ static int take_step(pam_solver *v, double target, int *budget) {
             factor = fmin(rejected ? 1.0 : GROW, fmax(SHRINK, factor));
             s->error_previous = fmax(error, 1e-4);
             s->h = h;
-            s->h_next = h * factor;
+            s->until = ends_at_change ? change : s->t + h;
+            s->truncated = 0;
+            s->h_next = ends_at_change ? fmax(wished, h * factor) : h * factor;
             s->statistics.steps++;
             dense_output(v);
             return 0;
@@ -292,18 +388,28 @@ static int take_step(pam_solver *v, double target, int *budget) {
     }
 }
 
+/* Goes to where the pending step is of no more use. */
+static void leave_step(pam_solver *v) {
+    size_t size = sizeof(double) * (size_t)v->model->nx;
+    if (v->s->truncated) {
+        v->s->statistics.restarts++;
+        pam_solver_state(v, v->s->until, v->stage);
+        memcpy(v->x, v->stage, size);
+    } else {
+        memcpy(v->x, v->x1, size);
+    }
+    v->s->t = v->s->until;
+    v->s->h = 0.0;
+}
+
 int pam_solver_advance(pam_solver *v, double t) {
     int budget = PAM_MAX_STEPS_PER_CALL;
     if (v->model->nx == 0) {
         v->s->t = t;
         return 0;
     }
-    while (v->s->h == 0.0 || v->s->t + v->s->h < t) {
-        if (v->s->h > 0.0) {
-            v->s->t += v->s->h;
-            v->s->h = 0.0;
-            memcpy(v->x, v->x1, sizeof(double) * (size_t)v->model->nx);
-        }
+    while (v->s->h == 0.0 || v->s->until < t) {
+        if (v->s->h > 0.0) leave_step(v);
         if (--budget <= 0) return fail_step(v, "the solver needs too many steps", v->s->h_next, 0, 1);
         if (take_step(v, t, &budget)) return 1;
     }

@@ -3,13 +3,15 @@
  * Its steps do not end at communication points: a step may reach beyond the time asked for, on the assumption
  * that the inputs go on as they are, and values in between come from the dense output. Where an input, its
  * slope or a state changes instead, the rest of the pending step is dropped and the solver starts again from
- * exactly that time.
+ * exactly that time. A delayed input changes at times known beforehand: steps end there, and a pending step
+ * that was made before such a change was known is used up to there only.
  */
 #ifndef PAM_SOLVER_H
 #define PAM_SOLVER_H
 
 #include <stddef.h>
 
+#include "pam_history.h"
 #include "pam_model.h"
 
 typedef struct {
@@ -20,11 +22,13 @@ typedef struct {
 typedef struct {
     double t;              /* [s] start of the pending step */
     double h;              /* [s] its length; 0: there is none */
+    double until;          /* [s] what it may be used for: its end, or the next change of a delayed input */
     double h_next;         /* [s] proposed length of the step after it; 0: to be estimated */
     double input_time;     /* [s] the inputs are u + du (time - input_time) */
     double error_previous; /* error norm of the last accepted step, for the PI controller */
     double rtol;
     int estimate;          /* 1: the next step begins with a jump, its length must be checked */
+    int truncated;         /* 1: the pending step may not be used to its end */
     pam_statistics statistics;
 } pam_solver_scalars;
 
@@ -36,8 +40,11 @@ typedef struct {
     double *u, *du;         /* nu: the inputs the pending step assumes */
     double *p;              /* np */
     double *scale;          /* nx: absolute scale of each state */
+    double *delay;          /* nd [s] */
+    pam_history *past;      /* nd */
+    pam_memory memory;      /* for the past, which grows */
     /* scratch */
-    double *k, *f, *ft, *stage, *u_stage, *jac, *lu, *rhs, *w;
+    double *k, *f, *ft, *stage, *u_stage, *d, *dd, *d_stage, *jac, *lu, *rhs, *w;
     int *pivot;
     long long *iw;
     char message[512];      /* why pam_solver_advance failed */
@@ -53,11 +60,15 @@ size_t pam_solver_scratch_size(const pam_model *m);
 void pam_solver_bind(pam_solver *v, const pam_model *m, pam_solver_scalars *s, double *saved, double *scratch,
                      int *pivot, long long *iw);
 
-/* Begins at time t with state x (already in v->x), inputs u with slope du, and parameters in v->p. */
-void pam_solver_begin(pam_solver *v, double t, const double *u, const double *du, double rtol);
+/* Begins at time t with state x (already in v->x), inputs u with slope du, and parameters in v->p.
+ * Returns 0, or 1 with a message.
+ */
+int pam_solver_begin(pam_solver *v, double t, const double *u, const double *du, double rtol);
 
-/* Tells the solver the inputs from time t on; drops the pending step where they are not as assumed. */
-void pam_solver_inputs(pam_solver *v, double t, const double *u, const double *du);
+/* Tells the solver the inputs from time t on; drops the pending step where they are not as assumed.
+ * Returns 0, or 1 with a message.
+ */
+int pam_solver_inputs(pam_solver *v, double t, const double *u, const double *du);
 
 /* Replaces the state at time t. */
 void pam_solver_set_state(pam_solver *v, double t, const double *x);
@@ -70,5 +81,8 @@ void pam_solver_state(const pam_solver *v, double t, double *x);
 
 /* The inputs at time t as the solver assumes them. */
 void pam_solver_input_values(const pam_solver *v, double t, double *u);
+
+/* The delayed inputs and their slopes at a time that the solution is known for. */
+void pam_solver_delayed_values(const pam_solver *v, double t, double *d, double *dd);
 
 #endif

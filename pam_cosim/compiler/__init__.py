@@ -5,11 +5,13 @@ The way of a model through the files: ``source``, ``lexer``, ``parser`` (with ``
 ``instantiation`` makes the tree of components (``instance``) under ``modification``; ``evaluation`` (with
 ``arithmetic``, ``builtins``, ``functions``) turns expressions into values, ``symbols`` into CasADi symbols;
 ``flattening`` and ``connections`` give residual equations; ``index_reduction`` and ``blocks`` (with
-``matching``) solve them; ``initialization`` does so at the start; ``compile`` puts the ``Ode`` together.
+``matching``) solve them; ``delays`` finds the inputs that ``delay`` asks for; ``initialization`` solves at the start;
+``compile`` puts the ``Ode`` together.
 ``catalogue`` and ``structure`` tell what classes and models consist of; ``effects`` and ``compose`` build on them.
 
 Modelica 3.6 without events: ``when``, discrete variables, ``stream`` and ``expandable`` connectors, external
-functions, operator records, matrix brackets and nonlinear algebraic loops are refused with an error.
+functions, operator records, matrix brackets, nonlinear algebraic loops and the ``delay`` of anything but inputs
+are refused with an error.
 """
 
 from pam_cosim.compiler.catalogue import ClassTree, read_library
@@ -17,12 +19,13 @@ from pam_cosim.compiler.compile import compile_model
 from pam_cosim.compiler.compose import Composition, compose, qualified
 from pam_cosim.compiler.effects import EffectClass, effect_classes
 from pam_cosim.compiler.hashing import flat_hash
-from pam_cosim.compiler.ode import Ode
+from pam_cosim.compiler.ode import Delay, Ode
 from pam_cosim.compiler.structure import Structure, read_structure
 
 __all__ = [
     "ClassTree",
     "Composition",
+    "Delay",
     "EffectClass",
     "Ode",
     "Structure",

@@ -86,6 +86,21 @@ def _der(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> 
     return arithmetic.each(evaluator.derivative, *_arguments(evaluator, node, scope, names, 1))
 
 
+def _delay(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Value:
+    if scope.definition.kind == "function":
+        raise ModelError("delay() cannot be used in a function")
+    evaluator.at_start, outside = False, evaluator.at_start
+    try:
+        value, time, *_ = _arguments(evaluator, node, scope, names, 2, 3)
+        evaluator.at_start = True  # second, so that no variable keeps the value of that moment
+        start = evaluator.evaluate(node.arguments[0], scope, names)
+    finally:
+        evaluator.at_start = outside
+    if isinstance(time, list):
+        raise ModelError("the time of delay() must be a scalar")
+    return arithmetic.each(lambda now, first: evaluator.delay(now, first, time, scope, node.at), value, start)
+
+
 def _argument(position: int, *counts: int) -> Builtin:
     """A function that returns one of its arguments."""
 
@@ -144,6 +159,10 @@ def _linspace(evaluator: Evaluator, node: Call, scope: Scope, names: Environment
 
 
 def _initial(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Value:
+    return evaluator.at_start
+
+
+def _terminal(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Value:
     return False
 
 
@@ -215,7 +234,7 @@ BUILTINS: dict[str, Builtin] = {
     "ones": _constant_array(1.0),
     "linspace": _linspace,
     "initial": _initial,
-    "terminal": _initial,
+    "terminal": _terminal,
     "integer": _integer,
     "Integer": _integer,
     "String": _string,
@@ -224,7 +243,7 @@ BUILTINS: dict[str, Builtin] = {
     "edge": _refused("edge"),
     "change": _refused("change"),
     "sample": _refused("sample"),
-    "delay": _refused("delay"),
+    "delay": _delay,
     "reinit": _refused("reinit"),
     "spatialDistribution": _refused("spatialDistribution"),
 }

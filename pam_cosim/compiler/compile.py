@@ -11,6 +11,7 @@ import casadi as ca
 
 from pam_cosim.compiler import metadata
 from pam_cosim.compiler.blocks import solve
+from pam_cosim.compiler.delays import DelayedInputs
 from pam_cosim.compiler.flattening import FlatModel, flatten
 from pam_cosim.compiler.index_reduction import System, reduce_index, select_states
 from pam_cosim.compiler.initialization import Start, initial_values
@@ -110,10 +111,11 @@ class _Assembly:
         initial = self._initial()
         outputs = [leaf for leaf in self._unknown_leaves() if self._is_output(leaf)]
         local = self._locals(outputs)
+        delayed = DelayedInputs(symbols.delays, self.solved, system.variables, list(symbols.inputs.values()), self.p)
         derivatives, values, others = _shared(
-            [self._derivative(name) for name in self.states],
-            [self._value(leaf.name) for leaf in outputs],
-            [value for _, value in local],
+            delayed.put_in([self._derivative(name) for name in self.states]),
+            delayed.put_in([self._value(leaf.name) for leaf in outputs]),
+            delayed.put_in([value for _, value in local]),
         )
         interface = Interface(
             model=root.ancestors[0].definition.qualified_name,
@@ -135,6 +137,8 @@ class _Assembly:
             locals=others,
             initial=_column(initial),
             description=root.ancestors[0].definition.description,
+            d=_column(delayed.delayed),
+            delays=tuple(delayed.delays),
         )
 
     # ---- the system of equations --------------------------------------------------------------------------
@@ -146,7 +150,7 @@ class _Assembly:
         for name, symbol in symbols.derivatives.items():
             derivative_of[name] = symbol.name()
             variables[symbol.name()] = symbol
-        inputs = frozenset(leaf.name for leaf in symbols.inputs)
+        inputs = frozenset([*(leaf.name for leaf in symbols.inputs), *symbols.delays])
         return System(variables, derivative_of, list(self.flat.residuals), inputs, symbols.t)
 
     def _preference(self, name: str) -> float:

@@ -71,6 +71,7 @@ class Evaluator:
         self.lookup = instantiator.lookup
         self._values: dict[Instance, Value] = {}
         self._in_progress: dict[Instance, None] = {}
+        self.at_start = False  # what initial() is
 
     # ---- what a subclass changes --------------------------------------------------------------------------
 
@@ -89,6 +90,10 @@ class Evaluator:
     def derivative(self, value: Value) -> Value:
         """The value of ``der(...)``."""
         raise ModelError("der() cannot be used here: a constant is needed")
+
+    def delay(self, value: Value, start: Value, time: Value, scope: Scope, at: int) -> Value:
+        """The value of ``delay(value, time)``, which stands at ``at``; ``start`` is the value at the start."""
+        raise ModelError("delay() cannot be used here: a constant is needed")
 
     # ---- entry points -------------------------------------------------------------------------------------
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import casadi as ca
 
@@ -10,8 +10,21 @@ from pam_cosim.interface import Interface, Variable
 
 
 @dataclass(frozen=True)
+class Delay:
+    """An input as it was some time ago: u[input](t - time), and its value at the start where that is earlier.
+
+    Attributes:
+        input: position of the input in ``Ode.u``; None: a signal that is 0 until the start and 1 from then on.
+        time: the delay [s], an expression of ``Ode.p``.
+    """
+
+    input: int | None
+    time: ca.SX
+
+
+@dataclass(frozen=True)
 class Ode:
-    """dx/dt = f(t, x, u, p), y = h(t, x, u, p), x(0) = x0(p).
+    """dx/dt = f(t, x, u, d, p), y = h(t, x, u, d, p), x(0) = x0(p).
 
     Attributes:
         interface: names, units, defaults of inputs, outputs, parameters and locals.
@@ -23,6 +36,8 @@ class Ode:
         locals: algebraic variables, ordered like ``interface.locals``.
         initial: x0 as a function of ``p`` only.
         description: the model's own one-line description.
+        d: symbols of the delayed inputs, a column vector; empty in a model without ``delay``.
+        delays: what each element of ``d`` stands for.
     """
 
     interface: Interface
@@ -36,3 +51,5 @@ class Ode:
     locals: ca.SX
     initial: ca.SX
     description: str = ""
+    d: ca.SX = field(default_factory=lambda: ca.SX(0, 1))
+    delays: tuple[Delay, ...] = ()

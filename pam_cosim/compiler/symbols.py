@@ -5,9 +5,11 @@ from __future__ import annotations
 import casadi as ca
 
 from pam_cosim.compiler import arithmetic
+from pam_cosim.compiler.delays import DelayCall, check_time, same
 from pam_cosim.compiler.evaluation import Evaluator, Value
 from pam_cosim.compiler.instance import Instance
 from pam_cosim.compiler.instantiation import Instantiator
+from pam_cosim.compiler.scope import Scope
 from pam_cosim.errors import ModelError
 
 
@@ -23,6 +25,7 @@ class SymbolTable(Evaluator):
         inputs: what the model takes from outside.
         free: free parameters with their symbols; ``defaults`` their values.
         derivatives: ``der(x)`` by the name of x.
+        delays: calls of ``delay`` by the name of the symbol that stands for the result.
     """
 
     def __init__(self, instantiator: Instantiator, root: Instance) -> None:
@@ -34,6 +37,7 @@ class SymbolTable(Evaluator):
         self.free: dict[Instance, ca.SX] = {}
         self.defaults: dict[Instance, float] = {}
         self.derivatives: dict[str, ca.SX] = {}
+        self.delays: dict[str, DelayCall] = {}
         self._by_name: dict[str, Instance] = {}
 
     def variable(self, instance: Instance) -> Value:
@@ -77,6 +81,22 @@ class SymbolTable(Evaluator):
         """The symbol of time."""
         return self.t
 
+    def delay(self, value: Value, start: Value, time: Value, scope: Scope, at: int) -> Value:
+        """A symbol for the delayed value; a value that is known does not change."""
+        check_time(time)
+        if not isinstance(value, ca.SX) and not isinstance(start, ca.SX) and value == start:
+            return value
+        value, start, time = ca.SX(value), ca.SX(start), ca.SX(time)
+        for call in self.delays.values():
+            if same(call.argument, value) and same(call.start, start) and same(call.time, time):
+                return call.symbol
+        name = f"delay({value})" if value.is_symbolic() else f"delay(...) {len(self.delays) + 1}"
+        while name in self.delays:
+            name += "'"
+        symbol = ca.SX.sym(name)
+        self.delays[name] = DelayCall(symbol, value, start, time, scope.definition.source, at)
+        return symbol
+
     def instance_of(self, symbol: ca.SX) -> Instance | None:
         """The variable that a symbol stands for."""
         return self._by_name.get(symbol.name())
@@ -100,6 +120,8 @@ class SymbolTable(Evaluator):
             return 1.0
         if name.startswith("der("):
             raise ModelError(f"second derivative of '{name}': introduce a variable for the first one")
+        if name in self.delays:
+            raise ModelError(f"the derivative of the input '{name}' is not known")
         instance = self._by_name.get(name)
         if instance is None:
             return 0.0

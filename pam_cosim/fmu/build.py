@@ -1,4 +1,4 @@
-"""An ODE to an FMI 2.0 FMU for co-simulation and model exchange."""
+"""An ODE to an FMI 2.0 FMU for co-simulation and, without delays, model exchange."""
 
 from __future__ import annotations
 
@@ -24,7 +24,10 @@ from pam_cosim.fmu.description import model_description, model_identifier
 from pam_cosim.fmu.generate import model_source
 from pam_cosim.fmu.table import table
 
-RUNTIME = ("pam_cosimulation.c", "pam_exchange.c", "pam_fmi2.c", "pam_instance.c", "pam_solver.c")
+RUNTIME = (
+    "pam_cosimulation.c", "pam_exchange.c", "pam_fmi2.c", "pam_history.c", "pam_instance.c", "pam_snapshot.c",
+    "pam_solver.c",
+)  # fmt: skip
 
 _DATE = (1980, 1, 1, 0, 0, 0)
 

@@ -49,7 +49,8 @@ def model_description(ode: Ode, entries: Sequence[Entry], guid: str, tool: str) 
         },
     )
     identifier = {"modelIdentifier": model_identifier(face.model)}
-    Xml.SubElement(root, "ModelExchange", {**identifier, **_SHARED})
+    if not ode.delays:  # nobody tells an FMU for model exchange what its inputs were between two evaluations
+        Xml.SubElement(root, "ModelExchange", {**identifier, **_SHARED})
     Xml.SubElement(root, "CoSimulation", {**identifier, **_CO_SIMULATION, **_SHARED})
     _units(root, [entry.variable for entry in entries])
     categories = Xml.SubElement(root, "LogCategories")

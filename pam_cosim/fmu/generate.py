@@ -21,24 +21,28 @@ def model_functions(ode: Ode) -> list[ca.Function]:
     """The functions the runtime calls, with the inputs and outputs listed in ``pam_model.h``.
 
     Raises:
-        ModelError: an expression holds a symbol that is neither time, state, input nor parameter.
+        ModelError: an expression holds a symbol that is neither time, state, input, delayed input nor parameter.
     """
-    t, x, u, p = ode.t, ode.x, ode.u, ode.p
+    t, x, u, d, p = ode.t, ode.x, ode.u, ode.d, ode.p
     f, y, w = (ca.densify(ca.SX(e)) for e in (ode.derivatives, ode.outputs, ode.locals))
     x0 = ca.densify(ca.SX(ode.initial))
-    du = ca.SX.sym("du", u.numel())
-    sx, su, sp, st = (ca.SX.sym(n, s.numel()) for n, s in (("sx", x), ("su", u), ("sp", p), ("st", t)))
-    total = ca.jtimes(f, ca.vertcat(t, u), ca.vertcat(ca.SX(1), du))
-    # One seed for everything at once: the derivative along (st, sx, su, sp).
-    along = [ca.jtimes(e, ca.vertcat(t, x, u, p), ca.vertcat(st, sx, su, sp)) for e in (f, y, w)]
+    delays = ca.vertcat(ca.SX(0, 1), *[ca.SX(delay.time) for delay in ode.delays])
+    du, dd = ca.SX.sym("du", u.numel()), ca.SX.sym("dd", d.numel())
+    known = [t, x, u, d, p]
+    # One seed for everything at once: the derivative along (st, sx, su, sd, sp).
+    seed = [ca.SX.sym(n, s.numel()) for n, s in zip(("st", "sx", "su", "sd", "sp"), known, strict=True)]
+    sp = seed[-1]
+    total = ca.jtimes(f, ca.vertcat(t, u, d), ca.vertcat(ca.SX(1), du, dd))
+    along = [ca.jtimes(e, ca.vertcat(*known), ca.vertcat(*seed)) for e in (f, y, w)]
     return [
-        _function("pam_rhs", [t, x, u, p], [f]),
-        _function("pam_out", [t, x, u, p], [y]),
-        _function("pam_loc", [t, x, u, p], [w]),
-        _function("pam_lin", [t, x, u, du, p], [f, ca.jacobian(f, x), total]),
-        _function("pam_jvp", [t, x, u, p, st, sx, su, sp], along),
+        _function("pam_rhs", known, [f]),
+        _function("pam_out", known, [y]),
+        _function("pam_loc", known, [w]),
+        _function("pam_lin", [t, x, u, d, du, dd, p], [f, ca.jacobian(f, x), total]),
+        _function("pam_jvp", [*known, *seed], along),
         _function("pam_init", [p], [x0]),
         _function("pam_init_jvp", [p, sp], [ca.jtimes(x0, p, sp)]),
+        _function("pam_delay", [p, sp], [delays, ca.jtimes(delays, p, sp)]),
     ]
 
 
@@ -62,7 +66,7 @@ def model_source(ode: Ode, guid: str) -> str:
     timed = ca.jacobian_sparsity(ode.derivatives, ode.t).nnz() > 0 if ode.states else False
     max_step = face.stop_time / _STEPS_OF_TIMED_MODEL if timed else 0.0
     inputs = [entry.start or 0.0 for entry in table(ode) if entry.causality == "input"]
-    sizes = [len(ode.states), ode.u.numel(), ode.outputs.numel(), ode.p.numel(), ode.locals.numel()]
+    sizes = [len(ode.states), *(part.numel() for part in (ode.u, ode.d, ode.outputs, ode.p, ode.locals))]
     work = [max(f.sz_iw() for f in functions), max(f.sz_w() for f in functions)]
     parts = [
         '#include "pam_model.h"\n#define CASADI_SYMBOL_EXPORT static',
@@ -71,14 +75,24 @@ def model_source(ode: Ode, guid: str) -> str:
         _array("const double", "state_nominals", (_nominal(s.nominal) for s in ode.states)),
         _array("const double", "input_starts", (_double(v) for v in inputs)),
         _array("const double", "parameter_starts", (_double(v.start) for v in face.parameters.values())),
+        _array("const int", "delayed_inputs", (str(-1 if d.input is None else d.input) for d in ode.delays)),
+        _array("const int", "direct_inputs", (str(int(direct)) for direct in _direct_inputs(ode))),
         "const pam_model pam_the_model = {",
         f"    {json.dumps(guid)}, {', '.join(str(n) for n in sizes + work)},",
         f"    {_double(face.tolerance)}, {_double(max_step)},",
-        "    state_names, state_nominals, input_starts, parameter_starts,",
+        "    state_names, state_nominals, input_starts, parameter_starts, delayed_inputs, direct_inputs,",
         f"    {', '.join(f.name() for f in functions)},",
         "};\n",
     ]
     return "\n".join(parts)
+
+
+def _direct_inputs(ode: Ode) -> list[bool]:
+    """For each input, whether a derivative depends on its present value."""
+    if not ode.states:
+        return [False] * ode.u.numel()
+    columns = ca.jacobian_sparsity(ode.derivatives, ode.u).get_col()
+    return [i in columns for i in range(ode.u.numel())]
 
 
 _HELPERS = "|".join(

@@ -40,7 +40,8 @@ def continuous_dependencies(ode: Ode, entries: Sequence[Entry]) -> Dependencies:
         (ode.u, _positions(entries, Kind.INPUT, ode.u.numel())),
         (ode.t, _positions(entries, Kind.TIME, 1)),
     ]
-    return _assign(entries, {Kind.DERIVATIVE: ode.derivatives, Kind.OUTPUT: ode.outputs, Kind.STATE: ode.x}, knowns)
+    derivatives, outputs = _undelayed(ode)
+    return _assign(entries, {Kind.DERIVATIVE: derivatives, Kind.OUTPUT: outputs, Kind.STATE: ode.x}, knowns)
 
 
 def initial_dependencies(ode: Ode, entries: Sequence[Entry]) -> Dependencies:
@@ -48,7 +49,7 @@ def initial_dependencies(ode: Ode, entries: Sequence[Entry]) -> Dependencies:
     exact = {e.index for e in entries if e.kind is Kind.STATE and e.initial == "exact"}
     initial = ca.vertsplit(ca.SX(ode.initial)) if ode.states else []
     start = ca.vertcat(*[ode.x[i] if i in exact else initial[i] for i in range(len(initial))])
-    derivatives, outputs = ca.substitute([ode.derivatives, ode.outputs], [ode.x], [ca.SX(start)])
+    derivatives, outputs = ca.substitute(_undelayed(ode), [ode.x], [ca.SX(start)])
     knowns = [
         (ode.x, _positions(entries, Kind.STATE, len(ode.states))),
         (ode.u, _positions(entries, Kind.INPUT, ode.u.numel())),
@@ -56,6 +57,13 @@ def initial_dependencies(ode: Ode, entries: Sequence[Entry]) -> Dependencies:
         (ode.t, _positions(entries, Kind.TIME, 1)),
     ]
     return _assign(entries, {Kind.DERIVATIVE: derivatives, Kind.OUTPUT: outputs, Kind.STATE: ca.SX(start)}, knowns)
+
+
+def _undelayed(ode: Ode) -> list[ca.SX]:
+    """Derivatives and outputs as they are at the start, or where a delay is zero: the inputs act at once."""
+    pairs = zip(ode.delays, ca.vertsplit(ode.d), strict=True) if ode.delays else ()
+    now = ca.vertcat(ca.SX(0, 1), *[d if delay.input is None else ode.u[delay.input] for delay, d in pairs])
+    return list(ca.substitute([ode.derivatives, ode.outputs], [ode.d], [now]))
 
 
 def _assign(

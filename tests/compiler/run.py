@@ -36,12 +36,13 @@ def at(
     u: Sequence[float] = (),
     p: Mapping[str, float] | None = None,
     t: float = 0.0,
+    d: Sequence[float] = (),
 ) -> dict[str, float]:
     """Derivatives (as ``der(name)``), outputs and locals at one point; states as given, else initial."""
     state = initial(ode, p) | dict(x or {})
-    arguments = [ode.t, ode.x, ode.u, ode.p]
+    arguments = [ode.t, ode.x, ode.u, ode.d, ode.p]
     function = ca.Function("at", arguments, [ode.derivatives, ode.outputs, ode.locals])
-    found = function(t, list(state.values()), list(u), defaults(ode, p))
+    found = function(t, list(state.values()), list(u), list(d), defaults(ode, p))
     names = [
         [f"der({variable.name})" for variable in ode.states],
         list(ode.interface.outputs),

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 
 import casadi as ca
 
-from pam_cosim.compiler.ode import Ode
+from pam_cosim.compiler.ode import Delay, Ode
 from pam_cosim.fmu import build_fmu
 from pam_cosim.interface import Interface, Variable
 
@@ -29,6 +29,7 @@ def ode(
     t: ca.SX | None = None,
     variables: Mapping[str, Variable] | None = None,
     stop_time: float = 10.0,
+    delayed: Sequence[tuple[ca.SX, Delay]] = (),
 ) -> Ode:
     """States are (symbol, derivative, start), parameters (symbol, value); other variables have no unit."""
     inputs, parameters, local, variables = inputs or {}, parameters or {}, local or {}, variables or {}
@@ -57,6 +58,8 @@ def ode(
         ca.vertcat(*local.values()) if local else ca.SX(0, 1),
         ca.SX(ca.vertcat(*[x0 for _, _, x0 in states.values()])) if states else ca.SX(0, 1),
         description=f"Test model {model}",
+        d=ca.vertcat(ca.SX(0, 1), *[symbol for symbol, _ in delayed]),
+        delays=tuple(delay for _, delay in delayed),
     )
 
 
@@ -135,6 +138,55 @@ def oscillator() -> Ode:
             "E": Variable("E", "J"),
             "T": Variable("T", "K", display_unit="degC"),
         },
+    )
+
+
+def delayed_lag() -> Ode:
+    """x' = (u(t - T) - x)/tau, and the delayed input itself."""
+    x, u, d, tau, delay = (ca.SX.sym(n) for n in ("x", "u", "d", "tau", "T"))
+    return ode(
+        "Test.DelayedLag",
+        {"x": (x, (d - x) / tau, 0.0)},
+        {"y": x, "echo": d},
+        inputs={"u": u},
+        parameters={"tau": (tau, 0.5), "T": (delay, 0.3)},
+        stop_time=5.0,
+        delayed=[(d, Delay(0, delay))],
+    )
+
+
+def delayed_start() -> Ode:
+    """As ``delayed_lag``; what arrives before the start's own delay is over is -1."""
+    x, u, d, begun, delay = (ca.SX.sym(n) for n in ("x", "u", "d", "begun", "T"))
+    late = ca.if_else(begun > 0.5, d, -1)
+    return ode(
+        "Test.DelayedStart",
+        {"x": (x, (late - x) / 0.5, 0.0)},
+        {"y": x, "echo": late},
+        inputs={"u": u},
+        parameters={"T": (delay, 0.3)},
+        stop_time=5.0,
+        delayed=[(d, Delay(0, delay)), (begun, Delay(None, delay))],
+    )
+
+
+def delayed_gain() -> Ode:
+    """No states; the sum of an input and of what it was."""
+    u, d, delay = (ca.SX.sym(n) for n in ("u", "d", "T"))
+    return ode("Test.DelayedGain", {}, {"y": u + 10 * d}, inputs={"u": u}, parameters={"T": (delay, 0.3)},
+               delayed=[(d, Delay(0, delay))])  # fmt: skip
+
+
+def delayed_mix() -> Ode:
+    """Nonlinear: one input acts at once and twice delayed, another delayed only."""
+    x, z, u, v, d, e, g, delay = (ca.SX.sym(n) for n in ("x", "z", "u", "v", "d", "e", "g", "T"))
+    return ode(
+        "Test.DelayedMix",
+        {"x": (x, d - x**3 + ca.sin(e), 0.2), "z": (z, u * g - z * ca.fabs(x), 1.0)},
+        {"x_out": x, "z_out": z},
+        inputs={"u": u, "v": v},
+        parameters={"T": (delay, 0.3)},
+        delayed=[(d, Delay(0, delay)), (e, Delay(1, 0.1 + delay / 2)), (g, Delay(0, 2 * delay))],
     )
 
 

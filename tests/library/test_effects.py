@@ -101,7 +101,7 @@ def test_derivatives_are_finite_at_rest_and_at_the_bounds(effect: EffectClass, t
         file.write_text(composition.text)
         ode = compile_model(str(file))
         variables = ode.interface.parameters
-        rates = ca.Function("rates", [ode.t, ode.x, ode.u, ode.p], [ode.derivatives])
+        rates = ca.Function("rates", [ode.t, ode.x, ode.u, ode.d, ode.p], [ode.derivatives])
         slopes = rates.jacobian()
         initial = ca.Function("initial", [ode.p], [ode.initial])
         inputs = [[v.start or 0.0 for v in ode.interface.inputs.values()], [0.0] * len(ode.interface.inputs)]
@@ -111,7 +111,8 @@ def test_derivatives_are_finite_at_rest_and_at_the_bounds(effect: EffectClass, t
                 p = [value if n == name else other.start for n, other in variables.items()]
                 at_start = initial(p).full().ravel()
                 for x, u in ((x, u) for x in (at_start, _at_corners(ode, at_start)) for u in inputs):
-                    found = slopes(0, x, u, p, rates(0, x, u, p))
+                    d = [1.0 if delay.input is None else u[delay.input] for delay in ode.delays]
+                    found = slopes(0, x, u, d, p, rates(0, x, u, d, p))
                     parts = found if isinstance(found, tuple) else (found,)
                     assert all(np.isfinite(part.full()).all() for part in parts), (name, value)
 

@@ -1,0 +1,6 @@
+model DelayAlone
+  input Real u;
+  Real y;
+equation
+  y = delay(u);
+end DelayAlone;

@@ -1,0 +1,5 @@
+model DelayDifferentiated
+  input Real u;
+  Real s = delay(u, 0.1);
+  Real v = der(s);
+end DelayDifferentiated;
