@@ -12,8 +12,8 @@ swarm optimization method</i>, Applied Sciences 9 (2019) 2538.</li>
 <p>A class of <code>Effects</code> is one physical effect that the base model lacks. Where it attaches is said
 by the interface it extends:</p>
 <ul>
-<li>it extends <code>Interfaces.ForceEffect</code> or <code>Interfaces.GasPortEffect</code>, or has otherwise the same terminals as a component of the bench
-(<code>Interfaces.MuscleTerminals</code>, <code>Interfaces.VesselTerminals</code>): it is connected in parallel
+<li>it extends <code>Interfaces.ForceEffect</code> or <code>Interfaces.GasPortEffect</code>, or has otherwise the same
+terminals as a component of the bench (<code>Interfaces.MuscleTerminals</code>, <code>Interfaces.VesselTerminals</code>): it is connected in parallel
 with that component, terminal by terminal, and takes over the parameters that the terminals declare;</li>
 <li>it extends the constraining class of a replaceable model (<code>Interfaces.Gas</code>,
 <code>Interfaces.Wall</code>, <code>Interfaces.Surroundings</code>, <code>Interfaces.FrictionHeat</code>,
