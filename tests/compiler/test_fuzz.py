@@ -17,6 +17,7 @@ CASES = [
     ("Language", "Functions"),
     ("Language", "Records"),
     ("Language", "Rigid"),
+    ("Delays", "Uses"),
 ]
 
 
