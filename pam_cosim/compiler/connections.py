@@ -13,7 +13,7 @@ from pam_cosim.errors import ModelError
 Face = tuple[Instance, bool]
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, repr=False)
 class ConnectionSet:
     """Variables that are connected; the flag says whether a flow counts into the set (seen from inside)."""
 

@@ -56,7 +56,7 @@ class EnumerationLiteral:
     number: int
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, repr=False)
 class ClassValue:
     """A class or package met on the way through a dotted name."""
 

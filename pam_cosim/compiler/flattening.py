@@ -52,7 +52,7 @@ class Assertion:
     message: str
 
 
-@dataclass
+@dataclass(repr=False)
 class FlatModel:
     """Symbols and equations of a model without structure."""
 

@@ -10,7 +10,7 @@ from pam_cosim.compiler.scope import Class, Scope
 from pam_cosim.compiler.syntax import ComponentDeclaration, Section
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, repr=False)
 class Instance:
     """One component, an array of components, or the model itself.
 

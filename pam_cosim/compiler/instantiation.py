@@ -24,7 +24,7 @@ _INHERITED_PREFIXES = frozenset(("constant", "parameter", "protected", "final", 
 _DEPTH = 40
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, repr=False)
 class _Type:
     """A type followed through its short definitions to a built-in type or a class with a body."""
 

@@ -20,7 +20,7 @@ ATTRIBUTES = frozenset(
 )
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, repr=False)
 class Bound:
     """An expression and the place where its names are looked up."""
 
@@ -41,7 +41,7 @@ class Bound:
         return self.scope.definition.source
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, repr=False)
 class Redeclaration:
     """A new declaration for a replaceable element, and the place where it is written."""
 
@@ -49,7 +49,7 @@ class Redeclaration:
     scope: Scope
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, repr=False)
 class Mod:
     """What is said about one element from outside: its value, its parts, its replacement."""
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from pam_cosim.compiler.modification import Mod
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, repr=False)
 class Scope:
     """A class body as a place for lookup.
 
@@ -32,7 +32,7 @@ class Scope:
     classes: set[str] = field(default_factory=set)
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, repr=False)
 class Class:
     """A class definition, the place where it stands, and what modifies it there.
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from pam_cosim.errors import ModelError
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, repr=False)
 class Source:
     """One file, or text given directly (then ``file`` is only a label)."""
 

@@ -1,6 +1,7 @@
 """The syntax tree of Modelica: what the parser makes and everything else reads.
 
-Nodes compare by identity; ``at`` is the character offset in the source of the class that holds the node.
+Nodes compare by identity and do not print their contents: they refer to each other, and a print would have no end.
+``at`` is the character offset in the source of the class that holds the node.
 """
 
 from __future__ import annotations
@@ -13,21 +14,21 @@ from pam_cosim.compiler.source import Source
 # ---- expressions ------------------------------------------------------------------------------------------
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Expression:
     """Base of all expressions."""
 
     at: int
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Literal(Expression):
     """A number (int or float), a string or a Boolean."""
 
     value: float | int | str | bool
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Reference(Expression):
     """``a.b[i].c``: names, each with its subscripts."""
 
@@ -40,7 +41,7 @@ class Reference(Expression):
         return ".".join(name for name, _ in self.parts)
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Unary(Expression):
     """``-a``, ``+a`` or ``not a``."""
 
@@ -48,7 +49,7 @@ class Unary(Expression):
     operand: Expression
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Binary(Expression):
     """Arithmetic, relation or logical operation of two operands."""
 
@@ -57,7 +58,7 @@ class Binary(Expression):
     right: Expression
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Conditional(Expression):
     """``if c1 then e1 elseif c2 then e2 else e3``."""
 
@@ -65,7 +66,7 @@ class Conditional(Expression):
     otherwise: Expression
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Call(Expression):
     """A function call; ``iterators`` for ``f(e for i in r)``."""
 
@@ -75,7 +76,7 @@ class Call(Expression):
     iterators: tuple[Iterator, ...] = ()
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Array(Expression):
     """``{a, b}`` or ``{e for i in r}``."""
 
@@ -83,7 +84,7 @@ class Array(Expression):
     iterators: tuple[Iterator, ...] = ()
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Range(Expression):
     """``start:stop`` or ``start:step:stop``."""
 
@@ -92,24 +93,24 @@ class Range(Expression):
     stop: Expression
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Group(Expression):
     """``(a, b)`` on the left of a call with several results."""
 
     items: tuple[Expression | None, ...]
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Whole(Expression):
     """``:`` as a subscript or an unknown size."""
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Last(Expression):
     """``end`` as a subscript."""
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Element(Expression):
     """One element of an array-valued expression; made by the compiler when it takes an array binding apart."""
 
@@ -117,7 +118,7 @@ class Element(Expression):
     index: int
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Member(Expression):
     """One member of a record-valued expression; made by the compiler when it takes a record binding apart."""
 
@@ -125,7 +126,7 @@ class Member(Expression):
     name: str
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Iterator:
     """``i in 1:n``."""
 
@@ -136,14 +137,14 @@ class Iterator:
 # ---- equations and statements -----------------------------------------------------------------------------
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Equation:
     """Base of equations and statements."""
 
     at: int
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Equality(Equation):
     """``left = right``."""
 
@@ -151,7 +152,7 @@ class Equality(Equation):
     right: Expression
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Connect(Equation):
     """``connect(a, b)``."""
 
@@ -159,14 +160,14 @@ class Connect(Equation):
     right: Reference
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class If(Equation):
     """``if ... then ... elseif ... else ... end if``; the last branch has no condition if it is ``else``."""
 
     branches: tuple[tuple[Expression | None, tuple[Equation, ...]], ...]
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class For(Equation):
     """``for i in 1:n loop ... end for``."""
 
@@ -174,7 +175,7 @@ class For(Equation):
     body: tuple[Equation, ...]
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Assignment(Equation):
     """``target := value``; the target may be a ``Group``."""
 
@@ -182,14 +183,14 @@ class Assignment(Equation):
     value: Expression
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Procedure(Equation):
     """A call that stands alone, such as ``assert(...)``."""
 
     call: Call
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Unsupported(Equation):
     """Something this compiler refuses when a model uses it (``when``, ``while``, ``return``, ``break``)."""
 
@@ -199,7 +200,7 @@ class Unsupported(Equation):
 # ---- declarations -----------------------------------------------------------------------------------------
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Argument:
     """One entry of a modification: ``each final name(arguments) = value`` or a redeclaration of ``name``."""
 
@@ -211,7 +212,7 @@ class Argument:
     redeclaration: ComponentDeclaration | ClassDefinition | None = None
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Modification:
     """``(arguments) = value``."""
 
@@ -226,7 +227,7 @@ class Modification:
 EMPTY = Modification()
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class TypeName:
     """The name of a class as written, with its place."""
 
@@ -240,7 +241,7 @@ class TypeName:
         return ".".join(self.names)
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Constraint:
     """``constrainedby Type(modification)``."""
 
@@ -248,7 +249,7 @@ class Constraint:
     modification: Modification
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class ComponentDeclaration:
     """One component: ``parameter Real x[3](unit="m") = 1 if condition "description" annotation(...)``."""
 
@@ -270,7 +271,7 @@ class ComponentDeclaration:
         return next((word for word in ("constant", "parameter", "discrete") if word in self.prefixes), "")
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Extends:
     """``extends Base(modification)``."""
 
@@ -279,7 +280,7 @@ class Extends:
     modification: Modification = EMPTY
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Import:
     """``import A.B;`` (alias ``B``), ``import C = A.B;`` or ``import A.*;`` (alias ``*``)."""
 
@@ -287,7 +288,7 @@ class Import:
     type: TypeName
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, repr=False)
 class ClassDefinition:
     """A class of any kind. A short class (``type P = Real(unit="Pa")``) has ``alias`` instead of a body."""
 
@@ -331,7 +332,7 @@ class ClassDefinition:
         return self._sections
 
 
-@dataclass(eq=False, slots=True)
+@dataclass(eq=False, repr=False, slots=True)
 class Section:
     """An equation or algorithm section."""
 
