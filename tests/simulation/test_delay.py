@@ -79,7 +79,7 @@ def test_valves_that_open_late() -> None:
     runs = []
     for path, shift in ((build_model("Isotonic"), 0.0), (build_source("Late", model), delay)):
         with Simulator(path) as simulator:
-            held = {} if shift == 0.0 else {"valve.drive.delay": delay}
+            held = {} if shift == 0.0 else {"valve.drive.dead_time": delay}
             wanted = np.concatenate(([0.0], times + shift))
             runs.append(simulator.run(wanted, inputs=inputs, parameters=held, outputs=["p", "x"], tolerance=1e-9))
     for name, scale in (("p", 2e5), ("x", 0.05)):
