@@ -32,7 +32,11 @@ def main(extra: str) -> int:
     if not PYTHON.exists():
         venv.create(HOME, with_pip=False)
     target = f"{ROOT}[{extra}]" if extra else str(ROOT)
-    install(["--quiet", "--disable-pip-version-check", "--editable", target])
+    try:
+        install(["--quiet", "--disable-pip-version-check", "--editable", target])
+    except (subprocess.CalledProcessError, OSError) as problem:
+        print(f"setting up failed: {problem}; is a Python package index within reach?", file=sys.stderr)
+        return 1
     stamp.write_text(wanted)
     return 0
 
