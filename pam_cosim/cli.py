@@ -54,11 +54,14 @@ def build(
     models: Annotated[list[str] | None, typer.Argument(help="Models to build; default: every bench.")] = None,
     files: FilesOption = None,
     output: Annotated[Path, typer.Option("--output", "-o", help="Folder for the FMUs.")] = Path("fmu/build"),
+    platforms: Annotated[
+        list[str] | None, typer.Option("--platform", help="native, all, or x86_64-windows ...")
+    ] = None,
 ) -> None:
     """Modelica to FMU."""
     for model in models or study.benches():
         name = Path(model).stem if model.endswith(".mo") else model.rpartition(".")[2]
-        typer.echo(study.build(model, output / f"{name}.fmu", files=files or []))
+        typer.echo(study.build(model, output / f"{name}.fmu", files=files or [], platforms=platforms or ["native"]))
 
 
 @app.command()

@@ -34,9 +34,14 @@ def describe(model: str, files: Paths = ()) -> Interface:
     return read_interface(build(model, files=files))
 
 
-def build(model: str, output: Path | str | None = None, *, files: Paths = ()) -> Path:
-    """Builds an FMU, or finds it in the cache; with ``output`` it is put there."""
-    made = build_model(model, _paths(files))
+def build(
+    model: str, output: Path | str | None = None, *, files: Paths = (), platforms: Sequence[str] = ("native",)
+) -> Path:
+    """Builds an FMU, or finds it in the cache; with ``output`` it is put there.
+
+    ``platforms`` names those that the FMU shall run on: "native", "all", or names such as "x86_64-windows".
+    """
+    made = build_model(model, _paths(files), platforms=platforms)
     if output is None:
         return made
     target = Path(output)
