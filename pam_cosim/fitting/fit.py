@@ -27,6 +27,7 @@ Progress = Callable[[int, float], None]
 _MOST_EVALUATIONS = 60
 _RESCUE_STARTS = 32
 _WHITE_SCORE = 4.0
+_NOISE_LEVEL = 1.2  # mean square of residuals, in noise variances, that needs no second start
 
 
 @dataclass(frozen=True)
@@ -90,7 +91,8 @@ def fit(
         data: the measurement; every signal needs a noise level.
         free: parameters to move.
         fixed: further parameter values [SI].
-        starts: further points to start from, by name [SI]; the best two of all starts are followed.
+        starts: further points to start from, by name [SI]; the best two of all starts are followed, the
+            second only where the first does not reach the noise.
         runs: default ``data.fit_runs``.
         progress: called with the number of evaluations and the present reduced chi-square.
 
@@ -167,6 +169,8 @@ def _solve(objective: Objective, points: list[Array], progress: Progress | None)
         found = _descend(objective, points[i], progress)
         if best is None or found[0] < best[0]:
             best = found
+        if best[0] <= _NOISE_LEVEL * objective.size:
+            break  # nothing is left that another start could find
     assert best is not None
     return best[1], best[2]
 
@@ -213,8 +217,8 @@ def _descend(objective: Objective, start: Array, progress: Progress | None) -> t
         jacobian,
         bounds=(low, high),
         method="trf",
-        ftol=1e-8,
-        xtol=1e-8,
+        ftol=1e-6,
+        xtol=1e-7,
         gtol=1e-8,
         max_nfev=_MOST_EVALUATIONS,
     )
