@@ -11,8 +11,13 @@ from pam_cosim.fitting import Fit, Structure
 
 SIGNIFICANT = 10.0  # difference of the criterion that counts as very strong (Kass and Raftery 1995)
 _WHITE_SCORE = 4.0
+_WHITE_SCORE_OF_FEW = 3.0  # the score of n samples cannot exceed sqrt(n)
 _EXCESS = 0.05
 _DENSE = 100
+
+
+def _correlated(s: Structure) -> bool:
+    return s.score > (_WHITE_SCORE if s.samples >= _DENSE else _WHITE_SCORE_OF_FEW)
 
 
 def structured(s: Structure) -> bool:
@@ -23,7 +28,7 @@ def structured(s: Structure) -> bool:
     """
     if not s.samples:
         return False
-    coherent = s.score > _WHITE_SCORE and s.excess > _EXCESS
+    coherent = _correlated(s) and s.excess > _EXCESS
     if s.samples >= _DENSE:
         return coherent
     return coherent or s.chi2_reduced > 1 + 4 * math.sqrt(2 / s.samples)
@@ -31,13 +36,13 @@ def structured(s: Structure) -> bool:
 
 def leaves_structure(s: Structure) -> bool:
     """Whether residuals of a model that explains much are still coherent: more than a fifth of the noise's variance."""
-    return bool(s.samples) and s.score > _WHITE_SCORE and s.excess > 0.2 * max(1.0, s.noise)
+    return bool(s.samples) and _correlated(s) and s.excess > 0.2 * max(1.0, s.noise)
 
 
 def _scale(fits: Sequence[Fit]) -> tuple[float, float]:
     """Noise variance and samples per independent sample, both as the best model leaves them."""
     best = min((f.structure["fit"] for f in fits), key=lambda s: s.chi2)
-    time = best.correlation_time if best.score > _WHITE_SCORE else 1.0
+    time = best.correlation_time if _correlated(best) else 1.0
     return max(1.0, best.chi2_reduced), time
 
 
