@@ -89,5 +89,6 @@ def _value(text: str, variable: Variable, word: str) -> float:
         raise InputError(f"'{word}': the value must be a finite number")
     low, high = variable.min, variable.max
     if (low is not None and value < low) or (high is not None and value > high):
-        raise InputError(f"'{word}': must be between {low} and {high} {variable.unit}".rstrip())
+        unit = "" if variable.unit == "1" else variable.unit
+        raise InputError(f"'{word}': must be between {low} and {high} {unit}".rstrip())
     return value
