@@ -44,7 +44,7 @@ static int allocate_arrays(pam_instance *c) {
     c->saved_size = solver_size + 2 * nx + 2 * nu;
     c->saved = allocate(f, c->saved_size, sizeof(double));
     double *scratch = allocate(f, pam_solver_scratch_size(m), sizeof(double));
-    int *pivot = allocate(f, nx, sizeof(int));
+    int *pivot = allocate(f, pam_solver_pivots(m), sizeof(int));
     long long *iw = allocate(f, (size_t)m->size_iw, sizeof(long long));
     c->dx = allocate(f, results + (nx + nu + np + 1) + (results + nx) + 4 * nd, sizeof(double));
     c->solver.past = allocate(f, nd, sizeof *c->solver.past);

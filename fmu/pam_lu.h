@@ -5,7 +5,7 @@
 #include <math.h>
 
 /* Factorises a in place. Returns 0, or 1 where the matrix is singular or not finite. */
-static int lu_factorise(int n, double *a, int *pivot) {
+static inline int lu_factorise(int n, double *a, int *pivot) {
     for (int k = 0; k < n; k++) {
         int best = k;
         for (int i = k + 1; i < n; i++)
@@ -30,7 +30,7 @@ static int lu_factorise(int n, double *a, int *pivot) {
 }
 
 /* Solves with the factors of lu_factorise; b becomes the solution. The diagonal is stored inverted. */
-static void lu_solve(int n, const double *a, const int *pivot, double *b) {
+static inline void lu_solve(int n, const double *a, const int *pivot, double *b) {
     for (int k = 0; k < n; k++) {
         double swap = b[k];
         b[k] = b[pivot[k]];
@@ -41,6 +41,30 @@ static void lu_solve(int n, const double *a, const int *pivot, double *b) {
     for (int k = n - 1; k >= 0; k--) {
         b[k] *= a[k + k * n];
         for (int i = 0; i < k; i++) b[i] -= a[i + k * n] * b[k];
+    }
+}
+
+/* The same for m right-hand sides at once; b is n x m, row by row. */
+static inline void lu_solve_many(int n, const double *a, const int *pivot, int m, double *b) {
+    for (int k = 0; k < n; k++) {
+        double *x = b + k * m, *y = b + pivot[k] * m;
+        for (int c = 0; c < m && x != y; c++) {
+            double swap = x[c];
+            x[c] = y[c];
+            y[c] = swap;
+        }
+    }
+    for (int k = 0; k < n; k++)
+        for (int i = k + 1; i < n; i++) {
+            double factor = a[i + k * n];
+            for (int c = 0; c < m; c++) b[i * m + c] -= factor * b[k * m + c];
+        }
+    for (int k = n - 1; k >= 0; k--) {
+        for (int c = 0; c < m; c++) b[k * m + c] *= a[k + k * n];
+        for (int i = 0; i < k; i++) {
+            double factor = a[i + k * n];
+            for (int c = 0; c < m; c++) b[i * m + c] -= factor * b[k * m + c];
+        }
     }
 }
 

@@ -10,6 +10,7 @@ typedef int (*pam_function)(const double **arg, double **res, long long *iw, dou
 typedef struct {
     const char *guid;
     int nx, nu, nd, ny, np, nw;       /* states, inputs, delayed inputs, outputs, parameters, locals */
+    int nc, ns;                       /* nx = nc (1 + ns): after nc states their derivatives, state by state */
     int size_iw, size_w;              /* work space of the generated functions */
     double tolerance;                 /* default relative tolerance */
     double max_step;                  /* [s]; 0: no limit */
@@ -22,7 +23,11 @@ typedef struct {
     pam_function rhs;                 /* (t, x, u, d, p) -> dx */
     pam_function out;                 /* (t, x, u, d, p) -> y */
     pam_function loc;                 /* (t, x, u, d, p) -> w */
+    /* of the first nc states alone */
+    pam_function core_rhs;            /* (t, x, u, d, p) -> dx */
     pam_function lin;                 /* (t, x, u, d, du, dd, p) -> (dx, d dx/dx, d dx/dt + d dx/du du + d dx/dd dd) */
+    pam_function variation;           /* (t, x, u, d, p) -> (d dx/dx, transposed d dx/ds by the ns parameters s) */
+    /* of all */
     pam_function jvp;                 /* (t, x, u, d, p, st, sx, su, sd, sp) -> (dx, y, w) along the seed s */
     pam_function init;                /* (p) -> x0 */
     pam_function init_jvp;            /* (p, sp) -> x0 along the seed sp */

@@ -11,11 +11,16 @@
 static const double SAFETY = 0.9, SHRINK = 0.2, GROW = 6.0, ORDER = 5.0;
 static const double INTEGRAL = 0.7, PROPORTIONAL = 0.4;
 
-size_t pam_solver_saved_size(const pam_model *m) { return (size_t)(6 * m->nx + 2 * m->nu + m->np + m->nd); }
+size_t pam_solver_saved_size(const pam_model *m) {
+    return (size_t)(2 * m->nx + 4 * m->nc + 2 * m->nu + m->np + m->nd) + pam_sensitivity_saved_size(m);
+}
 
 size_t pam_solver_scratch_size(const pam_model *m) {
-    return (size_t)((PAM_STAGES + 4) * m->nx + m->nu + 3 * m->nd + 2 * m->nx * m->nx + m->size_w);
+    int states = (PAM_STAGES + 3) * m->nc + m->nx, matrices = 2 * m->nc * m->nc;
+    return (size_t)(states + m->nu + 3 * m->nd + matrices + m->size_w) + pam_sensitivity_scratch_size(m);
 }
+
+size_t pam_solver_pivots(const pam_model *m) { return (size_t)((m->ns ? PAM_NODES : 1) * m->nc); }
 
 static double *take(double **block, int n) {
     double *part = *block;
@@ -25,11 +30,11 @@ static double *take(double **block, int n) {
 
 void pam_solver_bind(pam_solver *v, const pam_model *m, pam_solver_scalars *s, double *saved, double *scratch,
                      int *pivot, long long *iw) {
-    int nx = m->nx;
+    int nx = m->nc;
     v->model = m;
     v->s = s;
-    v->x = take(&saved, nx);
-    v->x1 = take(&saved, nx);
+    v->x = take(&saved, m->nx);
+    v->x1 = take(&saved, m->nx);
     v->dense = take(&saved, 3 * nx);
     v->scale = take(&saved, nx);
     v->u = take(&saved, m->nu);
@@ -39,7 +44,7 @@ void pam_solver_bind(pam_solver *v, const pam_model *m, pam_solver_scalars *s, d
     v->k = take(&scratch, PAM_STAGES * nx);
     v->f = take(&scratch, nx);
     v->ft = take(&scratch, nx);
-    v->stage = take(&scratch, nx);
+    v->stage = take(&scratch, m->nx);
     v->rhs = take(&scratch, nx);
     v->u_stage = take(&scratch, m->nu);
     v->d = take(&scratch, m->nd);
@@ -48,6 +53,7 @@ void pam_solver_bind(pam_solver *v, const pam_model *m, pam_solver_scalars *s, d
     v->jac = take(&scratch, nx * nx);
     v->lu = take(&scratch, nx * nx);
     v->w = take(&scratch, m->size_w);
+    pam_sensitivity_bind(&v->sensitivity, m, saved, scratch, pivot);
     v->pivot = pivot;
     v->iw = iw;
     v->message[0] = '\0';
@@ -72,7 +78,7 @@ static void evaluate(pam_solver *v, double t, const double *x, double *dx) {
     for (int i = 0; i < v->model->nd; i++) v->d_stage[i] = v->d[i] + v->dd[i] * (t - v->s->t);
     const double *arg[] = {&t, x, v->u_stage, v->d_stage, v->p};
     double *res[] = {dx};
-    v->model->rhs(arg, res, v->iw, v->w, 0);
+    v->model->core_rhs(arg, res, v->iw, v->w, 0);
     v->s->statistics.rhs++;
 }
 
@@ -130,7 +136,7 @@ int pam_solver_begin(pam_solver *v, double t, const double *u, const double *du,
     v->s->estimate = 1;
     if (m->nu) memcpy(v->u, u, sizeof(double) * (size_t)m->nu);
     if (m->nu) memcpy(v->du, du, sizeof(double) * (size_t)m->nu);
-    for (int i = 0; i < m->nx; i++) {
+    for (int i = 0; i < m->nc; i++) {
         /* Without a declared nominal value the start value tells the scale of small quantities. */
         double nominal = m->state_nominals[i];
         v->scale[i] = nominal > 0.0 ? nominal : v->x[i] == 0.0 ? 1.0 : fmin(1.0, fmax(1e-6, fabs(v->x[i])));
@@ -138,8 +144,8 @@ int pam_solver_begin(pam_solver *v, double t, const double *u, const double *du,
     return begin_past(v, t);
 }
 
-void pam_solver_state(const pam_solver *v, double t, double *x) {
-    int n = v->model->nx;
+void pam_solver_core_state(const pam_solver *v, double t, double *x) {
+    int n = v->model->nc;
     double s = v->s->h > 0.0 ? (t - v->s->t) / v->s->h : 0.0;
     for (int i = 0; i < n; i++) {
         if (s <= 0.0) x[i] = v->x[i];
@@ -148,6 +154,11 @@ void pam_solver_state(const pam_solver *v, double t, double *x) {
             x[i] = (1.0 - s) * v->x[i]
                  + s * (v->x1[i] + (1.0 - s) * (v->dense[i] + s * (v->dense[i + n] + s * v->dense[i + 2 * n])));
     }
+}
+
+void pam_solver_state(const pam_solver *v, double t, double *x) {
+    pam_solver_core_state(v, t, x);
+    if (v->model->ns) pam_sensitivity_state(v, t, x + v->model->nc);
 }
 
 /* Drops what the pending step says about times after t. */
@@ -221,7 +232,7 @@ int pam_solver_inputs(pam_solver *v, double t, const double *u, const double *du
  * 0: nothing moves.
  */
 static double estimate_step(const pam_solver *v) {
-    int n = v->model->nx;
+    int n = v->model->nc;
     double d0 = 0.0, d1 = 0.0, d2 = 0.0;
     for (int i = 0; i < n; i++) {
         double sc = weight(v, i, v->x[i]), second = v->ft[i];
@@ -237,7 +248,7 @@ static double estimate_step(const pam_solver *v) {
 
 /* The eight stages. Returns the index of a state whose value or derivative is not finite, or -1. */
 static int stages(pam_solver *v, double h) {
-    int n = v->model->nx;
+    int n = v->model->nc;
     double t = v->s->t;
     for (int i = 0; i < PAM_STAGES; i++) {
         double *k = v->k + i * n;
@@ -266,7 +277,7 @@ static int stages(pam_solver *v, double h) {
 }
 
 static int factorise(pam_solver *v, double h) {
-    int n = v->model->nx;
+    int n = v->model->nc;
     for (int i = 0; i < n * n; i++) v->lu[i] = -v->jac[i];
     for (int i = 0; i < n; i++) v->lu[i + i * n] += 1.0 / (GAMMA * h);
     return lu_factorise(n, v->lu, v->pivot);
@@ -274,7 +285,7 @@ static int factorise(pam_solver *v, double h) {
 
 /* Largest error over the states in units of the tolerance; which state it is. */
 static double error_norm(const pam_solver *v, int *worst) {
-    int n = v->model->nx;
+    int n = v->model->nc;
     double norm = 0.0;
     for (int i = 0; i < n; i++) {
         double e = fabs(v->k[7 * n + i]) / weight(v, i, fmax(fabs(v->x[i]), fabs(v->x1[i])));
@@ -287,7 +298,7 @@ static double error_norm(const pam_solver *v, int *worst) {
 }
 
 static void dense_output(pam_solver *v) {
-    int n = v->model->nx;
+    int n = v->model->nc;
     for (int q = 0; q < 3; q++)
         for (int r = 0; r < n; r++) {
             double sum = 0.0;
@@ -297,7 +308,7 @@ static void dense_output(pam_solver *v) {
 }
 
 static int fail_not_finite(pam_solver *v) {
-    int n = v->model->nx, bad = first_not_finite(n, v->f);
+    int n = v->model->nc, bad = first_not_finite(n, v->f);
     const char *const *names = v->model->state_names;
     if (bad >= 0) {
         snprintf(v->message, sizeof v->message, "the derivative of '%s' is not a finite number at time %.9g s",
@@ -347,7 +358,7 @@ static double enter_lines(pam_solver *v, double smallest) {
 static int take_step(pam_solver *v, double target, int *budget) {
     const pam_model *m = v->model;
     pam_solver_scalars *s = v->s;
-    int n = m->nx, rejected = 0, worst = 0;
+    int n = m->nc, rejected = 0, worst = 0;
     double smallest = 16.0 * DBL_EPSILON * fmax(fabs(s->t), fabs(target));
     double change = enter_lines(v, smallest), room = change - s->t;
     linearise(v);
@@ -377,7 +388,7 @@ static int take_step(pam_solver *v, double target, int *budget) {
             s->h_next = ends_at_change ? fmax(wished, h * factor) : h * factor;
             s->statistics.steps++;
             dense_output(v);
-            return 0;
+            return v->model->ns ? pam_sensitivity_step(v) : 0;
         }
         rejected = 1;
         s->statistics.rejected++;

@@ -5,6 +5,8 @@
  * slope or a state changes instead, the rest of the pending step is dropped and the solver starts again from
  * exactly that time. A delayed input changes at times known beforehand: steps end there, and a pending step
  * that was made before such a change was known is used up to there only.
+ *
+ * It integrates the first nc states; sensitivities follow them in the same steps, see pam_sensitivity.h.
  */
 #ifndef PAM_SOLVER_H
 #define PAM_SOLVER_H
@@ -13,6 +15,7 @@
 
 #include "pam_history.h"
 #include "pam_model.h"
+#include "pam_sensitivity.h"
 
 typedef struct {
     long long steps, rejected, rhs, jacobians, restarts;
@@ -32,17 +35,18 @@ typedef struct {
     pam_statistics statistics;
 } pam_solver_scalars;
 
-typedef struct {
+typedef struct pam_solver {
     const pam_model *model;
     pam_solver_scalars *s;
     /* saved with the scalars */
-    double *x, *x1, *dense; /* nx, nx, 3 nx: start, end and shape of the pending step */
+    double *x, *x1, *dense; /* nx, nx, 3 nc: start, end and shape of the pending step */
     double *u, *du;         /* nu: the inputs the pending step assumes */
     double *p;              /* np */
-    double *scale;          /* nx: absolute scale of each state */
+    double *scale;          /* nc: absolute scale of each state */
     double *delay;          /* nd [s] */
     pam_history *past;      /* nd */
     pam_memory memory;      /* for the past, which grows */
+    pam_sensitivity sensitivity;
     /* scratch */
     double *k, *f, *ft, *stage, *u_stage, *d, *dd, *d_stage, *jac, *lu, *rhs, *w;
     int *pivot;
@@ -52,7 +56,8 @@ typedef struct {
 
 enum { PAM_MAX_STEPS_PER_CALL = 100000 };
 
-/* Numbers of doubles that a solver needs. */
+/* Numbers of doubles, and of integers for pivots, that a solver needs. */
+size_t pam_solver_pivots(const pam_model *m);
 size_t pam_solver_saved_size(const pam_model *m);
 size_t pam_solver_scratch_size(const pam_model *m);
 
@@ -76,7 +81,10 @@ void pam_solver_set_state(pam_solver *v, double t, const double *x);
 /* Makes the solution known up to time t. Returns 0, or 1 with a message. */
 int pam_solver_advance(pam_solver *v, double t);
 
-/* The state at a time the pending step covers. */
+/* The first nc states at a time the pending step covers. */
+void pam_solver_core_state(const pam_solver *v, double t, double *x);
+
+/* The state at a time the pending step covers, with the sensitivities. */
 void pam_solver_state(const pam_solver *v, double t, double *x);
 
 /* The inputs at time t as the solver assumes them. */

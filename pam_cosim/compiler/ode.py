@@ -38,6 +38,8 @@ class Ode:
         description: the model's own one-line description.
         d: symbols of the delayed inputs, a column vector; empty in a model without ``delay``.
         delays: what each element of ``d`` stands for.
+        sensitivities: parameters with respect to which the states' derivatives follow the states in ``x``: state by
+            state, each by these parameters in order.
     """
 
     interface: Interface
@@ -53,3 +55,9 @@ class Ode:
     description: str = ""
     d: ca.SX = field(default_factory=lambda: ca.SX(0, 1))
     delays: tuple[Delay, ...] = ()
+    sensitivities: tuple[str, ...] = ()
+
+    @property
+    def core(self) -> int:
+        """How many of the states are the model's own; those after them are sensitivities."""
+        return len(self.states) // (1 + len(self.sensitivities))

@@ -25,8 +25,8 @@ from pam_cosim.fmu.generate import model_source
 from pam_cosim.fmu.table import table
 
 RUNTIME = (
-    "pam_cosimulation.c", "pam_exchange.c", "pam_fmi2.c", "pam_history.c", "pam_instance.c", "pam_snapshot.c",
-    "pam_solver.c",
+    "pam_cosimulation.c", "pam_exchange.c", "pam_fmi2.c", "pam_history.c", "pam_instance.c", "pam_sensitivity.c",
+    "pam_snapshot.c", "pam_solver.c",
 )  # fmt: skip
 
 _DATE = (1980, 1, 1, 0, 0, 0)

@@ -32,13 +32,17 @@ def model_functions(ode: Ode) -> list[ca.Function]:
     # One seed for everything at once: the derivative along (st, sx, su, sd, sp).
     seed = [ca.SX.sym(n, s.numel()) for n, s in zip(("st", "sx", "su", "sd", "sp"), known, strict=True)]
     sp = seed[-1]
-    total = ca.jtimes(f, ca.vertcat(t, u, d), ca.vertcat(ca.SX(1), du, dd))
+    core, own = f[: ode.core], x[: ode.core]
+    chosen = ca.vertcat(ca.SX(0, 1), *[p[list(ode.interface.parameters).index(n)] for n in ode.sensitivities])
+    total = ca.jtimes(core, ca.vertcat(t, u, d), ca.vertcat(ca.SX(1), du, dd))
     along = [ca.jtimes(e, ca.vertcat(*known), ca.vertcat(*seed)) for e in (f, y, w)]
     return [
         _function("pam_rhs", known, [f]),
         _function("pam_out", known, [y]),
         _function("pam_loc", known, [w]),
-        _function("pam_lin", [t, x, u, d, du, dd, p], [f, ca.jacobian(f, x), total]),
+        _function("pam_core_rhs", [t, own, u, d, p], [core]),
+        _function("pam_lin", [t, own, u, d, du, dd, p], [core, ca.jacobian(core, own), total]),
+        _function("pam_variation", [t, own, u, d, p], [ca.jacobian(core, own), ca.jacobian(core, chosen).T]),
         _function("pam_jvp", [*known, *seed], along),
         _function("pam_init", [p], [x0]),
         _function("pam_init_jvp", [p, sp], [ca.jtimes(x0, p, sp)]),
@@ -67,6 +71,7 @@ def model_source(ode: Ode, guid: str) -> str:
     max_step = face.stop_time / _STEPS_OF_TIMED_MODEL if timed else 0.0
     inputs = [entry.start or 0.0 for entry in table(ode) if entry.causality == "input"]
     sizes = [len(ode.states), *(part.numel() for part in (ode.u, ode.d, ode.outputs, ode.p, ode.locals))]
+    sizes += [ode.core, len(ode.sensitivities)]
     work = [max(f.sz_iw() for f in functions), max(f.sz_w() for f in functions)]
     parts = [
         '#include "pam_model.h"\n#define CASADI_SYMBOL_EXPORT static',

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from pam_cosim.compiler import compile_model, flat_hash
+from pam_cosim.compiler import compile_model, flat_hash, with_sensitivities
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.build import cached_fmu
 from pam_cosim.fmu.cache import cached, digest
@@ -14,41 +14,54 @@ from pam_cosim.resources import modelica_root
 _BENCHES = "PneumaticMuscle.Benches"
 
 
-def build_model(model: str, files: Sequence[Path] = (), *, platforms: Sequence[str] = ("native",)) -> Path:
+def build_model(
+    model: str,
+    files: Sequence[Path] = (),
+    *,
+    platforms: Sequence[str] = ("native",),
+    sensitivities: Sequence[str] = (),
+) -> Path:
     """The FMU of a model.
 
     Args:
         model: a bench's name, a Modelica class, or the path of a ``.mo`` file; an ``.fmu`` file is itself.
         files: the user's ``.mo`` files that the model may use.
         platforms: as in ``build_fmu``.
+        sensitivities: parameters; the FMU gets the derivative of every output with respect to each of them as the
+            output ``sensitivity.<output>.<parameter>``, integrated with the states.
 
     Raises:
         ModelError: the model cannot be compiled.
-        InputError: there is no such FMU, or the cache cannot be written.
+        InputError: there is no such FMU or parameter, or the cache cannot be written.
     """
+    if model.endswith(".fmu") and sensitivities:
+        raise InputError("sensitivities can be built into a Modelica model only", model)
     if model.endswith(".fmu"):
         if not Path(model).exists():
             raise InputError("there is no such file", model)
         return Path(model)
     bench = modelica_root().joinpath(*_BENCHES.split("."), f"{model}.mo")
-    return _build(f"{_BENCHES}.{model}" if bench.exists() else model, files, platforms)
+    return _build(f"{_BENCHES}.{model}" if bench.exists() else model, files, platforms, sensitivities)
 
 
-def _build(model: str, files: Sequence[Path], platforms: Sequence[str]) -> Path:
-    key = flat_hash(model, files=files)
-    return cached_fmu(key, lambda: compile_model(model, files=files), platforms=platforms)
+def _build(model: str, files: Sequence[Path], platforms: Sequence[str], sensitivities: Sequence[str]) -> Path:
+    key = digest(flat_hash(model, files=files), *sensitivities)
+    return cached_fmu(
+        key, lambda: with_sensitivities(compile_model(model, files=files), sensitivities), platforms=platforms
+    )
 
 
-def build_source(model: str, text: str, files: Sequence[Path] = ()) -> Path:
+def build_source(model: str, text: str, files: Sequence[Path] = (), *, sensitivities: Sequence[str] = ()) -> Path:
     """The FMU of a model whose Modelica source is at hand as text.
 
     Args:
         model: name of the class in ``text``.
         text: Modelica source.
         files: further ``.mo`` files that it may use.
+        sensitivities: as in ``build_model``.
 
     Raises:
         ModelError: the model cannot be compiled.
     """
     source = cached("sources", digest(text), ".mo", text.encode)
-    return _build(model, [*files, source], ("native",))
+    return _build(model, [*files, source], ("native",), sensitivities)

@@ -32,7 +32,6 @@ def _positions(entries: Sequence[Entry], kind: Kind, count: int) -> list[int | N
     return [found.get(index) for index in range(count)]
 
 
-
 def continuous_dependencies(ode: Ode, entries: Sequence[Entry]) -> Dependencies:
     """Dependencies of outputs and derivatives on states, inputs and time, by index from 1."""
     knowns = [

@@ -48,7 +48,7 @@ int fixed_step(double t, const double *x, double h, double s, double *end, doubl
 def _library() -> ctypes.CDLL:
     solver = (fmu_runtime() / "pam_solver.c").read_text()
     sources = {"model.c": model_source(forced(), "guid"), "harness.c": solver + _HARNESS}
-    library = ctypes.CDLL(str(compile_library(("pam_history.c",), sources, native_platform())))
+    library = ctypes.CDLL(str(compile_library(("pam_history.c", "pam_sensitivity.c"), sources, native_platform())))
     library.fixed_step.argtypes = [ctypes.c_double, ctypes.c_void_p, ctypes.c_double, ctypes.c_double] + [
         ctypes.c_void_p
     ] * 3

@@ -1,0 +1,101 @@
+"""Derivatives with respect to parameters as further states and outputs of a model."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import casadi as ca
+
+from pam_cosim.compiler.ode import Ode
+from pam_cosim.errors import InputError
+from pam_cosim.interface import Variable
+
+
+def sensitivity_name(output: str, parameter: str) -> str:
+    """The variable that is the derivative of an output or state with respect to a parameter."""
+    return f"sensitivity.{output}.{parameter}"
+
+
+def with_sensitivities(ode: Ode, parameters: Sequence[str]) -> Ode:
+    """The model with S = dx/ds as states behind its own and dy/ds as outputs behind its own.
+
+    S' = df/dx S + df/ds and dy/ds = dh/dx S + dh/ds, exact; S(0) = dx0/ds.
+
+    Args:
+        ode: the model.
+        parameters: names of s.
+
+    Raises:
+        InputError: the model has no such parameter, it is named twice, or it is the length of a delay, with which
+            the solution does not change smoothly.
+    """
+    names = tuple(parameters)
+    if not names:
+        return ode
+    chosen = _chosen(ode, names)
+    x, s = ode.x, ca.SX.sym("S", ode.x.numel(), len(names))
+    rates = ca.jacobian(ode.derivatives, x) @ s + ca.jacobian(ode.derivatives, chosen)
+    slopes = ca.jacobian(ode.outputs, x) @ s + ca.jacobian(ode.outputs, chosen)
+    face = ode.interface
+    states = [_variable(state, face.parameters[n]) for state in ode.states for n in names]
+    outputs = [_variable(output, face.parameters[n]) for output in face.outputs.values() for n in names]
+    return replace(
+        ode,
+        interface=replace(face, outputs=face.outputs | {v.name: v for v in outputs}),
+        states=(*ode.states, *states),
+        x=ca.vertcat(x, ca.vec(s.T)),
+        derivatives=ca.vertcat(ode.derivatives, ca.vec(rates.T)),
+        outputs=ca.vertcat(ode.outputs, ca.vec(slopes.T)),
+        initial=ca.vertcat(ode.initial, ca.vec(ca.jacobian(ca.SX(ode.initial), chosen).T)),
+        sensitivities=names,
+    )
+
+
+def smooth_parameters(ode: Ode) -> tuple[str, ...]:
+    """Names of the parameters that ``with_sensitivities`` takes."""
+    lengths = ca.vertcat(ca.SX(0, 1), *[ca.SX(delay.time) for delay in ode.delays])
+    bound = set(ca.jacobian_sparsity(lengths, ode.p).get_col()) if ode.delays else set()
+    return tuple(name for i, name in enumerate(ode.interface.parameters) if i not in bound)
+
+
+def _chosen(ode: Ode, names: tuple[str, ...]) -> ca.SX:
+    known, smooth = list(ode.interface.parameters), smooth_parameters(ode)
+    for i, name in enumerate(names):
+        if name not in known:
+            raise InputError(f"there is no parameter '{name}' to differentiate by", ode.interface.model)
+        if name in names[:i]:
+            raise InputError(f"parameter '{name}' is named twice", ode.interface.model)
+        if name not in smooth:
+            raise InputError(
+                f"parameter '{name}' is the length of a delay: where an input jumps there is no derivative with "
+                "respect to it",
+                ode.interface.model,
+            )
+    return ca.vertcat(*[ode.p[known.index(name)] for name in names])
+
+
+def _variable(of: Variable, by: Variable) -> Variable:
+    size = (of.nominal or 1.0) / abs(by.nominal or by.start or 1.0)
+    return Variable(
+        sensitivity_name(of.name, by.name),
+        _quotient(of.unit, by.unit),
+        f"Derivative of {of.name} with respect to {by.name}",
+        nominal=size,
+    )
+
+
+def _quotient(unit: str, by: str) -> str:
+    """Modelica's text for the unit of a derivative: factors joined by points, one solidus."""
+    (above, below), (by_above, by_below) = _parts(unit), _parts(by)
+    numerator, denominator = [*above, *by_below], [*below, *by_above]
+    if not denominator:
+        return ".".join(numerator)
+    text = denominator[0] if len(denominator) == 1 else f"({'.'.join(denominator)})"
+    return f"{'.'.join(numerator) or '1'}/{text}"
+
+
+def _parts(unit: str) -> tuple[list[str], list[str]]:
+    above, _, below = unit.partition("/")
+    factors = [[f for f in text.strip("()").split(".") if f not in ("", "1")] for text in (above, below)]
+    return factors[0], factors[1]
