@@ -1,0 +1,165 @@
+"""Work and precision: the tolerance asked for, the error achieved, and the time, for every bench.
+
+    python benchmarks/speed/precision.py                 about a minute
+    python benchmarks/speed/precision.py --picture       also draws docs/pictures/speed-precision.png
+
+The reference is SciPy's DOP853 at 1e-12 on the same equations. Two errors are judged, each at 1001 points:
+
+    outputs   largest difference in parts of the output's range over the run, of the worst output
+    states    largest difference in parts of |x| + nominal, of the worst state: the norm in which the solver
+              keeps the error of each step below the tolerance
+
+A tolerance is met where both errors are below it. The solver controls the error of each step; how these add up over a
+run is the model's affair, so errors up to ten times the tolerance are told apart from larger ones.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+
+import numpy as np  # noqa: E402
+
+from benchmarks.speed import cases  # noqa: E402
+from benchmarks.speed.reference import Reference, reference  # noqa: E402
+from benchmarks.speed.report import parser, say, show, steps_of, write  # noqa: E402
+from benchmarks.speed.timing import interleaved, scaled_error  # noqa: E402
+from pam_cosim.simulation import Simulator  # noqa: E402
+
+TOLERANCES = tuple(10.0**-exponent for exponent in range(4, 10))
+NEAR = 10.0
+_LONGER = {"smooth": "Isotonic, smooth", "sampled": "Isotonic, sampled"}
+_PICTURE = Path(__file__).resolve().parents[2] / "docs" / "pictures" / "speed-precision.png"
+
+
+@dataclass(frozen=True)
+class Point:
+    """One run: what was asked for, what came out.
+
+    Attributes:
+        tolerance: of the solver.
+        outputs, states: errors in the two norms.
+        seconds: least time of a run [s].
+        steps: of the solver.
+    """
+
+    tolerance: float
+    outputs: float
+    states: float
+    seconds: float
+    steps: int
+
+    @property
+    def excess(self) -> float:
+        """The larger error in parts of the tolerance."""
+        return max(self.outputs, self.states) / self.tolerance
+
+
+def measure(case: cases.Case, rounds: int) -> list[Point]:
+    """Errors and times of a case over the tolerances."""
+    exact = reference(case)
+    with Simulator(case.fmu) as simulator:
+
+        def run(tolerance: float, names: Sequence[str]) -> np.ndarray:
+            found = simulator.run(case.times, inputs=case.inputs, outputs=names, tolerance=tolerance)
+            return np.stack([found[name] for name in names], axis=1) if names else np.empty((case.times.size, 0))
+
+        errors, steps = [], []
+        for tolerance in TOLERANCES:
+            outputs = scaled_error(run(tolerance, case.outputs), exact.outputs)
+            states = _state_error(case, exact, run(tolerance, case.state_names))
+            statistics = simulator.statistics
+            errors.append((outputs, states))
+            steps.append(statistics.steps if statistics is not None else 0)
+        runs = [lambda tolerance=tolerance: run(tolerance, case.outputs) for tolerance in TOLERANCES]
+        times = interleaved(runs, rounds, case.name)
+    found = zip(TOLERANCES, errors, times, steps, strict=True)
+    return [Point(tolerance, *error, time.least, count) for tolerance, error, time, count in found]
+
+
+def _state_error(case: cases.Case, exact: Reference, found: np.ndarray) -> float:
+    if not case.state_names:
+        return 0.0
+    return float((np.abs(found - exact.states) / (np.abs(exact.states) + case.nominals)).max())
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    """Measures, prints, draws."""
+    options = parser(__doc__)
+    options.add_argument("--rounds", type=int, default=9)
+    options.add_argument("--picture", action="store_true")
+    given = options.parse_args(arguments)
+    chosen = [*map(cases.bench, cases.bench_names()), cases.smooth(), cases.sampled()]
+    found: dict[str, list[Point]] = {}
+    for case in steps_of(chosen, "cases"):
+        found[_LONGER.get(case.name, case.name)] = measure(case, given.rounds)
+    _print(found)
+    if given.picture:
+        _draw(found)
+        say(f"drawn: {_PICTURE.name}")
+    write(given.json, {name: [asdict(p) | {"excess": p.excess} for p in points] for name, points in found.items()})
+
+
+def _print(found: dict[str, list[Point]]) -> None:
+    heads = ["bench", *(f"{tolerance:.0e}" for tolerance in TOLERANCES)]
+    for kind in ("outputs", "states"):
+        rows = [[name, *(f"{getattr(p, kind) / p.tolerance:.2g}" for p in points)] for name, points in found.items()]
+        show(f"error of the {kind} / tolerance", heads, rows)
+    rows = [[name, *(f"{p.seconds * 1e3:.3g} ({p.steps})" for p in points)] for name, points in found.items()]
+    show("least ms a run (steps)", heads, rows)
+    every = [(name, p) for name, points in found.items() for p in points]
+    met, near = sum(p.excess <= 1.0 for _, p in every), sum(1.0 < p.excess <= NEAR for _, p in every)
+    far = len(every) - met - near
+    say(f"{len(every)} runs: {met} meet the tolerance, {near} are within {NEAR:g} times, {far} beyond")
+    for name, p in every:
+        if p.excess > NEAR:
+            say(f"beyond: {name} at {p.tolerance:.0e}: error {p.excess:.3g} times the tolerance")
+
+
+def _draw(found: dict[str, list[Point]]) -> None:
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    plt.rcParams.update({"font.size": 8, "axes.grid": True, "grid.alpha": 0.3})
+    names = [name for name in found if max(p.steps for p in found[name]) > 0]
+    columns = 3
+    rows = -(-len(names) // columns)
+    picture, axes = plt.subplots(
+        rows, columns, figsize=(9.0, 2.3 * rows), layout="constrained", sharex=True, squeeze=False
+    )
+    for name, ax in zip(names, axes.flat, strict=False):
+        points = found[name]
+        tolerances = [p.tolerance for p in points]
+        ax.loglog(tolerances, tolerances, color="0.6", lw=1, label="error = tolerance")
+        ax.loglog(tolerances, [p.outputs for p in points], "o-", ms=4, color="#0072b2", label="error, outputs")
+        ax.loglog(tolerances, [p.states for p in points], "s--", ms=4, color="#009e73", label="error, states")
+        ax.set_title(name, loc="left", fontweight="bold")
+        ax.set_ylim(1e-11, 1e-3)
+        time = ax.twinx()
+        time.plot(tolerances, [p.seconds * 1e3 for p in points], "^:", ms=4, color="#d55e00", label="time of a run")
+        time.set_ylim(0, None)
+        time.grid(False)
+        time.tick_params(axis="y", colors="#d55e00")
+        ax.set_ylabel("relative error [-]")
+        time.set_ylabel("time [ms]", color="#d55e00")
+        handles, labels = (
+            a + b for a, b in zip(ax.get_legend_handles_labels(), time.get_legend_handles_labels(), strict=True)
+        )
+    axes[0, 0].invert_xaxis()
+    for ax in axes.flat[len(names) :]:
+        ax.set_axis_off()
+    for ax in axes[-1]:
+        ax.set_xlabel("tolerance asked for [-]")
+    picture.legend(handles, labels, loc="outside lower center", ncols=4, frameon=False)
+    picture.savefig(_PICTURE, dpi=110)
+    plt.close(picture)
+
+
+if __name__ == "__main__":
+    main()
