@@ -30,6 +30,7 @@ class Interface:
         stop_time: default duration of a simulation [s].
         interval: default distance of output points [s].
         tolerance: default relative tolerance of the solver.
+        sensitivities: outputs that are derivatives of outputs with respect to parameters; not among ``outputs``.
     """
 
     model: str
@@ -40,3 +41,9 @@ class Interface:
     stop_time: float = 1.0
     interval: float = 0.01
     tolerance: float = 1e-6
+    sensitivities: dict[str, Variable] = field(default_factory=dict)
+
+
+def sensitivity_name(output: str, parameter: str) -> str:
+    """The variable that is the derivative of an output or state with respect to a parameter."""
+    return f"sensitivity.{output}.{parameter}"

@@ -50,10 +50,14 @@ def build(
     return target
 
 
-def opened(model: str, files: Paths = ()) -> Simulator | IsolatedSimulator:
-    """A model ready to run; an FMU of somebody else's runs in a process of its own, which it may crash."""
-    path = build(model, files=files)
-    return IsolatedSimulator(path) if model.endswith(".fmu") else Simulator(path)
+def opened(model: str, files: Paths = (), free: Iterable[str] = ()) -> Simulator | IsolatedSimulator:
+    """A model ready to run; an FMU of somebody else's runs in a process of its own, which it may crash.
+
+    A Modelica model tells its sensitivities to the ``free`` parameters.
+    """
+    if model.endswith(".fmu"):
+        return IsolatedSimulator(build(model, files=files))
+    return Simulator(build_model(model, _paths(files), sensitivities=tuple(free), where_smooth=True))
 
 
 def benches() -> list[str]:
@@ -109,7 +113,7 @@ def fit(
     """
     if method not in METHODS:
         raise InputError(f"there is no method '{method}' to fit with; choose one of {', '.join(METHODS)}")
-    with opened(model or data.model, files) as simulator:
+    with opened(model or data.model, files, data.fit) as simulator:
         free = base_parameters(data, simulator.interface)
         if not free:
             raise InputError("nothing to fit: name the free parameters under [fit]", data.folder / "experiment.toml")

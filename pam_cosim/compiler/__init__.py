@@ -20,7 +20,7 @@ from pam_cosim.compiler.compose import Composition, compose, qualified
 from pam_cosim.compiler.effects import EffectClass, effect_classes
 from pam_cosim.compiler.hashing import flat_hash
 from pam_cosim.compiler.ode import Delay, Ode
-from pam_cosim.compiler.sensitivities import sensitivity_name, smooth_parameters, with_sensitivities
+from pam_cosim.compiler.sensitivities import smooth_parameters, with_sensitivities
 from pam_cosim.compiler.structure import Structure, read_structure
 
 __all__ = [
@@ -37,7 +37,6 @@ __all__ = [
     "qualified",
     "read_library",
     "read_structure",
-    "sensitivity_name",
     "smooth_parameters",
     "with_sensitivities",
 ]

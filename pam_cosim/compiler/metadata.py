@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from pam_cosim.compiler.arithmetic import simplified
 from pam_cosim.compiler.evaluation import EnumerationLiteral, Evaluator
 from pam_cosim.compiler.instance import Instance
@@ -61,7 +63,7 @@ def state_preference(instance: Instance, constants: Evaluator) -> float:
     return weight + (3.0 if is_fixed(instance, constants) else 0.0)
 
 
-def experiment(instance: Instance) -> dict[str, float]:
+def experiment(instance: Instance) -> dict[str, Any]:
     """``stop_time``, ``interval`` and ``tolerance`` from the experiment annotation.
 
     The annotation of the class counts, else that of a class it extends. Without an interval, the duration is

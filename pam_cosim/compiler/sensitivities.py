@@ -9,12 +9,7 @@ import casadi as ca
 
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Variable
-
-
-def sensitivity_name(output: str, parameter: str) -> str:
-    """The variable that is the derivative of an output or state with respect to a parameter."""
-    return f"sensitivity.{output}.{parameter}"
+from pam_cosim.interface import Variable, sensitivity_name
 
 
 def with_sensitivities(ode: Ode, parameters: Sequence[str]) -> Ode:

@@ -122,7 +122,7 @@ def diagnose(
     if name.endswith(".fmu"):
         raise InputError("effects can be added to a Modelica model only; an FMU can be compared and fitted", name)
     tree = read_library(files=_sources(name, files))
-    with Simulator(build_model(name, files)) as simulator:
+    with Simulator(build_model(name, files, sensitivities=tuple(data.fit), where_smooth=True)) as simulator:
         base = fit(simulator, data)
     say(f"base model refitted: rms error {describe_fit(base)}, chi2 {base.comparison.chi2_reduced('fit'):.4g}")
     shelf = effect_classes(tree)

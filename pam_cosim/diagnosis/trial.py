@@ -58,10 +58,12 @@ def crashed(trial: Trial) -> Candidate:
 def run_trial(trial: Trial) -> Candidate:
     """Builds the model and fits the free base parameters together with those of the effects."""
     try:
-        fmu = build_source(trial.composition.name, trial.composition.text, trial.files)
+        own = [name for names in trial.composition.parameters.values() for name in names]
+        free = tuple(dict.fromkeys([*trial.data.fit, *own]))
+        fmu = build_source(trial.composition.name, trial.composition.text, trial.files, sensitivities=free)
         with Simulator(fmu) as simulator:
-            free, starts = free_parameters(trial, simulator.interface)
-            return trial.candidate(fit=fit(simulator, trial.data, free, starts=starts))
+            moved, starts = free_parameters(trial, simulator.interface)
+            return trial.candidate(fit=fit(simulator, trial.data, moved, starts=starts))
     except (SimulationFailure, InputError) as problem:
         return trial.candidate(fit=None, failure=str(problem))
 

@@ -52,6 +52,10 @@ class Free:
         value = exp(z) if self.logarithmic else z * self._scale
         return min(max(value, self.low), self.high)
 
+    def slope(self, z: float) -> float:
+        """Derivative of the value with respect to the search coordinate."""
+        return self.to_value(z) if self.logarithmic else self._scale
+
 
 def free_from_variable(variable: Variable, low: float, high: float, start: float | None = None) -> Free:
     """A free parameter of a model between ``low`` and ``high``; starts at ``start`` or the model's default."""

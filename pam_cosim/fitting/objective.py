@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from pam_cosim.comparison import RunComparison, simulate_run
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.free import Free
+from pam_cosim.interface import sensitivity_name
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
 
@@ -40,6 +41,7 @@ class Objective:
         self.fixed = dict(fixed or {})
         self.evaluations = 0
         self.failures: list[str] = []
+        self._latest: tuple[bytes, Array, Array] | None = None
         self._signals = [
             [s for s, signal in data.signals.items() if signal.fitted and run.sample_count(s)] for run in self.runs
         ]
@@ -56,22 +58,38 @@ class Objective:
         return self.fixed | {f.name: f.to_value(float(c)) for f, c in zip(self.free, z, strict=True)}
 
     def simulate(self, z: Array) -> list[RunComparison]:
-        """All runs at ``z``.
+        """All runs at ``z``, with the sensitivities that the model offers.
 
         Raises:
             SimulationFailure: a run did not reach its end.
         """
         values = self.values(z)
         return [
-            simulate_run(self.simulator, self.data, run, values, TOLERANCE, names)
+            simulate_run(self.simulator, self.data, run, values, TOLERANCE, [*names, *self._slopes(run, names)])
             for run, names in zip(self.runs, self._signals, strict=True)
         ]
+
+    def _slopes(self, run: Run, signals: Sequence[str]) -> list[str]:
+        """The model's sensitivities of these signals; a parameter that is known for the run does not move it."""
+        known = self.simulator.interface.sensitivities
+        moved = [f.name for f in self.free if f.name not in run.parameters]
+        return [n for s in signals for f in moved if (n := sensitivity_name(s, f)) in known]
+
+    @property
+    def _exact(self) -> list[bool]:
+        """For each free parameter, whether the model tells its sensitivities."""
+        known = self.simulator.interface.sensitivities
+        return [all(sensitivity_name(s, f.name) in known for names in self._signals for s in names) for f in self.free]
 
     def residuals(self, z: Array) -> Array:
         """(size,) in noise standard deviations; all infinite where a simulation breaks down."""
         self.evaluations += 1
         try:
-            return self._weighted(self.simulate(z))
+            runs = self.simulate(z)
+            residuals = self._weighted(runs)
+            if any(self._exact) and np.all(np.isfinite(residuals)):
+                self._latest = (z.tobytes(), residuals, self._exact_jacobian(z, runs))
+            return residuals
         except SimulationFailure as failure:
             if len(self.failures) < 10:
                 self.failures.append(str(failure))
@@ -88,26 +106,59 @@ class Objective:
         all_parts = np.concatenate(parts) if parts else np.zeros(0)
         return all_parts if np.all(np.isfinite(all_parts)) else np.full(self.size, np.inf)
 
-    def jacobian(self, z: Array, at: Array) -> Array:
-        """(size, parameters) by differences, stepping inwards from a bound; ``at`` are the residuals at ``z``.
+    def _exact_jacobian(self, z: Array, runs: Sequence[RunComparison]) -> Array:
+        """(size, parameters); columns of parameters whose sensitivities the model does not tell are zero."""
+        found = np.zeros((self.size, len(self.free)))
+        row = 0
+        for run, names in zip(runs, self._signals, strict=True):
+            for name in names:
+                sigma = self.data.signals[name].sigma
+                assert sigma is not None
+                kept = np.isfinite(run.run.measurements[name])
+                count = int(kept.sum())
+                for i, free in enumerate(self.free):
+                    slope = run.model.get(sensitivity_name(name, free.name))
+                    if slope is not None:
+                        found[row : row + count, i] = -slope[kept] * free.slope(float(z[i])) / sigma
+                row += count
+        return found
 
-        A direction in which the simulation breaks down is tried the other way; if that fails too, its column is
+    def jacobian(self, z: Array, at: Array) -> Array:
+        """(size, parameters) by the model's sensitivities, or by differences where it has none.
+
+        Args:
+            z: (parameters,) search coordinates.
+            at: (size,) the residuals there.
+        """
+        told, exact = self._exact, self._exact_at(z)
+        columns = [self._difference(z, at, i) if exact is None or not told[i] else exact[:, i] for i in range(len(z))]
+        return np.column_stack(columns) if columns else np.zeros((self.size, 0))
+
+    def _exact_at(self, z: Array) -> Array | None:
+        """The exact Jacobian at ``z``; None where the model has no sensitivities or breaks down."""
+        if not any(self._exact):
+            return None
+        if self._latest is None or self._latest[0] != z.tobytes():
+            self.residuals(z)
+        latest = self._latest
+        return latest[2] if latest is not None and latest[0] == z.tobytes() else None
+
+    def _difference(self, z: Array, at: Array, i: int) -> Array:
+        """One column by a difference, stepping inwards from a bound.
+
+        A direction in which the simulation breaks down is tried the other way; if that fails too, the column is
         zero: the fit does not move there.
         """
         low, high = self.bounds
-        columns = []
-        for i in range(len(z)):
-            step = _STEP * max(1.0, abs(z[i]) if not self.free[i].logarithmic else 1.0)
-            forward = step if z[i] + step <= high[i] else -step
-            column = np.zeros(self.size)
-            for h in (forward, -forward):
-                moved = z.copy()
-                moved[i] = min(max(z[i] + h, low[i]), high[i])
-                if moved[i] == z[i]:
-                    continue
-                shifted = self.residuals(moved)
-                if np.all(np.isfinite(shifted)):
-                    column = (shifted - at) / (moved[i] - z[i])
-                    break
-            columns.append(column)
-        return np.column_stack(columns) if columns else np.zeros((self.size, 0))
+        step = _STEP * max(1.0, abs(z[i]) if not self.free[i].logarithmic else 1.0)
+        forward = step if z[i] + step <= high[i] else -step
+        for h in (forward, -forward):
+            moved = z.copy()
+            moved[i] = min(max(z[i] + h, low[i]), high[i])
+            if moved[i] == z[i]:
+                continue
+            shifted = self.residuals(moved)
+            if np.all(np.isfinite(shifted)):
+                column: Array = (shifted - at) / (moved[i] - z[i])
+                return column
+        return np.zeros(self.size)

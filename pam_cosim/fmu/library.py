@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from pam_cosim.compiler import compile_model, flat_hash, with_sensitivities
+from pam_cosim.compiler import Ode, compile_model, flat_hash, smooth_parameters, with_sensitivities
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.build import cached_fmu
 from pam_cosim.fmu.cache import cached, digest
@@ -20,6 +20,7 @@ def build_model(
     *,
     platforms: Sequence[str] = ("native",),
     sensitivities: Sequence[str] = (),
+    where_smooth: bool = False,
 ) -> Path:
     """The FMU of a model.
 
@@ -29,6 +30,7 @@ def build_model(
         platforms: as in ``build_fmu``.
         sensitivities: parameters; the FMU gets the derivative of every output with respect to each of them as the
             output ``sensitivity.<output>.<parameter>``, integrated with the states.
+        where_smooth: leave out those that the model does not have or that are lengths of delays.
 
     Raises:
         ModelError: the model cannot be compiled.
@@ -41,14 +43,19 @@ def build_model(
             raise InputError("there is no such file", model)
         return Path(model)
     bench = modelica_root().joinpath(*_BENCHES.split("."), f"{model}.mo")
-    return _build(f"{_BENCHES}.{model}" if bench.exists() else model, files, platforms, sensitivities)
+    return _build(f"{_BENCHES}.{model}" if bench.exists() else model, files, platforms, sensitivities, where_smooth)
 
 
-def _build(model: str, files: Sequence[Path], platforms: Sequence[str], sensitivities: Sequence[str]) -> Path:
-    key = digest(flat_hash(model, files=files), *sensitivities)
-    return cached_fmu(
-        key, lambda: with_sensitivities(compile_model(model, files=files), sensitivities), platforms=platforms
-    )
+def _build(
+    model: str, files: Sequence[Path], platforms: Sequence[str], sensitivities: Sequence[str], where_smooth: bool
+) -> Path:
+    def make() -> Ode:
+        ode = compile_model(model, files=files)
+        known = smooth_parameters(ode) if where_smooth else sensitivities
+        return with_sensitivities(ode, [name for name in sensitivities if name in known])
+
+    key = digest(flat_hash(model, files=files), str(where_smooth), *sensitivities)
+    return cached_fmu(key, make, platforms=platforms)
 
 
 def build_source(model: str, text: str, files: Sequence[Path] = (), *, sensitivities: Sequence[str] = ()) -> Path:
@@ -58,10 +65,10 @@ def build_source(model: str, text: str, files: Sequence[Path] = (), *, sensitivi
         model: name of the class in ``text``.
         text: Modelica source.
         files: further ``.mo`` files that it may use.
-        sensitivities: as in ``build_model``.
+        sensitivities: as in ``build_model``, where the solution is smooth.
 
     Raises:
         ModelError: the model cannot be compiled.
     """
     source = cached("sources", digest(text), ".mo", text.encode)
-    return _build(model, [*files, source], ("native",), sensitivities)
+    return _build(model, [*files, source], ("native",), sensitivities, where_smooth=True)

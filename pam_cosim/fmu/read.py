@@ -9,7 +9,7 @@ import fmpy
 from fmpy.model_description import ModelDescription, ValidationError
 
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Interface, Variable
+from pam_cosim.interface import Interface, Variable, sensitivity_name
 
 
 def read_description(path: Path) -> ModelDescription:
@@ -59,8 +59,16 @@ def interface_of(description: ModelDescription) -> Interface:
             "tolerance": _float(experiment.tolerance),
         }
         given = {key: value for key, value in values.items() if value}
+    outputs, parameters = groups["output"], groups["parameter"]
+    slopes = {n for o in outputs for p in parameters if (n := sensitivity_name(o, p)) in outputs}
     return Interface(
-        description.modelName, groups["input"], groups["output"], groups["parameter"], groups["local"], **given
+        description.modelName,
+        groups["input"],
+        {n: v for n, v in outputs.items() if n not in slopes},
+        parameters,
+        groups["local"],
+        **given,
+        sensitivities={n: v for n, v in outputs.items() if n in slopes},
     )
 
 

@@ -235,7 +235,7 @@ class Simulator:
 
 
 def _groups(face: Interface) -> tuple[dict[str, Variable], ...]:
-    return face.inputs, face.outputs, face.parameters, face.locals
+    return face.inputs, face.outputs, face.parameters, face.locals, face.sensitivities
 
 
 def _number(name: str, value: float) -> float:
