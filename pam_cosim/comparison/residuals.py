@@ -68,7 +68,7 @@ def simulate_run(
         run.time,
         parameters=data.parameters_of(run, parameters),
         inputs=inputs,
-        outputs=signals,
+        outputs=list(simulator.interface.outputs) if signals is None else signals,
         start_time=start_time(run),
         tolerance=tolerance,
     )

@@ -150,7 +150,8 @@ class Simulator:
                 yields the values before and after the step.
             parameters: values by name [SI] that differ from the defaults.
             inputs: default: the start values, held.
-            outputs: names of outputs or of any other variable; default: every output.
+            outputs: names of outputs or of any other variable; default: every output,
+                sensitivities among them.
             tolerance: relative, of the solver; default: the model's.
             start_time: [s]; default: the first of ``times``.
             max_seconds: processor time [s] after which the run counts as failed.
@@ -166,7 +167,7 @@ class Simulator:
         settable = self._settable()
         values = {name: _number(name, value) for name, value in (parameters or {}).items()}
         input_names = list(inputs.values) if inputs is not None else []
-        names = list(self.interface.outputs if outputs is None else outputs)
+        names = list(self.interface.outputs | self.interface.sensitivities if outputs is None else outputs)
         layout = plan(wanted, start, inputs, None if self._slopes else self.interface.interval)
         parameter_references = self._lookup(values, settable, "parameter")
         input_references = self._lookup(input_names, self.interface.inputs, "input")

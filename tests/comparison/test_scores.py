@@ -93,7 +93,7 @@ def test_start_time_rule() -> None:
         start_time(run("r", early, p=early)),
     ]
     assert times == [1.0, 0.0, -0.5]
-    simulator = FakeSimulator(lambda t, _: {"p": t})
+    simulator = FakeSimulator(lambda t, _: {"p": t, "x": t})
     for one, begin in ((run("r", late, p=late), 0.0), (run("r", late, inputs=inputs, p=late), 1.0)):
         simulate_run(simulator, data_set([one], {"p": 1.0}), one, {})
         assert simulator.calls[-1]["start_time"] == begin
