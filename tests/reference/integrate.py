@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,15 +34,17 @@ def integrate(
     states[:, 0] = start
     y = np.array(start, dtype=float)
     for left, right in zip(edges[:-1], edges[1:], strict=True):
-        currents = schedule.at(left)
+        currents = schedule.within(left)
         wanted = np.flatnonzero((times > left + 1e-12) & (times <= right + 1e-12))
         grid = np.append(np.minimum(times[wanted], right), right)
-        solution = solve_ivp(
-            lambda t, y, currents=currents: rates(y.tolist(), currents),
-            (left, right), y, method=method, t_eval=np.unique(grid), rtol=rtol, atol=atol,
-        )
+        function = partial(_flat, rates, currents)
+        solution = solve_ivp(function, (left, right), y, method=method, t_eval=np.unique(grid), rtol=rtol, atol=atol)
         if not solution.success:
             raise RuntimeError(f"integration stopped between {left} s and {right} s: {solution.message}")
         states[:, wanted] = solution.y[:, : len(wanted)]
         y = solution.y[:, -1]
     return states
+
+
+def _flat(rates: Rates, currents: Callable[[float], Currents], t: float, y: Array) -> list[float]:
+    return rates(y.tolist(), currents(t))

@@ -13,7 +13,7 @@ from math import pi, sqrt, tanh
 
 import numpy as np
 
-from tests.reference.effects.base import Effect, Now, Rest
+from tests.reference.effects.base import Effect, LineEffect, Now, Rest
 from tests.reference.flow import GAMMA, P_ATM, T_ATM, G, R, mass_flow, valve_area
 from tests.reference.integrate import Array, integrate
 from tests.reference.schedule import Currents, Schedule
@@ -96,6 +96,7 @@ class Trajectory:
 
 
 _ATOL = (1e-8, 1e-10, 1e-9)
+_CP = GAMMA * R / (GAMMA - 1)  # J/(kg K)
 
 
 class _Rig:
@@ -113,10 +114,12 @@ class _Rig:
             self.film = effect.film(self.film)
         self.dead_volume = sum(effect.extra_volume() for effect in self.effects)
         self.mass = parameters.load + sum(effect.hanging_mass() for effect in self.effects)
+        self.resting_mass = parameters.load + sum(effect.resting_mass() for effect in self.effects)
+        self.line = next((k for k, effect in enumerate(self.effects) if isinstance(effect, LineEffect)), None)
 
     def start(self) -> list[float]:
         """At rest on the stop, filled with ambient air."""
-        x = -self.mass * G / self.par.stop_stiffness
+        x = -self.resting_mass * G / self.par.stop_stiffness
         pv = P_ATM * (self.par.volume(x) + self.dead_volume)
         rest = Rest(x, pv / (R * T_ATM), T_ATM, (0.0, 0.0))
         return [pv / (GAMMA - 1), x, 0.0, *(value for e in self.effects for value in e.initial(rest))]
@@ -136,46 +139,80 @@ class _Rig:
         p, temperature = self.gas(y)
         gauge = p - P_ATM
         currents, leak, extra, factor, wall = command, 0.0, 0.0, 1.0, T_ATM
+        film, source, inertia, pull_factor = self.film, self.p_source, self.mass, 1.0
+        side_mass, side_enthalpy, other_heat = 0.0, 0.0, 0.0
         for effect, own in zip(self.effects, self.slices, strict=True):
-            currents = effect.current(y[own], currents)
+            q = y[own]
+            currents = effect.current(q, currents)
             leak += effect.leak(p, temperature)
-            extra += effect.force(y[own], x, v, gauge)
-            factor *= effect.contraction_factor(gauge)
-            wall = effect.wall_temperature(y[own], wall)
+            extra += effect.force(q, x, v, gauge)
+            inertia += effect.balanced_mass(x)
+            factor *= effect.shape_factor(x, gauge)
+            pull_factor *= effect.pull_factor(x, gauge)
+            wall = effect.wall_temperature(q, wall)
+            film = effect.film_now(q, film, p, temperature)
+            source = effect.supply(q, source)
+            other_heat += effect.heat(q)
+            lost = effect.exchange(q, p, temperature)
+            side_mass, side_enthalpy = side_mass + lost[0], side_enthalpy + lost[1]
 
-        area_in, area_out = (valve_area(u, par.calibration) for u in currents)
-        for effect in self.effects:
-            area_in *= effect.valve_factor(max(p, self.p_source), min(p, self.p_source))
-            area_out *= effect.valve_factor(max(p, P_ATM), min(p, P_ATM))
-        m_in = mass_flow(area_in, self.p_source, T_ATM, p, temperature)
-        m_out = mass_flow(area_out, p, temperature, P_ATM, T_ATM) + leak
-        enthalpy_in = GAMMA * R / (GAMMA - 1) * (
-            m_in * (T_ATM if m_in > 0 else temperature) - m_out * (temperature if m_out > 0 else T_ATM)
-        )
-        heat = self.film * par.bare_area(x) * (wall - temperature)
+        valves, line_rates = self._inflow(y, (source, p, temperature), currents)
+        net = valves[0] - leak - side_mass
+        enthalpy_in = valves[1] - side_enthalpy - _CP * leak * (temperature if leak > 0 else T_ATM)
+        heat = film * par.bare_area(x) * (wall - temperature)
 
-        friction = gauge * (par.crossing_area * par.mu_d * tanh(par.k_f * v) + par.mu_fb * par.fibre_area)
+        fibre = gauge * par.crossing_area * par.mu_d * tanh(par.k_f * v)
+        bladder = gauge * par.mu_fb * par.fibre_area
         stop = max(0.0, -par.stop_stiffness * x - par.stop_damping * v) if x < 0 else 0.0
-        pull = gauge * par.volume_slope(factor * x)
-        acceleration = (pull - friction - extra + stop) / self.mass - G
+        pull = pull_factor * gauge * par.volume_slope(factor * x)
+        acceleration = (pull - fibre - bladder - extra + stop - self.mass * G) / inertia
 
-        rubbed = sum(effect.friction_heat(friction * v) for effect in self.effects)
-        energy_rate = heat + rubbed + enthalpy_in - p * par.volume_slope(x) * v
-        now = Now(x, v, gauge, temperature, command, m_in - m_out, heat)
+        rubbed = sum(effect.friction_heat_of(fibre * v, bladder * v) for effect in self.effects)
+        energy_rate = heat + other_heat + rubbed + enthalpy_in - p * par.volume_slope(x) * v
+        now = Now(x, v, gauge, temperature, command, net, heat)
         rates = [energy_rate, v, acceleration]
-        for effect, own in zip(self.effects, self.slices, strict=True):
-            rates.extend(effect.rates(y[own], now))
+        for k, (effect, own) in enumerate(zip(self.effects, self.slices, strict=True)):
+            rates.extend(line_rates if k == self.line else effect.rates(y[own], now))
         return rates
 
-    def reading(self, y: Sequence[float]) -> tuple[float, float]:
-        """Gauge pressure [Pa] and the temperature sensor's reading [K]."""
+    def _inflow(
+        self, y: Sequence[float], pressures: tuple[float, float, float], currents: Currents
+    ) -> tuple[tuple[float, float], tuple[float, ...]]:
+        """Gas [kg/s] and enthalpy [W] into the muscle, and the rates of the line if there is one.
+
+        pressures: of the supply and of the gas [Pa], and the gas's temperature [K].
+        """
+        source, p, temperature = pressures
+        if self.line is None:
+            return self._valves(source, p, temperature, currents), ()
+        line, q = self.effects[self.line], y[self.slices[self.line]]
+        assert isinstance(line, LineEffect)
+        valves = self._valves(source, *line.node(q), currents)
+        return line.into_muscle(q, p, temperature), line.line_rates(q, valves, p, temperature)
+
+    def _valves(self, source: float, p: float, temperature: float, currents: Currents) -> tuple[float, float]:
+        """Gas [kg/s] and enthalpy [W] that both valves let into gas at p [Pa]."""
+        areas = (valve_area(currents[0], self.par.calibration), valve_area(currents[1], self.par.calibration))
+        for effect in self.effects:
+            areas = effect.areas(areas, currents)
+        area_in, area_out = areas
+        for effect in self.effects:
+            area_in *= effect.valve_factor(max(p, source), min(p, source))
+            area_out *= effect.valve_factor(max(p, P_ATM), min(p, P_ATM))
+        m_in = mass_flow(area_in, source, T_ATM, p, temperature)
+        m_out = mass_flow(area_out, p, temperature, P_ATM, T_ATM)
+        enthalpy = m_in * (T_ATM if m_in > 0 else temperature) - m_out * (temperature if m_out > 0 else T_ATM)
+        return m_in - m_out, _CP * enthalpy
+
+    def reading(self, y: Sequence[float]) -> tuple[float, float, float]:
+        """What the sensors show: gauge pressure [Pa], contraction [m] and temperature [K]."""
         p, temperature = self.gas(y)
+        gauge, x = p - P_ATM, y[1]
         for effect, own in zip(self.effects, self.slices, strict=True):
             temperature = effect.reading(y[own], temperature)
-        gauge = p - P_ATM
-        for effect in self.effects:
-            gauge = effect.pressure_reading(gauge)
-        return gauge, temperature
+            gauge = effect.pressure_shown(y[own], gauge)
+            x = effect.position_shown(y[own], x)
+        return gauge, x, temperature
 
 
 def simulate_muscle(
@@ -194,8 +231,10 @@ def simulate_muscle(
     """
     rig = _Rig(parameters, p_supply, effects)
     late = schedule.delayed(sum(effect.delay() for effect in rig.effects))
+    for effect in rig.effects:
+        late = effect.drive(late)
     atol = (*_ATOL, *(value for effect in rig.effects for value in effect.atol))
     method = method or ("BDF" if any(effect.stiff for effect in rig.effects) else "LSODA")
     states = integrate(rig.rates, rig.start(), late, times, atol, rtol, method)
     readings = np.array([rig.reading(column) for column in states.T.tolist()])
-    return Trajectory(times, readings[:, 0], states[1], readings[:, 1], states[2])
+    return Trajectory(times, readings[:, 0], readings[:, 1], readings[:, 2], states[2])

@@ -1,7 +1,7 @@
 """The muscle rig: runs test plans with hidden effects, adds sensor noise, writes data sets.
 
-    python -m tests.reference.rig --effect elasticity:linear --seed 1 OUT_FOLDER
-    python -m tests.reference.rig --list
+python -m tests.reference.rig --effect elasticity:linear --seed 1 OUT_FOLDER
+python -m tests.reference.rig --list
 """
 
 from __future__ import annotations
@@ -111,8 +111,7 @@ def effect_size(
         without = simulate_plan(tuple(m.run for m in chosen), (), base)
         pairs = list(zip(chosen, without, strict=True))
         return {
-            name: np.concatenate([a.signals[name] - b.signals[name] for a, b in pairs]) / sigma[name]
-            for name in sigma
+            name: np.concatenate([a.signals[name] - b.signals[name] for a, b in pairs]) / sigma[name] for name in sigma
         }
 
     base = parameters
@@ -257,9 +256,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     unit = Noise()
     noise = Noise(unit.p * options.noise, unit.x * options.noise, unit.T * options.noise)
     measured = measure(plan, effects, options.seed, noise)
-    write_data_set(
-        options.folder, measured, noise, signals=options.signals.split(","), step_rows=options.step_rows
-    )
+    write_data_set(options.folder, measured, noise, signals=options.signals.split(","), step_rows=options.step_rows)
     print(json.dumps(truth(effects), indent=1))
     return 0
 

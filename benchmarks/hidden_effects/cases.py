@@ -1,0 +1,299 @@
+"""Case number and set -> a data set and what is hidden in it.
+
+    python benchmarks/hidden_effects/cases.py FOLDER --set tuning --number 7
+
+The composition repeats every 60 cases: 30 with one form of the catalogue, 12 with one form that it lacks, 6 pairs, 7
+with nothing hidden, 5 with an effect in no family; mixed, so that the first cases already are a fair sample.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+
+from benchmarks.hidden_effects import table  # noqa: E402
+from benchmarks.hidden_effects.noise import SIGNALS, Sensors, disturb, draw_sensors  # noqa: E402
+from benchmarks.hidden_effects.plans import draw_muscle, draw_plan  # noqa: E402
+from benchmarks.hidden_effects.sizes import Bench, FreeParameter, Ruler, Signals, calibrated  # noqa: E402
+from tests.reference.effects import effect_parameters  # noqa: E402
+from tests.reference.effects.base import Effect  # noqa: E402
+from tests.reference.muscle import MuscleParameters  # noqa: E402
+
+Random = np.random.Generator
+SEEDS = {"tuning": 4711, "score": 2203}
+GROUPS = {"catalogue": 30, "new_form": 12, "pair": 6, "null": 7, "none_of_these": 5}
+PERIOD = sum(GROUPS.values())
+CLASSES = ((0.3, 1.0), (1.0, 3.0), (3.0, 10.0), (10.0, 30.0), (30.0, 80.0))
+"""Classes of projected size in standard deviations of the noise; within a class evenly by order of magnitude."""
+_SHOWN = (2, 0, 3, 1, 4, 2, 3)  # the order in which classes come: 3 to 10 and 10 to 30 twice
+_UNITS = {"p": ("kPa", 1e-3, 0.0), "x": ("mm", 1e3, 0.0), "T": ("degC", 1.0, -273.15)}
+
+_PARAMETER_UNITS = {"muscle.h_film": "W/(m2.K)", "muscle.D0": "m", "muscle.L0": "m", "load.m": "kg"}
+
+
+@dataclass(frozen=True)
+class Case:
+    """What a case number stands for, before anything is simulated.
+
+    Attributes:
+        hidden: forms of the table. targets: sizes wanted, in standard deviations.
+        index: how many cases of the same group come before it in the set.
+    """
+
+    which: str
+    number: int
+    group: str
+    index: int
+    hidden: tuple[table.Form, ...]
+    targets: tuple[float, ...]
+
+    def rng(self, stream: int) -> Random:
+        """A stream of random numbers of this case alone."""
+        return np.random.default_rng([SEEDS[self.which], self.number, stream])
+
+
+@dataclass(frozen=True)
+class Made:
+    """A case that was simulated: what was recorded, and its description."""
+
+    case: Case
+    bench: Bench
+    sensors: Sensors
+    recorded: list[Signals]
+    description: dict[str, object]
+
+
+def _order() -> tuple[str, ...]:
+    """The groups of one period, each spread evenly over it."""
+    slots = [((k + 0.5) / count, group) for group, count in GROUPS.items() for k in range(count)]
+    return tuple(group for _, group in sorted(slots))
+
+
+_ORDER = _order()
+_MIXED = tuple(table.FAMILIES[7 * k % 16] for k in range(16))  # neighbours belong to different balances
+
+
+def case_of(which: str, number: int) -> Case:
+    """The case with this number (from 0) of a set.
+
+    Raises ValueError for an unknown set or a negative number.
+    """
+    if which not in SEEDS or number < 0:
+        raise ValueError(f"there is no case {number} of a set '{which}'; sets: {', '.join(SEEDS)}")
+    place, group = number % PERIOD, _ORDER[number % PERIOD]
+    index = number // PERIOD * GROUPS[group] + _ORDER[:place].count(group)
+    case = Case(which, number, group, index, (), ())
+    rng = case.rng(0)
+    if group in ("catalogue", "new_form"):
+        turn, k = divmod(index, 16)
+        choice = table.forms(which, group == "catalogue")[_MIXED[k]]
+        bounds = CLASSES[_SHOWN[(turn + 3 * k) % len(_SHOWN)]]
+        return replace(case, hidden=(choice[turn % len(choice)],), targets=(_within(rng, bounds),))
+    if group == "none_of_these":
+        choice = table.strange_forms(which)
+        return replace(case, hidden=(choice[index % len(choice)],), targets=(_within(rng, (5.0, 40.0)),))
+    if group == "pair":
+        choice = table.forms(which, True)
+        first, second = rng.choice(16, 2, replace=False)
+        picked = tuple(choice[f][int(rng.integers(len(choice[f])))] for f in (_MIXED[first], _MIXED[second]))
+        # what has no strength of its own sets the noise, so it comes first
+        picked = tuple(sorted(picked, key=lambda form: form.high / form.low))
+        return replace(case, hidden=picked, targets=tuple(_within(rng, (5.0, 30.0)) for _ in picked))
+    return case
+
+
+def _within(rng: Random, bounds: tuple[float, float]) -> float:
+    return float(np.exp(rng.uniform(*np.log(bounds))))
+
+
+def _draw_bench(rng: Random) -> Bench:
+    """Geometry, plan and the six free parameters, whose truth is not where a fit starts."""
+    nominal = draw_muscle(rng)
+    sixth = ("muscle.D0", "muscle.L0", "load.m")[int(rng.integers(0, 3))]
+    plan = draw_plan(rng, nominal, sixth == "load.m")
+    usual = (
+        ("valve.C_A", "calibration", 0.5, 0.9, rng.uniform(0.58, 0.84)),
+        ("muscle.n_g", "n_g", 1.0, 1.4, rng.uniform(1.06, 1.34)),
+        ("muscle.mu_fb", "mu_fb", 0.002, 0.06, rng.uniform(0.008, 0.03)),
+        ("muscle.h_film", "h_film", 2.0, 100.0, _within(rng, (10.0, 45.0))),
+        ("muscle.mu_d", "mu_d", 0.1, 2.0, rng.uniform(0.5, 1.1)),
+    )
+    free = [FreeParameter(name, field, low, high, float(f"{true:.5g}")) for name, field, low, high, true in usual]
+    field, about, off, room = {
+        "muscle.D0": ("diameter", nominal.diameter, 0.02, 0.05),
+        "muscle.L0": ("length", nominal.length, 0.01, 0.03),
+        "load.m": ("load", plan[0].load, 0.04, 0.1),
+    }[sixth]
+    true = float(f"{about * (1 + rng.uniform(-off, off)):.5g}")
+    free.append(FreeParameter(sixth, field, about * (1 - room), about * (1 + room), true, about))
+    muscle = replace(nominal, **{p.field: p.true for p in free})
+    if sixth == "load.m":
+        plan = tuple(replace(run, load=true) for run in plan)
+    return Bench(muscle, plan, tuple(free))
+
+
+def outline(case: Case) -> dict[str, Any]:
+    """What is known of a case before it is simulated: the description of one that could not be."""
+    return {
+        "set": case.which,
+        "number": case.number,
+        "group": case.group,
+        "families": [form.family for form in case.hidden if form.family != "none_of_these"],
+        "hidden": [
+            {"family": form.family, "form": form.name, "in_catalogue": form.catalogue, "target": target}
+            for form, target in zip(case.hidden, case.targets, strict=True)
+        ],
+    }
+
+
+def make(case: Case) -> Made:
+    """Simulates a case. Raises RuntimeError when its hidden effect cannot be simulated at any strength."""
+    bench = _draw_bench(case.rng(1))
+    sensors = draw_sensors(case.rng(2))
+    # without a hidden effect there is nothing to measure, and the sensitivities are not needed
+    ruler = Ruler(bench) if case.hidden else None
+    effects: list[Effect] = []
+    found: list[dict[str, object]] = []
+    for k, (form, target) in enumerate(zip(case.hidden, case.targets, strict=True)):
+        assert ruler is not None
+        rng = case.rng(10 + k)
+        at = form.make(rng, bench.muscle)
+        if form.signed and rng.random() < 0.5:
+            at = _negative(at)
+        strength, size = calibrated(ruler, at, sensors.sigma, target, form.low, form.high)
+        if k == 0:
+            sensors, size = _fitting_noise(sensors, size, target)
+        effects.append(at(strength))
+        found.append({"strength": strength, "size": size, "parameters": effect_parameters(effects[-1])})
+    clean = ruler.simulated(effects) if ruler else bench.simulate()
+    zero = dict.fromkeys(SIGNALS, 0.0)
+    plain, projected = ruler.sizes(clean, sensors.sigma) if ruler else (zero, zero)
+    noise = case.rng(3)
+    recorded = [disturb(noise, sensors, run) for run in clean]
+    known = outline(case)
+    description: dict[str, object] = known | {
+        "hidden": [a | b for a, b in zip(known["hidden"], found, strict=True)],
+        "size": {"plain": plain, "projected": projected},
+        "sensors": sensors.as_dict(),
+        "rig": {
+            "L0": bench.muscle.length, "D0": bench.muscle.diameter, "turns": bench.muscle.turns,
+            "fibres": bench.muscle.fibres, "t_wall": bench.muscle.t_wall,
+        },
+        "free": {p.name: {"true": p.true, "min": p.low, "max": p.high} for p in bench.free},
+        "plan": [
+            {"style": r.style, "role": r.role, "load": r.load, "p_supply": r.p_supply, "seconds": r.samples / 100}
+            for r in bench.plan
+        ],
+        "noise": _noise_found(bench, clean, recorded),
+    }  # fmt: skip
+    return Made(case, bench, sensors, recorded, description)
+
+
+def _negative(at: Callable[[float], Effect]) -> Callable[[float], Effect]:
+    return lambda s: at(-s)
+
+
+def _fitting_noise(sensors: Sensors, size: float, target: float) -> tuple[Sensors, float]:
+    """Where the strength is at its bound, the instruments are made quieter or louder, between 0.1 and 10 times usual.
+
+    Sizes go as one over the noise.
+    """
+    if abs(np.log(size / target)) < 0.4:
+        return sensors, size
+    loud = sensors.sigma["p"] / 500.0
+    factor = min(max(size / target, 0.1 / loud), 10.0 / loud)
+    sigma = {name: float(f"{value * factor:.3g}") for name, value in sensors.sigma.items()}
+    return replace(sensors, sigma=sigma), size / factor
+
+
+def _noise_found(bench: Bench, clean: Sequence[Signals], recorded: Sequence[Signals]) -> dict[str, object]:
+    """Mean square of recorded minus true and number of samples, by role and signal [SI]: what the truth leaves."""
+    found: dict[str, object] = {}
+    for role in ("fit", "holdout"):
+        runs = [k for k, run in enumerate(bench.plan) if run.role == role]
+        by_signal = {}
+        for name in SIGNALS:
+            error = np.concatenate([recorded[k][name] - clean[k][name] for k in runs])
+            error = error[np.isfinite(error)]
+            by_signal[name] = {"mean_square": float(np.mean(error**2)), "samples": len(error)}
+        found[role] = by_signal
+    return found
+
+
+def write(made: Made, folder: Path) -> None:
+    """Writes experiment.toml and the runs; nothing in them says what is hidden."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for k, (run, signals) in enumerate(zip(made.bench.plan, made.recorded, strict=True), start=1):
+        columns = ",".join(f"{name} [{_UNITS[name][0]}]" for name in SIGNALS)
+        lines = [f"time [s],u_in [A],u_out [A],p_supply [kPa],{columns}"]
+        for i, t in enumerate(run.times.tolist()):
+            u_in, u_out = run.schedule.at(t)
+            values = [signals[n][i] * _UNITS[n][1] + _UNITS[n][2] for n in SIGNALS]
+            shown = ",".join("" if np.isnan(v) else f"{v:.9g}" for v in values)
+            lines.append(f"{t:.9g},{u_in:.9g},{u_out:.9g},{run.p_supply / 1e3:.9g},{shown}")
+        (folder / f"run-{k:02d}.csv").write_text("\n".join(lines) + "\n")
+    (folder / "experiment.toml").write_text(_experiment(made))
+
+
+def _experiment(made: Made) -> str:
+    bench, sigma = made.bench, made.sensors.sigma
+    lines = [f'title = "case {made.case.number}"', 'model = "PneumaticMuscle.Benches.Isotonic"', ""]
+    for name in SIGNALS:
+        unit, factor, _ = _UNITS[name]
+        lines += [f"[signals.{name}]"]
+        if made.sensors.stated:
+            lines += [f'sigma = "{sigma[name] * factor:.9g} {"K" if name == "T" else unit}"']
+        lines += [""]
+    lines += ["[parameters]", *_known(bench), "", "[fit]"]
+    lines += [f'"{p.name}" = {{ min = {_with_unit(p.low, p)}, max = {_with_unit(p.high, p)} }}' for p in bench.free]
+    own_load = all(p.name != "load.m" for p in bench.free)
+    for k, run in enumerate(bench.plan, start=1):
+        lines += ["", "[[runs]]", f'file = "run-{k:02d}.csv"', f'role = "{run.role}"']
+        if run.interpolation != "linear":
+            lines.append(f'interpolation = "{run.interpolation}"')
+        if own_load:
+            lines += ["[runs.parameters]", f'"load.m" = "{run.load:.9g} kg"']
+    return "\n".join(lines) + "\n"
+
+
+def _known(bench: Bench) -> list[str]:
+    """What [parameters] says: the geometry as drawn, the nominal value of a free dimension."""
+    muscle: MuscleParameters = bench.muscle
+    known = {
+        "muscle.L0": (muscle.length, "m"), "muscle.D0": (muscle.diameter, "m"), "muscle.t_wall": (muscle.t_wall, "m"),
+    }  # fmt: skip
+    values = {name: f'"{value:.9g} {unit}"' for name, (value, unit) in known.items()}
+    values |= {p.name: _with_unit(p.nominal, p) for p in bench.free if p.nominal is not None}
+    lines = [f'"{name}" = {value}' for name, value in values.items()]
+    return [*lines, f'"muscle.turns" = {muscle.turns:.9g}', f'"muscle.fibres" = {muscle.fibres:.9g}']
+
+
+def _with_unit(value: float, of: FreeParameter) -> str:
+    unit = _PARAMETER_UNITS.get(of.name)
+    return f'"{value:.9g} {unit}"' if unit else f"{value:.9g}"
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Command line: writes one case, prints what is hidden in it."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--set", dest="which", choices=SEEDS, default="tuning")
+    parser.add_argument("--number", type=int, default=0)
+    options = parser.parse_args(arguments)
+    made = make(case_of(options.which, options.number))
+    write(made, options.folder)
+    print(json.dumps(made.description, indent=1))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,96 @@
+"""One case: generate it, diagnose it, print what came out as one line of JSON. `score` runs this in a process.
+
+python benchmarks/hidden_effects/one.py --set tuning --number 7 [--keep FOLDER] [--workers 2]
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import sys
+import tempfile
+import time
+import traceback
+from collections.abc import Mapping, Sequence
+from contextlib import redirect_stdout
+from pathlib import Path
+from typing import Any
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+
+from benchmarks.hidden_effects.cases import SEEDS, case_of, make, outline, write  # noqa: E402
+from benchmarks.hidden_effects.noise import SIGNALS  # noqa: E402
+
+_RANKS = 5
+
+
+def solve(which: str, number: int, folder: Path, workers: int) -> dict[str, Any]:
+    """The result of one case. An exception of the generator or of the software becomes `error` with its place."""
+    case = case_of(which, number)
+    result: dict[str, Any] = {"set": which, "number": number, "case": outline(case)}
+    start = time.perf_counter()
+    try:
+        made = make(case)
+        write(made, folder)
+        result["case"] = made.description
+    except Exception:
+        return result | {"error": {"where": "generator", "text": traceback.format_exc()}}
+    result["generation_seconds"] = round(time.perf_counter() - start, 2)
+    start = time.perf_counter()
+    try:
+        result["diagnosis"] = _diagnosis(folder, made.description, workers)
+    except Exception:
+        result["error"] = {"where": "diagnosis", "text": traceback.format_exc()}
+    result["seconds"] = round(time.perf_counter() - start, 2)
+    return result
+
+
+def _diagnosis(folder: Path, description: Mapping[str, Any], workers: int) -> dict[str, Any]:
+    from pam_cosim import study  # here, so that a broken installation is a result as well
+
+    found = study.diagnose(study.read(folder), workers=workers)
+    verdict = found.verdict
+    sigma = {name: found.data.signals[name].sigma or math.nan for name in SIGNALS}
+    final = found.final.comparison
+    return {
+        "verdict": {"kind": verdict.kind, "families": list(verdict.families), "effects": list(verdict.effects)},
+        "reason": verdict.reason,
+        "sigma": sigma,
+        "chi2": {
+            role: {
+                "base": found.base.comparison.chi2_reduced(role),
+                "final": final.chi2_reduced(role),
+                "noise": _floor(description["noise"][role], sigma),
+            }
+            for role in ("fit", "holdout")
+        },
+        "path": [c.effect for c in found.path],
+        "ranks": [[c.effect, c.family, c.delta_bic] for c in found.candidates[:_RANKS]],
+        "parameters": {name: estimate.value for name, estimate in found.final.parameters.items()},
+    }
+
+
+def _floor(noise: Mapping[str, Mapping[str, float]], sigma: Mapping[str, float]) -> float:
+    """The reduced chi-square that the truth itself would have: recorded minus true, weighed as the software weighs."""
+    total = sum(noise[n]["mean_square"] * noise[n]["samples"] / sigma[n] ** 2 for n in SIGNALS)
+    return total / sum(noise[n]["samples"] for n in SIGNALS)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Command line; returns the exit status."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--set", dest="which", choices=SEEDS, required=True)
+    parser.add_argument("--number", type=int, required=True)
+    parser.add_argument("--workers", type=int, default=1)
+    parser.add_argument("--keep", type=Path, help="folder in which the data set stays")
+    options = parser.parse_args(arguments)
+    with redirect_stdout(sys.stderr), tempfile.TemporaryDirectory() as scratch:
+        folder = options.keep or Path(scratch) / "data"
+        result = solve(options.which, options.number, folder, options.workers)
+    print(json.dumps(result))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

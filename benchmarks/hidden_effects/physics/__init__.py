@@ -1,0 +1,1 @@
+"""Forms of hidden effects that the reference rig's own list lacks; `table` says which set uses which."""

@@ -1,0 +1,338 @@
+"""Tables and figures from the results of `score`.
+
+    python benchmarks/hidden_effects/report.py build/hidden-effects-score.jsonl --out docs/hidden-effects
+
+Writes report.md, hit-rate.png and confusion.png into OUT.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from math import isfinite, sqrt
+from pathlib import Path
+from typing import Any
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+
+from benchmarks.hidden_effects.outcome import OUTCOMES, claims_effect, excess, judged, size  # noqa: E402
+from benchmarks.hidden_effects.score import default_file, read_results  # noqa: E402
+from benchmarks.hidden_effects.table import FAMILIES  # noqa: E402
+
+Result = dict[str, Any]
+EDGES = (0.0, 0.3, 1.0, 3.0, 10.0, 30.0, float("inf"))  # standard deviations of the noise
+GROUPS = {
+    "catalogue": "one effect, form in the catalogue",
+    "new_form": "one effect, form not in the catalogue",
+    "pair": "two effects",
+    "null": "nothing hidden",
+    "none_of_these": "an effect in no family",
+}
+_VISIBLE = 3.0
+_COLOURS = {
+    "right": "#2a7f4f", "ambiguous": "#8fbf6a", "unknown": "#d9c25b", "missed": "#b8bec6", "wrong": "#c0504d",
+    "error": "#3b3b3b",
+}  # fmt: skip
+
+
+def wilson(hits: int, count: int, z: float = 1.96) -> tuple[float, float]:
+    """The 95 % interval of a share (Wilson, 1927); (0, 1) without cases."""
+    if not count:
+        return 0.0, 1.0
+    share, room = hits / count, z * z / count
+    middle = (share + room / 2) / (1 + room)
+    half = z * sqrt(share * (1 - share) / count + room / (4 * count)) / (1 + room)
+    return max(0.0, middle - half), min(1.0, middle + half)
+
+
+def rate(hits: int, count: int) -> str:
+    """Share, its interval and the numbers, for a table."""
+    if not count:
+        return "no case"
+    low, high = wilson(hits, count)
+    return f"{100 * hits / count:.0f} % ({100 * low:.0f} to {100 * high:.0f}; {hits} of {count})"
+
+
+@dataclass(frozen=True)
+class Goal:
+    """What the software wants to reach, and the cases that count for it."""
+
+    text: str
+    share: float
+    cases: Callable[[Result], bool]
+    hit: Callable[[Result], bool]
+
+
+def _single(result: Result) -> bool:
+    return result["case"].get("group") in ("catalogue", "new_form")
+
+
+def _group(name: str) -> Callable[[Result], bool]:
+    return lambda result: bool(result["case"].get("group") == name)
+
+
+def _visible(result: Result) -> bool:
+    return size(result) >= _VISIBLE
+
+
+def _no_size(result: Result) -> bool:
+    return not isfinite(size(result))  # a case that ended before its size was known counts as visible
+
+
+GOALS = (
+    Goal("one effect of at least 3 standard deviations: right family", 0.95,
+         lambda r: _single(r) and (_visible(r) or _no_size(r)), lambda r: judged(r) == "right"),
+    Goal("... with a form of the catalogue", 0.95,
+         lambda r: _group("catalogue")(r) and (_visible(r) or _no_size(r)), lambda r: judged(r) == "right"),
+    Goal("... with a form that the catalogue lacks", 0.95,
+         lambda r: _group("new_form")(r) and (_visible(r) or _no_size(r)), lambda r: judged(r) == "right"),
+    Goal("nothing hidden: no effect claimed", 0.98,
+         _group("null"), lambda r: "error" not in r and not claims_effect(r)),
+    Goal("an effect in no family: unknown or ambiguous", 0.90, _group("none_of_these"), lambda r: judged(r) == "right"),
+    Goal("two effects: both found", 0.85, _group("pair"), lambda r: judged(r) == "right"),
+    Goal("identified cases: holdout chi-square within 10 % of the noise's own", 1.0,
+         lambda r: "error" not in r and r["diagnosis"]["verdict"]["kind"] == "identified",
+         lambda r: (away := excess(r)) is not None and away <= 0.1),
+)  # fmt: skip
+
+
+def goals_table(results: Sequence[Result]) -> list[str]:
+    """Markdown: every goal, what was reached, whether it is met."""
+    lines = ["| goal | wanted | reached (95 % interval) | met |", "|---|---|---|---|"]
+    for goal in GOALS:
+        chosen = [r for r in results if goal.cases(r)]
+        hits = sum(goal.hit(r) for r in chosen)
+        met = "-" if not chosen else "yes" if hits >= goal.share * len(chosen) else "no"
+        lines.append(f"| {goal.text} | {100 * goal.share:.0f} % | {rate(hits, len(chosen))} | {met} |")
+    return lines
+
+
+def outcome_table(results: Sequence[Result]) -> list[str]:
+    """Markdown: outcomes by group."""
+    lines = ["| hidden | cases | " + " | ".join(OUTCOMES) + " |", "|---|---|" + "---|" * len(OUTCOMES)]
+    for group, text in GROUPS.items():
+        chosen = [r for r in results if r["case"].get("group") == group]
+        count = Counter(judged(r) for r in chosen)
+        lines.append(f"| {text} | {len(chosen)} | " + " | ".join(str(count[o]) for o in OUTCOMES) + " |")
+    return lines
+
+
+def strength_table(results: Sequence[Result]) -> list[str]:
+    """Markdown: share of right verdicts by size, for groups that hide something."""
+    names = [_bin_name(low, high) for low, high in zip(EDGES[:-1], EDGES[1:], strict=True)]
+    lines = ["| size in noise standard deviations | " + " | ".join(names) + " |", "|---|" + "---|" * len(names)]
+    for group, text in GROUPS.items():
+        if group == "null":
+            continue
+        cells = []
+        for chosen in _binned(results, group):
+            cells.append(rate(sum(judged(r) == "right" for r in chosen), len(chosen)) if chosen else "")
+        lines.append(f"| {text} | " + " | ".join(cells) + " |")
+    return lines
+
+
+def _bin_name(low: float, high: float) -> str:
+    if low == 0:
+        return f"below {high:g}"
+    return f"{low:g} to {high:g}" if isfinite(high) else f"above {low:g}"
+
+
+def _binned(results: Sequence[Result], group: str) -> list[list[Result]]:
+    chosen = [r for r in results if r["case"].get("group") == group]
+    return [[r for r in chosen if low <= size(r) < high] for low, high in zip(EDGES[:-1], EDGES[1:], strict=True)]
+
+
+def confusion(results: Sequence[Result]) -> tuple[list[str], list[str], np.ndarray]:
+    """Rows: what is hidden; columns: what was found; counts. Pairs are left out.
+
+    An ambiguous verdict stands in its own column, whether or not it holds the truth; an identified combination in
+    "several".
+    """
+    rows = [*FAMILIES, "none_of_these", "nothing"]
+    columns = [*FAMILIES, "several", "ambiguous", "unknown", "none_missing", "error"]
+    counts = np.zeros((len(rows), len(columns)), dtype=int)
+    for r in results:
+        group = r["case"].get("group")
+        if group == "pair":
+            continue
+        row = "nothing" if group == "null" else group if group == "none_of_these" else r["case"]["families"][0]
+        counts[rows.index(row), columns.index(_found(r))] += 1
+    return rows, columns, counts
+
+
+def _found(result: Result) -> str:
+    if "error" in result:
+        return "error"
+    verdict = result["diagnosis"]["verdict"]
+    if verdict["kind"] != "identified":
+        return str(verdict["kind"])
+    return str(verdict["families"][0]) if len(verdict["families"]) == 1 else "several"
+
+
+def confusion_table(results: Sequence[Result]) -> list[str]:
+    """Markdown: the confusion matrix; zeros are left out."""
+    rows, columns, counts = confusion(results)
+    lines = ["| hidden \\ found | " + " | ".join(columns) + " |", "|---|" + "---|" * len(columns)]
+    for name, row in zip(rows, counts, strict=True):
+        lines.append(f"| {name} | " + " | ".join(str(v) if v else "" for v in row) + " |")
+    return lines
+
+
+def family_table(results: Sequence[Result]) -> list[str]:
+    """Markdown: right verdicts by family and form, all sizes and visible ones."""
+    lines = ["| family | form | all sizes | at least 3 |", "|---|---|---|---|"]
+    groups: dict[tuple[str, str], list[Result]] = {}
+    for r in results:
+        if r["case"].get("group") in ("catalogue", "new_form", "none_of_these"):
+            hidden = r["case"]["hidden"][0]
+            star = " *" if r["case"]["group"] == "new_form" else ""
+            groups.setdefault((hidden["family"], hidden["form"] + star), []).append(r)
+    for family, form in sorted(groups):
+        chosen = groups[family, form]
+        seen = [r for r in chosen if _visible(r)]
+        right = [sum(judged(r) == "right" for r in some) for some in (chosen, seen)]
+        lines.append(f"| {family} | {form} | {right[0]} of {len(chosen)} | {right[1]} of {len(seen)} |")
+    return lines
+
+
+def failures_table(results: Sequence[Result]) -> list[str]:
+    """Markdown: every case of the goals that was not right, for the reader who wants to look."""
+    lines = ["| case | hidden | size | verdict | named |", "|---|---|---|---|---|"]
+    for r in sorted(results, key=lambda r: int(r["number"])):
+        if judged(r) == "right" or (_single(r) and not _visible(r) and not _no_size(r)):
+            continue
+        hidden = " + ".join(f"{h['family']}:{h['form']}" for h in r["case"].get("hidden", [])) or "nothing"
+        verdict = r.get("diagnosis", {}).get("verdict", {"kind": f"error: {r.get('error', {}).get('where')}"})
+        named = " + ".join(verdict.get("effects", []))
+        lines.append(f"| {r['number']} | {hidden} | {size(r):.1f} | {verdict['kind']} | {named} |")
+    return lines
+
+
+def draw_hit_rate(results: Sequence[Result], file: Path) -> None:
+    """Share of right verdicts over size, with Wilson's intervals, for single effects and pairs."""
+    figure, axes = plt.subplots(figsize=(7.0, 4.2), layout="constrained")
+    for shift, (group, marker) in zip(
+        (0.96, 1.0, 1.04), (("catalogue", "o"), ("new_form", "s"), ("pair", "^")), strict=True
+    ):
+        x, y, low, high = [], [], [], []
+        for chosen in _binned(results, group):
+            if chosen:
+                hits = sum(judged(r) == "right" for r in chosen)
+                ends = wilson(hits, len(chosen))
+                x.append(shift * float(np.exp(np.mean(np.log([max(size(r), 0.05) for r in chosen])))))
+                y.append(hits / len(chosen))
+                low.append(y[-1] - ends[0])
+                high.append(ends[1] - y[-1])
+        # rounding may leave an interval's end a hair on the wrong side
+        bars = np.maximum([low, high], 0.0) if x else None
+        axes.errorbar(x, y, bars, marker=marker, capsize=3, label=GROUPS[group])
+    axes.axhline(0.95, color="0.6", linestyle=":")
+    axes.axvline(_VISIBLE, color="0.6", linestyle=":")
+    axes.set(xscale="log", ylim=(-0.03, 1.03), ylabel="right verdicts",
+             xlabel="size of the effect that no base parameter makes up for, in noise standard deviations")  # fmt: skip
+    axes.legend(loc="lower right", frameon=False)
+    figure.savefig(file, dpi=150)
+    plt.close(figure)
+
+
+def draw_confusion(results: Sequence[Result], file: Path) -> None:
+    """The confusion matrix of cases with a size of at least 3, and of those without a size."""
+    chosen = [r for r in results if _visible(r) or _no_size(r) or r["case"].get("group") == "null"]
+    rows, columns, counts = confusion(chosen)
+    shares = counts / np.maximum(counts.sum(axis=1, keepdims=True), 1)
+    figure, axes = plt.subplots(figsize=(9.0, 7.5), layout="constrained")
+    axes.imshow(shares, cmap="Blues", vmin=0, vmax=1)
+    for (i, j), count in np.ndenumerate(counts):
+        if count:
+            axes.text(j, i, str(count), ha="center", va="center", color="white" if shares[i, j] > 0.6 else "black")
+    axes.set_xticks(range(len(columns)), columns, rotation=60, ha="right")
+    axes.set_yticks(range(len(rows)), rows)
+    axes.set(xlabel="found", ylabel="hidden (visible at 3 standard deviations or more)")
+    figure.savefig(file, dpi=150)
+    plt.close(figure)
+
+
+def draw_outcomes(results: Sequence[Result], file: Path) -> None:
+    """Outcomes by group, as shares."""
+    figure, axes = plt.subplots(figsize=(7.5, 2.8), layout="constrained")
+    for k, group in enumerate(GROUPS):
+        chosen = [r for r in results if r["case"].get("group") == group]
+        count, left = Counter(judged(r) for r in chosen), 0.0
+        for outcome in OUTCOMES:
+            share = count[outcome] / max(len(chosen), 1)
+            axes.barh(k, share, left=left, color=_COLOURS[outcome], label=outcome if k == 0 else None)
+            left += share
+    axes.set_yticks(range(len(GROUPS)), list(GROUPS.values()))
+    axes.invert_yaxis()
+    axes.set(xlim=(0, 1), xlabel="share of cases, all sizes")
+    figure.legend(loc="outside upper center", ncols=len(OUTCOMES), frameon=False)
+    figure.savefig(file, dpi=150)
+    plt.close(figure)
+
+
+def report(results: Sequence[Result]) -> str:
+    """The page as Markdown."""
+    times = [float(r["seconds"]) for r in results if "seconds" in r]
+    middle = f"{np.median(times):.0f} s in the middle, {max(times):.0f} s at most" if times else "not known"
+    away = [e for r in results if (e := excess(r)) is not None and r["diagnosis"]["verdict"]["kind"] == "identified"]
+    spread = (
+        f"Holdout chi-square of identified cases over that of the truth's own noise: {1 + np.median(away):.3f} in the "
+        f"middle, {1 + np.quantile(away, 0.9):.3f} at the 90 % quantile."
+        if away
+        else "No case was identified."
+    )
+    lines = [
+        "# Hidden effects: the blind score", "",
+        f"{len(results)} cases of the set `{'`, `'.join(sorted({str(r['set']) for r in results}))}`. The data come "
+        "from a simulator that shares no code with the software (`tests/reference`, `benchmarks/hidden_effects`). "
+        "Size means: root mean square of what the effect changes, on the signal that shows it most, in standard "
+        "deviations of that signal's noise, after the six free base parameters moved to make up for it; of two "
+        "effects the smaller one. Right means: identified with exactly the hidden families.", "",
+        f"Time of one diagnosis: {middle}. {spread}", "",
+        "## Goals", "", *goals_table(results), "",
+        "## Outcomes", "", *outcome_table(results), "",
+        "*Unknown* under \"nothing hidden\": the noise was taken for structure, but no effect was claimed.", "",
+        "![Outcomes](outcomes.png)", "",
+        "## Hit rate by size", "", *strength_table(results), "",
+        "![Hit rate by size](hit-rate.png)", "",
+        "## What is taken for what", "", "All sizes; the figure shows those of at least 3.", "",
+        *confusion_table(results), "",
+        "![Confusion](confusion.png)", "",
+        "## By form", "", "A star marks forms that the catalogue lacks.", "", *family_table(results), "",
+        "## Cases that were not right", "", "Single effects below 3 standard deviations are left out here.", "",
+        *failures_table(results), "",
+    ]  # fmt: skip
+    return "\n".join(lines)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Command line; returns the exit status."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("results", type=Path, nargs="?", default=default_file("score"))
+    parser.add_argument("--out", type=Path, default=None, help="folder; default: beside the results")
+    options = parser.parse_args(arguments)
+    results = list(read_results(options.results).values())
+    if not results:
+        parser.error(f"{options.results} holds no results; run score.py first")
+    out = options.out or options.results.with_suffix("")
+    out.mkdir(parents=True, exist_ok=True)
+    (out / "report.md").write_text(report(results))
+    draw_hit_rate(results, out / "hit-rate.png")
+    draw_confusion(results, out / "confusion.png")
+    draw_outcomes(results, out / "outcomes.png")
+    print("\n".join([*goals_table(results), "", *outcome_table(results)]))
+    print(f"\n{out / 'report.md'}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,146 @@
+"""How large an effect is, in standard deviations of the noise, before and after the base parameters made up for it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from benchmarks.hidden_effects.noise import SIGNALS
+from benchmarks.hidden_effects.plans import TestRun
+from tests.reference.effects.base import Effect
+from tests.reference.muscle import MuscleParameters, simulate_muscle
+
+Array = np.ndarray
+Signals = dict[str, Array]
+_RTOL = 1e-6  # leaves an error below 1 Pa and 0.1 um
+
+
+@dataclass(frozen=True)
+class FreeParameter:
+    """A base parameter that experiment.toml leaves free.
+
+    Attributes:
+        name: as the bench calls it. field: as the simulator calls it.
+        low, high, true: bounds and truth [SI]. nominal: the value in [parameters] from which a fit starts; None
+            where the bench's own default is the start.
+    """
+
+    name: str
+    field: str
+    low: float
+    high: float
+    true: float
+    nominal: float | None = None
+
+
+@dataclass(frozen=True)
+class Bench:
+    """The true rig of one case: a muscle, a plan and what is free."""
+
+    muscle: MuscleParameters
+    plan: tuple[TestRun, ...]
+    free: tuple[FreeParameter, ...]
+
+    def simulate(self, effects: Sequence[Effect] = (), changed: Mapping[str, float] | None = None) -> list[Signals]:
+        """Noise-free signals of every run, with simulator's fields `changed`.
+
+        Raises RuntimeError when a run cannot be simulated.
+        """
+        found = []
+        for run in self.plan:
+            muscle = replace(self.muscle, **{"load": run.load, **(changed or {})})
+            t = simulate_muscle(muscle, run.p_supply, run.schedule, run.times, effects, _RTOL, "LSODA")
+            signals = {"p": t.p, "x": t.x, "T": t.temperature}
+            if not all(np.isfinite(y).all() for y in signals.values()):
+                raise RuntimeError("the simulation left the numbers")
+            found.append(signals)
+        return found
+
+    def roles(self) -> Array:
+        """For every sample of every run in order: whether it is of role fit; shape (samples,)."""
+        return np.concatenate([np.full(run.samples, run.role == "fit") for run in self.plan])
+
+
+def joined(signals: Sequence[Signals], name: str) -> Array:
+    """One signal over all runs, shape (samples,)."""
+    return np.concatenate([run[name] for run in signals])
+
+
+class Ruler:
+    """Measures effects against the base simulation of a bench and its sensitivities, which it makes once."""
+
+    def __init__(self, bench: Bench) -> None:
+        self.bench = bench
+        self.base = bench.simulate()
+        self._seen: dict[Effect, list[Signals]] = {}
+        self._slopes: list[list[Signals]] = []
+        self._steps: list[float] = []
+        for p in bench.free:
+            step = 0.02 * (p.high - p.low)
+            self._steps.append(step)
+            self._slopes.append(bench.simulate((), {p.field: p.true + step}))
+
+    def sizes(self, with_effect: Sequence[Signals], sigma: Mapping[str, float]) -> tuple[dict[str, float], ...]:
+        """Root mean square differences by signal in sigma: plain, and what the free parameters cannot make up for.
+
+        The free parameters move linearly, to fit the runs of role fit best; all runs are then counted.
+        """
+        count = len(self.bench.roles())
+        away = np.concatenate([(joined(with_effect, n) - joined(self.base, n)) / sigma[n] for n in SIGNALS])
+        slopes = np.stack(
+            [np.concatenate([(joined(s, n) - joined(self.base, n)) / sigma[n] for n in SIGNALS]) for s in self._slopes],
+            axis=1,
+        )
+        fitted = np.tile(self.bench.roles(), len(SIGNALS))
+        moved = np.linalg.lstsq(slopes[fitted], away[fitted], rcond=1e-8)[0]
+        left = away - slopes @ moved
+        return tuple(
+            {n: float(np.sqrt(np.mean(v[k * count : (k + 1) * count] ** 2))) for k, n in enumerate(SIGNALS)}
+            for v in (away, left)
+        )
+
+    def simulated(self, effects: Sequence[Effect]) -> list[Signals]:
+        """As the bench's own, without doing the same work twice. Raises RuntimeError as that does."""
+        if len(effects) != 1:
+            return self.bench.simulate(effects)
+        if effects[0] not in self._seen:
+            self._seen[effects[0]] = self.bench.simulate(effects)
+        return self._seen[effects[0]]
+
+    def size(self, effect: Effect, sigma: Mapping[str, float]) -> float:
+        """The projected size on the signal that shows the effect most."""
+        return max(self.sizes(self.simulated([effect]), sigma)[1].values())
+
+
+def calibrated(
+    ruler: Ruler, make: Callable[[float], Effect], sigma: Mapping[str, float], target: float, low: float, high: float
+) -> tuple[float, float]:
+    """Strength within [low, high] at which the projected size is near `target`, and the size there.
+
+    Up to four simulations of the plan; within 20 % of the target where the bounds allow it. A strength that cannot be
+    simulated is quartered. Raises RuntimeError when nothing can be simulated.
+    """
+    seen: list[tuple[float, float]] = []
+    strength = min(max(1.0, low), high)
+    for _ in range(5):
+        try:
+            seen.append((strength, max(ruler.size(make(strength), sigma), 1e-9)))
+        except (RuntimeError, OverflowError, ZeroDivisionError, ValueError):
+            high = strength
+            strength = max(strength / 4, low)
+            continue
+        if abs(np.log(seen[-1][1] / target)) < 0.2 or len(seen) == 3:
+            break
+        power = 1.0
+        if len(seen) > 1 and seen[-1][0] != seen[-2][0]:
+            power = float(np.log(seen[-1][1] / seen[-2][1]) / np.log(seen[-1][0] / seen[-2][0]))
+        proposed = strength * (target / seen[-1][1]) ** (1 / min(max(power, 0.4), 3.0))
+        proposed = float(min(max(proposed, low), high))
+        if proposed == strength:
+            break
+        strength = proposed
+    if not seen:
+        raise RuntimeError("no strength of this effect can be simulated")
+    return min(seen, key=lambda pair: abs(np.log(pair[1] / target)))

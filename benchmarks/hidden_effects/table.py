@@ -1,0 +1,342 @@
+"""The visible table: which form of which family, in which set, how it is drawn and how its strength is set.
+
+`catalogue` says whether modelica/PneumaticMuscle/Effects has the same law. A family with several laws in the
+catalogue shows some of them in the tuning set and the others in the score set; forms that the catalogue lacks never
+occur in both sets. Only where the catalogue has one law (dead volume), both sets use it.
+
+`make(rng, muscle)` draws what does not measure strength and returns a function from strength to effect; strength 1 is
+an ordinary size, strength 0 would be none, and `low` and `high` are what physics and the catalogue's bounds allow.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from benchmarks.hidden_effects.physics import force, gas, heat, strange
+from tests.reference.effects import force as known_force
+from tests.reference.effects import gas as known_gas
+from tests.reference.effects import heat as known_heat
+from tests.reference.effects import sensor as known_sensor
+from tests.reference.effects import valve as known_valve
+from tests.reference.effects.base import Effect
+from tests.reference.muscle import MuscleParameters
+
+SETS = ("tuning", "score")
+Make = Callable[[np.random.Generator, MuscleParameters], Callable[[float], Effect]]
+
+
+@dataclass(frozen=True)
+class Form:
+    """One line of the table.
+
+    low, high: bounds of the strength. sign: whether half of the cases have a negative strength.
+    """
+
+    family: str
+    name: str
+    sets: tuple[str, ...]
+    catalogue: bool
+    make: Make
+    low: float = 1e-4
+    high: float = 12.0
+    signed: bool = False
+
+
+def _spread(rng: np.random.Generator, low: float, high: float) -> float:
+    """Between low and high, evenly by order of magnitude."""
+    return float(np.exp(rng.uniform(np.log(low), np.log(high))))
+
+
+def _plain(kind: type[Effect], parameter: str, unit: float, /, **shapes: tuple[float, float]) -> Make:
+    """`parameter` = unit times strength; further parameters are drawn between bounds."""
+
+    def make(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+        drawn = {name: _spread(rng, *bounds) for name, bounds in shapes.items()}
+        return lambda s: kind(**{parameter: unit * s}, **drawn)
+
+    return make
+
+
+def _excess(kind: type[Effect], parameter: str, unit: float) -> Make:
+    """`parameter` = 1 + unit times strength."""
+    return lambda rng, muscle: lambda s: kind(**{parameter: 1 + unit * s})
+
+
+def _mooney_rivlin(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    ratio = _spread(rng, 0.02, 0.2)
+    shape = {
+        "length": muscle.length, "diameter": muscle.diameter, "thickness": muscle.t_wall, "turns": muscle.turns,
+    }  # fmt: skip
+    unit = 1.2e5 * 0.254e-3 / muscle.t_wall
+    return lambda s: known_force.MooneyRivlin(c10=unit * s, c01=ratio * unit * s, **shape)
+
+
+def _young(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    unit = 6e5 * 0.254e-3 / muscle.t_wall
+    return lambda s: force.YoungTube(unit * s, muscle.length, muscle.diameter, muscle.t_wall, muscle.turns)
+
+
+def _cubic(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    k1, k3 = rng.uniform(40.0, 150.0), _spread(rng, 2e4, 1e5)
+    return lambda s: known_force.CubicSpring(k1 * s, k3 * s)
+
+
+def _exponential(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    x0 = muscle.length * rng.uniform(0.1, 0.2)
+    return lambda s: known_force.ExponentialSpring(5.0 * s, x0)
+
+
+def _locking(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    x_lock = muscle.length * rng.uniform(0.36, 0.46)
+    return lambda s: force.LockingSpring(120.0 * s, x_lock)
+
+
+def _load_rate(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    return lambda s: force.LoadRate(0.5 * s, muscle.length, muscle.fibre_squared, muscle.turns)
+
+
+def _kerscher(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    eps_0 = _spread(rng, 0.05, 0.2)
+    return lambda s: force.KerscherEnds(0.1 * s, eps_0, muscle.length)
+
+
+def _bulging(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    return lambda s: force.BulgingEnds(0.4 * s, muscle.length)
+
+
+def _tube(kind: type[Effect], parameter: str, unit: float, volume: tuple[float, float] | None) -> Make:
+    """A resistance that grows with strength; a volume that counts shrinks with a weak line, so that the line goes."""
+
+    def make(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+        drawn = 3e-7 if volume is None else _spread(rng, *volume)
+
+        def at(s: float) -> Effect:
+            counted = drawn if volume is None else max(drawn * min(s, 2.0), 3e-7)
+            return kind(**{parameter: unit / s, "volume": counted})
+
+        return at
+
+    return make
+
+
+def _fraction(kind: type[Effect], unit: float, /, **shapes: tuple[float, float]) -> Make:
+    """A heat capacity that falls with strength, and the conductance to ambient that falls with it."""
+
+    def make(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+        drawn = {name: _spread(rng, *bounds) for name, bounds in shapes.items()}
+        return lambda s: kind(capacity=unit / s, **drawn)
+
+    return make
+
+
+def _storage(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    """The base wall is the one without capacity and with equal films."""
+    r, half = _spread(rng, 0.5, 4.0), muscle.t_wall / (2 * muscle.k_wall)
+    area = muscle.bare_area(0.1 * muscle.length)
+    return lambda s: heat.StorageWall(0.4 * s, r ** min(s, 1.0), muscle.h_film, half, area)
+
+
+def _late_heat(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    tau = _spread(rng, 0.1, 0.5)
+    crossing = muscle.crossing_area * muscle.mu_d * muscle.k_f
+    return lambda s: heat.LateHeat(s, tau, crossing)
+
+
+def _curved_pressure(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    c = rng.uniform(0.5, 1.5)
+    return lambda s: heat.CurvedPressure(3e3 * s, c)
+
+
+def _fixed(kind: type[Effect], /, **shapes: tuple[float, float]) -> Make:
+    """Without a strength: what remains is how loud the noise is."""
+
+    def make(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+        drawn = {name: _spread(rng, *bounds) for name, bounds in shapes.items()}
+        return lambda s: kind(**drawn)
+
+    return make
+
+
+def _fixed_form(
+    family: str, name: str, sets: tuple[str, ...], catalogue: bool, kind: type[Effect], /,
+    **shapes: tuple[float, float],
+) -> Form:  # fmt: skip
+    return Form(family, name, sets, catalogue, _fixed(kind, **shapes), 1.0, 1.0)
+
+
+def _ripple(kind: type[Effect], unit: float) -> Make:
+    def make(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+        pitch = rng.uniform(4e-3, 1e-2)
+        return lambda s: kind(size=unit * s, pitch=pitch)
+
+    return make
+
+
+def _swing(kind: type[Effect], parameter: str, unit: float, frequency: tuple[float, float]) -> Make:
+    def make(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+        shape = {"frequency": _spread(rng, *frequency), "phase": rng.uniform(0.0, 6.28)}
+        return lambda s: kind(**{parameter: unit * s}, **shape)
+
+    return make
+
+
+def _swinging_load(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    shape = {"frequency": _spread(rng, 1.2, 4.0), "damping": _spread(rng, 0.01, 0.08)}
+    return lambda s: strange.SpringLoad(part=0.3 * s, **shape)
+
+
+def _second_weight(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    x_1 = muscle.length * rng.uniform(0.1, 0.2)
+    return lambda s: strange.SecondWeight(0.5 * s, x_1)
+
+
+def _sticky(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    start = int(rng.integers(0, 1000))
+    return lambda s: strange.StickyValves(0.15 * s, start)
+
+
+T, S, BOTH = ("tuning",), ("score",), SETS
+f, g, h, n = force, gas, heat, strange
+
+FORMS: tuple[Form, ...] = (
+    # family, form, sets, in the catalogue, ...
+    Form("elasticity", "linear", T, True, _plain(known_force.LinearSpring, "k", 250.0)),
+    Form("elasticity", "mooney_rivlin", T, True, _mooney_rivlin),
+    Form("elasticity", "young", S, True, _young),
+    Form("elasticity", "cubic", S, True, _cubic),
+    Form("elasticity", "exponential", T, False, _exponential),
+    Form("elasticity", "locking", T, False, _locking),
+    Form("elasticity", "arctan", S, False, _plain(f.ArctanSpring, "f0", 10.0, x0=(0.01, 0.04))),
+    Form("elasticity", "logarithmic", S, False, _plain(f.LogSpring, "f0", 8.0, x0=(0.005, 0.03))),
+    Form("dry_friction", "coulomb", T, True, _plain(known_force.Coulomb, "f_c", 8.0, width=(1e-4, 2e-3))),
+    Form("dry_friction", "dahl", S, True, lambda rng, m: _dahl(rng)),
+    Form("dry_friction", "maxwell_slip", S, True, _plain(f.MaxwellSlip, "f_c", 8.0, travel=(5e-4, 4e-3))),
+    Form("dry_friction", "stribeck", T, False,
+         _plain(f.Stribeck, "f_c", 8.0, a=(0.2, 0.6), v_s=(0.005, 0.02), width=(2e-4, 1e-3))),
+    Form("dry_friction", "lugre", S, False,
+         _plain(f.LuGre, "f_c", 8.0, travel=(1e-4, 1e-3), a=(0.2, 0.5), v_s=(0.005, 0.02))),
+    Form("dry_friction", "pressed", S, False, _plain(f.PressedFriction, "c", 4e-5, p_0=(3e4, 1e5), width=(2e-4, 1e-3))),
+    Form("rate_friction", "viscous", T, True, _plain(known_force.Viscous, "c", 300.0)),
+    Form("rate_friction", "power", T, True, _plain(known_force.PowerViscous, "c", 60.0, a=(0.45, 0.8))),
+    Form("rate_friction", "pressure", S, True, _plain(known_force.PressureViscous, "c", 3e-3)),
+    Form("rate_friction", "load_rate", S, True, _load_rate),
+    Form("rate_friction", "growing", T, False, _plain(f.GrowingViscous, "c", 120.0, x_0=(0.01, 0.05))),
+    Form("rate_friction", "eyring", S, False, _plain(f.Eyring, "c", 600.0, v_0=(0.005, 0.03))),
+    Form("rate_friction", "one_sided", S, False, _plain(f.OneSidedViscous, "c", 300.0, share=(0.1, 0.5))),
+    Form("creep", "maxwell", T, True, _plain(known_force.Creep, "k", 400.0, tau=(0.5, 4.0))),
+    Form("creep", "prony", S, True, _plain(f.Prony, "k", 250.0, ratio=(0.3, 2.0), tau=(0.3, 1.5))),
+    Form("creep", "eyring", T, False, _plain(f.EyringCreep, "k", 400.0, tau=(1.0, 5.0), x_0=(0.008, 0.03))),
+    Form("creep", "fractional", S, False, _plain(f.FractionalCreep, "k", 150.0, a=(0.1, 0.5))),
+    Form("end_shape", "tondu", T, True, _excess(known_force.TonduEnds, "k", 0.06), high=8.0),
+    Form("end_shape", "kang", S, True, _plain(known_force.KangEnds, "c1", 0.2, p0=(5e4, 3e5)), high=15.0),
+    Form("end_shape", "kerscher", S, True, _kerscher, high=6.0),
+    Form("end_shape", "bulging", T, False, _bulging, high=4.0),
+    Form("end_shape", "spread", S, False, _plain(f.SpreadEnds, "c", 0.15, p_0=(2e5, 4e5)), high=8.0),
+    Form("moving_mass", "hanging", T, True, _plain(known_force.HangingMass, "m", 0.5)),
+    Form("moving_mass", "balanced", S, True, _plain(f.BalancedMass, "m", 3.0)),
+    Form("moving_mass", "counterweight", T, False, _plain(f.Counterweight, "m", 1.5, w=(0.15, 0.4))),
+    Form("moving_mass", "lever", S, False, _plain(f.Lever, "m", 2.0, x_0=(0.03, 0.1))),
+    Form("valve_dynamics", "lag", T, True, _plain(known_valve.ValveLag, "tau", 0.05)),
+    Form("valve_dynamics", "dead_time", S, True, _plain(known_valve.ValveDeadTime, "dead_time", 0.05), high=8.0),
+    Form("valve_dynamics", "second_order", S, True, lambda rng, m: _second_order(rng)),
+    Form("valve_dynamics", "two_speeds", T, False, _plain(g.TwoSpeedValve, "tau", 0.06, ratio=(0.3, 0.7))),
+    Form("valve_dynamics", "rate_limit", S, False, _plain(g.SlowRateValve, "time_per_amp", 0.3)),
+    Form("valve_dynamics", "delayed_lag", S, False, _plain(g.DelayedLagValve, "tau", 0.03), high=15.0),
+    Form("valve_area", "back_pressure", T, True, _plain(known_valve.BackPressure, "beta", 0.15), high=5.5),
+    Form("valve_area", "current_offset", S, True, _plain(g.CurrentOffset, "u_0", 0.01), high=5.0, signed=True),
+    Form("valve_area", "unequal", S, True, _excess(g.UnequalAreas, "r", 0.1), high=6.0, signed=True),
+    Form("valve_area", "lifted_seat", T, False, _plain(g.PumpedArea, "beta", 0.08), high=6.0, signed=True),
+    Form("valve_area", "curved", S, False, _plain(g.CurvedArea, "c", 0.2), high=6.0, signed=True),
+    Form("valve_area", "pressed", S, False, _plain(g.PressedArea, "beta", 0.08), high=10.0),
+    Form("supply_line", "long", T, True, _tube(g.LongTube, "area", 5e-7, (2e-6, 1.5e-5)), 0.1, 20.0),
+    Form("supply_line", "orifice", S, True, _tube(g.OrificeTube, "area", 5e-7, None), 0.1, 20.0),
+    Form("supply_line", "laminar", S, True, _tube(g.LaminarTube, "conductance", 4e-9, None), 0.02, 15.0),
+    Form("supply_line", "turbulent", T, False, _tube(g.TurbulentTube, "c", 1.2e-9, (1e-6, 8e-6)), 0.1, 10.0),
+    Form("supply_line", "two_lumps", S, False, _tube(g.TwoLumpTube, "conductance", 4e-9, (2e-6, 1.5e-5)), 0.05, 15.0),
+    Form("supply_line", "forchheimer", S, False,
+         _tube(g.ForchheimerTube, "conductance", 6e-9, (1e-6, 8e-6)), 0.05, 15.0),
+    Form("dead_volume", "constant", BOTH, True, _plain(known_gas.DeadVolume, "volume", 1.5e-5)),
+    Form("dead_volume", "isothermal", T, False, _plain(g.CoolChamber, "volume", 1.5e-5)),
+    Form("dead_volume", "throttled", S, False, _plain(g.SideChamber, "volume", 1.5e-5, conductance=(2e-9, 1e-8))),
+    Form("leak", "orifice", T, True, _plain(known_gas.OrificeLeak, "diameter", 1e-4), 0.01, 6.0),
+    Form("leak", "laminar", S, True, _plain(known_gas.LaminarLeak, "conductance", 2e-11), 1e-4, 40.0),
+    Form("leak", "turbulent", T, False, _plain(g.TurbulentLeak, "c", 6e-9)),
+    Form("leak", "squared", S, False, _plain(g.SquaredLeak, "c", 4e-17)),
+    Form("leak", "lifting", S, False, _plain(g.LiftingLeak, "conductance", 4e-11, p_0=(3e4, 9e4))),
+    _fixed_form("gas_energy", "film", T, True, known_heat.GasEnergy, h=(8.0, 60.0)),
+    _fixed_form("gas_energy", "convective", S, True, h.StirredGas, h=(4.0, 10.0), h_1=(10.0, 100.0)),
+    _fixed_form("gas_energy", "free_convection", T, False, h.FreeConvectionGas, h=(8.0, 60.0)),
+    _fixed_form("gas_energy", "dense", S, False, h.DenseGas, h=(6.0, 30.0), a=(0.4, 0.9)),
+    Form("wall_heat", "lumped", T, True, _fraction(known_heat.WarmWall, 0.4, g_out=(0.005, 0.04)), 0.01, 20.0),
+    Form("wall_heat", "storage", S, True, _storage, 0.01, 20.0),
+    Form("wall_heat", "free_convection", T, False,
+         _fraction(h.FreeConvectionWall, 0.4, g_out=(0.005, 0.04)), 0.01, 20.0),
+    Form("wall_heat", "two_layers", S, False,
+         _fraction(h.TwoLayerWall, 0.3, ratio=(1.0, 5.0), between=(0.03, 0.2), g_out=(0.005, 0.04)), 0.01, 20.0),
+    Form("friction_heat", "fibre", T, True, _plain(h.FibreHeat, "share", 1.0), high=1.0),
+    Form("friction_heat", "share", S, True, _plain(known_heat.FrictionHeat, "share", 1.0), high=1.0),
+    Form("friction_heat", "late", T, False, _late_heat, high=1.0),
+    Form("friction_heat", "contraction", S, False, _plain(h.RisingHeat, "share", 1.0), high=1.0),
+    Form("thermocouple_lag", "first_order", T, True, _plain(known_sensor.ThermocoupleLag, "tau", 0.15)),
+    Form("thermocouple_lag", "sheath", S, True, _plain(h.Sheath, "tau", 0.15, r=(0.1, 0.8))),
+    Form("thermocouple_lag", "blown", T, False, _plain(h.BlownThermocouple, "tau", 0.3, m_0=(1e-5, 1e-4))),
+    Form("thermocouple_lag", "two_parts", S, False, _plain(h.TwoPartThermocouple, "tau", 0.1, share=(0.3, 0.7))),
+    Form("pressure_offset", "constant", T, True,
+         _plain(known_sensor.PressureOffset, "offset", 3e3), high=15.0, signed=True),
+    Form("pressure_offset", "gain", S, True, _excess(known_sensor.PressureGain, "gain", 0.03), high=10.0, signed=True),
+    Form("pressure_offset", "offset_and_gain", T, False, lambda rng, m: _offset_and_gain(rng), high=10.0, signed=True),
+    Form("pressure_offset", "fading", S, False,
+         _plain(h.SaturatingPressure, "offset", 5e3, p_0=(8e4, 3e5)), signed=True),
+    Form("pressure_offset", "curved", S, False, _curved_pressure, high=10.0, signed=True),
+)  # fmt: skip
+"""Forms of the sixteen families."""
+
+STRANGE: tuple[Form, ...] = (
+    Form("none_of_these", "force_ripple", T, False, _ripple(n.ForceRipple, 5.0), high=6.0),
+    Form("none_of_these", "pumping_supply", T, False, _swing(n.PumpingSupply, "share", 0.05, (0.3, 1.5)), high=6.0),
+    Form("none_of_these", "drifting_ruler", T, False,
+         _plain(n.DriftingRuler, "size", 1e-3, period=(4.0, 12.0)), high=8.0),
+    Form("none_of_these", "swinging_load", T, False, _swinging_load, high=2.5),
+    Form("none_of_these", "snubbed_manometer", T, False, _plain(n.SnubbedManometer, "tau", 0.05), high=8.0),
+    Form("none_of_these", "sensor_backlash", S, False, _plain(n.SensorBacklash, "gap", 1e-3), high=5.0),
+    Form("none_of_these", "second_weight", S, False, _second_weight, high=4.0),
+    Form("none_of_these", "vibration", S, False, _swing(n.Vibration, "size", 4.0, (0.6, 3.0)), high=6.0),
+    Form("none_of_these", "sticky_valves", S, False, _sticky, high=5.0),
+    Form("none_of_these", "filtered_ruler", S, False, _plain(n.FilteredRuler, "tau", 0.05), high=8.0),
+    Form("none_of_these", "encoder_error", S, False, _ripple(n.EncoderError, 5e-4)),
+)  # fmt: skip
+"""Effects in no family."""
+
+FAMILIES: tuple[str, ...] = tuple(dict.fromkeys(form.family for form in FORMS))
+"""The sixteen, in the order of the table."""
+
+
+def _dahl(rng: np.random.Generator) -> Callable[[float], Effect]:
+    travel = _spread(rng, 1e-4, 2e-3)
+    return lambda s: known_force.Dahl(8.0 * s, 8.0 * s / travel)
+
+
+def _second_order(rng: np.random.Generator) -> Callable[[float], Effect]:
+    zeta = rng.uniform(0.4, 1.2)
+    return lambda s: known_valve.ValveSecondOrder(30.0 / s, zeta)
+
+
+def _offset_and_gain(rng: np.random.Generator) -> Callable[[float], Effect]:
+    p_0 = rng.uniform(3e4, 1.2e5)
+    return lambda s: heat.OffsetAndGain(1 + 0.04 * s, p_0)
+
+
+def forms(which: str, catalogue: bool) -> dict[str, tuple[Form, ...]]:
+    """Forms of a set by family, those that the catalogue has or those that it lacks."""
+    return {
+        family: tuple(x for x in FORMS if x.family == family and which in x.sets and x.catalogue is catalogue)
+        for family in FAMILIES
+    }
+
+
+def strange_forms(which: str) -> tuple[Form, ...]:
+    """Effects in no family, of a set."""
+    return tuple(form for form in STRANGE if which in form.sets)

@@ -1,0 +1,268 @@
+"""The blind score: what its generator promises. Nothing is diagnosed here."""
+
+from __future__ import annotations
+
+import ast
+import hashlib
+import json
+from collections import Counter
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from benchmarks.hidden_effects import table
+from benchmarks.hidden_effects.cases import GROUPS, PERIOD, SEEDS, case_of, make, write
+from benchmarks.hidden_effects.noise import SIGNALS
+from benchmarks.hidden_effects.outcome import excess, judged
+from benchmarks.hidden_effects.plans import draw_muscle, draw_plan
+from benchmarks.hidden_effects.report import main as report_main
+from benchmarks.hidden_effects.report import wilson
+from benchmarks.hidden_effects.sizes import Bench, Ruler
+from tests.reference.effects.force import Creep, LinearSpring
+from tests.reference.effects.gas import LaminarLeak
+from tests.reference.effects.sensor import PressureOffset, ThermocoupleLag
+from tests.reference.effects.valve import ValveLag
+from tests.reference.muscle import MuscleParameters, simulate_muscle
+from tests.reference.schedule import SampledSchedule
+
+CASES = 300
+
+
+def _number(group: str, which: str = "tuning") -> int:
+    return next(n for n in range(PERIOD) if case_of(which, n).group == group)
+
+
+def _digest(folder: Path) -> dict[str, str]:
+    return {p.name: hashlib.sha256(p.read_bytes()).hexdigest() for p in sorted(folder.iterdir())}
+
+
+def test_same_case_gives_the_same_bytes(tmp_path):
+    made = [make(case_of("tuning", _number("new_form"))) for _ in range(2)]
+    for k, one in enumerate(made):
+        write(one, tmp_path / str(k))
+    assert _digest(tmp_path / "0") == _digest(tmp_path / "1")
+    assert made[0].description == made[1].description
+    assert json.loads(json.dumps(made[0].description)) == made[0].description
+
+
+def test_composition_and_a_fair_prefix():
+    assert Counter(case_of("score", n).group for n in range(CASES)) == {
+        "catalogue": 150, "new_form": 60, "pair": 30, "null": 35, "none_of_these": 25,
+    }  # fmt: skip
+    start = Counter(case_of("score", n).group for n in range(20))
+    for group, count in GROUPS.items():
+        assert abs(start[group] - 20 * count / PERIOD) < 1.5
+    families = Counter(
+        f.family for n in range(64) for f in case_of("score", n).hidden if len(case_of("score", n).hidden) == 1
+    )
+    assert set(table.FAMILIES) <= set(families)
+
+
+@pytest.mark.parametrize("which", SEEDS)
+def test_every_form_of_a_set_is_used(which):
+    used = {(f.family, f.name) for n in range(CASES) for f in case_of(which, n).hidden}
+    assert used == {(f.family, f.name) for f in (*table.FORMS, *table.STRANGE) if which in f.sets}
+
+
+def test_sets_are_disjoint():
+    forms = {which: {(f.family, f.name) for n in range(CASES) for f in case_of(which, n).hidden} for which in SEEDS}
+    assert forms["tuning"] & forms["score"] == {("dead_volume", "constant")}  # the catalogue has no second law
+    first = {which: case_of(which, 0).rng(1).random(4).tolist() for which in SEEDS}
+    assert first["tuning"] != first["score"]
+
+
+def test_every_family_has_a_form_of_either_kind_in_both_sets():
+    assert len(table.FAMILIES) == 16
+    for which in SEEDS:
+        for catalogue in (True, False):
+            assert all(table.forms(which, catalogue)[family] for family in table.FAMILIES)
+
+
+def test_the_simulation_does_not_import_the_software():
+    here = Path(__file__).parents[2]
+    for file in [*(here / "benchmarks/hidden_effects").rglob("*.py"), *(here / "tests/reference").rglob("*.py")]:
+        if file.name == "one.py":
+            continue
+        for node in ast.walk(ast.parse(file.read_text())):
+            names = [a.name for a in node.names] if isinstance(node, ast.Import) else []
+            names += [node.module or ""] if isinstance(node, ast.ImportFrom) else []
+            assert not any(name.startswith("pam_cosim") for name in names), file
+
+
+def test_nothing_hidden_leaves_the_noise_alone():
+    made = make(case_of("tuning", _number("null")))
+    assert made.description["families"] == []
+    assert made.description["size"] == {k: dict.fromkeys(SIGNALS, 0.0) for k in ("plain", "projected")}
+    sensors = replace(made.sensors, outliers=0.0)
+    if made.sensors == sensors and sensors.colour != "drift":
+        for name in SIGNALS:
+            found = made.description["noise"]["fit"][name]["mean_square"] ** 0.5
+            assert found == pytest.approx(sensors.sigma[name], rel=0.15)
+
+
+def test_the_data_do_not_say_what_is_hidden(tmp_path):
+    made = make(case_of("tuning", 0))
+    write(made, tmp_path)
+    text = (tmp_path / "experiment.toml").read_text()
+    assert made.description["hidden"][0]["family"] not in text
+    assert sorted(p.name for p in tmp_path.iterdir())[0] == "experiment.toml"
+    assert len(list(tmp_path.iterdir())) == len(made.bench.plan) + 1
+
+
+@pytest.fixture(scope="module")
+def ruler():
+    rng = np.random.default_rng(5)
+    muscle = draw_muscle(rng)
+    plan = draw_plan(rng, muscle, one_load=False)[:2]
+    made = make(case_of("tuning", _number("null")))
+    free = tuple(p for p in made.bench.free if p.nominal is None)
+    return Ruler(Bench(replace(muscle, **{p.field: p.true for p in free}), plan, free))
+
+
+@pytest.mark.parametrize(
+    "at",
+    [
+        lambda s: LinearSpring(100 * s), lambda s: Creep(100 * s), lambda s: LaminarLeak(1e-11 * s),
+        lambda s: ValveLag(0.02 * s), lambda s: ThermocoupleLag(0.05 * s), lambda s: PressureOffset(1e3 * s),
+    ],
+)  # fmt: skip
+def test_sizes_grow_with_strength_and_shrink_by_projection(ruler, at):
+    sigma = {"p": 500.0, "x": 2e-4, "T": 0.3}
+    found = [ruler.sizes(ruler.simulated([at(s)]), sigma) for s in (0.25, 1.0, 4.0)]
+    for signal in SIGNALS:
+        plain = [one[0][signal] for one in found]
+        assert plain == sorted(plain) or max(plain) < 1e-3  # a thermometer's lag does nothing to p and x
+    largest = [max(one[1].values()) for one in found]
+    assert largest == sorted(largest)
+    assert largest[0] > 0
+    for plain, projected in found:
+        # a fit to the runs of role fit can make others worse, but not by much here
+        assert sum(v**2 for v in projected.values()) < 1.3 * sum(v**2 for v in plain.values())
+
+
+def test_what_a_free_parameter_does_is_projected_away(ruler):
+    p = ruler.bench.free[0]
+    changed = ruler.bench.simulate((), {p.field: p.true + 0.01 * (p.high - p.low)})
+    plain, projected = ruler.sizes(changed, {"p": 500.0, "x": 2e-4, "T": 0.3})
+    assert max(plain.values()) > 0.5
+    assert max(projected.values()) < 0.1 * max(plain.values())
+
+
+FORMS = [*table.FORMS, *table.STRANGE]
+
+
+@pytest.mark.parametrize("form", FORMS, ids=lambda f: f"{f.family}-{f.name}")
+def test_every_form_changes_what_is_measured_and_vanishes_with_its_strength(form):
+    muscle = MuscleParameters(load=3.0)
+    plan = draw_plan(np.random.default_rng(11), muscle, one_load=True)[:1]
+    short = replace(plan[0], samples=501)
+    bench = Bench(muscle, (short,), ())
+    base = bench.simulate()[0]
+    at = form.make(np.random.default_rng(3), muscle)
+
+    def change(strength: float) -> float:
+        found = bench.simulate([at(strength)])[0]
+        return max(float(np.abs(found[n] - base[n]).max()) / s for n, s in (("p", 500.0), ("x", 2e-4), ("T", 0.3)))
+
+    ordinary = change(min(1.0, form.high))
+    assert ordinary > 0.05
+    if form.low < 1.0:
+        assert change(max(form.low, 0.02)) < 0.7 * ordinary
+
+
+def test_sampled_currents_are_joined_by_lines():
+    schedule = SampledSchedule.joined([(0.0, 0.0), (0.3, 0.0), (0.3, 0.1), (0.0, 0.1)], 0.01)
+    assert schedule.at(0.005) == pytest.approx((0.15, 0.0))
+    assert schedule.at(0.025) == pytest.approx((0.15, 0.1))
+    assert schedule.at(-1.0) == (0.0, 0.0)
+    assert schedule.at(9.0) == (0.0, 0.1)
+    assert schedule.starts == pytest.approx((0.01, 0.02))
+    assert schedule.delayed(0.1).at(0.105) == pytest.approx((0.15, 0.0))
+
+
+def test_lines_between_samples_are_integrated_as_fine_steps_are():
+    muscle = MuscleParameters()
+    times = np.arange(101) / 100
+    rising = SampledSchedule.joined([(0.145 + 0.002 * k, 0.0) for k in range(101)], 0.01)
+    fine = SampledSchedule.joined([(0.145 + 0.0002 * k, 0.0) for k in range(1001)], 0.001)
+    a, b = (simulate_muscle(muscle, 2e5, s, times) for s in (rising, fine))
+    assert a.p == pytest.approx(b.p, abs=2.0)
+
+
+# --- judging ------------------------------------------------------------------------------------------------
+
+
+def _result(group: str, families: list[str], kind: str, found: list[str]) -> dict:
+    hidden = [{"family": f, "form": "x", "size": 5.0} for f in families]
+    size = {"projected": {"p": 5.0 if families else 0.0, "x": 0.0, "T": 0.0}}
+    return {
+        "set": "score", "number": 0, "seconds": 1.0,
+        "case": {"group": group, "families": families, "hidden": hidden, "size": size},
+        "diagnosis": {
+            "verdict": {"kind": kind, "families": found, "effects": found},
+            "chi2": {"holdout": {"base": 9.0, "final": 1.05, "noise": 1.0}},
+        },
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("group", "true", "kind", "found", "outcome"),
+    [
+        ("catalogue", ["leak"], "identified", ["leak"], "right"),
+        ("catalogue", ["leak"], "identified", ["leak", "creep"], "wrong"),
+        ("catalogue", ["leak"], "identified", ["creep"], "wrong"),
+        ("catalogue", ["leak"], "ambiguous", ["creep", "leak"], "ambiguous"),
+        ("catalogue", ["leak"], "ambiguous", ["creep", "end_shape"], "wrong"),
+        ("catalogue", ["leak"], "unknown", ["leak"], "unknown"),
+        ("catalogue", ["leak"], "none_missing", [], "missed"),
+        ("pair", ["leak", "creep"], "identified", ["creep", "leak"], "right"),
+        ("pair", ["leak", "creep"], "identified", ["creep"], "wrong"),
+        ("null", [], "none_missing", [], "right"),
+        ("null", [], "unknown", [], "unknown"),
+        ("null", [], "identified", ["leak"], "wrong"),
+        ("none_of_these", [], "unknown", ["leak"], "right"),
+        ("none_of_these", [], "ambiguous", ["leak", "creep"], "right"),
+        ("none_of_these", [], "identified", ["leak"], "wrong"),
+        ("none_of_these", [], "none_missing", [], "missed"),
+    ],
+)
+def test_judging(group, true, kind, found, outcome):
+    assert judged(_result(group, true, kind, found)) == outcome
+
+
+def test_a_crash_is_an_error_and_has_no_chi_square():
+    crashed = {
+        "set": "score",
+        "number": 1,
+        "case": {"group": "null", "families": [], "hidden": []},
+        "error": {"where": "process"},
+    }
+    assert judged(crashed) == "error"
+    assert excess(crashed) is None
+
+
+def test_wilson_interval_of_the_textbook():
+    low, high = wilson(81, 263)  # Newcombe (1998), table I
+    assert (low, high) == pytest.approx((0.2553, 0.3662), abs=5e-5)
+
+
+def test_report_counts_crashes_and_writes_all_files(tmp_path):
+    file = tmp_path / "results.jsonl"
+    lines = [
+        _result("catalogue", ["leak"], "identified", ["leak"]) | {"number": 0},
+        _result("null", [], "none_missing", []) | {"number": 1},
+        {"set": "score", "number": 2, "seconds": 900.0, "error": {"where": "time limit", "text": ""},
+         "case": {"group": "new_form", "families": ["leak"], "hidden": [{"family": "leak", "form": "x"}]}},
+    ]  # fmt: skip
+    file.write_text("\n".join(json.dumps(line) for line in lines) + "\n")
+    assert report_main([str(file), "--out", str(tmp_path / "out")]) == 0
+    text = (tmp_path / "out" / "report.md").read_text()
+    assert "| one effect of at least 3 standard deviations: right family | 95 % | 50 % (9 to 91; 1 of 2) | no |" in text
+    assert {p.name for p in (tmp_path / "out").iterdir()} == {
+        "report.md",
+        "hit-rate.png",
+        "confusion.png",
+        "outcomes.png",
+    }
