@@ -1,5 +1,5 @@
-/* Runs an FMI 2.0 co-simulation instance over given communication points by the standard functions, so that
- * no interpreter stands between two steps. Works with any FMU.
+/* Runs a co-simulation instance of FMI 2.0 or 3.0 over given communication points by the standard functions, so
+ * that no interpreter stands between two steps. Works with any FMU.
  */
 #include <stdarg.h>
 #include <stdint.h>
@@ -8,6 +8,7 @@
 #include <time.h>
 
 #include "fmi2FunctionTypes.h"
+#include "fmi3FunctionTypes.h"
 
 #if defined _WIN32
 #define EXPORT __declspec(dllexport)
@@ -42,29 +43,24 @@ EXPORT void *pam_driver_allocate(size_t n, size_t size) { return calloc(n, size)
 
 EXPORT void pam_driver_free(void *block) { free(block); }
 
+typedef void (*driver_function)(void); /* of the type that its version of FMI gives it */
+
 /* One run. Mirrored by pam_cosim/simulation/driver.py. */
 typedef struct {
-    fmi2ResetTYPE *reset;
-    fmi2SetupExperimentTYPE *setup;
-    fmi2EnterInitializationModeTYPE *enter;
-    fmi2ExitInitializationModeTYPE *leave;
-    fmi2SetRealTYPE *set_real;
-    fmi2GetRealTYPE *get_real;
-    fmi2SetRealInputDerivativesTYPE *set_slopes;
-    fmi2DoStepTYPE *do_step;
-    fmi2TerminateTYPE *terminate;
-    fmi2Component instance;
+    driver_function reset, setup, enter, leave, set_real, get_real, set_slopes, do_step, terminate;
+    void *instance;
+    int32_t version; /* of FMI: 2 or 3; the latter has no function for setup */
     int32_t must_reset, tolerance_defined;
     double tolerance, max_seconds; /* max_seconds: of processor time; 0: no limit */
     size_t n_parameters;
-    const fmi2ValueReference *parameters;
+    const uint32_t *parameters;
     const double *parameter_values;
     size_t n_inputs;
-    const fmi2ValueReference *inputs;
+    const uint32_t *inputs;
     const double *input_values, *input_slopes; /* knots by inputs; slopes null where they are not understood */
-    const fmi2Integer *orders;                 /* n_inputs ones */
+    const int32_t *orders;                     /* n_inputs ones */
     size_t n_outputs;
-    const fmi2ValueReference *outputs;
+    const uint32_t *outputs;
     double *output_values; /* rows by outputs */
     size_t n_points;
     const double *times;
@@ -79,45 +75,79 @@ typedef struct {
 
 enum { RESET, SETUP, ENTER, LEAVE, SET_REAL, GET_REAL, SET_SLOPES, DO_STEP, TERMINATE, TOO_SLOW };
 
-#define CALL(number, call)                                       \
-    do {                                                         \
-        fmi2Status status_ = (call);                             \
-        if (status_ > fmi2Warning) {                             \
-            r->stage = (number);                                 \
-            r->status = (int32_t)status_;                        \
-            return;                                              \
-        }                                                        \
+/* The status codes of both versions agree, and so do the arguments of functions without any but the instance. */
+enum { OK = 0, WARNING = 1, DISCARD = 2 };
+
+#define CALL(number, call)                 \
+    do {                                   \
+        int status_ = (int)(call);         \
+        if (status_ > WARNING) {           \
+            r->stage = (number);           \
+            r->status = (int32_t)status_;  \
+            return;                        \
+        }                                  \
     } while (0)
+
+static int call(const driver_run *r, driver_function f) { return (int)((fmi2ResetTYPE *)f)(r->instance); }
+
+static int set_real(const driver_run *r, const uint32_t *vr, size_t n, const double *values) {
+    if (r->version == 2) return (int)((fmi2SetRealTYPE *)r->set_real)(r->instance, vr, n, values);
+    return (int)((fmi3SetFloat64TYPE *)r->set_real)(r->instance, vr, n, values, n);
+}
+
+static int get_real(const driver_run *r, const uint32_t *vr, size_t n, double *values) {
+    if (r->version == 2) return (int)((fmi2GetRealTYPE *)r->get_real)(r->instance, vr, n, values);
+    return (int)((fmi3GetFloat64TYPE *)r->get_real)(r->instance, vr, n, values, n);
+}
+
+static int enter(const driver_run *r) {
+    if (r->version == 2) return call(r, r->enter);
+    return (int)((fmi3EnterInitializationModeTYPE *)r->enter)(r->instance, r->tolerance_defined != 0, r->tolerance,
+                                                              r->times[0], fmi3False, 0.0);
+}
+
+/* An instance of FMI 3.0 must not return early here; one that wants to end the simulation is at its end. */
+static int do_step(const driver_run *r, double from, double step) {
+    if (r->version == 2) return (int)((fmi2DoStepTYPE *)r->do_step)(r->instance, from, step, fmi2True);
+    fmi3Boolean event = fmi3False, terminate = fmi3False, early = fmi3False;
+    fmi3Float64 reached = from;
+    int status = (int)((fmi3DoStepTYPE *)r->do_step)(r->instance, from, step, fmi3True, &event, &terminate, &early,
+                                                     &reached);
+    return status <= WARNING && (terminate || early) ? DISCARD : status;
+}
 
 static int set_inputs(driver_run *r, int64_t knot) {
     const double *values = r->input_values + (size_t)knot * r->n_inputs;
-    fmi2Status status = r->set_real(r->instance, r->inputs, r->n_inputs, values);
+    int status = set_real(r, r->inputs, r->n_inputs, values);
     r->stage = SET_REAL;
-    if (status <= fmi2Warning && r->input_slopes) {
+    if (status <= WARNING && r->input_slopes) {
         const double *slopes = r->input_slopes + (size_t)knot * r->n_inputs;
-        status = r->set_slopes(r->instance, r->inputs, r->n_inputs, r->orders, slopes);
+        fmi2SetRealInputDerivativesTYPE *set_slopes = (fmi2SetRealInputDerivativesTYPE *)r->set_slopes;
+        status = (int)set_slopes(r->instance, r->inputs, r->n_inputs, r->orders, slopes);
         r->stage = SET_SLOPES;
     }
     r->status = (int32_t)status;
-    if (status > fmi2Warning) return 1;
+    if (status > WARNING) return 1;
     r->stage = -1;
     return 0;
 }
 
 static void initialise(driver_run *r) {
-    if (r->must_reset) CALL(RESET, r->reset(r->instance));
-    if (r->n_parameters)
-        CALL(SET_REAL, r->set_real(r->instance, r->parameters, r->n_parameters, r->parameter_values));
-    CALL(SETUP, r->setup(r->instance, r->tolerance_defined, r->tolerance, r->times[0], fmi2False, 0.0));
-    CALL(ENTER, r->enter(r->instance));
+    if (r->must_reset) CALL(RESET, call(r, r->reset));
+    if (r->n_parameters) CALL(SET_REAL, set_real(r, r->parameters, r->n_parameters, r->parameter_values));
+    if (r->version == 2) {
+        fmi2SetupExperimentTYPE *setup = (fmi2SetupExperimentTYPE *)r->setup;
+        CALL(SETUP, setup(r->instance, r->tolerance_defined, r->tolerance, r->times[0], fmi2False, 0.0));
+    }
+    CALL(ENTER, enter(r));
     if (r->n_inputs && r->knots[0] >= 0 && set_inputs(r, r->knots[0])) return;
-    CALL(LEAVE, r->leave(r->instance));
+    CALL(LEAVE, call(r, r->leave));
 }
 
 static void read_outputs(driver_run *r, int64_t row) {
     if (row < 0 || !r->n_outputs) return;
     double *values = r->output_values + (size_t)row * r->n_outputs;
-    CALL(GET_REAL, r->get_real(r->instance, r->outputs, r->n_outputs, values));
+    CALL(GET_REAL, get_real(r, r->outputs, r->n_outputs, values));
 }
 
 /* The clock is asked now and then only: that costs more than a step. */
@@ -134,7 +164,7 @@ static void loop(driver_run *r) {
         if (too_slow(r, begin, k)) return;
         if (k > 0) {
             double from = r->times[k - 1];
-            CALL(DO_STEP, r->do_step(r->instance, from, r->times[k] - from, fmi2True));
+            CALL(DO_STEP, do_step(r, from, r->times[k] - from));
             r->time_reached = r->times[k];
             read_outputs(r, r->rows_before[k]);
             if (r->stage >= 0) return;
@@ -150,9 +180,9 @@ static void loop(driver_run *r) {
 
 EXPORT void pam_driver_run(driver_run *r) {
     r->stage = -1;
-    r->status = fmi2OK;
+    r->status = OK;
     r->time_reached = r->times[0];
     initialise(r);
     if (r->stage < 0) loop(r);
-    if (r->stage < 0) CALL(TERMINATE, r->terminate(r->instance));
+    if (r->stage < 0) CALL(TERMINATE, call(r, r->terminate));
 }

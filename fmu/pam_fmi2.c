@@ -1,236 +1,86 @@
-/* The functions that FMI 2.0 co-simulation and model exchange share. */
-#include <math.h>
+/* FMI 2.0: each function checks the phase and asks the core. */
 #include <string.h>
 
+#include "fmi2Functions.h"
 #include "pam_instance.h"
+
+/* The instance c behind the component, or the end of the function. */
+#define ENTER(kinds, phases)                                              \
+    pam_instance *c = pam_check(component, kinds, phases, __func__);      \
+    if (!c) return fmi2Error
+
+#define ASK(kinds, phases, call)        \
+    do {                                \
+        ENTER(kinds, phases);           \
+        return (fmi2Status)(call);      \
+    } while (0)
 
 const char *fmi2GetTypesPlatform(void) { return fmi2TypesPlatform; }
 
 const char *fmi2GetVersion(void) { return fmi2Version; }
 
-fmi2Status fmi2SetDebugLogging(fmi2Component component, fmi2Boolean on, size_t n, const fmi2String categories[]) {
-    pam_instance *c = pam_check(component, ANY, "fmi2SetDebugLogging");
-    (void)n;
-    (void)categories;
-    if (!c) return fmi2Error;
-    c->logging = on == fmi2True;
-    return fmi2OK;
-}
+/* --- the life of an instance ---------------------------------------------------------------------------- */
 
-/* --- creation ------------------------------------------------------------------------------------------- */
-
-static void *allocate(const fmi2CallbackFunctions *f, size_t n, size_t size) {
-    void *block = f->allocateMemory(n ? n : 1, size);
-    if (block) memset(block, 0, (n ? n : 1) * size);
-    return block;
-}
-
-static void release(pam_instance *c) {
-    void (*freeMemory)(void *) = c->callbacks.freeMemory;
-    for (int i = 0; c->solver.past && i < c->model->nd; i++)
-        if (c->solver.past[i].segments) freeMemory(c->solver.past[i].segments);
-    void *blocks[] = {c->solver.past, c->solver.pivot, c->solver.iw, c->solver.k, c->saved, c->dx, c->name, c};
-    for (size_t i = 0; i < sizeof blocks / sizeof *blocks; i++)
-        if (blocks[i]) freeMemory(blocks[i]);
-}
-
-/* The blocks of memory behind an instance; 0 where memory has run out. */
-static int allocate_arrays(pam_instance *c) {
-    const pam_model *m = c->model;
-    const fmi2CallbackFunctions *f = &c->callbacks;
-    size_t solver_size = pam_solver_saved_size(m), nx = (size_t)m->nx, nu = (size_t)m->nu, np = (size_t)m->np,
-           nd = (size_t)m->nd;
-    size_t results = nx + (size_t)(m->ny + m->nw);
-    c->saved_size = solver_size + 2 * nx + 2 * nu;
-    c->saved = allocate(f, c->saved_size, sizeof(double));
-    double *scratch = allocate(f, pam_solver_scratch_size(m), sizeof(double));
-    int *pivot = allocate(f, pam_solver_pivots(m), sizeof(int));
-    long long *iw = allocate(f, (size_t)m->size_iw, sizeof(long long));
-    c->dx = allocate(f, results + (nx + nu + np + 1) + (results + nx) + 4 * nd, sizeof(double));
-    c->solver.past = allocate(f, nd, sizeof *c->solver.past);
-    c->solver.memory = (pam_memory){f->allocateMemory, f->freeMemory};
-    if (c->saved && scratch) pam_solver_bind(&c->solver, m, &c->core.solver, c->saved, scratch, pivot, iw);
-    if (!c->saved || !scratch || !pivot || !iw || !c->dx || !c->solver.past) {
-        c->solver.k = scratch;
-        c->solver.pivot = pivot;
-        c->solver.iw = iw;
-        return 0;
-    }
-    c->x = c->saved + solver_size;
-    c->x_explicit = c->x + nx;
-    c->u = c->x_explicit + nx;
-    c->du = c->u + nu;
-    c->y = c->dx + nx;
-    c->w = c->y + m->ny;
-    c->seed = c->dx + results;
-    c->result = c->seed + nx + nu + np + 1;
-    c->d = c->result + results + nx;
-    c->dd = c->d + nd;
-    c->seed_d = c->dd + nd;
-    c->rate_d = c->seed_d + nd;
-    return 1;
-}
-
-static fmi2Component refuse(const fmi2CallbackFunctions *f, fmi2String name, const char *why) {
-    if (f->logger) f->logger(f->componentEnvironment, name ? name : "", fmi2Error, "logStatusError", "%s", why);
-    return NULL;
+static void log_message(const pam_host *host, const char *instance, pam_status status, const char *category,
+                        const char *message) {
+    fmi2CallbackLogger logger = (fmi2CallbackLogger)host->logger;
+    logger(host->environment, instance, (fmi2Status)status, category, "%s", message);
 }
 
 fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resources,
                               const fmi2CallbackFunctions *f, fmi2Boolean visible, fmi2Boolean logging) {
     (void)resources;
     (void)visible;
+    (void)logging; /* there are no debug messages; what goes wrong is always reported */
     if (!f || !f->allocateMemory || !f->freeMemory) return NULL;
-    if (!name || !*name) return refuse(f, name, "fmi2Instantiate needs an instance name");
-    if (!guid || strcmp(guid, pam_the_model.guid) != 0)
-        return refuse(f, name, "the GUID does not belong to this FMU");
-    if (type == fmi2ModelExchange && pam_the_model.nd)
-        return refuse(f, name, "a model with delayed inputs cannot be used for model exchange");
-    pam_instance *c = allocate(f, 1, sizeof *c);
-    if (!c) return refuse(f, name, "out of memory");
-    c->callbacks = *f;
-    c->model = &pam_the_model;
-    c->type = type;
-    c->logging = logging == fmi2True;
-    c->name = allocate(f, strlen(name) + 1, 1);
-    if (!c->name || !allocate_arrays(c)) {
-        release(c);
-        return refuse(f, name, "out of memory");
-    }
-    strcpy(c->name, name);
-    pam_reset(c);
-    return c;
+    const pam_host host = {{f->allocateMemory, f->freeMemory}, f->componentEnvironment, (void (*)(void))f->logger,
+                           log_message};
+    return pam_create(&host, type == fmi2ModelExchange ? MODEL_EXCHANGE : CO_SIMULATION, name, guid);
 }
 
 void fmi2FreeInstance(fmi2Component component) {
-    if (component) release(component);
+    if (component) pam_free(component);
 }
 
-/* --- initialization ------------------------------------------------------------------------------------- */
+fmi2Status fmi2SetDebugLogging(fmi2Component component, fmi2Boolean on, size_t n, const fmi2String categories[]) {
+    ASK(ANY_KIND, ANY, pam_set_logging(c, on, n, categories));
+}
 
 fmi2Status fmi2SetupExperiment(fmi2Component component, fmi2Boolean tolerance_defined, fmi2Real tolerance,
                                fmi2Real start, fmi2Boolean stop_defined, fmi2Real stop) {
-    pam_instance *c = pam_check(component, INSTANTIATED, "fmi2SetupExperiment");
-    if (!c) return fmi2Error;
-    if (!isfinite(start) || (stop_defined && !(stop >= start)))
-        return pam_log(c, fmi2Error, "start time %g s and stop time %g s do not make an interval", start, stop);
-    if (tolerance_defined && !(tolerance > 0.0 && tolerance < 1.0))
-        return pam_log(c, fmi2Error, "the tolerance must lie between 0 and 1, not %g", tolerance);
-    if (tolerance_defined) c->core.tolerance = fmax(tolerance, 1e-12);
-    c->core.time = c->core.start_time = start;
-    c->core.stop_defined = stop_defined == fmi2True;
-    c->core.stop_time = stop;
-    pam_forget(c);
-    return fmi2OK;
+    ASK(ANY_KIND, INSTANTIATED, pam_set_experiment(c, tolerance_defined, tolerance, start, stop_defined, stop));
 }
 
 fmi2Status fmi2EnterInitializationMode(fmi2Component component) {
-    pam_instance *c = pam_check(component, INSTANTIATED, "fmi2EnterInitializationMode");
-    if (!c) return fmi2Error;
-    c->core.phase = INITIALIZATION;
-    return fmi2OK;
+    ASK(ANY_KIND, INSTANTIATED, pam_enter_initialization(c));
 }
 
 fmi2Status fmi2ExitInitializationMode(fmi2Component component) {
-    pam_instance *c = pam_check(component, INITIALIZATION, "fmi2ExitInitializationMode");
-    if (!c) return fmi2Error;
-    pam_initialise_states(c);
-    for (int i = 0; i < c->model->nx; i++)
-        if (!isfinite(c->x[i])) {
-            c->core.phase = FAILED;
-            return pam_log(c, fmi2Error, "the start value of '%s' is not a finite number", c->model->state_names[i]);
-        }
-    if (c->type == fmi2ModelExchange) {
-        c->core.phase = EVENT;
-        return fmi2OK;
-    }
-    if (c->model->nx) memcpy(c->solver.x, c->x, sizeof(double) * (size_t)c->model->nx);
-    if (pam_solver_begin(&c->solver, c->core.time, c->u, c->du, c->core.tolerance)) {
-        c->core.phase = FAILED;
-        return pam_log(c, fmi2Error, "%s", c->solver.message);
-    }
-    pam_forget(c);
-    c->core.state_changed = 0;
-    c->core.phase = STEP;
-    return fmi2OK;
+    ASK(ANY_KIND, INITIALIZATION, pam_exit_initialization(c));
 }
 
-fmi2Status fmi2Terminate(fmi2Component component) {
-    pam_instance *c = pam_check(component, STEP | EVENT | CONTINUOUS, "fmi2Terminate");
-    if (!c) return fmi2Error;
-    c->core.phase = TERMINATED;
-    return fmi2OK;
-}
+fmi2Status fmi2Terminate(fmi2Component component) { ASK(ANY_KIND, RUNNING | STEP_FAILED, pam_terminate(c)); }
 
-fmi2Status fmi2Reset(fmi2Component component) {
-    pam_instance *c = pam_check(component, ANY, "fmi2Reset");
-    if (!c) return fmi2Error;
-    pam_reset(c);
-    return fmi2OK;
-}
+fmi2Status fmi2Reset(fmi2Component component) { ASK(ANY_KIND, ANY, pam_reset(c)); }
 
 /* --- values --------------------------------------------------------------------------------------------- */
 
 fmi2Status fmi2GetReal(fmi2Component component, const fmi2ValueReference vr[], size_t n, fmi2Real value[]) {
-    pam_instance *c = pam_check(component, ANY, "fmi2GetReal");
-    if (!c || (n && (!vr || !value))) return fmi2Error;
-    for (size_t i = 0; i < n; i++) {
-        pam_kind kind;
-        int index;
-        if (!pam_lookup(c, vr[i], &kind, &index)) return fmi2Error;
-        switch (kind) {
-            case STATE: pam_initialise_states(c); value[i] = c->x[index]; break;
-            case DERIVATIVE: value[i] = pam_derivatives(c)[index]; break;
-            case INPUT: value[i] = c->u[index]; break;
-            case OUTPUT: value[i] = pam_outputs(c)[index]; break;
-            case PARAMETER: value[i] = c->solver.p[index]; break;
-            case LOCAL: value[i] = pam_locals(c)[index]; break;
-            case TIME: value[i] = c->core.time; break;
-        }
-    }
-    return fmi2OK;
-}
-
-static fmi2Status set_one(pam_instance *c, fmi2ValueReference vr, double value) {
-    pam_kind kind;
-    int index, starting = c->core.phase & (INSTANTIATED | INITIALIZATION);
-    if (!pam_lookup(c, vr, &kind, &index)) return fmi2Error;
-    if (!isfinite(value))
-        return pam_log(c, fmi2Error, "the value for value reference %u is not a finite number", vr);
-    switch (kind) {
-        case INPUT: c->u[index] = value; return fmi2OK;
-        case PARAMETER:
-            if (!starting)
-                return pam_log(c, fmi2Error, "parameter %d is fixed: it must be set before the simulation", index);
-            c->solver.p[index] = value;
-            c->core.initial_known = 0;
-            return fmi2OK;
-        case STATE:
-            c->x[index] = value;
-            if (starting) c->x_explicit[index] = 1.0;
-            else c->core.state_changed = 1;
-            return fmi2OK;
-        default: return pam_log(c, fmi2Error, "the variable with value reference %u cannot be set", vr);
-    }
+    ASK(ANY_KIND, ANY, pam_get(c, vr, n, value));
 }
 
 fmi2Status fmi2SetReal(fmi2Component component, const fmi2ValueReference vr[], size_t n, const fmi2Real value[]) {
-    pam_instance *c = pam_check(component, INSTANTIATED | INITIALIZATION | STEP | EVENT | CONTINUOUS, "fmi2SetReal");
-    if (!c || (n && (!vr || !value))) return fmi2Error;
-    pam_forget(c);
-    for (size_t i = 0; i < n; i++)
-        if (set_one(c, vr[i], value[i]) != fmi2OK) return fmi2Error;
-    return fmi2OK;
+    ASK(ANY_KIND, INSTANTIATED | INITIALIZATION | RUNNING, pam_set(c, vr, n, value));
 }
 
 /* The model has real variables alone. */
-#define NO_VARIABLES(function, type)                                                                              \
-    fmi2Status function(fmi2Component component, const fmi2ValueReference vr[], size_t n, type value[]) {          \
-        pam_instance *c = pam_check(component, ANY, #function);                                                    \
-        (void)value;                                                                                               \
-        if (!c) return fmi2Error;                                                                                  \
-        return n ? pam_log(c, fmi2Error, #function ": value reference %u is of another type", vr ? vr[0] : 0u)    \
-                 : fmi2OK;                                                                                         \
+#define NO_VARIABLES(function, type)                                                                       \
+    fmi2Status function(fmi2Component component, const fmi2ValueReference vr[], size_t n, type value[]) {   \
+        ENTER(ANY_KIND, ANY);                                                                              \
+        (void)vr;                                                                                          \
+        (void)value;                                                                                       \
+        if (!n) return fmi2OK;                                                                             \
+        return (fmi2Status)pam_log(c, PAM_ERROR, #function ": all variables of this FMU are of type Real"); \
     }
 NO_VARIABLES(fmi2GetInteger, fmi2Integer)
 NO_VARIABLES(fmi2GetBoolean, fmi2Boolean)
@@ -239,54 +89,127 @@ NO_VARIABLES(fmi2SetInteger, const fmi2Integer)
 NO_VARIABLES(fmi2SetBoolean, const fmi2Boolean)
 NO_VARIABLES(fmi2SetString, const fmi2String)
 
-/* --- derivatives ---------------------------------------------------------------------------------------- */
-
-/* Where the seed of a known variable stands; -1 where it is none. */
-static int seed_index(pam_instance *c, fmi2ValueReference vr) {
-    const pam_model *m = c->model;
-    pam_kind kind;
-    int index;
-    if (!pam_lookup(c, vr, &kind, &index)) return -1;
-    if (kind == STATE) return index;
-    if (kind == INPUT) return m->nx + index;
-    if (kind == PARAMETER) return m->nx + m->nu + index;
-    if (kind == TIME) return m->nx + m->nu + m->np;
-    pam_log(c, fmi2Error, "value reference %u is not a known variable", vr);
-    return -1;
-}
-
-/* The derivative of an unknown variable after pam_directional; 0 where it is none. */
-static int derivative_of(pam_instance *c, fmi2ValueReference vr, double *value) {
-    const pam_model *m = c->model;
-    pam_kind kind;
-    int index;
-    if (!pam_lookup(c, vr, &kind, &index)) return 0;
-    if (kind == DERIVATIVE) *value = c->result[index];
-    else if (kind == OUTPUT) *value = c->result[m->nx + index];
-    else if (kind == LOCAL) *value = c->result[m->nx + m->ny + index];
-    else if (kind == STATE) *value = c->seed[index]; /* an output that is a state, or a calculated start value */
-    else {
-        pam_log(c, fmi2Error, "value reference %u is not an unknown variable", vr);
-        return 0;
-    }
-    return 1;
-}
-
 fmi2Status fmi2GetDirectionalDerivative(fmi2Component component, const fmi2ValueReference unknown[],
                                         size_t n_unknown, const fmi2ValueReference known[], size_t n_known,
                                         const fmi2Real seed[], fmi2Real sensitivity[]) {
-    pam_instance *c = pam_check(component, INITIALIZATION | STEP | EVENT | CONTINUOUS | TERMINATED,
-                                "fmi2GetDirectionalDerivative");
-    if (!c || (n_known && (!known || !seed)) || (n_unknown && (!unknown || !sensitivity))) return fmi2Error;
-    const pam_model *m = c->model;
-    memset(c->seed, 0, sizeof(double) * (size_t)(m->nx + m->nu + m->np + 1));
-    for (size_t i = 0; i < n_known; i++) {
-        int at = seed_index(c, known[i]);
-        if (at < 0) return fmi2Error;
-        c->seed[at] += seed[i];
-    }
-    pam_directional(c);
-    for (size_t i = 0; i < n_unknown; i++)
-        if (!derivative_of(c, unknown[i], &sensitivity[i])) return fmi2Error;
+    ASK(ANY_KIND, READABLE, pam_directional_derivative(c, unknown, n_unknown, known, n_known, seed, sensitivity));
+}
+
+/* --- the FMU state -------------------------------------------------------------------------------------- */
+
+fmi2Status fmi2GetFMUstate(fmi2Component component, fmi2FMUstate *state) {
+    ASK(ANY_KIND, ANY & ~FAILED, pam_get_state(c, state));
+}
+
+fmi2Status fmi2SetFMUstate(fmi2Component component, fmi2FMUstate state) {
+    ASK(ANY_KIND, ANY, pam_set_state(c, state));
+}
+
+fmi2Status fmi2FreeFMUstate(fmi2Component component, fmi2FMUstate *state) {
+    ASK(ANY_KIND, ANY, pam_free_state(c, state));
+}
+
+fmi2Status fmi2SerializedFMUstateSize(fmi2Component component, fmi2FMUstate state, size_t *size) {
+    ASK(ANY_KIND, ANY, pam_state_size(c, state, size));
+}
+
+fmi2Status fmi2SerializeFMUstate(fmi2Component component, fmi2FMUstate state, fmi2Byte bytes[], size_t size) {
+    ASK(ANY_KIND, ANY, pam_serialise(c, state, bytes, size));
+}
+
+fmi2Status fmi2DeSerializeFMUstate(fmi2Component component, const fmi2Byte bytes[], size_t size,
+                                   fmi2FMUstate *state) {
+    ASK(ANY_KIND, ANY, pam_deserialise(c, bytes, size, state));
+}
+
+/* --- model exchange ------------------------------------------------------------------------------------- */
+
+fmi2Status fmi2EnterEventMode(fmi2Component component) {
+    ENTER(MODEL_EXCHANGE, EVENT | CONTINUOUS);
+    c->core.phase = EVENT;
     return fmi2OK;
 }
+
+fmi2Status fmi2NewDiscreteStates(fmi2Component component, fmi2EventInfo *info) {
+    ENTER(MODEL_EXCHANGE, EVENT);
+    if (!pam_arrays(c, __func__, 1, info, info)) return fmi2Error;
+    memset(info, 0, sizeof *info); /* every flag fmi2False, no next event */
+    return fmi2OK;
+}
+
+fmi2Status fmi2EnterContinuousTimeMode(fmi2Component component) {
+    ENTER(MODEL_EXCHANGE, EVENT);
+    c->core.phase = CONTINUOUS;
+    return fmi2OK;
+}
+
+fmi2Status fmi2CompletedIntegratorStep(fmi2Component component, fmi2Boolean no_set_state, fmi2Boolean *enter_event,
+                                       fmi2Boolean *terminate) {
+    ENTER(MODEL_EXCHANGE, CONTINUOUS);
+    (void)no_set_state;
+    if (!pam_arrays(c, __func__, 1, enter_event, terminate)) return fmi2Error;
+    *enter_event = fmi2False;
+    *terminate = fmi2False;
+    return fmi2OK;
+}
+
+fmi2Status fmi2SetTime(fmi2Component component, fmi2Real time) {
+    ASK(MODEL_EXCHANGE, EVENT | CONTINUOUS, pam_set_time(c, time));
+}
+
+fmi2Status fmi2SetContinuousStates(fmi2Component component, const fmi2Real x[], size_t n) {
+    ASK(MODEL_EXCHANGE, EVENT | CONTINUOUS, pam_set_states(c, x, n));
+}
+
+fmi2Status fmi2GetDerivatives(fmi2Component component, fmi2Real derivatives[], size_t n) {
+    ASK(MODEL_EXCHANGE, READABLE, pam_get_rates(c, derivatives, n));
+}
+
+fmi2Status fmi2GetEventIndicators(fmi2Component component, fmi2Real indicators[], size_t n) {
+    (void)indicators;
+    ASK(MODEL_EXCHANGE, READABLE, pam_get_event_indicators(c, n));
+}
+
+fmi2Status fmi2GetContinuousStates(fmi2Component component, fmi2Real x[], size_t n) {
+    ASK(MODEL_EXCHANGE, READABLE, pam_get_states(c, x, n));
+}
+
+fmi2Status fmi2GetNominalsOfContinuousStates(fmi2Component component, fmi2Real nominals[], size_t n) {
+    ASK(MODEL_EXCHANGE, READABLE, pam_get_nominals(c, nominals, n));
+}
+
+/* --- co-simulation -------------------------------------------------------------------------------------- */
+
+fmi2Status fmi2SetRealInputDerivatives(fmi2Component component, const fmi2ValueReference vr[], size_t n,
+                                       const fmi2Integer order[], const fmi2Real value[]) {
+    ASK(CO_SIMULATION, INSTANTIATED | INITIALIZATION | STEP, pam_set_input_derivatives(c, vr, n, order, value));
+}
+
+fmi2Status fmi2GetRealOutputDerivatives(fmi2Component component, const fmi2ValueReference vr[], size_t n,
+                                        const fmi2Integer order[], fmi2Real value[]) {
+    ASK(CO_SIMULATION, STEP | STEP_FAILED | TERMINATED, pam_get_output_derivatives(c, vr, n, order, value));
+}
+
+fmi2Status fmi2DoStep(fmi2Component component, fmi2Real now, fmi2Real step, fmi2Boolean no_set_state) {
+    (void)no_set_state;
+    ASK(CO_SIMULATION, STEP, pam_do_step(c, now, step));
+}
+
+fmi2Status fmi2CancelStep(fmi2Component component) {
+    ASK(CO_SIMULATION, ANY, pam_log(c, PAM_ERROR, "fmi2CancelStep: no step runs in the background"));
+}
+
+/* A status that the instance can give, of the kind asked for; fmi2Discard where it cannot. */
+#define STATUS(function, type, known, found)                                                \
+    fmi2Status function(fmi2Component component, const fmi2StatusKind kind, type *value) {   \
+        ENTER(CO_SIMULATION, ANY);                                                          \
+        if (!pam_arrays(c, __func__, 1, value, value)) return fmi2Error;                    \
+        if (!(known)) return fmi2Discard;                                                   \
+        *value = (found);                                                                   \
+        return fmi2OK;                                                                      \
+    }
+STATUS(fmi2GetStatus, fmi2Status, kind == fmi2DoStepStatus, (fmi2Status)c->core.last_step)
+STATUS(fmi2GetRealStatus, fmi2Real, kind == fmi2LastSuccessfulTime, c->core.time)
+STATUS(fmi2GetBooleanStatus, fmi2Boolean, kind == fmi2Terminated, fmi2False)
+STATUS(fmi2GetIntegerStatus, fmi2Integer, ((void)kind, 0), 0)
+STATUS(fmi2GetStringStatus, fmi2String, ((void)kind, 0), NULL)

@@ -1,64 +1,7 @@
+/* The model's functions at the present time. */
 #include "pam_instance.h"
 
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
-
-fmi2Status pam_log(pam_instance *c, fmi2Status status, const char *format, ...) {
-    char message[1024];
-    va_list args;
-    va_start(args, format);
-    vsnprintf(message, sizeof message, format, args);
-    va_end(args);
-    if (c->callbacks.logger)
-        c->callbacks.logger(c->callbacks.componentEnvironment, c->name, status,
-                            status == fmi2Warning ? "logStatusWarning" : "logStatusError", "%s", message);
-    return status;
-}
-
-pam_instance *pam_check(fmi2Component component, int phases, const char *function) {
-    pam_instance *c = component;
-    if (!c) return NULL;
-    if (c->core.phase & phases) return c;
-    const char *now = c->core.phase == INSTANTIATED     ? "before initialization"
-                      : c->core.phase == INITIALIZATION ? "in initialization mode"
-                      : c->core.phase == TERMINATED     ? "after fmi2Terminate"
-                      : c->core.phase == FAILED         ? "after an error"
-                                                        : "in this mode";
-    pam_log(c, fmi2Error, "%s must not be called %s", function, now);
-    return NULL;
-}
-
-int pam_lookup(pam_instance *c, fmi2ValueReference vr, pam_kind *kind, int *index) {
-    const pam_model *m = c->model;
-    const int sizes[] = {m->nx, m->nx, m->nu, m->ny, m->np, m->nw, 1};
-    fmi2ValueReference rest = vr;
-    for (int k = STATE; k <= TIME; k++) {
-        if (rest < (fmi2ValueReference)sizes[k]) {
-            *kind = (pam_kind)k;
-            *index = (int)rest;
-            return 1;
-        }
-        rest -= (fmi2ValueReference)sizes[k];
-    }
-    pam_log(c, fmi2Error, "there is no variable with value reference %u", vr);
-    return 0;
-}
-
 void pam_forget(pam_instance *c) { c->dx_known = c->y_known = c->w_known = 0; }
-
-void pam_reset(pam_instance *c) {
-    const pam_model *m = c->model;
-    memset(&c->core, 0, sizeof c->core);
-    memset(c->saved, 0, c->saved_size * sizeof *c->saved);
-    c->core.phase = INSTANTIATED;
-    c->core.tolerance = m->tolerance;
-    c->core.last_step = fmi2OK;
-    for (int i = 0; i < m->nu; i++) c->u[i] = m->input_starts[i];
-    for (int i = 0; i < m->np; i++) c->solver.p[i] = m->parameter_starts[i];
-    for (int i = 0; i < m->nd; i++) c->solver.past[i].first = c->solver.past[i].end = 0;
-    pam_forget(c);
-}
 
 void pam_initialise_states(pam_instance *c) {
     const pam_model *m = c->model;

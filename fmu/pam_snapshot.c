@@ -1,4 +1,5 @@
 /* The FMU state: everything that changes while an instance lives, as one block of bytes. */
+#include <stdint.h>
 #include <string.h>
 
 #include "pam_instance.h"
@@ -8,7 +9,9 @@
  */
 typedef struct {
     char guid[64];
-    size_t size; /* bytes in all */
+    uint64_t hash; /* of what follows; only in the serialized form, which may come from anywhere */
+    size_t size;   /* bytes in all */
+    int kind;
     pam_core core;
     double numbers[];
 } pam_snapshot;
@@ -21,25 +24,24 @@ static size_t snapshot_size(const pam_instance *c) {
     return sizeof(pam_snapshot) + numbers * sizeof(double);
 }
 
-static void *allocate(pam_instance *c, size_t size) {
-    void *block = c->callbacks.allocateMemory(1, size);
+static void *allocate(const pam_instance *c, size_t size) {
+    void *block = c->host.memory.allocate(1, size);
     if (block) memset(block, 0, size);
     return block;
 }
 
-fmi2Status fmi2GetFMUstate(fmi2Component component, fmi2FMUstate *state) {
-    pam_instance *c = pam_check(component, ANY & ~FAILED, "fmi2GetFMUstate");
-    if (!c || !state) return fmi2Error;
+static pam_status missing(const pam_instance *c) { return pam_log(c, PAM_ERROR, "an argument of the FMU state is null"); }
+
+pam_status pam_get_state(pam_instance *c, void **state) {
+    if (!state) return missing(c);
     size_t size = snapshot_size(c);
-    if (*state && ((pam_snapshot *)*state)->size != size) {
-        c->callbacks.freeMemory(*state);
-        *state = NULL;
-    }
+    if (*state && ((pam_snapshot *)*state)->size != size) pam_free_state(c, state);
     if (!*state) *state = allocate(c, size);
     pam_snapshot *s = *state;
-    if (!s) return pam_log(c, fmi2Error, "out of memory");
+    if (!s) return pam_log(c, PAM_ERROR, "out of memory");
     strncpy(s->guid, c->model->guid, sizeof s->guid - 1);
     s->size = size;
+    s->kind = c->kind;
     s->core = c->core;
     memcpy(s->numbers, c->saved, c->saved_size * sizeof(double));
     double *numbers = s->numbers + c->saved_size;
@@ -50,13 +52,14 @@ fmi2Status fmi2GetFMUstate(fmi2Component component, fmi2FMUstate *state) {
         if (count) memcpy(numbers, h->segments + h->first, count * sizeof *h->segments);
         numbers += PAM_SEGMENT_SIZE * count;
     }
-    return fmi2OK;
+    return PAM_OK;
 }
 
-fmi2Status fmi2SetFMUstate(fmi2Component component, fmi2FMUstate state) {
-    pam_instance *c = pam_check(component, ANY, "fmi2SetFMUstate");
+pam_status pam_set_state(pam_instance *c, const void *state) {
     const pam_snapshot *s = state;
-    if (!c || !s) return fmi2Error;
+    if (!s) return missing(c);
+    if (s->kind != c->kind)
+        return pam_log(c, PAM_ERROR, "the FMU state was taken from an instance of the other interface type");
     c->core = s->core;
     memcpy(c->saved, s->numbers, c->saved_size * sizeof(double));
     pam_forget(c);
@@ -65,66 +68,60 @@ fmi2Status fmi2SetFMUstate(fmi2Component component, fmi2FMUstate state) {
         size_t count = (size_t)*numbers++;
         if (pam_history_restore(&c->solver.past[i], &c->solver.memory, numbers, count)) {
             c->core.phase = FAILED;
-            return pam_log(c, fmi2Error, "out of memory");
+            return pam_log(c, PAM_ERROR, "out of memory");
         }
         numbers += PAM_SEGMENT_SIZE * count;
     }
-    return fmi2OK;
+    return PAM_OK;
 }
 
-fmi2Status fmi2FreeFMUstate(fmi2Component component, fmi2FMUstate *state) {
-    pam_instance *c = pam_check(component, ANY, "fmi2FreeFMUstate");
-    if (!c) return fmi2Error;
-    if (!state || !*state) return fmi2OK;
-    c->callbacks.freeMemory(*state);
+pam_status pam_free_state(pam_instance *c, void **state) {
+    if (!state || !*state) return PAM_OK;
+    c->host.memory.release(*state);
     *state = NULL;
-    return fmi2OK;
+    return PAM_OK;
 }
 
-fmi2Status fmi2SerializedFMUstateSize(fmi2Component component, fmi2FMUstate state, size_t *size) {
-    pam_instance *c = pam_check(component, ANY, "fmi2SerializedFMUstateSize");
-    if (!c || !state || !size) return fmi2Error;
+pam_status pam_state_size(pam_instance *c, const void *state, size_t *size) {
+    if (!state || !size) return missing(c);
     *size = ((const pam_snapshot *)state)->size;
-    return fmi2OK;
+    return PAM_OK;
 }
 
-fmi2Status fmi2SerializeFMUstate(fmi2Component component, fmi2FMUstate state, fmi2Byte bytes[], size_t size) {
-    pam_instance *c = pam_check(component, ANY, "fmi2SerializeFMUstate");
-    if (!c || !state || !bytes) return fmi2Error;
+/* FNV-1a over everything behind the hash. */
+static uint64_t hash_of(const unsigned char *bytes, size_t size) {
+    uint64_t hash = 14695981039346656037u;
+    for (size_t i = offsetof(pam_snapshot, size); i < size; i++) hash = (hash ^ bytes[i]) * 1099511628211u;
+    return hash;
+}
+
+pam_status pam_serialise(pam_instance *c, const void *state, void *bytes, size_t size) {
+    if (!state || !bytes) return missing(c);
     size_t needed = ((const pam_snapshot *)state)->size;
-    if (size < needed) return pam_log(c, fmi2Error, "the buffer for the FMU state is too small");
+    if (size < needed) return pam_log(c, PAM_ERROR, "the buffer for the FMU state is too small");
+    uint64_t hash = hash_of(state, needed);
     memcpy(bytes, state, needed);
-    return fmi2OK;
+    memcpy((char *)bytes + offsetof(pam_snapshot, hash), &hash, sizeof hash);
+    return PAM_OK;
 }
 
-/* Whether the numbers of segments add up to the size; bytes may come from anywhere. */
-static int is_whole(const pam_instance *c, const pam_snapshot *s, size_t size) {
-    size_t at = c->saved_size, all = (size - sizeof *s) / sizeof(double);
-    if (s->size != size || (size - sizeof *s) % sizeof(double)) return 0;
-    for (int i = 0; i < c->model->nd; i++) {
-        if (at >= all) return 0;
-        double count = s->numbers[at++];
-        if (!(count >= 0.0 && count <= (double)((all - at) / PAM_SEGMENT_SIZE))) return 0;
-        at += PAM_SEGMENT_SIZE * (size_t)count;
-    }
-    return at == all;
+/* Whether it is this FMU's and nothing is missing or changed. */
+static int is_own(const pam_instance *c, const unsigned char *bytes, size_t size) {
+    if (size < sizeof(pam_snapshot)) return 0;
+    pam_snapshot head;
+    memcpy(&head, bytes, sizeof head);
+    return strncmp(head.guid, c->model->guid, sizeof head.guid) == 0 && head.size == size
+        && head.hash == hash_of(bytes, size);
 }
 
-fmi2Status fmi2DeSerializeFMUstate(fmi2Component component, const fmi2Byte bytes[], size_t size,
-                                   fmi2FMUstate *state) {
-    pam_instance *c = pam_check(component, ANY, "fmi2DeSerializeFMUstate");
-    if (!c || !bytes || !state) return fmi2Error;
-    const char *foreign = "the serialized FMU state does not belong to this FMU";
-    if (size < sizeof(pam_snapshot) || strncmp(bytes, c->model->guid, sizeof((pam_snapshot *)0)->guid) != 0)
-        return pam_log(c, fmi2Error, foreign);
+pam_status pam_deserialise(pam_instance *c, const void *bytes, size_t size, void **state) {
+    if (!bytes || !state) return missing(c);
+    if (!is_own(c, bytes, size))
+        return pam_log(c, PAM_ERROR, "the serialized FMU state is not one of this FMU, or it is damaged");
     pam_snapshot *made = allocate(c, size);
-    if (!made) return pam_log(c, fmi2Error, "out of memory");
+    if (!made) return pam_log(c, PAM_ERROR, "out of memory");
     memcpy(made, bytes, size);
-    if (!is_whole(c, made, size)) {
-        c->callbacks.freeMemory(made);
-        return pam_log(c, fmi2Error, foreign);
-    }
-    if (*state) c->callbacks.freeMemory(*state);
+    pam_free_state(c, state);
     *state = made;
-    return fmi2OK;
+    return PAM_OK;
 }

@@ -57,11 +57,13 @@ def build(
     platforms: Annotated[
         list[str] | None, typer.Option("--platform", help="native, all, or x86_64-windows ...")
     ] = None,
+    fmi: Annotated[str, typer.Option("--fmi", help="Version of the interface: 2.0 or 3.0.")] = "2.0",
 ) -> None:
     """Modelica to FMU."""
     for model in models or study.benches():
         name = Path(model).stem if model.endswith(".mo") else model.rpartition(".")[2]
-        typer.echo(study.build(model, output / f"{name}.fmu", files=files or [], platforms=platforms or ["native"]))
+        target = output / f"{name}.fmu"
+        typer.echo(study.build(model, target, files=files or [], platforms=platforms or ["native"], fmi=fmi))
 
 
 @app.command()

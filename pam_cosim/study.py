@@ -35,13 +35,19 @@ def describe(model: str, files: Paths = ()) -> Interface:
 
 
 def build(
-    model: str, output: Path | str | None = None, *, files: Paths = (), platforms: Sequence[str] = ("native",)
+    model: str,
+    output: Path | str | None = None,
+    *,
+    files: Paths = (),
+    platforms: Sequence[str] = ("native",),
+    fmi: str = "2.0",
 ) -> Path:
     """Builds an FMU, or finds it in the cache; with ``output`` it is put there.
 
     ``platforms`` names those that the FMU shall run on: "native", "all", or names such as "x86_64-windows".
+    ``fmi`` is the version of the interface, "2.0" or "3.0".
     """
-    made = build_model(model, _paths(files), platforms=platforms)
+    made = build_model(model, _paths(files), platforms=platforms, fmi=fmi)
     if output is None:
         return made
     target = Path(output)

@@ -139,6 +139,8 @@ class _Assembly:
             description=root.ancestors[0].definition.description,
             d=_column(delayed.delayed),
             delays=tuple(delayed.delays),
+            effects=metadata.effects(root),
+            libraries=metadata.libraries(root),
         )
 
     # ---- the system of equations --------------------------------------------------------------------------

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from pam_cosim.compiler.arithmetic import simplified
+from pam_cosim.compiler.effects import EFFECT
 from pam_cosim.compiler.evaluation import EnumerationLiteral, Evaluator
 from pam_cosim.compiler.instance import Instance
 from pam_cosim.compiler.syntax import Literal, Modification, Unary
@@ -74,6 +75,31 @@ def experiment(instance: Instance) -> dict[str, Any]:
         if argument is not None:
             return _settings(argument.modification, ancestor.definition.qualified_name)
     return {}
+
+
+def effects(root: Instance) -> tuple[tuple[str, str], ...]:
+    """Name and class of every component that is an effect."""
+    found = []
+    for node in root.nodes():
+        classes = [ancestor.definition for ancestor in node.ancestors]
+        if EFFECT in (definition.qualified_name for definition in classes):
+            own = next(definition for definition in classes if definition.alias is None)
+            found.append((node.name, own.qualified_name))
+    return tuple(found)
+
+
+def libraries(root: Instance) -> tuple[tuple[str, str], ...]:
+    """Name and version of every top-level package with a ``version`` annotation that a component comes from."""
+    found: dict[str, str] = {}
+    for node in root.nodes():
+        for ancestor in node.ancestors:
+            package = ancestor.definition
+            while package.parent is not None:
+                package = package.parent
+            version = package.annotation.argument("version")
+            if version is not None and isinstance(version.modification.value, Literal):
+                found[package.name] = str(version.modification.value.value)
+    return tuple(sorted(found.items()))
 
 
 def _settings(modification: Modification, where: str) -> dict[str, float]:

@@ -40,6 +40,8 @@ class Ode:
         delays: what each element of ``d`` stands for.
         sensitivities: parameters with respect to which the states' derivatives follow the states in ``x``: state by
             state, each by these parameters in order.
+        effects: the effects in the model: name of the component, full name of its class.
+        libraries: packages that the model is made of, with their versions.
     """
 
     interface: Interface
@@ -56,6 +58,8 @@ class Ode:
     d: ca.SX = field(default_factory=lambda: ca.SX(0, 1))
     delays: tuple[Delay, ...] = ()
     sensitivities: tuple[str, ...] = ()
+    effects: tuple[tuple[str, str], ...] = ()
+    libraries: tuple[tuple[str, str], ...] = ()
 
     @property
     def core(self) -> int:

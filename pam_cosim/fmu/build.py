@@ -1,4 +1,4 @@
-"""An ODE to an FMI 2.0 FMU for co-simulation and, without delays, model exchange."""
+"""An ODE to an FMU of FMI 2.0 or 3.0 for co-simulation and, without delays, model exchange."""
 
 from __future__ import annotations
 
@@ -11,64 +11,79 @@ from pathlib import Path
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_bytes
+from pam_cosim.fmu import description2, description3
 from pam_cosim.fmu.cache import cached, digest, make_folder
 from pam_cosim.fmu.compile import (
     PLATFORMS,
     binary_folder,
     compile_library,
+    headers,
     native_platform,
     source_key,
     universal_binary,
 )
-from pam_cosim.fmu.description import model_description, model_identifier
+from pam_cosim.fmu.description import TOOL, model_identifier
 from pam_cosim.fmu.generate import model_source
 from pam_cosim.fmu.table import table
+from pam_cosim.resources import fmu_runtime
 
-RUNTIME = (
-    "pam_cosimulation.c", "pam_exchange.c", "pam_fmi2.c", "pam_history.c", "pam_instance.c", "pam_sensitivity.c",
-    "pam_snapshot.c", "pam_solver.c",
+FMI_VERSIONS = ("2.0", "3.0")
+
+_CORE = (
+    "pam_cosimulation.c", "pam_exchange.c", "pam_history.c", "pam_instance.c", "pam_lifecycle.c", "pam_log.c",
+    "pam_sensitivity.c", "pam_snapshot.c", "pam_solver.c", "pam_values.c",
 )  # fmt: skip
+_SHELLS = {"2.0": "pam_fmi2.c", "3.0": "pam_fmi3.c"}
 
+_MODEL = "model.c"
 _DATE = (1980, 1, 1, 0, 0, 0)
 
 
-def build_fmu(ode: Ode, path: Path, *, platforms: Sequence[str] = ("native",)) -> Path:
+def runtime(fmi: str = "2.0") -> tuple[str, ...]:
+    """Names of the C files that make up the runtime behind one version of FMI."""
+    return tuple(sorted((*_CORE, _SHELLS[fmi])))
+
+
+def build_fmu(ode: Ode, path: Path, *, platforms: Sequence[str] = ("native",), fmi: str = "2.0") -> Path:
     """Writes the FMU; the same model gives the same bytes. ``path`` is replaced whole or not at all.
 
     Args:
         ode: the compiled model.
         path: where the archive goes.
         platforms: keys of ``PLATFORMS``, "native", or "all".
+        fmi: version of the interface, "2.0" or "3.0".
 
     Returns:
         ``path``.
 
     Raises:
         ModelError: the model lacks a value or has an unreadable unit.
-        InputError: unknown platform, or ``path`` cannot be written.
+        InputError: unknown platform or version, or ``path`` cannot be written.
     """
-    content = fmu_bytes(ode, _platform_names(platforms))
+    content = fmu_bytes(ode, _platform_names(platforms), _version(fmi))
     make_folder(path.parent)
     write_bytes(path, content)
     return path
 
 
-def cached_fmu(key: str, make_ode: Callable[[], Ode], *, platforms: Sequence[str] = ("native",)) -> Path:
+def cached_fmu(
+    key: str, make_ode: Callable[[], Ode], *, platforms: Sequence[str] = ("native",), fmi: str = "2.0"
+) -> Path:
     """The FMU of a model in the cache; ``make_ode`` is called only when it is not there yet.
 
     Args:
         key: content that determines the model: sources and the version of what compiles them.
         make_ode: compiles the model.
-        platforms: as in ``build_fmu``.
+        platforms, fmi: as in ``build_fmu``.
     """
     names = _platform_names(platforms)
-    full = digest(key, source_key(RUNTIME), _packaging_key(), *names)
-    return cached("fmus", full, ".fmu", lambda: fmu_bytes(make_ode(), names))
+    full = digest(key, source_key(runtime(_version(fmi))), _packaging_key(), fmi, *names)
+    return cached("fmus", full, ".fmu", lambda: fmu_bytes(make_ode(), names, fmi))
 
 
-def fmu_bytes(ode: Ode, names: Sequence[str]) -> bytes:
+def fmu_bytes(ode: Ode, names: Sequence[str], fmi: str = "2.0") -> bytes:
     """The archive for the named platforms."""
-    files = _contents(ode, names)
+    files = _contents(ode, names, fmi)
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
         for name in sorted(files):
@@ -93,11 +108,17 @@ def _platform_names(platforms: Sequence[str]) -> list[str]:
     return sorted(chosen)
 
 
+def _version(fmi: str) -> str:
+    if fmi not in FMI_VERSIONS:
+        raise InputError(f"there is no FMI version '{fmi}' to build; choose from {', '.join(FMI_VERSIONS)}")
+    return fmi
+
+
 def _tool() -> str:
     try:
-        return f"pam-cosim {version('pam-cosim')}"
+        return f"{TOOL} {version(TOOL)}"
     except PackageNotFoundError:
-        return "pam-cosim"
+        return TOOL
 
 
 def _packaging_key() -> str:
@@ -105,17 +126,35 @@ def _packaging_key() -> str:
     return digest(_tool(), version("casadi"), *(f.read_bytes() for f in sorted(Path(__file__).parent.glob("*.py"))))
 
 
-def _contents(ode: Ode, names: Sequence[str]) -> dict[str, bytes]:
+def _contents(ode: Ode, names: Sequence[str], fmi: str) -> dict[str, bytes]:
     """Files of the archive by name. The GUID stands for the description and the equations."""
-    entries, tool = table(ode), _tool()
-    draft = model_description(ode, entries, "", tool)
-    sha = digest(draft, model_source(ode, ""), source_key(RUNTIME))
+    draft = _descriptions(ode, "", fmi)
+    sha = digest(draft["modelDescription.xml"], model_source(ode, ""), source_key(runtime(fmi)))
     guid = f"{{{sha[:8]}-{sha[8:12]}-{sha[12:16]}-{sha[16:20]}-{sha[20:32]}}}"
-    source = {"model.c": model_source(ode, guid)}
-    files = {"modelDescription.xml": model_description(ode, entries, guid, tool)}
+    source = model_source(ode, guid)
+    return _descriptions(ode, guid, fmi) | _sources(source, fmi) | _binaries(ode, source, names, fmi)
+
+
+def _descriptions(ode: Ode, guid: str, fmi: str) -> dict[str, bytes]:
+    entries, compiled = table(ode), (_MODEL, *runtime(fmi))
+    if fmi == "2.0":
+        return {"modelDescription.xml": description2.model_description(ode, entries, guid, _tool(), compiled)}
+    return {
+        "modelDescription.xml": description3.model_description(ode, entries, guid, _tool()),
+        "sources/buildDescription.xml": description3.build_description(ode, compiled),
+    }
+
+
+def _sources(model: str, fmi: str) -> dict[str, bytes]:
+    """Everything that the binaries are compiled from."""
+    shipped = [*(fmu_runtime() / name for name in runtime(fmi)), *headers(fmi)]
+    return {f"sources/{_MODEL}": model.encode()} | {f"sources/{file.name}": file.read_bytes() for file in shipped}
+
+
+def _binaries(ode: Ode, model: str, names: Sequence[str], fmi: str) -> dict[str, bytes]:
     slices: dict[str, list[bytes]] = {}
     for name in names:
-        target = PLATFORMS[name]
-        binary = f"binaries/{binary_folder(name, names)}/{model_identifier(ode.interface.model)}{target.suffix}"
-        slices.setdefault(binary, []).append(compile_library(RUNTIME, source, name).read_bytes())
-    return files | {name: thin[0] if len(thin) == 1 else universal_binary(thin) for name, thin in slices.items()}
+        file = model_identifier(ode.interface.model) + PLATFORMS[name].suffix
+        binary = f"binaries/{binary_folder(name, names, fmi)}/{file}"
+        slices.setdefault(binary, []).append(compile_library(runtime(fmi), {_MODEL: model}, name).read_bytes())
+    return {name: thin[0] if len(thin) == 1 else universal_binary(thin) for name, thin in slices.items()}

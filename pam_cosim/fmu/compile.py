@@ -35,20 +35,22 @@ class Platform:
     Attributes:
         target: the compiler's name of it; a glibc version makes the binary run on old systems too.
         folder: directory of the binary inside an FMI 2.0 archive.
+        tuple: the same inside an FMI 3.0 archive.
         suffix: of a shared library.
     """
 
     target: str
     folder: str
+    tuple: str
     suffix: str
 
 
 PLATFORMS: dict[str, Platform] = {
-    "x86_64-linux": Platform("x86_64-linux-gnu.2.17", "linux64", ".so"),
-    "aarch64-linux": Platform("aarch64-linux-gnu.2.17", "aarch64-linux", ".so"),
-    "x86_64-windows": Platform("x86_64-windows-gnu", "win64", ".dll"),
-    "x86_64-macos": Platform("x86_64-macos", "darwin64", ".dylib"),
-    "aarch64-macos": Platform("aarch64-macos", "darwin64", ".dylib"),
+    "x86_64-linux": Platform("x86_64-linux-gnu.2.17", "linux64", "x86_64-linux", ".so"),
+    "aarch64-linux": Platform("aarch64-linux-gnu.2.17", "aarch64-linux", "aarch64-linux", ".so"),
+    "x86_64-windows": Platform("x86_64-windows-gnu", "win64", "x86_64-windows", ".dll"),
+    "x86_64-macos": Platform("x86_64-macos", "darwin64", "x86_64-darwin", ".dylib"),
+    "aarch64-macos": Platform("aarch64-macos", "darwin64", "aarch64-darwin", ".dylib"),
 }
 
 
@@ -66,11 +68,13 @@ def native_platform() -> str:
     return name
 
 
-def binary_folder(name: str, names: Sequence[str]) -> str:
+def binary_folder(name: str, names: Sequence[str], fmi: str = "2.0") -> str:
     """Directory of a platform's binary in an archive for ``names``.
 
     FMI 2.0 knows one 64-bit Linux, and tools on an ARM machine look there too: ARM alone takes that place.
     """
+    if fmi == "3.0":
+        return PLATFORMS[name].tuple
     return "linux64" if name == "aarch64-linux" and "x86_64-linux" not in names else PLATFORMS[name].folder
 
 
@@ -79,11 +83,15 @@ def _fmi_headers() -> Path:
     return Path(fmpy.__file__).parent / "c-code"
 
 
+def headers(fmi: str) -> list[Path]:
+    """The header files that the runtime needs beside the C compiler's own, with those of one version of FMI."""
+    return sorted(fmu_runtime().glob("*.h")) + sorted(_fmi_headers().glob(f"fmi{fmi[0]}*.h"))
+
+
 @cache
 def _shipped(names: tuple[str, ...]) -> tuple[str, ...]:
     """Contents of the runtime's sources and of every header it may include."""
-    headers = sorted(fmu_runtime().glob("*.h")) + sorted(_fmi_headers().glob("fmi2*.h"))
-    files = [fmu_runtime() / name for name in names] + headers
+    files = [fmu_runtime() / name for name in names] + sorted({*headers("2.0"), *headers("3.0")})
     return tuple(f"{path.name}\n{path.read_text(encoding='utf-8')}" for path in files)
 
 

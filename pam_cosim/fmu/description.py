@@ -1,10 +1,11 @@
-"""The modelDescription.xml of an FMI 2.0 FMU."""
+"""The modelDescription.xml of an FMU: what FMI 2.0 and 3.0 have in common."""
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from xml.etree import ElementTree as Xml
 
 from pam_cosim.compiler.ode import Ode
@@ -14,13 +15,14 @@ from pam_cosim.fmu.table import Entry, Kind
 from pam_cosim.fmu.units import Unit, parse_unit
 from pam_cosim.interface import Variable
 
-_SHARED = {"canGetAndSetFMUstate": "true", "canSerializeFMUstate": "true", "providesDirectionalDerivative": "true"}
-_CO_SIMULATION = {
-    "canHandleVariableCommunicationStepSize": "true",
-    "canInterpolateInputs": "true",
-    "maxOutputDerivativeOrder": "1",
+# Names the annotations that are this tool's own.
+TOOL = "pam-cosim"
+
+_LOG_CATEGORIES = {
+    "logStatusWarning": "what may be unexpected",
+    "logStatusDiscard": "why a step or an evaluation was not possible",
+    "logStatusError": "why a call was refused",
 }
-_LOG_CATEGORIES = ("logStatusWarning", "logStatusError")
 
 
 def model_identifier(model: str) -> str:
@@ -29,58 +31,12 @@ def model_identifier(model: str) -> str:
     return name if name and not name[0].isdigit() else f"_{name}"
 
 
-def model_description(ode: Ode, entries: Sequence[Entry], guid: str, tool: str) -> bytes:
-    """The complete file.
+def units(root: Xml.Element, variables: Iterable[Variable]) -> None:
+    """UnitDefinitions: every unit in use with the display units asked for.
 
     Raises:
-        ModelError: a unit that cannot be read, or a limit that is not a number.
+        ModelError: a unit that cannot be read.
     """
-    face = ode.interface
-    root = Xml.Element(
-        "fmiModelDescription",
-        {
-            "fmiVersion": "2.0",
-            "modelName": face.model,
-            "guid": guid,
-            **({"description": ode.description} if ode.description else {}),
-            "generationTool": tool,
-            "variableNamingConvention": "structured",
-            "numberOfEventIndicators": "0",
-        },
-    )
-    identifier = {"modelIdentifier": model_identifier(face.model)}
-    if not ode.delays:  # nobody tells an FMU for model exchange what its inputs were between two evaluations
-        Xml.SubElement(root, "ModelExchange", {**identifier, **_SHARED})
-    Xml.SubElement(root, "CoSimulation", {**identifier, **_CO_SIMULATION, **_SHARED})
-    _units(root, [entry.variable for entry in entries])
-    categories = Xml.SubElement(root, "LogCategories")
-    for name in _LOG_CATEGORIES:
-        Xml.SubElement(categories, "Category", {"name": name})
-    experiment = {
-        "startTime": "0.0",
-        "stopTime": repr(float(face.stop_time)),
-        "tolerance": repr(float(face.tolerance)),
-        "stepSize": repr(float(face.interval)),
-    }
-    Xml.SubElement(root, "DefaultExperiment", experiment)
-    variables = Xml.SubElement(root, "ModelVariables")
-    positions = {e.index: i for i, e in enumerate(entries, 1) if e.kind is Kind.STATE}
-    for entry in entries:
-        _variable(variables, entry, positions)
-    _structure(root, ode, entries)
-    Xml.indent(root)
-    return bytes(Xml.tostring(root, encoding="utf-8", xml_declaration=True)) + b"\n"
-
-
-def _unit_of(variable: Variable, text: str) -> Unit:
-    try:
-        return parse_unit(text)
-    except ModelError as error:
-        raise ModelError(f"variable '{variable.name}': {error.message}") from error
-
-
-def _units(root: Xml.Element, variables: Iterable[Variable]) -> None:
-    """UnitDefinitions: every unit in use with the display units asked for."""
     displays: dict[str, dict[str, tuple[float, float]]] = {}
     for variable in variables:
         if not variable.unit:
@@ -109,14 +65,56 @@ def _units(root: Xml.Element, variables: Iterable[Variable]) -> None:
             Xml.SubElement(element, "DisplayUnit", {"name": display, **numbers})
 
 
-def _variable(parent: Xml.Element, entry: Entry, state_positions: dict[int, int]) -> None:
-    variable = entry.variable
+def _unit_of(variable: Variable, text: str) -> Unit:
+    try:
+        return parse_unit(text)
+    except ModelError as error:
+        raise ModelError(f"variable '{variable.name}': {error.message}") from error
+
+
+def log_categories(root: Xml.Element) -> None:
+    """LogCategories."""
+    categories = Xml.SubElement(root, "LogCategories")
+    for name, description in _LOG_CATEGORIES.items():
+        Xml.SubElement(categories, "Category", {"name": name, "description": description})
+
+
+def default_experiment(root: Xml.Element, ode: Ode) -> None:
+    """DefaultExperiment."""
+    face = ode.interface
+    experiment = {
+        "startTime": "0.0",
+        "stopTime": repr(float(face.stop_time)),
+        "tolerance": repr(float(face.tolerance)),
+        "stepSize": repr(float(face.interval)),
+    }
+    Xml.SubElement(root, "DefaultExperiment", experiment)
+
+
+def contents(parent: Xml.Element, ode: Ode) -> None:
+    """What the model is made of: libraries with their versions, and the effects in it."""
+    for name, version in ode.libraries:
+        Xml.SubElement(parent, "Library", {"name": name, "version": version})
+    for component, effect in ode.effects:
+        Xml.SubElement(parent, "Effect", {"name": effect, "component": component})
+
+
+def scalar_attributes(entry: Entry) -> dict[str, str]:
+    """Name, value reference, description, causality, variability and initial of a variable."""
     scalar = {"name": entry.name, "valueReference": str(entry.reference)}
-    if variable.description:
-        scalar["description"] = variable.description
+    if entry.variable.description:
+        scalar["description"] = entry.variable.description
     scalar |= {"causality": entry.causality, "variability": entry.variability}
-    if entry.initial is not None:
-        scalar["initial"] = entry.initial
+    return scalar if entry.initial is None else scalar | {"initial": entry.initial}
+
+
+def real_attributes(entry: Entry) -> dict[str, str]:
+    """Units, limits and start value of a variable, those that it has.
+
+    Raises:
+        ModelError: a limit that is not a number.
+    """
+    variable = entry.variable
     real = {
         "quantity": variable.quantity,
         "unit": variable.unit,
@@ -126,10 +124,7 @@ def _variable(parent: Xml.Element, entry: Entry, state_positions: dict[int, int]
         "nominal": _number(variable.name, "nominal", variable.nominal),
         "start": _number(variable.name, "start", entry.start),
     }
-    if entry.derivative_of is not None:
-        real["derivative"] = str(state_positions[entry.derivative_of])
-    element = Xml.SubElement(parent, "ScalarVariable", scalar)
-    Xml.SubElement(element, "Real", {key: text for key, text in real.items() if text})
+    return {key: text for key, text in real.items() if text}
 
 
 def _number(name: str, attribute: str, value: float | None) -> str:
@@ -141,8 +136,19 @@ def _number(name: str, attribute: str, value: float | None) -> str:
     return repr(float(value))
 
 
-def _structure(root: Xml.Element, ode: Ode, entries: Sequence[Entry]) -> None:
-    structure = Xml.SubElement(root, "ModelStructure")
+@dataclass(frozen=True)
+class ModelStructure:
+    """Unknown variables, by index from 1 in the table of entries, and what they depend on."""
+
+    outputs: list[int]
+    derivatives: list[int]
+    initial: list[int]
+    running: Dependencies
+    starting: Dependencies
+
+
+def model_structure(ode: Ode, entries: Sequence[Entry]) -> ModelStructure:
+    """Outputs, derivatives in the order of the states, and initial unknowns."""
     numbered = list(enumerate(entries, 1))
     outputs = [i for i, e in numbered if e.causality == "output"]
     rates = {e.derivative_of: i for i, e in numbered if e.derivative_of is not None}
@@ -152,16 +158,23 @@ def _structure(root: Xml.Element, ode: Ode, entries: Sequence[Entry]) -> None:
         | {i for i in derivatives if entries[i - 1].initial == "calculated"}
         | {i for i, e in numbered if e.kind is Kind.STATE and e.initial == "calculated"}
     )
-    running = continuous_dependencies(ode, entries)
-    _unknowns(structure, "Outputs", outputs, running)
-    _unknowns(structure, "Derivatives", derivatives, running)
-    _unknowns(structure, "InitialUnknowns", initial, initial_dependencies(ode, entries))
+    return ModelStructure(
+        outputs, derivatives, initial, continuous_dependencies(ode, entries), initial_dependencies(ode, entries)
+    )
 
 
-def _unknowns(parent: Xml.Element, name: str, indices: Sequence[int], dependencies: Dependencies) -> None:
-    if not indices:
-        return
-    element = Xml.SubElement(parent, name)
-    for index in indices:
-        known = " ".join(str(i) for i in dependencies[index])
-        Xml.SubElement(element, "Unknown", {"index": str(index), "dependencies": known})
+def unknown(
+    parent: Xml.Element, tag: str, key: str, index: int, dependencies: Dependencies, numbers: Mapping[int, int]
+) -> None:
+    """One unknown; ``numbers`` turns an index into what this version of FMI refers to variables by."""
+    known = dependencies[index]
+    attributes = {key: str(numbers[index]), "dependencies": " ".join(str(numbers[d.position]) for d in known)}
+    if known:
+        attributes["dependenciesKind"] = " ".join(d.kind for d in known)
+    Xml.SubElement(parent, tag, attributes)
+
+
+def document(root: Xml.Element) -> bytes:
+    """The file's text."""
+    Xml.indent(root)
+    return bytes(Xml.tostring(root, encoding="utf-8", xml_declaration=True)) + b"\n"

@@ -21,13 +21,14 @@ def build_model(
     platforms: Sequence[str] = ("native",),
     sensitivities: Sequence[str] = (),
     where_smooth: bool = False,
+    fmi: str = "2.0",
 ) -> Path:
     """The FMU of a model.
 
     Args:
         model: a bench's name, a Modelica class, or the path of a ``.mo`` file; an ``.fmu`` file is itself.
         files: the user's ``.mo`` files that the model may use.
-        platforms: as in ``build_fmu``.
+        platforms, fmi: as in ``build_fmu``.
         sensitivities: parameters; the FMU gets the derivative of every output with respect to each of them as the
             output ``sensitivity.<output>.<parameter>``, integrated with the states.
         where_smooth: leave out those that the model does not have or that are lengths of delays.
@@ -43,11 +44,17 @@ def build_model(
             raise InputError("there is no such file", model)
         return Path(model)
     bench = modelica_root().joinpath(*_BENCHES.split("."), f"{model}.mo")
-    return _build(f"{_BENCHES}.{model}" if bench.exists() else model, files, platforms, sensitivities, where_smooth)
+    full = f"{_BENCHES}.{model}" if bench.exists() else model
+    return _build(full, files, platforms, sensitivities, where_smooth, fmi)
 
 
 def _build(
-    model: str, files: Sequence[Path], platforms: Sequence[str], sensitivities: Sequence[str], where_smooth: bool
+    model: str,
+    files: Sequence[Path],
+    platforms: Sequence[str],
+    sensitivities: Sequence[str],
+    where_smooth: bool,
+    fmi: str = "2.0",
 ) -> Path:
     def make() -> Ode:
         ode = compile_model(model, files=files)
@@ -55,7 +62,7 @@ def _build(
         return with_sensitivities(ode, [name for name in sensitivities if name in known])
 
     key = digest(flat_hash(model, files=files), str(where_smooth), *sensitivities)
-    return cached_fmu(key, make, platforms=platforms)
+    return cached_fmu(key, make, platforms=platforms, fmi=fmi)
 
 
 def build_source(model: str, text: str, files: Sequence[Path] = (), *, sensitivities: Sequence[str] = ()) -> Path:

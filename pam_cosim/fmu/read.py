@@ -13,7 +13,7 @@ from pam_cosim.interface import Interface, Variable, sensitivity_name
 
 
 def read_description(path: Path) -> ModelDescription:
-    """FMPy's model description of an FMI 2.0 co-simulation FMU.
+    """FMPy's model description of a co-simulation FMU of FMI 2.0 or 3.0.
 
     Raises:
         InputError: not an FMU, or not of that kind.
@@ -26,10 +26,22 @@ def read_description(path: Path) -> ModelDescription:
         raise InputError(f"the FMU is not valid: {error.problems[0]}", path) from error
     except Exception as error:  # fmpy raises bare Exceptions, zipfile, lxml and OS errors
         raise InputError(f"this is not an FMU: {error}", path) from error
-    if description.fmiVersion != "2.0" or description.coSimulation is None:
-        kind = "model exchange" if description.coSimulation is None else "co-simulation"
-        raise InputError(f"an FMI 2.0 co-simulation FMU is needed; this is FMI {description.fmiVersion} {kind}", path)
+    if fmi_version(description) not in ("2.0", "3.0") or description.coSimulation is None:
+        kind = "co-simulation" if description.coSimulation is not None else "without co-simulation"
+        raise InputError(
+            f"a co-simulation FMU of FMI 2.0 or 3.0 is needed; this is FMI {description.fmiVersion} {kind}", path
+        )
     return description
+
+
+def fmi_version(description: ModelDescription) -> str:
+    """Major and minor version of FMI: "2.0", "3.0"; maintenance releases are compatible."""
+    return ".".join(str(description.fmiVersion).split("-")[0].split(".")[:2])
+
+
+def real_variables(description: ModelDescription) -> list[Any]:
+    """FMPy's scalar variables of double precision."""
+    return [v for v in description.modelVariables if v.type in ("Real", "Float64") and not v.dimensions]
 
 
 def read_interface(path: Path) -> Interface:
@@ -38,7 +50,7 @@ def read_interface(path: Path) -> Interface:
     ``locals`` holds every other continuous variable that can be read, states and derivatives included.
 
     Raises:
-        InputError: not an FMI 2.0 co-simulation FMU.
+        InputError: not a co-simulation FMU of FMI 2.0 or 3.0.
     """
     return interface_of(read_description(path))
 
@@ -46,8 +58,8 @@ def read_interface(path: Path) -> Interface:
 def interface_of(description: ModelDescription) -> Interface:
     """The interface that a model description declares."""
     groups: dict[str, dict[str, Variable]] = {"input": {}, "output": {}, "parameter": {}, "local": {}}
-    for scalar in description.modelVariables:
-        if scalar.type == "Real" and scalar.causality in groups:
+    for scalar in real_variables(description):
+        if scalar.causality in groups:
             groups[scalar.causality][scalar.name] = _variable(scalar)
     experiment = description.defaultExperiment
     given = {}

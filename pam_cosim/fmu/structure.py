@@ -1,35 +1,32 @@
-"""Which variable depends on which, from the exact sparsity of the expressions."""
+"""Which variable depends on which and how, from the exact sparsity of the expressions."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import casadi as ca
 
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.fmu.table import Entry, Kind
 
-Dependencies = dict[int, list[int]]
+
+@dataclass(frozen=True)
+class Dependency:
+    """One known variable that an unknown depends on.
+
+    Attributes:
+        position: index (from 1) in the model description.
+        kind: FMI's ``dependenciesKind``: "constant" where the known enters with a constant factor, "fixed" where
+            the factor follows from parameters, else "dependent".
+    """
+
+    position: int
+    kind: str
 
 
-def _rows(expression: ca.SX, knowns: Sequence[tuple[ca.SX, Sequence[int | None]]]) -> list[list[int]]:
-    """For each row of ``expression`` the positions of the variables it depends on, ascending."""
-    rows: list[list[int]] = [[] for _ in range(expression.numel())]
-    for symbols, positions in knowns:
-        if not symbols.numel() or not expression.numel():
-            continue
-        pattern = ca.jacobian_sparsity(expression, symbols)
-        for row, column in zip(pattern.row(), pattern.get_col(), strict=True):
-            position = positions[column]
-            if position is not None:
-                rows[row].append(position)
-    return [sorted(row) for row in rows]
-
-
-def _positions(entries: Sequence[Entry], kind: Kind, count: int) -> list[int | None]:
-    """Index (from 1) in the model description of every variable of a kind."""
-    found = {entry.index: i for i, entry in enumerate(entries, 1) if entry.kind is kind}
-    return [found.get(index) for index in range(count)]
+Dependencies = dict[int, list[Dependency]]
+_Knowns = Sequence[tuple[ca.SX, Sequence[int | None]]]
 
 
 def continuous_dependencies(ode: Ode, entries: Sequence[Entry]) -> Dependencies:
@@ -40,11 +37,12 @@ def continuous_dependencies(ode: Ode, entries: Sequence[Entry]) -> Dependencies:
         (ode.t, _positions(entries, Kind.TIME, 1)),
     ]
     derivatives, outputs = _undelayed(ode)
-    return _assign(entries, {Kind.DERIVATIVE: derivatives, Kind.OUTPUT: outputs, Kind.STATE: ode.x}, knowns)
+    unknowns = {Kind.DERIVATIVE: derivatives, Kind.OUTPUT: outputs, Kind.STATE: ode.x}
+    return _assign(ode, entries, unknowns, knowns, ode.p)
 
 
 def initial_dependencies(ode: Ode, entries: Sequence[Entry]) -> Dependencies:
-    """The same at initialization, where calculated states follow from the parameters."""
+    """The same at initialization, where calculated states follow from the parameters, which are known variables."""
     exact = {e.index for e in entries if e.kind is Kind.STATE and e.initial == "exact"}
     initial = ca.vertsplit(ca.SX(ode.initial)) if ode.states else []
     start = ca.vertcat(*[ode.x[i] if i in exact else initial[i] for i in range(len(initial))])
@@ -55,7 +53,14 @@ def initial_dependencies(ode: Ode, entries: Sequence[Entry]) -> Dependencies:
         (ode.p, _positions(entries, Kind.PARAMETER, ode.p.numel())),
         (ode.t, _positions(entries, Kind.TIME, 1)),
     ]
-    return _assign(entries, {Kind.DERIVATIVE: derivatives, Kind.OUTPUT: outputs, Kind.STATE: ca.SX(start)}, knowns)
+    unknowns = {Kind.DERIVATIVE: derivatives, Kind.OUTPUT: outputs, Kind.STATE: ca.SX(start)}
+    return _assign(ode, entries, unknowns, knowns, ca.SX(0, 1))
+
+
+def _positions(entries: Sequence[Entry], kind: Kind, count: int) -> list[int | None]:
+    """Index (from 1) in the model description of every variable of a kind."""
+    found = {entry.index: i for i, entry in enumerate(entries, 1) if entry.kind is kind}
+    return [found.get(index) for index in range(count)]
 
 
 def _undelayed(ode: Ode) -> list[ca.SX]:
@@ -66,9 +71,68 @@ def _undelayed(ode: Ode) -> list[ca.SX]:
 
 
 def _assign(
-    entries: Sequence[Entry],
-    expressions: dict[Kind, ca.SX],
-    knowns: Sequence[tuple[ca.SX, Sequence[int | None]]],
+    ode: Ode, entries: Sequence[Entry], unknowns: dict[Kind, ca.SX], knowns: _Knowns, fixed: ca.SX
 ) -> Dependencies:
-    rows = {kind: _rows(expression, knowns) for kind, expression in expressions.items()}
+    # What acts late does not act with a factor.
+    exact = not ode.delays
+    rows = {kind: _rows(expression, knowns, fixed, exact) for kind, expression in unknowns.items()}
     return {i: rows[e.kind][e.index] for i, e in enumerate(entries, 1) if e.kind in rows}
+
+
+def _rows(expression: ca.SX, knowns: _Knowns, fixed: ca.SX, exact: bool) -> list[list[Dependency]]:
+    """For each row of ``expression`` the variables it depends on, ascending."""
+    symbols = ca.vertcat(*[symbols for symbols, _ in knowns])
+    positions = [position for _, part in knowns for position in part]
+    rows: list[list[Dependency]] = [[] for _ in range(expression.numel())]
+    pattern = ca.jacobian_sparsity(expression, symbols)
+    kinds = _kinds(expression, symbols, fixed) if exact else {}
+    for row, column in zip(pattern.row(), pattern.get_col(), strict=True):
+        position = positions[column]
+        if position is not None:
+            rows[row].append(Dependency(position, kinds.get((row, column), "dependent")))
+    return [sorted(row, key=lambda d: d.position) for row in rows]
+
+
+def _kinds(expression: ca.SX, symbols: ca.SX, fixed: ca.SX) -> dict[tuple[int, int], str]:
+    """What the factors depend on, which are the entries of the Jacobian."""
+    jacobian = ca.jacobian(_without_conditions(expression), symbols)
+    factors = jacobian.nz[:]
+    varying = set(ca.jacobian_sparsity(factors, symbols).row())
+    set_before = set(ca.jacobian_sparsity(factors, fixed).row())
+    places = zip(jacobian.sparsity().row(), jacobian.sparsity().get_col(), strict=True)
+    return {
+        place: "dependent" if i in varying else "fixed" if i in set_before else "constant"
+        for i, place in enumerate(places)
+    }
+
+
+# Operations whose derivatives do not tell how the result depends on the operands.
+_STEPS = frozenset(
+    (ca.OP_LT, ca.OP_LE, ca.OP_EQ, ca.OP_NE, ca.OP_NOT, ca.OP_AND, ca.OP_OR, ca.OP_IF_ELSE_ZERO,
+     ca.OP_SIGN, ca.OP_FLOOR, ca.OP_CEIL, ca.OP_FMOD, ca.OP_REMAINDER, ca.OP_COPYSIGN)
+)  # fmt: skip
+
+
+def _without_conditions(expression: ca.SX) -> ca.SX:
+    """An expression of the same dependencies whose derivatives show them: a curve in place of every condition."""
+    symbols = ca.vertcat(*ca.symvar(expression)) if ca.symvar(expression) else ca.SX(0, 1)
+    function = ca.Function("f", [symbols], [ca.densify(expression)])
+    work = [ca.SX(0)] * max(1, function.sz_w())
+    result = ca.SX(expression.shape[0], 1)
+    for k in range(function.n_instructions()):
+        code, reads, writes = function.instruction_id(k), function.instruction_input(k), function.instruction_output(k)
+        if code == ca.OP_OUTPUT:
+            result[writes[1]] = work[reads[0]]
+        elif code == ca.OP_INPUT:
+            work[writes[0]] = symbols[reads[1]]
+        elif code == ca.OP_CONST:
+            work[writes[0]] = ca.SX(function.instruction_constant(k))
+        else:
+            work[writes[0]] = _operation(code, [work[i] for i in reads])
+    return result
+
+
+def _operation(code: int, operands: Sequence[ca.SX]) -> ca.SX:
+    if code in _STEPS:
+        return ca.sin(sum(operands, ca.SX(0)))
+    return ca.SX.unary(code, operands[0]) if len(operands) == 1 else ca.SX.binary(code, *operands)

@@ -21,18 +21,33 @@ from pam_cosim.simulation.plan import Plan
 
 Array = NDArray[np.float64]
 
-# In the order of the function pointers in driver_run.
-FUNCTIONS = (
-    "fmi2Reset",
-    "fmi2SetupExperiment",
-    "fmi2EnterInitializationMode",
-    "fmi2ExitInitializationMode",
-    "fmi2SetReal",
-    "fmi2GetReal",
-    "fmi2SetRealInputDerivatives",
-    "fmi2DoStep",
-    "fmi2Terminate",
-)
+# In the order of the function pointers in driver_run, by major version of FMI; version 3 sets up the experiment when
+# it enters initialization mode, and has no slopes of inputs: our own FMUs have a function for them beside FMI.
+FUNCTIONS: dict[int, tuple[str | None, ...]] = {
+    2: (
+        "fmi2Reset",
+        "fmi2SetupExperiment",
+        "fmi2EnterInitializationMode",
+        "fmi2ExitInitializationMode",
+        "fmi2SetReal",
+        "fmi2GetReal",
+        "fmi2SetRealInputDerivatives",
+        "fmi2DoStep",
+        "fmi2Terminate",
+    ),
+    3: (
+        "fmi3Reset",
+        None,
+        "fmi3EnterInitializationMode",
+        "fmi3ExitInitializationMode",
+        "fmi3SetFloat64",
+        "fmi3GetFloat64",
+        "pam_set_input_slopes",
+        "fmi3DoStep",
+        "fmi3Terminate",
+    ),
+}
+_SLOTS = ("reset", "setup", "enter", "leave", "set_real", "get_real", "set_slopes", "do_step", "terminate")
 # Named instead of a function where the run took too long.
 TOO_SLOW = "time limit"
 
@@ -43,8 +58,9 @@ class _Log(ctypes.Structure):
 
 class _Run(ctypes.Structure):
     _fields_ = [
-        *((name, ctypes.c_void_p) for name in FUNCTIONS),
+        *((name, ctypes.c_void_p) for name in _SLOTS),
         ("instance", ctypes.c_void_p),
+        ("version", ctypes.c_int32),
         ("must_reset", ctypes.c_int32),
         ("tolerance_defined", ctypes.c_int32),
         ("tolerance", ctypes.c_double),
@@ -79,6 +95,13 @@ def _library() -> ctypes.CDLL:
     return library
 
 
+def _address(library: Any, name: str | None) -> int | None:
+    """Of a function; None: the library does not have it."""
+    if name is None or not hasattr(library, name):
+        return None
+    return ctypes.cast(getattr(library, name), ctypes.c_void_p).value
+
+
 class Callbacks:
     """Memory, and a log in C that keeps the FMU's warnings and errors; must outlive the instance."""
 
@@ -90,6 +113,12 @@ class Callbacks:
         self.functions.allocateMemory = ctypes.cast(library.pam_driver_allocate, fmi2CallbackAllocateMemoryTYPE)
         self.functions.freeMemory = ctypes.cast(library.pam_driver_free, fmi2CallbackFreeMemoryTYPE)
         self.functions.componentEnvironment = ctypes.addressof(self._log)
+
+    def note(self, environment: object, status: int, category: bytes, message: bytes) -> None:
+        """The log of FMI 3.0, as a function for FMPy; messages of status warning and worse are kept."""
+        text = self._log.text + message + b"\n"
+        if status > 0 and len(text) < 8192:
+            self._log.text = text
 
     def take_messages(self) -> list[str]:
         """Messages since the last call."""
@@ -116,13 +145,16 @@ class Driver:
 
     Args:
         library: the FMU's shared library.
-        instance: its fmi2Component.
+        instance: its fmi2Component or fmi3Instance.
         slopes: whether the FMU understands derivatives of inputs.
+        version: major version of FMI, 2 or 3.
     """
 
-    def __init__(self, library: Any, instance: int, slopes: bool) -> None:
-        self._addresses = {name: ctypes.cast(getattr(library, name), ctypes.c_void_p).value for name in FUNCTIONS}
-        self._instance, self._slopes = instance, slopes
+    def __init__(self, library: Any, instance: int, slopes: bool, version: int = 2) -> None:
+        names = dict(zip(_SLOTS, FUNCTIONS[version], strict=True))
+        self._names = [name or "" for name in names.values()]
+        self._addresses = {slot: _address(library, name) for slot, name in names.items()}
+        self._instance, self._slopes, self._version = instance, slopes, version
 
     def run(
         self,
@@ -142,6 +174,7 @@ class Driver:
         run = _Run(
             **self._addresses,
             instance=self._instance,
+            version=self._version,
             must_reset=must_reset,
             tolerance_defined=tolerance is not None,
             tolerance=tolerance or 0.0,
@@ -164,5 +197,5 @@ class Driver:
             rows_after=plan.rows_after.ctypes.data,
         )
         _library().pam_driver_run(ctypes.byref(run))
-        failed = (*FUNCTIONS, TOO_SLOW)[run.stage] if run.stage >= 0 else None
+        failed = (*self._names, TOO_SLOW)[run.stage] if run.stage >= 0 else None
         return Outcome(result[plan.rows], run.time_reached, failed)

@@ -15,17 +15,16 @@ from types import TracebackType
 
 import fmpy
 import numpy as np
-from fmpy.fmi2 import FMU2Slave
 from numpy.typing import ArrayLike, NDArray
 
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.fmu.compile import PLATFORMS, native_platform
-from pam_cosim.fmu.read import interface_of, read_description
+from pam_cosim.fmu.read import interface_of, read_description, real_variables
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.simulation.driver import TOO_SLOW, Callbacks, Driver, Outcome
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs
 from pam_cosim.simulation.plan import plan
+from pam_cosim.simulation.slave import Slave, free_instance, instantiate, load_slave, major_version, takes_slopes
 from pam_cosim.simulation.trajectory import Trajectory
 
 Array = NDArray[np.float64]
@@ -46,7 +45,7 @@ class Simulator:
     """An FMU ready to run, any number of times; a context manager.
 
     Args:
-        path: an FMI 2.0 co-simulation FMU of any origin.
+        path: a co-simulation FMU of FMI 2.0 or 3.0, of any origin.
 
     Raises:
         InputError: not such an FMU, or none for this platform.
@@ -57,11 +56,11 @@ class Simulator:
         self.path = Path(path)
         self._description = read_description(self.path)
         self.interface: Interface = interface_of(self._description)
-        self._references = {v.name: v.valueReference for v in self._description.modelVariables if v.type == "Real"}
+        self._references = {v.name: v.valueReference for v in real_variables(self._description)}
         self._units = {
             v.name: v.unit for group in _groups(self.interface) for v in group.values()
         }  # fmt: skip
-        self._slave: FMU2Slave | None = None
+        self._slave: Slave | None = None
         self._directory = tempfile.mkdtemp(prefix="pam-cosim-fmu-")
         try:
             self._load()
@@ -70,47 +69,33 @@ class Simulator:
             raise
 
     def _load(self) -> None:
-        settings = self._description.coSimulation
         fmpy.extract(str(self.path), unzipdir=self._directory)
         self._callbacks = Callbacks()
         folder = os.getcwd()
         try:
-            self._slave = FMU2Slave(
-                guid=self._description.guid,
-                unzipDirectory=self._directory,
-                modelIdentifier=settings.modelIdentifier,
-                instanceName="instance",
-                libraryPath=self._library(settings.modelIdentifier),
-            )
+            self._slave = load_slave(self._description, self._directory)
         except Exception as error:  # fmpy raises bare Exceptions
             raise InputError(f"the FMU cannot be loaded on this machine: {error}", self.path) from error
         finally:
             os.chdir(folder)  # FMPy goes to the library's folder and stays there when loading fails
+        self._slopes = takes_slopes(self._description, self._slave)
         self._instantiate(self._slave)
-        self._slopes = bool(settings.canInterpolateInputs)
-        self._driver = Driver(self._slave.dll, self._slave.component, self._slopes)
-
-    def _library(self, identifier: str) -> str | None:
-        """The binary in a directory of this platform's own; None: FMPy's choice, in the directory that FMI names."""
-        own = PLATFORMS[native_platform()]
-        path = Path(self._directory, "binaries", own.folder, f"{identifier}{own.suffix}")
-        return str(path) if path.exists() else None
 
     def _renew(self) -> None:
         """A fresh instance, for FMUs that cannot be reset."""
         assert self._slave is not None
-        self._slave.fmi2FreeInstance(self._slave.component)
+        free_instance(self._slave)
         self._instantiate(self._slave)
-        self._driver = Driver(self._slave.dll, self._slave.component, self._slopes)
 
-    def _instantiate(self, slave: FMU2Slave) -> None:
+    def _instantiate(self, slave: Slave) -> None:
         try:
-            slave.instantiate(callbacks=self._callbacks.functions)
+            instantiate(slave, self._callbacks)
         except Exception as error:
             messages = " ".join(self._callbacks.take_messages()) or str(error)
             slave.freeLibrary()
             self._slave = None
             raise RunFailure(f"{self.path.name} cannot be instantiated: {messages}") from error
+        self._driver = Driver(slave.dll, slave.component, self._slopes, major_version(slave))
         self._used = False
 
     def __enter__(self) -> Simulator:
@@ -182,7 +167,7 @@ class Simulator:
             )  # fmt: skip
 
         outcome = drive()
-        if outcome.failed == "fmi2Reset":
+        if outcome.failed in ("fmi2Reset", "fmi3Reset"):
             self._renew()
             outcome = drive()
         self._used = True

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.fmu.build import RUNTIME
+from pam_cosim.fmu.build import runtime
 from pam_cosim.fmu.compile import compile_library, native_platform
 from pam_cosim.fmu.generate import model_source
 from pam_cosim.fmu.read import read_description
@@ -202,7 +202,7 @@ def test_fmu_without_slopes_gets_steps_of_the_default_interval(tmp_path: Path) -
 def _patched(tmp_path: Path, name: str, old: str, new: str) -> Path:
     """The lag with another C text in one file of its runtime: an FMU that misbehaves."""
     guid = read_description(models.fmu(models.lag)).guid
-    sources = {name: (fmu_runtime() / name).read_text() for name in RUNTIME}
+    sources = {name: (fmu_runtime() / name).read_text() for name in runtime()}
     assert old in sources[name]
     sources[name] = "#include <stdlib.h>\n" + sources[name].replace(old, new)
     sources["model.c"] = model_source(models.lag(), guid)
@@ -211,8 +211,8 @@ def _patched(tmp_path: Path, name: str, old: str, new: str) -> Path:
 
 
 def test_fmu_that_cannot_be_reset_is_made_anew(tmp_path: Path) -> None:
-    check = 'pam_check(component, ANY, "fmi2Reset")'
-    with Simulator(_patched(tmp_path, "pam_fmi2.c", check, "0")) as simulator:
+    reset = "ASK(ANY_KIND, ANY, pam_reset(c))"
+    with Simulator(_patched(tmp_path, "pam_fmi2.c", reset, "(void)component; return fmi2Error")) as simulator:
         runs = [simulator.run(TIMES, parameters={"x_start": 1.0})["y"].tolist() for _ in range(3)]
     assert runs[0] == runs[1] == runs[2]
 

@@ -1,0 +1,93 @@
+/* What an instance says, and what it checks before it does anything. */
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "pam_instance.h"
+
+static const struct {
+    int bit;
+    const char *name;
+} CATEGORIES[] = {
+    {LOG_WARNING, "logStatusWarning"},
+    {LOG_DISCARD, "logStatusDiscard"},
+    {LOG_ERROR, "logStatusError"},
+};
+
+enum { CATEGORY_COUNT = sizeof CATEGORIES / sizeof *CATEGORIES };
+
+pam_status pam_log(const pam_instance *c, pam_status status, const char *format, ...) {
+    char message[1024];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(message, sizeof message, format, args);
+    va_end(args);
+    int which = status == PAM_WARNING ? 0 : status == PAM_DISCARD ? 1 : 2;
+    if (c->host.logger && c->logging & CATEGORIES[which].bit)
+        c->host.log(&c->host, c->name, status, CATEGORIES[which].name, message);
+    return status;
+}
+
+pam_status pam_set_logging(pam_instance *c, int on, size_t n, const char *const categories[]) {
+    if (on && !pam_arrays(c, "SetDebugLogging", n, categories, categories)) return PAM_ERROR;
+    int chosen = on && !n ? LOG_ALL : 0;
+    for (size_t i = 0; on && i < n; i++) {
+        int bit = 0;
+        for (int k = 0; k < CATEGORY_COUNT; k++)
+            if (categories[i] && strcmp(categories[i], CATEGORIES[k].name) == 0) bit = CATEGORIES[k].bit;
+        if (!bit)
+            return pam_log(c, PAM_ERROR, "there is no log category '%s'", categories[i] ? categories[i] : "(null)");
+        chosen |= bit;
+    }
+    c->logging = chosen;
+    return PAM_OK;
+}
+
+static const char *phase_text(int phase) {
+    switch (phase) {
+        case INSTANTIATED: return "before initialization";
+        case INITIALIZATION: return "in initialization mode";
+        case EVENT: return "in event mode";
+        case CONTINUOUS: return "in continuous-time mode";
+        case STEP_FAILED: return "after a step that could not be completed";
+        case TERMINATED: return "after the end of the simulation";
+        case FAILED: return "after an error";
+        default: return "between steps";
+    }
+}
+
+pam_instance *pam_check(void *instance, int kinds, int phases, const char *function) {
+    pam_instance *c = instance;
+    if (!c) return NULL;
+    if (!(c->kind & kinds)) {
+        const char *other = kinds == MODEL_EXCHANGE ? "model exchange" : "co-simulation";
+        const char *own = c->kind == MODEL_EXCHANGE ? "model exchange" : "co-simulation";
+        pam_log(c, PAM_ERROR, "%s is for %s, this instance is for %s", function, other, own);
+        return NULL;
+    }
+    if (c->core.phase & phases) return c;
+    pam_log(c, PAM_ERROR, "%s must not be called %s", function, phase_text(c->core.phase));
+    return NULL;
+}
+
+int pam_arrays(const pam_instance *c, const char *function, size_t n, const void *a, const void *b) {
+    if (!n || (a && b)) return 1;
+    pam_log(c, PAM_ERROR, "%s: an array is missing", function);
+    return 0;
+}
+
+int pam_lookup(const pam_instance *c, unsigned vr, pam_kind *kind, int *index) {
+    const pam_model *m = c->model;
+    const int sizes[] = {m->nx, m->nx, m->nu, m->ny, m->np, m->nw, 1};
+    unsigned rest = vr;
+    for (int k = STATE; k <= TIME; k++) {
+        if (rest < (unsigned)sizes[k]) {
+            *kind = (pam_kind)k;
+            *index = (int)rest;
+            return 1;
+        }
+        rest -= (unsigned)sizes[k];
+    }
+    pam_log(c, PAM_ERROR, "there is no variable with value reference %u", vr);
+    return 0;
+}

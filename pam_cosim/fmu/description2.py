@@ -1,0 +1,79 @@
+"""The modelDescription.xml of FMI 2.0."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from xml.etree import ElementTree as Xml
+
+from pam_cosim.compiler.ode import Ode
+from pam_cosim.fmu import description as shared
+from pam_cosim.fmu.table import Entry, Kind
+
+_SHARED = {"canGetAndSetFMUstate": "true", "canSerializeFMUstate": "true", "providesDirectionalDerivative": "true"}
+_CO_SIMULATION = {
+    "canHandleVariableCommunicationStepSize": "true",
+    "canInterpolateInputs": "true",
+    "maxOutputDerivativeOrder": "1",
+}
+
+
+def model_description(ode: Ode, entries: Sequence[Entry], guid: str, tool: str, sources: Sequence[str]) -> bytes:
+    """The complete file; ``sources`` are the C files to compile.
+
+    Raises:
+        ModelError: a unit that cannot be read, or a limit that is not a number.
+    """
+    face = ode.interface
+    root = Xml.Element(
+        "fmiModelDescription",
+        {
+            "fmiVersion": "2.0",
+            "modelName": face.model,
+            "guid": guid,
+            **({"description": ode.description} if ode.description else {}),
+            "generationTool": tool,
+            "variableNamingConvention": "structured",
+            "numberOfEventIndicators": "0",
+        },
+    )
+    identifier = {"modelIdentifier": shared.model_identifier(face.model)}
+    if not ode.delays:  # nobody tells an FMU for model exchange what its inputs were between two evaluations
+        _source_files(Xml.SubElement(root, "ModelExchange", {**identifier, **_SHARED}), sources)
+    _source_files(Xml.SubElement(root, "CoSimulation", {**identifier, **_CO_SIMULATION, **_SHARED}), sources)
+    shared.units(root, [entry.variable for entry in entries])
+    shared.log_categories(root)
+    shared.default_experiment(root, ode)
+    if ode.libraries or ode.effects:
+        annotations = Xml.SubElement(root, "VendorAnnotations")
+        shared.contents(Xml.SubElement(annotations, "Tool", {"name": shared.TOOL}), ode)
+    variables = Xml.SubElement(root, "ModelVariables")
+    positions = {e.index: i for i, e in enumerate(entries, 1) if e.kind is Kind.STATE}
+    for entry in entries:
+        real = shared.real_attributes(entry)
+        if entry.derivative_of is not None:
+            real["derivative"] = str(positions[entry.derivative_of])
+        element = Xml.SubElement(variables, "ScalarVariable", shared.scalar_attributes(entry))
+        Xml.SubElement(element, "Real", real)
+    _structure(root, ode, entries)
+    return shared.document(root)
+
+
+def _source_files(kind: Xml.Element, sources: Sequence[str]) -> None:
+    files = Xml.SubElement(kind, "SourceFiles")
+    for name in sources:
+        Xml.SubElement(files, "File", {"name": name})
+
+
+def _structure(root: Xml.Element, ode: Ode, entries: Sequence[Entry]) -> None:
+    structure = Xml.SubElement(root, "ModelStructure")
+    found = shared.model_structure(ode, entries)
+    same = {i: i for i in range(1, len(entries) + 1)}
+    for part, indices, dependencies in (
+        ("Outputs", found.outputs, found.running),
+        ("Derivatives", found.derivatives, found.running),
+        ("InitialUnknowns", found.initial, found.starting),
+    ):
+        if indices:
+            element = Xml.SubElement(structure, part)
+            for index in indices:
+                shared.unknown(element, "Unknown", "index", index, dependencies, same)

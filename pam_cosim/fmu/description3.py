@@ -1,0 +1,81 @@
+"""The modelDescription.xml and buildDescription.xml of FMI 3.0."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from xml.etree import ElementTree as Xml
+
+from pam_cosim.compiler.ode import Ode
+from pam_cosim.fmu import description as shared
+from pam_cosim.fmu.table import Entry, Kind
+
+_SHARED = {
+    "canGetAndSetFMUState": "true",
+    "canSerializeFMUState": "true",
+    "providesDirectionalDerivatives": "true",
+    "providesAdjointDerivatives": "true",
+}
+_CO_SIMULATION = {"canHandleVariableCommunicationStepSize": "true", "maxOutputDerivativeOrder": "1"}
+
+
+def model_description(ode: Ode, entries: Sequence[Entry], token: str, tool: str) -> bytes:
+    """The complete file.
+
+    Raises:
+        ModelError: a unit that cannot be read, or a limit that is not a number.
+    """
+    face = ode.interface
+    root = Xml.Element(
+        "fmiModelDescription",
+        {
+            "fmiVersion": "3.0",
+            "modelName": face.model,
+            "instantiationToken": token,
+            **({"description": ode.description} if ode.description else {}),
+            "generationTool": tool,
+            "variableNamingConvention": "structured",
+        },
+    )
+    identifier = {"modelIdentifier": shared.model_identifier(face.model)}
+    if not ode.delays:  # nobody tells an FMU for model exchange what its inputs were between two evaluations
+        Xml.SubElement(root, "ModelExchange", {**identifier, **_SHARED})
+    Xml.SubElement(root, "CoSimulation", {**identifier, **_SHARED, **_CO_SIMULATION})
+    shared.units(root, [entry.variable for entry in entries])
+    shared.log_categories(root)
+    shared.default_experiment(root, ode)
+    variables = Xml.SubElement(root, "ModelVariables")
+    references = {e.index: e.reference for e in entries if e.kind is Kind.STATE}
+    for entry in entries:
+        real = shared.real_attributes(entry)
+        if entry.derivative_of is not None:
+            real["derivative"] = str(references[entry.derivative_of])
+        Xml.SubElement(variables, "Float64", shared.scalar_attributes(entry) | real)
+    _structure(root, ode, entries)
+    if ode.libraries or ode.effects:
+        annotations = Xml.SubElement(root, "Annotations")
+        shared.contents(Xml.SubElement(annotations, "Annotation", {"type": shared.TOOL}), ode)
+    return shared.document(root)
+
+
+def _structure(root: Xml.Element, ode: Ode, entries: Sequence[Entry]) -> None:
+    structure = Xml.SubElement(root, "ModelStructure")
+    found = shared.model_structure(ode, entries)
+    references = {i: entry.reference for i, entry in enumerate(entries, 1)}
+    for tag, indices, dependencies in (
+        ("Output", found.outputs, found.running),
+        ("ContinuousStateDerivative", found.derivatives, found.running),
+        ("InitialUnknown", found.initial, found.starting),
+    ):
+        for index in indices:
+            shared.unknown(structure, tag, "valueReference", index, dependencies, references)
+
+
+def build_description(ode: Ode, sources: Sequence[str]) -> bytes:
+    """How the binaries are built from the files in ``sources/``."""
+    root = Xml.Element("fmiBuildDescription", {"fmiVersion": "3.0"})
+    identifier = shared.model_identifier(ode.interface.model)
+    configuration = Xml.SubElement(root, "BuildConfiguration", {"modelIdentifier": identifier})
+    files = Xml.SubElement(configuration, "SourceFileSet", {"language": "C99"})
+    for name in sources:
+        Xml.SubElement(files, "SourceFile", {"name": name})
+    return shared.document(root)
