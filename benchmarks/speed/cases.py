@@ -7,11 +7,13 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
+import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from pam_cosim.compiler import Ode, compile_model
+from pam_cosim.compiler import Ode, compile_model, with_sensitivities
 from pam_cosim.fmu import build_model
+from pam_cosim.resources import modelica_root
 from pam_cosim.simulation import Inputs
 
 Array = NDArray[np.float64]
@@ -29,6 +31,7 @@ class Case:
         inputs: straight lines between samples; None: the model has no inputs.
         end: of the run [s].
         count: of output points, equidistant, without the start.
+        sensitivities: parameters by which the outputs are differentiated; each derivative is one more output.
     """
 
     name: str
@@ -36,16 +39,17 @@ class Case:
     inputs: Inputs | None
     end: float
     count: int = 1000
+    sensitivities: tuple[str, ...] = ()
 
     @cached_property
     def ode(self) -> Ode:
         """The compiled equations."""
-        return compile_model(self.model)
+        return with_sensitivities(compile_model(self.model), self.sensitivities)
 
     @cached_property
     def fmu(self) -> Path:
         """The product's FMU of the model."""
-        return build_model(self.model)
+        return build_model(self.model, sensitivities=self.sensitivities)
 
     @cached_property
     def times(self) -> Array:
@@ -75,7 +79,9 @@ class Case:
     @cached_property
     def start(self) -> Array:
         """(states,) start values [SI]."""
-        return np.array([state.start or 0.0 for state in self.ode.states])
+        initial = ca.Function("initial", [self.ode.p], [ca.densify(ca.SX(self.ode.initial))])
+        values: Array = initial(self.parameters).full().ravel()
+        return values
 
     def lines(self) -> tuple[Array, Array, Array]:
         """Pieces of straight line: their begins (k,) [s], values there and slopes, both (k, inputs).
@@ -205,8 +211,6 @@ _BENCH_INPUTS: Mapping[str, tuple[Callable[[], Inputs | None], float]] = {
 
 def bench_names() -> list[str]:
     """Every bench of the library."""
-    from pam_cosim.resources import modelica_root
-
     folder = modelica_root().joinpath(*_BENCHES.split("."))
     return sorted(path.stem for path in folder.glob("*.mo") if path.stem != "package")
 
