@@ -25,6 +25,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 import numpy as np  # noqa: E402
 
 from benchmarks.speed import cases  # noqa: E402
+from benchmarks.speed.pictures import draw_precision  # noqa: E402
 from benchmarks.speed.reference import Reference, reference  # noqa: E402
 from benchmarks.speed.report import parser, say, show, steps_of, write  # noqa: E402
 from benchmarks.speed.timing import interleaved, scaled_error  # noqa: E402
@@ -33,7 +34,6 @@ from pam_cosim.simulation import Simulator  # noqa: E402
 TOLERANCES = tuple(10.0**-exponent for exponent in range(4, 10))
 NEAR = 10.0
 _LONGER = {"smooth": "Isotonic, smooth", "sampled": "Isotonic, sampled"}
-_PICTURE = Path(__file__).resolve().parents[2] / "docs" / "pictures" / "speed-precision.png"
 
 
 @dataclass(frozen=True)
@@ -99,8 +99,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
         found[_LONGER.get(case.name, case.name)] = measure(case, given.rounds)
     _print(found)
     if given.picture:
-        _draw(found)
-        say(f"drawn: {_PICTURE.name}")
+        say(f"drawn: {draw_precision({name: [asdict(p) for p in points] for name, points in found.items()})}")
     write(given.json, {name: [asdict(p) | {"excess": p.excess} for p in points] for name, points in found.items()})
 
 
@@ -118,47 +117,6 @@ def _print(found: dict[str, list[Point]]) -> None:
     for name, p in every:
         if p.excess > NEAR:
             say(f"beyond: {name} at {p.tolerance:.0e}: error {p.excess:.3g} times the tolerance")
-
-
-def _draw(found: dict[str, list[Point]]) -> None:
-    import matplotlib
-
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-
-    plt.rcParams.update({"font.size": 8, "axes.grid": True, "grid.alpha": 0.3})
-    names = [name for name in found if max(p.steps for p in found[name]) > 0]
-    columns = 3
-    rows = -(-len(names) // columns)
-    picture, axes = plt.subplots(
-        rows, columns, figsize=(9.0, 2.3 * rows), layout="constrained", sharex=True, squeeze=False
-    )
-    for name, ax in zip(names, axes.flat, strict=False):
-        points = found[name]
-        tolerances = [p.tolerance for p in points]
-        ax.loglog(tolerances, tolerances, color="0.6", lw=1, label="error = tolerance")
-        ax.loglog(tolerances, [p.outputs for p in points], "o-", ms=4, color="#0072b2", label="error, outputs")
-        ax.loglog(tolerances, [p.states for p in points], "s--", ms=4, color="#009e73", label="error, states")
-        ax.set_title(name, loc="left", fontweight="bold")
-        ax.set_ylim(1e-11, 1e-3)
-        time = ax.twinx()
-        time.plot(tolerances, [p.seconds * 1e3 for p in points], "^:", ms=4, color="#d55e00", label="time of a run")
-        time.set_ylim(0, None)
-        time.grid(False)
-        time.tick_params(axis="y", colors="#d55e00")
-        ax.set_ylabel("relative error [-]")
-        time.set_ylabel("time [ms]", color="#d55e00")
-        handles, labels = (
-            a + b for a, b in zip(ax.get_legend_handles_labels(), time.get_legend_handles_labels(), strict=True)
-        )
-    axes[0, 0].invert_xaxis()
-    for ax in axes.flat[len(names) :]:
-        ax.set_axis_off()
-    for ax in axes[-1]:
-        ax.set_xlabel("tolerance asked for [-]")
-    picture.legend(handles, labels, loc="outside lower center", ncols=4, frameon=False)
-    picture.savefig(_PICTURE, dpi=110)
-    plt.close(picture)
 
 
 if __name__ == "__main__":

@@ -32,6 +32,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 from benchmarks.speed import cases  # noqa: E402
 from benchmarks.speed.contenders import Run, casadi_cvodes, fmpy_run, pam_cosim  # noqa: E402
+from benchmarks.speed.pictures import draw_run  # noqa: E402
 from benchmarks.speed.reference import reference  # noqa: E402
 from benchmarks.speed.report import machine, milliseconds, parser, say, show, write  # noqa: E402
 from benchmarks.speed.timing import interleaved, scaled_error, time_at_error  # noqa: E402
@@ -93,6 +94,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     options.add_argument("--cases", default=",".join(CASES))
     options.add_argument("--rounds", type=int, default=15)
     options.add_argument("--points", action="store_true", help="also print every tolerance's error and time")
+    options.add_argument("--picture", action="store_true", help="draw docs/pictures/speed-run.png")
     given = options.parse_args(arguments)
     figures: dict[str, Any] = {}
     say(f"{machine()['processor']}, {machine()['cores']} cores")
@@ -103,6 +105,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
         figures[name] = {"points": measured, "equal error": _table(name, measured)}
         if given.points:
             _points(name, measured)
+    if given.picture:
+        say(f"drawn: {draw_run({name: figure['points'] for name, figure in figures.items()})}")
     write(given.json, figures)
 
 
