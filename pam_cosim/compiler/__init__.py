@@ -17,7 +17,7 @@ are refused with an error.
 from pam_cosim.compiler.catalogue import ClassTree, read_library
 from pam_cosim.compiler.compile import compile_model
 from pam_cosim.compiler.compose import Composition, compose, qualified
-from pam_cosim.compiler.effects import EffectClass, effect_classes
+from pam_cosim.compiler.effects import EffectClass, effect_classes, unknown_terms
 from pam_cosim.compiler.hashing import flat_hash
 from pam_cosim.compiler.ode import Delay, Ode
 from pam_cosim.compiler.sensitivities import smooth_parameters, with_sensitivities
@@ -38,5 +38,6 @@ __all__ = [
     "read_library",
     "read_structure",
     "smooth_parameters",
+    "unknown_terms",
     "with_sensitivities",
 ]

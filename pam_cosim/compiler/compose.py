@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from pam_cosim.compiler.catalogue import ClassTree
-from pam_cosim.compiler.effects import EFFECT, EffectClass, effect_classes
+from pam_cosim.compiler.effects import EFFECT, EffectClass, effect_classes, unknown_terms
 from pam_cosim.compiler.structure import Part, Slot, Structure, read_structure
 from pam_cosim.errors import InputError
 
@@ -150,7 +150,7 @@ def compose(
     """
     structure = read_structure(qualified(tree, model), files=files)
     draft = _Draft(structure, tree)
-    known = {e.name: e for e in effect_classes(tree)}
+    known = {e.name: e for e in [*effect_classes(tree), *unknown_terms(tree)]}
     known |= {e.qualified_name: e for e in known.values()}
     for wanted in effects:
         if wanted not in known:

@@ -9,6 +9,7 @@ from pam_cosim.compiler.catalogue import ClassTree
 from pam_cosim.errors import ModelError
 
 EFFECT = "PneumaticMuscle.Interfaces.Effect"
+UNKNOWN = "unknown"  # the family of terms without a law, which are no hypotheses
 
 
 @dataclass(frozen=True)
@@ -42,6 +43,19 @@ def effect_classes(tree: ClassTree) -> list[EffectClass]:
     Raises:
         ModelError: an effect does not say its family or balance, or two have the same name.
     """
+    return [e for e in _declared(tree) if e.family != UNKNOWN]
+
+
+def unknown_terms(tree: ClassTree) -> list[EffectClass]:
+    """Every term without a law: what attaches as an effect does and says that its family is unknown.
+
+    Raises:
+        ModelError: as for ``effect_classes``.
+    """
+    return [e for e in _declared(tree) if e.family == UNKNOWN]
+
+
+def _declared(tree: ClassTree) -> list[EffectClass]:
     found = [_effect(tree, name) for name in tree.subtypes(EFFECT) if not tree.classes[name].partial]
     names: dict[str, EffectClass] = {}
     for effect in found:

@@ -1,0 +1,97 @@
+"""A chain of equally large blocks with a border: the normal equations of a smoother, factored."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import cho_factor, cho_solve, cho_solve_banded, cholesky_banded
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Chain:
+    """A symmetric matrix of N blocks of size b and a border of q rows.
+
+    Attributes:
+        diagonal: (N, b, b).
+        coupling: (N - 1, b, b), rows of a block, columns of the next.
+        border: (N, b, q).
+        corner: (q, q).
+    """
+
+    diagonal: Array
+    coupling: Array
+    border: Array
+    corner: Array
+
+
+class Factored:
+    """The Cholesky factor of a positive definite chain."""
+
+    def __init__(self, chain: Chain) -> None:
+        n, b, q = chain.border.shape
+        self._shape = (n, b)
+        self._banded = cholesky_banded(_band(chain), lower=True, overwrite_ab=True, check_finite=False)
+        border = chain.border.reshape(n * b, q)
+        self._response = self._inner(border)
+        schur = chain.corner - border.T @ self._response
+        self._border = border
+        self._schur = cho_factor(schur, lower=True) if q else None
+        self.log_determinant = 2 * float(np.log(self._banded[0]).sum())
+        if self._schur is not None:
+            self.log_determinant += 2 * float(np.log(np.diag(self._schur[0])).sum())
+
+    def solve(self, blocks: Array, corner: Array) -> tuple[Array, Array]:
+        """The solution for a right-hand side (N, b) and (q,)."""
+        inner = self._inner(blocks.reshape(-1, 1))[:, 0]
+        if self._schur is None:
+            return inner.reshape(self._shape), corner
+        outer = cho_solve(self._schur, corner - self._border.T @ inner)
+        return (inner - self._response @ outer).reshape(self._shape), outer
+
+    def covariances(self) -> tuple[Array, Array]:
+        """Diagonal blocks of the inverse, (N, b, b), and its corner (q, q)."""
+        n, b = self._shape
+        own, below = self._factor_blocks()
+        inverse = np.linalg.inv(own)
+        alone = np.einsum("nji,njk->nik", inverse, inverse)
+        carry = below @ inverse[:-1]
+        found = np.empty((n, b, b))
+        found[-1] = alone[-1]
+        for k in range(n - 2, -1, -1):
+            c = carry[k]
+            found[k] = alone[k] + c.T @ found[k + 1] @ c
+        if self._schur is None:
+            return found, np.zeros((0, 0))
+        corner = cho_solve(self._schur, np.eye(self._response.shape[1]))
+        response = self._response.reshape(n, b, -1)
+        return found + np.einsum("niq,qr,njr->nij", response, corner, response), corner
+
+    def _inner(self, right: Array) -> Array:
+        if right.shape[1] == 0:
+            return right
+        solution: Array = cho_solve_banded((self._banded, True), right, check_finite=False)
+        return solution
+
+    def _factor_blocks(self) -> tuple[Array, Array]:
+        """Blocks (N, b, b) on the diagonal of the lower factor, and (N - 1, b, b) below it."""
+        n, b = self._shape
+        own, below = np.zeros((n, b, b)), np.zeros((n - 1, b, b))
+        band = self._banded.reshape(2 * b, n, b)
+        for j in range(b):
+            own[:, j:, j] = band[: b - j, :, j].T
+            below[:, :, j] = band[b - j : 2 * b - j, :-1, j].T
+        return own, below
+
+
+def _band(chain: Chain) -> Array:
+    """The chain without its border in LAPACK's lower band form."""
+    n, b, _ = chain.border.shape
+    band = np.zeros((2 * b, n, b))
+    for j in range(b):
+        band[: b - j, :, j] = chain.diagonal[:, j:, j].T
+        band[b - j : 2 * b - j, :-1, j] = chain.coupling[:, j, :].T
+    return band.reshape(2 * b, n * b)

@@ -1,0 +1,154 @@
+"""Where in time the model is held against the samples: nodes, steps and the inputs on them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.comparison.residuals import start_time
+from pam_cosim.compiler import Ode
+from pam_cosim.measurement import DataSet, Run
+from pam_cosim.simulation.inputs import Pieces, pieces
+
+Array = NDArray[np.float64]
+
+STAGE = 1 / 3  # where Radau IIA of order 3 looks inside a step
+_LEAST_STEPS = 200  # a run with few samples is stepped through finer than these
+_INSIDE = 1e-9  # part of a step by which its end is approached: an input may jump there
+
+
+@dataclass(frozen=True)
+class Grid:
+    """All runs, one after another: N nodes, M steps from a node to the next.
+
+    Attributes:
+        runs: the runs.
+        first: (R + 1,) position of each run's first node, and N.
+        time: (N,) [s].
+        left: (M,) node that a step starts from; it ends at the next.
+        step: (M,) [s].
+        parameters: (R, P) all parameters of the model [SI], in its order.
+        node_inputs, stage_inputs: (N, U) and (M, U) [SI]; at a node as the step that ends there has them.
+        node_delayed, stage_delayed: (N, D) and (M, D), the delayed inputs.
+        measured: (N, S) samples by signal [SI], NaN where there is none.
+    """
+
+    runs: tuple[Run, ...]
+    first: NDArray[np.intp]
+    time: Array
+    left: NDArray[np.intp]
+    step: Array
+    parameters: Array
+    node_inputs: Array
+    stage_inputs: Array
+    node_delayed: Array
+    stage_delayed: Array
+    measured: Array
+
+    @property
+    def run_of_node(self) -> NDArray[np.intp]:
+        """(N,) position of the run."""
+        return np.repeat(np.arange(len(self.runs)), np.diff(self.first))
+
+    def nodes(self, run: int) -> slice:
+        """The nodes of a run."""
+        return slice(int(self.first[run]), int(self.first[run + 1]))
+
+
+def make_grid(
+    ode: Ode, data: DataSet, runs: Sequence[Run], values: Mapping[str, float], signals: Sequence[str], spacing: float
+) -> Grid:
+    """Nodes at samples, no two closer than ``spacing`` [s] but at the jumps of an input."""
+    defaults = {n: v.start or 0.0 for n, v in ode.interface.parameters.items()}
+    times, inputs, stages, delayed, stage_delayed, measured, parameters = [], [], [], [], [], [], []
+    for run in runs:
+        stated = data.parameters_of(run, values)
+        p = np.array([stated.get(n, v) for n, v in defaults.items()])
+        courses = _courses(ode, run)
+        t = _node_times(run, courses, spacing)
+        end = np.append(t[:1], t[1:] - _INSIDE * np.diff(t))
+        inside = t[:-1] + STAGE * np.diff(t)
+        times.append(t)
+        inputs.append(_at(courses, end))
+        stages.append(_at(courses, inside))
+        delayed.append(_delayed(ode, p, courses, end, t[0]))
+        stage_delayed.append(_delayed(ode, p, courses, inside, t[0]))
+        measured.append(_samples(run, t, signals))
+        parameters.append(p)
+    first = np.cumsum([0, *(len(t) for t in times)])
+    ends = first[1:] - 1
+    left = np.setdiff1d(np.arange(first[-1]), ends)
+    time = np.concatenate(times)
+    return Grid(
+        tuple(runs), first, time, left, time[left + 1] - time[left], np.array(parameters), np.concatenate(inputs),
+        np.concatenate(stages), np.concatenate(delayed), np.concatenate(stage_delayed), np.concatenate(measured),
+    )  # fmt: skip
+
+
+def _courses(ode: Ode, run: Run) -> list[Pieces]:
+    courses = []
+    for name, variable in ode.interface.inputs.items():
+        values = run.inputs.get(name)
+        if values is None:
+            values = np.full(len(run.time), variable.start or 0.0)
+        courses.append(pieces(run.time, np.asarray(values, float), run.interpolation))
+    return courses
+
+
+def _node_times(run: Run, courses: Sequence[Pieces], spacing: float) -> Array:
+    sampled = np.unique(run.time)
+    begin, end = start_time(run), float(sampled[-1])
+    spacing = min(spacing, (end - begin) / _LEAST_STEPS)
+    bends = np.unique(np.concatenate([np.zeros(0), *(c.time[1:] for c in courses)]))
+    bends = bends[(bends > begin) & (bends < end)]
+    if len(bends) > len(sampled) / 4:  # a measured input bends at every sample
+        bends = bends[:0]
+    fixed = np.union1d(bends, [begin, end])
+    kept = [fixed[:1]]
+    for a, b in zip(fixed[:-1].tolist(), fixed[1:].tolist(), strict=True):
+        own = sampled[(sampled > a) & (sampled < b)]
+        slots = np.floor((own - a) / spacing * (1 + 1e-9))
+        chosen = own[np.diff(slots, prepend=0.0) > 0]
+        ends = np.append(chosen, b)
+        starts = np.append(a, chosen)
+        for left, right in zip(starts.tolist(), ends.tolist(), strict=True):
+            parts = max(1, int(np.ceil((right - left) / spacing / 2)))
+            kept.append(np.linspace(left, right, parts + 1)[1:])
+    return np.concatenate(kept)
+
+
+def _at(courses: Sequence[Pieces], times: Array) -> Array:
+    return np.column_stack([np.zeros((len(times), 0)), *(c.at(times)[0] for c in courses)])
+
+
+def _delayed(ode: Ode, p: Array, courses: Sequence[Pieces], times: Array, start: float) -> Array:
+    columns = [np.zeros((len(times), 0))]
+    if ode.delays:
+        late = np.array(ca.Function("late", [ode.p], [ca.vertcat(*[d.time for d in ode.delays])])(p)).ravel()
+        for delay, by in zip(ode.delays, late.tolist(), strict=True):
+            before = times - by
+            if delay.input is None:
+                columns.append((before >= start).astype(float))
+            else:
+                columns.append(courses[delay.input].at(np.maximum(before, start))[0])
+    return np.column_stack(columns)
+
+
+def _samples(run: Run, times: Array, signals: Sequence[str]) -> Array:
+    found = np.full((len(times), len(signals)), np.nan)
+    for j, name in enumerate(signals):
+        values = run.measurements.get(name)
+        if values is None:
+            continue
+        kept = np.isfinite(values)
+        at, last = np.unique(run.time[kept][::-1], return_index=True)
+        own = values[kept][::-1][last]
+        place = np.searchsorted(times, at)
+        place = np.minimum(place, len(times) - 1)
+        same = np.abs(times[place] - at) <= 1e-9 * np.maximum(1.0, np.abs(at))
+        found[place[same], j] = own[same]
+    return found

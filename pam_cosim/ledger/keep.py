@@ -1,0 +1,363 @@
+"""Keeps the ledger of a model on a data set.
+
+The free parameters of the data set are estimated anew beside every missing term: what one of their values explains
+is not missing. What is compared are explanations of the same samples by their marginal likelihood, so that a term that
+may be any function of time does not win by being able to:
+
+- the model by itself, and with a fault of one instrument that is the same in all runs (``sensor``);
+- the model with a hole in each balance at once, each a random walk whose roughness the samples choose;
+- where neither reaches the noise: the same with a law replaced by one that leaves a hole, as the library offers it.
+
+What cannot be told apart is found, not assumed: two holes that push every state and every signal in the same
+direction at all times are one hole, and the ledger says so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.compiler import ClassTree, read_library
+from pam_cosim.errors import InputError
+from pam_cosim.ledger.books import Books, Hole, open_books
+from pam_cosim.ledger.grid import Grid, make_grid
+from pam_cosim.ledger.ledger import Course, Entry, Ledger, Reading
+from pam_cosim.ledger.march import march
+from pam_cosim.ledger.model import Model
+from pam_cosim.ledger.sensor import Alone, SensorFault, try_sensors
+from pam_cosim.ledger.smoother import Point, Problem, Smoothed, hole_sizes, smooth, with_some
+from pam_cosim.measurement import DataSet
+
+Array = NDArray[np.float64]
+
+_SPACING = 0.04  # s between nodes; a slow or a long run is looked at in as many
+_MOST_NODES = 400  # of a run
+_DECISIVE = 10.0  # twice the logarithm of a ratio of probabilities that counts as very strong (Kass and Raftery 1995)
+_AT_NOISE = 1.3  # mean square of the residuals in noise variances that leaves nothing to explain
+_PARALLEL = 1e-6
+
+
+def keep_ledger(
+    data: DataSet,
+    values: Mapping[str, float] | None = None,
+    model: str | None = None,
+    *,
+    effects: Sequence[str] = (),
+    files: Sequence[Path] = (),
+    tree: ClassTree | None = None,
+) -> Ledger:
+    """The ledger of ``model`` (default: the bench of the data set) with ``effects`` on all runs.
+
+    Args:
+        data: the measurement; every signal needs a noise level (``pam_cosim.fitting.complete_noise``).
+        values: parameters [SI], as a fit of the model found them; those under [fit] are estimated along from there.
+        model: full name of a class, a bench's name, or a ``.mo`` file.
+        effects: names of effects that the model has.
+        files: the user's Modelica files.
+        tree: the library with these files, if it was read already.
+
+    Raises:
+        InputError: a signal without a noise level; an FMU, which has no balances to open; an unknown effect.
+        ModelError: the model cannot be compiled.
+    """
+    name = model or data.model
+    if name.endswith(".fmu"):
+        raise InputError("a ledger can be kept of a Modelica model only: an FMU has no balances to open", name)
+    sources = [*files, Path(name)] if name.endswith(".mo") else list(files)
+    every = open_books(tree or read_library(files=sources), name, effects, files=sources)
+    return _Keeping(data, dict(values or {}), every).ledger()
+
+
+@dataclass(frozen=True)
+class _Opened:
+    """Smoothed books: problem, holes that act, and the estimate."""
+
+    books: Books
+    problem: Problem
+    holes: tuple[Hole, ...]
+    free: tuple[str, ...]
+    found: Smoothed
+
+    def alone(self, hole: Hole) -> tuple[float, float]:
+        return with_some(self.problem, self.found, [self.holes.index(hole)])
+
+    def without(self, hole: Hole) -> tuple[float, float]:
+        return with_some(self.problem, self.found, [i for i, h in enumerate(self.holes) if h is not hole])
+
+
+class _Keeping:
+    """One ledger in the making."""
+
+    def __init__(self, data: DataSet, values: Mapping[str, float], every: Sequence[Books]) -> None:
+        self.data, self.values, self.every = data, values, every
+        interface = every[0].ode.interface
+        self.signals = [n for n, s in data.signals.items() if s.fitted and n in interface.outputs]
+        unknown = [n for n in self.signals if not data.signals[n].sigma]
+        if unknown:
+            raise InputError(f"the noise of {', '.join(unknown)} is not known: a ledger weighs signals by their noise")
+        self.sigma = np.array([data.signals[n].sigma for n in self.signals], dtype=float)
+        self.free = [n for n in data.fit if n in interface.parameters]
+        self.low = np.array([data.fit[n].min for n in self.free])
+        self.high = np.array([data.fit[n].max for n in self.free])
+        starts = data.parameters_of(data.runs[0], values)
+        defaults = {n: v.start or 0.0 for n, v in interface.parameters.items()}
+        self.start = np.clip([float({**defaults, **starts}[n]) for n in self.free], self.low, self.high)
+        self.notes: list[str] = []
+
+    def ledger(self) -> Ledger:
+        """All explanations, the best of them, and the entries that it leaves."""
+        books = self.every[0]
+        problem, states = self._problem(books, ())
+        alone = try_sensors(problem, states, [(n, self.data.signals[n].unit) for n in self.signals])
+        opened = self._open(books, states)
+        samples = int(np.isfinite(problem.grid.measured).sum())
+        best = min([alone.chi2, *(f.chi2 for f in alone.faults), *([opened.found.chi2] if opened else [])]) / samples
+        replaced = None
+        if best > _AT_NOISE:
+            for further in self.every[1:]:
+                candidate = self._open(further)
+                if candidate and (replaced is None or candidate.found.deviance < replaced.found.deviance):
+                    replaced = candidate
+        return self._judged(alone, opened, replaced, samples)
+
+    # ---- explanations -----------------------------------------------------------------------------------------
+
+    def _problem(
+        self, books: Books, holes: Sequence[Hole], hidden: str | None = None, states: tuple[Array, Array] | None = None
+    ) -> tuple[Problem, tuple[Array, Array]]:
+        longest = max(float(r.time[-1] - r.time[0]) for r in self.data.runs)
+        spacing = min(_SPACING, longest / 50) if longest < _SPACING * _MOST_NODES else longest / _MOST_NODES
+        grid = make_grid(books.ode, self.data, self.data.runs, self.values, self.signals, spacing)
+        if hidden is not None:
+            measured = grid.measured.copy()
+            measured[:, self.signals.index(hidden)] = np.nan
+            grid = replace(grid, measured=measured)
+        model = Model(books.ode, [h.parameter for h in holes], self.free, self.signals)
+        none = Problem(
+            model, grid, self.sigma, self.start, (self.high - self.low) / 5, self.low, self.high,
+            np.ones(model.states), np.ones(len(holes)),
+        )  # fmt: skip
+        states = states or march(model, grid, none.parameters(self.start))
+        ranges = np.ptp(states[0], axis=0)
+        size = np.where(ranges > 0, ranges, np.maximum(np.max(np.abs(states[0]), axis=0), 1e-6))
+        p = none.parameters(self.start)
+        hole_size = hole_sizes(model, grid, states[0], self.start, p, self.sigma.tolist())
+        return replace(none, size=size, hole_size=hole_size), states
+
+    def _open(
+        self, books: Books, states: tuple[Array, Array] | None = None, hidden: str | None = None
+    ) -> _Opened | None:
+        """The model with all holes that act and can be told apart; None where there is none, or it breaks down."""
+        problem, states = self._problem(books, books.holes, hidden, states)
+        kept = self._distinct(books, problem, states[0])
+        if not kept:
+            return None
+        problem, _ = self._problem(books, kept, hidden, states)
+        start = Point(*states, np.zeros((len(states[0]), len(kept))), self.start)
+        try:
+            return _Opened(books, problem, kept, tuple(self.free), smooth(problem, start))
+        except (np.linalg.LinAlgError, ValueError):
+            self.notes.append("the balances could not be opened: the model breaks down near the measured course")
+            return None
+
+    def _distinct(self, books: Books, problem: Problem, x: Array) -> tuple[Hole, ...]:
+        grid, kept = problem.grid, list[int]()
+        p = grid.parameters[grid.run_of_node]
+        slopes = problem.model.everything(grid.time, x, grid.node_inputs, grid.node_delayed, p).by_hole
+        slopes = slopes / np.maximum(np.max(np.abs(slopes), axis=(0, 2), keepdims=True), 1e-300)
+        order = sorted(range(len(books.holes)), key=lambda i: (_ORDER.index(books.holes[i].balance), i))
+        for i in order:
+            if not problem.hole_size[i] > 0:
+                continue
+            same = next((k for k in kept if _parallel(slopes[:, :, i], slopes[:, :, k])), None)
+            if same is None:
+                kept.append(i)
+            else:
+                self._note_same(books.holes[same], books.holes[i])
+        return tuple(books.holes[i] for i in kept)
+
+    def _note_same(self, a: Hole, b: Hole) -> None:
+        text = f"in this model a missing {a.balance} term and a missing {b.balance} term do the same: "
+        text += f"what is entered under {a.balance} [{a.unit}] may be either"
+        if text not in self.notes:
+            self.notes.append(text)
+
+    # ---- judgement --------------------------------------------------------------------------------------------
+
+    def _judged(self, alone: Alone, opened: _Opened | None, replaced: _Opened | None, samples: int) -> Ledger:
+        excess = max(alone.chi2 - samples, 1e-9)
+
+        def explained(chi2: float) -> float:
+            return float(np.clip((alone.chi2 - max(chi2, samples)) / excess, 0.0, 1.0))
+
+        fault = alone.faults[0] if alone.faults else None
+        deviances = {
+            "none": alone.deviance,
+            "sensor": (fault.deviance if fault else np.inf) + 2 * np.log(max(len(alone.faults), 1)),
+            "opened": opened.found.deviance if opened else np.inf,
+            "replaced": replaced.found.deviance if replaced else np.inf,
+        }
+        best = min(deviances, key=lambda k: deviances[k])
+        if deviances[best] > alone.deviance - _DECISIVE:
+            best = "none"
+        winner = {"opened": opened, "replaced": replaced}.get(best)
+        losses = self._losses(best, winner, fault, deviances)
+        total = sum(losses.values())
+        failing = tuple(sorted((b for b, v in losses.items() if v > _DECISIVE), key=lambda b: -losses[b]))
+        after = {
+            "none": alone.chi2, "sensor": fault.chi2 if fault else np.inf,
+        }.get(best, winner.found.chi2 if winner else np.inf) / samples  # fmt: skip
+        shown = winner or opened
+        if best == "sensor" and fault is not None:
+            shown = self._open(self.every[0], None, fault.signal) or opened
+            self.notes.append(f"the reading of {fault.signal} is not believed: the other balances were kept without it")
+        entries = self._entries(alone, opened, replaced, shown, losses, total, explained)
+        readings = [_reading(f, alone, explained(f.chi2)) for f in alone.faults]
+        free = fault.free if best == "sensor" and fault else tuple(winner.found.point.free if winner else self.start)
+        return Ledger(
+            model=self.every[0].ode.interface.model if not self.data.model else self.data.model,
+            entries=tuple(sorted(entries, key=lambda e: (-e.share, -e.explains, e.balance))),
+            readings=tuple(readings),
+            failing=failing,
+            closed=bool(after <= _AT_NOISE),
+            before=alone.chi2 / samples,
+            after=float(after),
+            parameters=dict(zip(self.free, map(float, free), strict=True)),
+            notes=tuple(self.notes),
+        )
+
+    def _losses(
+        self, best: str, winner: _Opened | None, fault: SensorFault | None, deviances: Mapping[str, float]
+    ) -> dict[str, float]:
+        """What the best explanation loses without each of its balances."""
+        if best == "sensor" and fault is not None:
+            return {"sensor": min(v for k, v in deviances.items() if k != "sensor") - deviances["sensor"]}
+        if winner is None:
+            return {}
+        losses = {h.balance: max(winner.without(h)[0] - winner.found.deviance, 0.0) for h in winner.holes}
+        if winner.books.replaced:  # the law that was replaced counts too
+            own = winner.holes[-1].balance if len(winner.holes) == 1 else self._replaced_balance(winner)
+            losses[own] = max(losses.get(own, 0.0), min(v for k, v in deviances.items() if k != best) - deviances[best])
+        return losses
+
+    def _replaced_balance(self, winner: _Opened) -> str:
+        before = {h.parameter for h in self.every[0].holes}
+        return next(h.balance for h in winner.books.holes if h.parameter not in before)
+
+    def _entries(
+        self,
+        alone: Alone,
+        opened: _Opened | None,
+        replaced: _Opened | None,
+        shown: _Opened | None,
+        losses: Mapping[str, float],
+        total: float,
+        explained: object,
+    ) -> list[Entry]:
+        assert callable(explained)
+        found: dict[str, Entry] = {}
+        for books in (opened, replaced):
+            for hole in books.holes if books else ():
+                if hole.balance in found and books is not replaced:
+                    continue
+                assert books is not None
+                worth, chi2 = books.alone(hole)
+                share = losses.get(hole.balance, 0.0) / total if total else 0.0
+                entry = Entry(
+                    hole.balance,
+                    float(alone.deviance - worth),
+                    explained(chi2),
+                    share,
+                    hole.unit,
+                    hole.meaning,
+                    hole.parameter,
+                )
+                if hole.balance not in found or entry.gain > found[hole.balance].gain:
+                    found[hole.balance] = entry
+        for hole in shown.holes if shown else ():
+            assert shown is not None
+            old = found.get(hole.balance) or Entry(hole.balance, 0.0, 0.0, 0.0)
+            courses, units = _courses(shown, hole)
+            found[hole.balance] = replace(
+                old, unit=hole.unit, meaning=hole.meaning, term=hole.parameter, courses=courses, units=units
+            )
+        if alone.faults:
+            fault = alone.faults[0]
+            share = losses.get("sensor", 0.0) / total if total else 0.0
+            found["sensor"] = Entry(
+                "sensor", alone.deviance - fault.deviance, explained(fault.chi2), share,
+                note="an instrument that is off by a constant or a factor, or lags, the same in all runs",
+            )  # fmt: skip
+        return list(found.values())
+
+
+_ORDER = ("force", "mass", "energy", "sensor")
+
+
+def _parallel(a: Array, b: Array) -> bool:
+    """Whether two holes push everything in the same direction at every instant: rows (N, n + S)."""
+    felt = (np.linalg.norm(a, axis=1) > 0) | (np.linalg.norm(b, axis=1) > 0)
+    dot = np.abs(np.einsum("ki,ki->k", a, b))[felt]
+    norms = (np.linalg.norm(a, axis=1) * np.linalg.norm(b, axis=1))[felt]
+    return bool((dot >= (1 - _PARALLEL) * norms).all() and (norms > 0).all())
+
+
+def _courses(opened: _Opened, hole: Hole) -> tuple[tuple[Course, ...], dict[str, str]]:
+    problem, found, j = opened.problem, opened.found, opened.holes.index(hole)
+    grid: Grid = problem.grid
+    p = problem.parameters(found.point.free)[grid.run_of_node]
+    p[:, problem.model.hole_at] = found.point.w
+    names = _variables(opened.books, hole)
+    every = problem.model.variables(grid.time, found.point.x, grid.node_inputs, grid.node_delayed, p)
+    against = {short: every[full] for short, full in names.items() if np.ptp(every[full]) > 0}
+    against.pop("missing", None)
+    value = found.point.w[:, j]
+    against = {n: v for n, v in against.items() if not np.allclose(v, value, rtol=1e-6, atol=0)}
+    units = {n: opened.books.ode.interface.locals[names[n]].unit for n in against}
+    imitated = _imitated(opened, p, j)
+    courses = []
+    for r, run in enumerate(grid.runs):
+        at = grid.nodes(r)
+        own = {n: v[at] for n, v in against.items()}
+        same = {n: imitated[at, q] for q, n in enumerate(opened.free)}
+        courses.append(Course(run.name, run.role, grid.time[at], value[at], found.deviation[at, j], own, same))
+    return tuple(courses), units
+
+
+def _imitated(opened: _Opened, parameters: Array, j: int) -> Array:
+    """(N, Q) [unit of the term per unit of the parameter]: how much of term ``j`` acts as each free parameter does.
+
+    Rates only are asked, weighed by the size of their states: what a parameter does to a signal at once, no term does.
+    """
+    grid, model = opened.problem.grid, opened.problem.model
+    point = opened.found.point
+    slopes = model.everything(grid.time, point.x, grid.node_inputs, grid.node_delayed, parameters)
+    n = model.states
+    weight = 1 / opened.problem.size
+    hole = slopes.by_hole[:, :n, j] * weight
+    free = slopes.by_parameter[:, :n] * weight[:, None]
+    if not np.any(hole):  # the term acts on a signal alone
+        hole, free = (
+            slopes.by_hole[:, n:, j] / opened.problem.sigma,
+            slopes.by_parameter[:, n:] / opened.problem.sigma[:, None],
+        )
+    found: Array = np.einsum("ki,kiq->kq", hole, free) / np.maximum(np.sum(hole**2, axis=1), 1e-300)[:, None]
+    return found
+
+
+def _variables(books: Books, hole: Hole) -> dict[str, str]:
+    """Variables of the component that holds a term: short and full names."""
+    prefix = hole.parameter.rpartition(".")[0] + "."
+    names = [n for n in books.ode.interface.locals if n.startswith(prefix) and "." not in n[len(prefix) :]]
+    return {n[len(prefix) :]: n for n in names}
+
+
+def _reading(fault: SensorFault, alone: Alone, explains: float) -> Reading:
+    return Reading(
+        fault.signal, fault.unit, fault.offset, fault.offset_deviation, fault.gain, fault.gain_deviation, fault.lag,
+        alone.deviance - fault.deviance, explains,
+    )  # fmt: skip

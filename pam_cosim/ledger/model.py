@@ -1,0 +1,75 @@
+"""The right-hand side of a compiled model and its slopes as numbers, at many points at once."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.compiler import Ode
+
+Array = NDArray[np.float64]
+
+
+class Slopes(NamedTuple):
+    """Values at K points, and derivatives by states, holes and free parameters, each (K, rows, columns)."""
+
+    value: Array
+    by_state: Array
+    by_hole: Array
+    by_parameter: Array
+
+
+class Model:
+    """f and h of an ``Ode`` for many points; holes and free parameters are elements of its parameter vector."""
+
+    def __init__(self, ode: Ode, holes: Sequence[str], free: Sequence[str], signals: Sequence[str]) -> None:
+        names = list(ode.interface.parameters)
+        self.ode = ode
+        self.states, self.holes, self.free = len(ode.states), len(holes), len(free)
+        self.hole_at = [names.index(h) for h in holes]
+        self.free_at = [names.index(f) for f in free]
+        outputs = list(ode.interface.outputs)
+        h = ca.vertcat(ca.SX(0, 1), *[ode.outputs[outputs.index(s)] for s in signals])
+        self.outputs = h.shape[0]
+        arguments = [ode.t, ode.x, ode.u, ode.d, ode.p]
+        by = ca.vertcat(ode.x, *[ode.p[i] for i in [*self.hole_at, *self.free_at]])
+        f = ode.derivatives
+        self._rates = ca.Function("rates", arguments, [f, ca.vec(ca.densify(ca.jacobian(f, by)))], {"cse": True})
+        both = ca.vertcat(f, h)
+        self._all = ca.Function("all", arguments, [both, ca.vec(ca.densify(ca.jacobian(both, by)))], {"cse": True})
+        self._initial = ca.Function("initial", [ode.p], [ode.initial])
+        self._locals = ca.Function("others", arguments, [ca.vertcat(ode.outputs, ode.locals)], {"cse": True})
+
+    def initial(self, parameters: Array) -> Array:
+        """States at the start, (R, n), for each row of parameters (R, P)."""
+        return np.array([np.array(self._initial(p)).ravel() for p in parameters])
+
+    def rates(self, t: Array, x: Array, u: Array, d: Array, p: Array) -> Slopes:
+        """f at K points, given by rows."""
+        return self._slopes(self._rates, self.states, t, x, u, d, p)
+
+    def everything(self, t: Array, x: Array, u: Array, d: Array, p: Array) -> Slopes:
+        """f and below it h at K points, given by rows."""
+        return self._slopes(self._all, self.states + self.outputs, t, x, u, d, p)
+
+    def variables(self, t: Array, x: Array, u: Array, d: Array, p: Array) -> dict[str, Array]:
+        """Every output and local variable, (K,) each, by name."""
+        names = [*self.ode.interface.outputs, *self.ode.interface.locals]
+        (found,) = _called(self._locals, t, x, u, d, p)
+        return dict(zip(names, found, strict=True))
+
+    def _slopes(self, f: ca.Function, rows: int, t: Array, x: Array, u: Array, d: Array, p: Array) -> Slopes:
+        value, jacobian = _called(f, t, x, u, d, p)
+        columns = self.states + self.holes + self.free
+        slopes = jacobian.reshape(columns, rows, -1).transpose(2, 1, 0)
+        a, b = self.states, self.states + self.holes
+        return Slopes(value.T, slopes[:, :, :a], slopes[:, :, a:b], slopes[:, :, b:])
+
+
+def _called(f: ca.Function, t: Array, x: Array, u: Array, d: Array, p: Array) -> list[Array]:
+    results = f.map(len(t)).call([t[None, :], x.T, u.T, d.T, p.T])
+    return [np.array(r) for r in results]

@@ -1,0 +1,189 @@
+"""Whether one instrument explains the error: a reading that is off by a constant or a factor, or lags.
+
+The model by itself, with its free parameters, is held against the samples; one signal at a time may read
+``offset + (1 + gain) y`` of a first-order lag of what the model says, the same in all runs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.ledger.grid import Grid
+from pam_cosim.ledger.march import march
+from pam_cosim.ledger.smoother import Linear, Point, Problem, linearise
+
+Array = NDArray[np.float64]
+
+_GAIN = 0.1  # how far a factor of a reading may be off one
+_OFFSET = 0.1  # how far a reading may be off, over the range of the signal
+_LAGS = 12
+_ROUNDS = 3
+_PROMISING = 0.5  # part of the error that a fault may leave to be looked at again
+
+
+@dataclass(frozen=True)
+class SensorFault:
+    """The likeliest fault of one instrument.
+
+    Attributes:
+        signal: the signal.
+        unit: of the signal.
+        offset: [unit], with its standard deviation; the reading at the signal's mean is off by this.
+        gain: the factor of the reading, minus one, with its standard deviation.
+        lag: time constant [s]; zero where none helps. Found on a grid: good to a third.
+        deviance: of the model with this fault, as in ``Smoothed``.
+        chi2: sum of squared residuals in noise variances.
+        free: values of the free parameters [SI].
+    """
+
+    signal: str
+    unit: str
+    offset: float
+    offset_deviation: float
+    gain: float
+    gain_deviation: float
+    lag: float
+    deviance: float
+    chi2: float
+    free: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Alone:
+    """The model by itself on the samples.
+
+    Attributes:
+        deviance, chi2: of the model without any fault.
+        point: its states.
+        faults: the likeliest fault of each instrument, most probable first.
+    """
+
+    deviance: float
+    chi2: float
+    point: Point
+    faults: tuple[SensorFault, ...]
+
+
+def try_sensors(problem: Problem, start: tuple[Array, Array], signals: Sequence[tuple[str, str]]) -> Alone:
+    """The model by itself, and with a fault in each of the signals, given by name and unit.
+
+    Args:
+        problem: without holes.
+        start: the states at the nodes and inside the steps with the prior values of the free parameters.
+        signals: names and units.
+    """
+    about = _About(problem, problem.prior, start)
+    none = about.least_squares()
+    measured = [j for j in range(len(signals)) if np.isfinite(problem.grid.measured[:, j]).any()]
+    faults = sorted((_fault(about, signals[j], j) for j in measured), key=lambda f: f.deviance)
+    for _ in range(_ROUNDS):  # the free parameters move when an instrument is believed no more
+        if not faults or faults[0].chi2 > _PROMISING * none.chi2:
+            break
+        j = [name for name, _ in signals].index(faults[0].signal)
+        free = np.array(faults[0].free)
+        better = _fault(
+            _About(problem, free, march(problem.model, problem.grid, problem.parameters(free))), signals[j], j
+        )
+        settled = abs(better.deviance - faults[0].deviance) < 1
+        faults[0] = better
+        if settled:
+            break
+    return Alone(none.deviance, none.chi2, about.point, tuple(sorted(faults, key=lambda f: f.deviance)))
+
+
+@dataclass(frozen=True)
+class _Solution:
+    """Parameters (free ones, offset, gain) with deviations in their own scales, and what they are worth."""
+
+    deviance: float
+    chi2: float
+    change: Array
+    deviation: Array
+
+
+class _About:
+    """The model by itself, linearised in its free parameters about some values of them."""
+
+    def __init__(self, problem: Problem, free: Array, states: tuple[Array, Array]) -> None:
+        self.problem, self.free = problem, free
+        self.point = Point(*states, np.zeros((len(states[0]), 0)), free)
+        self.linear = linearise(problem, self.point)
+        self.slopes = _output_slopes(problem, self.linear)
+
+    def least_squares(self, j: int | None = None, course: Array | None = None, span: float = 1.0) -> _Solution:
+        """The free parameters, and a fault of signal ``j`` whose reading with slopes is (N, 1 + Q) ``course``."""
+        problem, slopes, residual = self.problem, self.slopes, self.linear.residual / self.problem.sigma
+        extra = np.zeros((*slopes.shape[:2], 0))
+        if j is not None and course is not None:
+            residual, slopes = residual.copy(), slopes.copy()
+            residual[:, j] = (problem.grid.measured[:, j] - course[:, 0]) / problem.sigma[j]
+            slopes[:, j] = course[:, 1:]
+            extra = np.zeros((*slopes.shape[:2], 2))
+            extra[:, j, 0] = _OFFSET * span / problem.sigma[j]
+            extra[:, j, 1] = _GAIN * (course[:, 0] - np.mean(course[:, 0])) / problem.sigma[j]
+        kept = np.isfinite(residual)
+        rows, r = np.concatenate([slopes, extra], axis=2)[kept], residual[kept]
+        prior = np.zeros(rows.shape[1])
+        prior[: len(self.free)] = (problem.prior - self.free) / problem.spread
+        matrix = rows.T @ rows + np.eye(rows.shape[1])
+        change = np.linalg.solve(matrix, rows.T @ r + prior)
+        chi2 = float(((r - rows @ change) ** 2).sum())
+        deviance = chi2 + float(((change - prior) ** 2).sum() + np.linalg.slogdet(matrix)[1])
+        return _Solution(deviance, chi2, change, np.sqrt(np.diag(np.linalg.inv(matrix))))
+
+
+def _fault(about: _About, signal: tuple[str, str], j: int) -> SensorFault:
+    grid = about.problem.grid
+    span = float(np.nanmax(grid.measured[:, j]) - np.nanmin(grid.measured[:, j])) or 1.0
+    longest = float(grid.step.sum()) / len(grid.runs) / 2
+    lags = np.geomspace(min(float(np.median(grid.step)), longest / 2), longest, _LAGS)
+    courses = np.column_stack([about.linear.outputs[:, j], about.slopes[:, j]])
+    tried = [(0.0, about.least_squares(j, courses, span))]
+    tried += [
+        (lag, about.least_squares(j, course, span))
+        for lag, course in zip(lags.tolist(), _lagged(grid, courses, lags), strict=True)
+    ]
+    lag, best = min(tried, key=lambda t: t[1].deviance)
+    q = len(about.free)
+    free = np.clip(about.free + best.change[:q] * about.problem.spread, about.problem.low, about.problem.high)
+    return SensorFault(
+        signal=signal[0],
+        unit=signal[1],
+        offset=float(best.change[q]) * _OFFSET * span,
+        offset_deviation=float(best.deviation[q]) * _OFFSET * span,
+        gain=float(best.change[q + 1]) * _GAIN,
+        gain_deviation=float(best.deviation[q + 1]) * _GAIN,
+        lag=lag,
+        deviance=best.deviance + 2 * float(np.log(len(tried))),
+        chi2=best.chi2,
+        free=tuple(free.tolist()),
+    )
+
+
+def _output_slopes(problem: Problem, linear: Linear) -> Array:
+    """(N, S, Q) by the free parameters, in standard deviations of the samples."""
+    by_state, by_free = linear.flow
+    grid = problem.grid
+    n, q = problem.model.states, len(problem.prior)
+    states = np.zeros((len(grid.time), n, q))
+    for k, node in enumerate(grid.left.tolist()):
+        states[node + 1] = by_state[k] @ states[node] + by_free[k]
+    rows, rows_free = linear.rows
+    found: Array = np.einsum("nsi,niq->nsq", rows[:, :, :n], states) + rows_free
+    return found
+
+
+def _lagged(grid: Grid, courses: Array, lags: Array) -> Array:
+    """First-order lags (T,) of columns (N, c), exact for straight lines between the nodes: (T, N, c)."""
+    z = grid.step[:, None] / lags
+    decay, mean = np.exp(-z)[:, :, None], (-np.expm1(-z) / z)[:, :, None]
+    at = grid.left
+    drive = (mean - decay) * courses[at][:, None] + (1 - mean) * courses[at + 1][:, None]
+    found = np.repeat(courses[:, None], len(lags), axis=1)
+    for k, node in enumerate(at.tolist()):
+        found[node + 1] = decay[k] * found[node] + drive[k]
+    return found.transpose(1, 0, 2)

@@ -1,0 +1,131 @@
+"""The ledger as a map: which balance fails, by how much, and where."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from pam_cosim.ledger import Entry, Ledger, binned, mapped
+from pam_cosim.quantities import readable_factor, readable_unit
+from pam_cosim.reporting.style import BAND, BLUE, GREEN, INK, PINK, SOFT, VERMILLION, message, new_figure
+
+_COLOURS = {"force": VERMILLION, "mass": BLUE, "energy": PINK, "sensor": GREEN}
+_PLANES = (("x", "p_gauge"), ("T_excess", "p_gauge"), ("p_rate", "p_gauge"))
+_AXES = ("x", "T_excess", "p_gauge", "v")  # what a term is drawn against first
+
+
+def ledger_figure(ledger: Ledger) -> Figure:
+    """Above, the share of each balance. Below, a row a balance: in time, against its variables, and on a plane."""
+    rows = [e for e in ledger.entries if e.courses]
+    figure = new_figure(11.0, 1.4 + 2.3 * max(len(rows), 1))
+    grid = figure.add_gridspec(1 + max(len(rows), 1), 4, height_ratios=[0.55] + [1.0] * max(len(rows), 1))
+    draw_shares(figure.add_subplot(grid[0, :]), ledger)
+    for i, entry in enumerate(rows):
+        draw_courses(figure.add_subplot(grid[i + 1, 0]), entry)
+        names = against_of(entry)[:2]
+        for k in range(2):
+            axes = figure.add_subplot(grid[i + 1, 1 + k])
+            if k < len(names):
+                draw_against(axes, entry, names[k])
+            else:
+                message(axes, "no further variable")
+        draw_map(figure.add_subplot(grid[i + 1, 3]), entry)
+    if not rows:
+        message(figure.add_subplot(grid[1, :]), "the model has no place for a missing term")
+    return figure
+
+
+def draw_shares(axes: Axes, ledger: Ledger) -> None:
+    """What is lost without each balance in the best explanation, as one bar."""
+    left = 0.0
+    for entry in ledger.entries:
+        if entry.share > 0:
+            axes.barh(0, entry.share, left=left, color=_COLOURS.get(entry.balance, SOFT), height=0.6)
+            if entry.share > 0.08:
+                text = f"{entry.balance} {100 * entry.share:.0f} %"
+                axes.text(left + entry.share / 2, 0, text, ha="center", va="center", color="white", fontweight="bold")
+            left += entry.share
+    if not left:
+        message(axes, "no balance fails: the model meets the samples to the noise")
+    what = " and ".join(ledger.failing) or "nothing"
+    axes.set_title(
+        f"fails: {what}. Mean square error {ledger.before:.3g} → {ledger.after:.3g} noise variances", loc="left",
+        fontweight="bold",
+    )  # fmt: skip
+    axes.set_xlim(0, 1)
+    axes.set_axis_off()
+
+
+def draw_courses(axes: Axes, entry: Entry) -> None:
+    """The missing term over time, every run, with two standard deviations."""
+    factor, unit = _scale(entry)
+    colour = _COLOURS.get(entry.balance, INK)
+    for course in entry.courses:
+        low, high = ((course.value + s * 2 * course.deviation) * factor for s in (-1, 1))
+        axes.fill_between(course.time, low, high, color=colour, alpha=0.12, lw=0)
+        axes.plot(course.time, course.value * factor, color=colour, lw=0.8)
+    axes.axhline(0, color=SOFT, lw=0.8)
+    _bound(axes, entry, factor)
+    axes.set_xlabel("time [s]")
+    axes.set_ylabel(f"missing {entry.balance} [{unit}]")
+
+
+def draw_against(axes: Axes, entry: Entry, name: str) -> None:
+    """The missing term against one of its variables: every instant, and the means of bands."""
+    factor, unit = _scale(entry)
+    across = readable_factor(entry.units.get(name, ""))
+    for course in entry.courses:
+        axes.plot(
+            course.against[name] * across, course.value * factor, ".", color=SOFT, ms=1.2, alpha=0.5, rasterized=True
+        )
+    bands = binned(entry, name)
+    at = np.array([(b.low + b.high) / 2 for b in bands]) * across
+    mean, deviation = np.array([b.mean for b in bands]) * factor, np.array([b.deviation for b in bands]) * factor
+    axes.errorbar(at, mean, 2 * deviation, fmt="o-", color=_COLOURS.get(entry.balance, INK), ms=3, lw=1.2, capsize=2)
+    axes.axhline(0, color=SOFT, lw=0.8)
+    _bound(axes, entry, factor)
+    axes.set_xlabel(_named(entry, name))
+
+
+def draw_map(axes: Axes, entry: Entry) -> None:
+    """Where the term is positive and where negative, in standard deviations, over the plane of two variables."""
+    names = against_of(entry)
+    plane = next((p for p in _PLANES if p[0] in names and p[1] in names), None)
+    if plane is None:
+        message(axes, "one variable only: no plane")
+        return
+    found = mapped(entry, *plane)
+    fx, fy = (readable_factor(entry.units.get(n, "")) for n in plane)
+    axes.set_facecolor(BAND)
+    picture = axes.pcolormesh(
+        found.x_edges * fx, found.y_edges * fy, found.significance, cmap="RdBu_r", vmin=-6, vmax=6, rasterized=True
+    )
+    axes.figure.colorbar(picture, ax=axes, label="in standard deviations")
+    axes.set_xlabel(_named(entry, plane[0]))
+    axes.set_ylabel(_named(entry, plane[1]))
+
+
+def against_of(entry: Entry) -> list[str]:
+    """What a term can be drawn against, the telling ones first."""
+    names = list(entry.courses[0].against)
+    return [n for n in _AXES if n in names] + [n for n in names if n not in _AXES]
+
+
+def _named(entry: Entry, name: str) -> str:
+    unit = readable_unit(entry.units.get(name, ""))
+    return f"{name} [{unit}]" if unit and unit != "1" else name
+
+
+def _scale(entry: Entry) -> tuple[float, str]:
+    return readable_factor(entry.unit), readable_unit(entry.unit)
+
+
+def _bound(axes: Axes, entry: Entry, factor: float) -> None:
+    """Keeps single instants without information from blowing up the axis."""
+    values = np.concatenate([c.value for c in entry.courses]) * factor
+    reach = 1.3 * float(np.quantile(np.abs(values), 0.99)) + 2 * factor * float(
+        np.median(np.concatenate([c.deviation for c in entry.courses]))
+    )
+    if reach > 0:
+        axes.set_ylim(-reach, reach)

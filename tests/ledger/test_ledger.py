@@ -1,0 +1,155 @@
+"""An effect is hidden in the independent rig's data: the ledger names its balance and gives its size over time."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from tempfile import mkdtemp
+
+import numpy as np
+import pytest
+
+from pam_cosim import study
+from pam_cosim.compiler import effect_classes, read_library, unknown_terms
+from pam_cosim.errors import InputError
+from pam_cosim.fitting import complete_noise
+from pam_cosim.ledger import Entry, Ledger, binned, keep_ledger, mapped
+from pam_cosim.measurement import DataSet
+from tests.reference.effects import effect_of
+from tests.reference.flow import P_ATM
+from tests.reference.muscle import simulate_muscle
+from tests.reference.rig import TRUTH
+from tests.systems.rig import PLAN, write_light_data
+
+BALANCE = {
+    "elasticity:linear": "force",
+    "elasticity:exponential": "force",
+    "dry_friction:coulomb": "force",
+    "rate_friction:viscous": "force",
+    "moving_mass:hanging": "force",
+    "leak:orifice": "mass",
+    "leak:laminar": "mass",
+    "gas_energy:film": "energy",
+    "thermocouple_lag:first_order": "sensor",
+    "pressure_offset:constant": "sensor",
+    "pressure_offset:gain": "sensor",
+}
+
+
+def _data(hidden: str, seed: int = 1) -> DataSet:
+    effects = [] if hidden == "none" else [effect_of(hidden)]
+    return complete_noise(study.read(write_light_data(Path(mkdtemp()) / "d", effects, seed)))
+
+
+@cache
+def _ledger(hidden: str, seed: int = 1) -> Ledger:
+    data = _data(hidden, seed)
+    return keep_ledger(data, study.fit(data).values)
+
+
+@pytest.mark.parametrize("hidden", BALANCE)
+def test_failing_balance_is_named(hidden: str) -> None:
+    ledger = _ledger(hidden)
+    assert ledger.failing == (BALANCE[hidden],), str(ledger)
+    assert ledger.closed and ledger.before > 2 * ledger.after
+    assert ledger.shares[BALANCE[hidden]] == pytest.approx(1.0, abs=0.01)
+    assert sum(ledger.shares.values()) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("seed", range(1, 5))
+def test_nothing_fails_where_nothing_is_missing(seed: int) -> None:
+    ledger = _ledger("none", seed)
+    assert ledger.failing == () and ledger.closed
+    assert set(ledger.shares.values()) == {0.0}
+    for entry in ledger.entries:  # the terms hardly vary in time: a run is one draw, not a hundred
+        for course in entry.courses:
+            assert np.all(np.abs(course.value) < 3.5 * course.deviation), entry.balance
+
+
+@pytest.mark.parametrize("hidden", ["elasticity:linear", "dry_friction:coulomb", "rate_friction:viscous"])
+def test_missing_force_is_the_hidden_force(hidden: str) -> None:
+    entry = _ledger(hidden).entry("force")
+    assert entry is not None and entry.unit == "N"
+    effect = effect_of(hidden)
+    true = []
+    for course, run in zip(entry.courses, PLAN, strict=True):
+        rig = simulate_muscle(replace(TRUTH, load=run.load), run.p_supply, run.schedule, course.time, [effect])
+        true.append([effect.force((), x, v, p) for x, v, p in zip(rig.x, rig.v, rig.p, strict=True)])
+    _check(entry, np.concatenate(true), "x", 2e-3, 0.1)
+
+
+def test_missing_mass_flow_is_the_leak() -> None:
+    entry = _ledger("leak:orifice").entry("mass")
+    assert entry is not None and entry.unit == "kg/s"
+    effect = effect_of("leak:orifice")
+    true = []
+    for course, run in zip(entry.courses, PLAN, strict=True):
+        rig = simulate_muscle(replace(TRUTH, load=run.load), run.p_supply, run.schedule, course.time, [effect])
+        true.append([-effect.leak(p + P_ATM, t) for p, t in zip(rig.p, rig.temperature, strict=True)])
+    _check(entry, np.concatenate(true), "p_gauge", 1e4, 0.15)
+
+
+def _check(entry: Entry, true: np.ndarray, sized: str, least: float, accuracy: float) -> None:
+    """Where the muscle works, the term is the truth but for a multiple of what a free parameter imitates."""
+    value, deviation = (np.concatenate([getattr(c, n) for c in entry.courses]) for n in ("value", "deviation"))
+    imitated = np.concatenate([np.column_stack(list(c.imitated.values())) for c in entry.courses])
+    z = np.concatenate([c.against[sized] for c in entry.courses])
+    kept = (z > least) & (deviation < np.quantile(deviation[z > least], 0.9))
+    rows = imitated[kept] / deviation[kept, None]
+    error = (value - true)[kept]
+    error -= imitated[kept] @ np.linalg.lstsq(rows, error / deviation[kept], rcond=None)[0]
+    assert np.sqrt(np.mean(error**2)) < accuracy * np.sqrt(np.mean(true[kept] ** 2))
+    assert np.mean(np.abs(error) < 2 * deviation[kept]) > 0.9
+
+
+def test_instrument_fault_has_its_size() -> None:
+    lag = _ledger("thermocouple_lag:first_order").readings[0]
+    assert lag.signal == "T" and lag.lag == pytest.approx(0.15, rel=0.35)
+    offset = _ledger("pressure_offset:constant").readings[0]
+    assert offset.signal == "p" and abs(offset.offset - 5e3) < 3 * offset.offset_deviation and offset.lag == 0
+    gain = _ledger("pressure_offset:gain").readings[0]
+    assert gain.signal == "p" and abs(gain.gain - 0.05) < 3 * gain.gain_deviation
+
+
+def test_mass_and_heat_are_said_to_be_one_where_the_gas_law_cannot_tell() -> None:
+    assert any("mass" in n and "energy" in n and "do the same" in n for n in _ledger("leak:orifice").notes)
+
+
+def test_summaries_and_plain_data() -> None:
+    entry = _ledger("elasticity:linear").entry("force")
+    assert entry is not None
+    bands = binned(entry, "x", 8)
+    assert sum(b.samples for b in bands) == sum(len(c.time) for c in entry.courses)
+    assert bands[-1].mean > bands[0].mean + 5 * bands[0].deviation
+    assert sum(b.samples for b in binned(entry, "time")) == sum(b.samples for b in bands)
+    plane = mapped(entry, "x", "p_gauge", 6)
+    assert plane.value.shape == (6, 6) and np.isfinite(plane.value).any()
+    text = json.dumps(_ledger("elasticity:linear").as_dict())
+    assert json.loads(text)["failing"] == ["force"]
+    assert "courses" not in json.dumps(_ledger("elasticity:linear").as_dict(courses=False))
+
+
+def test_missing_samples_are_no_obstacle() -> None:
+    data = _data("elasticity:linear")
+    runs = []
+    for run in data.runs:
+        x = run.measurements["x"].copy()
+        x[::3] = np.nan
+        runs.append(replace(run, measurements={**run.measurements, "x": x}))
+    assert keep_ledger(replace(data, runs=tuple(runs))).failing == ("force",)
+
+
+def test_unknown_terms_are_no_hypotheses() -> None:
+    tree = read_library()
+    assert unknown_terms(tree) and not {e.name for e in unknown_terms(tree)} & {e.name for e in effect_classes(tree)}
+
+
+def test_bad_input() -> None:
+    data = _data("none")
+    with pytest.raises(InputError, match="FMU"):
+        keep_ledger(data, model="muscle.fmu")
+    blind = replace(data, signals={n: replace(s, sigma=None) for n, s in data.signals.items()})
+    with pytest.raises(InputError, match="noise of p, x, T is not known"):
+        keep_ledger(blind)
