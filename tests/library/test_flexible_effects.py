@@ -1,0 +1,342 @@
+"""The flexible member of each family: what it spans, and that no values within its bounds break a run."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+import pytest
+from scipy.signal import lsim
+
+from pam_cosim.compiler import EffectClass
+from tests.library.shelf import built, effects, homes, run
+from tests.library.spans import DRIVE, HARNESS, Law, course_misses
+
+FLEXIBLE = [e for e in effects() if e.name.startswith("Flexible")]
+P_ATM, T_ATM = 101325.0, 293.15
+Array = np.ndarray
+Form = Callable[[Array], Array]
+
+
+@pytest.mark.parametrize("effect", FLEXIBLE, ids=lambda e: e.name)
+def test_runs_at_every_corner_of_its_bounds(effect: EffectClass) -> None:
+    for bench, composition in homes(effect.name).items():
+        fmu = built(bench, effect.name)
+        _, interface = run(fmu, {})
+        names = composition.parameters[effect.name]
+        bounds = [(interface.parameters[n].min, interface.parameters[n].max) for n in names]
+        for corner in itertools.product(*bounds):
+            outputs, _ = run(fmu, dict(zip(names, corner, strict=True)))
+            assert all(np.isfinite(y).all() for y in outputs.values()), (bench, corner)
+
+
+# Spans: the share of a law's rms that the flexible member leaves, least squares over its working range.
+
+X = np.linspace(0, 0.07, 141)  # m, up to 29 % of the length
+
+
+@cache
+def bladder() -> Law:
+    return Law("FlexibleBladder", "bladder.f", {"load.s": X})
+
+
+def mooney_rivlin(x: Array) -> Array:
+    return Law("MooneyRivlinBladder", "bladder.f", {"load.s": x})(C_10=1.2e5, C_01=2e4)
+
+
+SPRINGS: dict[str, tuple[float, Form]] = {
+    "linear": (1e-4, lambda x: x),
+    "cubic": (0.01, lambda x: 120 * x + 5e4 * x**3),
+    "power 1.5": (0.02, lambda x: x**1.5),
+    "power 4": (0.03, lambda x: x**4),
+    "exponential, 40 mm": (0.01, lambda x: np.expm1(x / 0.04)),
+    "exponential, 15 mm": (0.01, lambda x: np.expm1(x / 0.015)),
+    "logarithmic, 20 mm": (0.01, lambda x: np.log1p(x / 0.02)),
+    "logarithmic, 5 mm": (0.02, lambda x: np.log1p(x / 0.005)),
+    "square root": (0.02, lambda x: np.sqrt(x + 1e-3) - np.sqrt(1e-3)),
+    "arctan, 10 mm": (0.01, lambda x: np.arctan(x / 0.01)),
+    "tanh, 20 mm": (0.02, lambda x: np.tanh(x / 0.02)),
+    "sine": (0.01, lambda x: np.sin(x / 0.05)),
+    "softening cubic": (0.01, lambda x: x * (1 - (x / 0.12) ** 2)),
+    "Mooney-Rivlin": (0.01, mooney_rivlin),
+    "stiff, then soft": (0.04, lambda x: np.minimum(x, 0.03) + 0.2 * np.maximum(x - 0.03, 0)),
+    "locking at 80 mm": (0.05, lambda x: x / (1 - (x / 0.08) ** 2)),
+    "slack of 20 mm": (0.10, lambda x: np.maximum(x - 0.02, 0)),
+    "slack of 30 mm": (0.13, lambda x: np.maximum(x - 0.03, 0)),
+}
+
+
+@pytest.mark.parametrize("name", SPRINGS)
+def test_bladder_spans(name: str) -> None:
+    bound, form = SPRINGS[name]
+    f = form(X)
+    assert bladder().misses(f * 5 / np.sqrt(np.mean(f**2))) < bound
+
+
+V = np.geomspace(2e-4, 0.3, 200)  # m/s
+EVEN = np.sqrt(np.gradient(V) / V.mean())  # every speed counts alike
+FRICTIONS: dict[str, tuple[float, Form]] = {
+    "viscous": (1e-3, lambda v: v),
+    "quadratic": (1e-3, lambda v: v**2),
+    "square root": (0.01, np.sqrt),
+    "power 0.3": (0.01, lambda v: v**0.3),
+    "viscous and quadratic": (0.01, lambda v: 30 * v + 400 * v**2),
+    "Coulomb and viscous": (0.02, lambda v: 3 * np.tanh(v / 0.002) + 60 * v),
+    "Eyring, 10 mm/s": (0.01, lambda v: np.arcsinh(v / 0.01)),
+    "Eyring, 2 mm/s": (0.01, lambda v: np.arcsinh(v / 0.002)),
+    "Carreau": (0.01, lambda v: v * (1 + (v / 0.02) ** 2) ** -0.25),
+    "saturating at 50 mm/s": (0.02, lambda v: np.tanh(v / 0.05)),
+    "saturating at 20 mm/s": (0.04, lambda v: np.tanh(v / 0.02)),
+    "exponential": (0.05, lambda v: np.expm1(v / 0.1)),
+    "Stribeck": (0.07, lambda v: np.tanh(v / 0.002) * (3 + 3 * np.exp(-((v / 0.02) ** 2))) + 30 * v),
+}
+
+
+@pytest.mark.parametrize("name", FRICTIONS)
+def test_rate_friction_spans(name: str) -> None:
+    bound, form = FRICTIONS[name]
+    law = weighted_friction()
+    f = form(V) * EVEN
+    assert law.misses(f * 5 / np.sqrt(np.mean(f**2))) < bound
+
+
+@cache
+def weighted_friction() -> Law:
+    return Law("FlexibleRateFriction", "damper.f", {"load.v": V, "muscle.gas.p": P_ATM + 1e5}, EVEN)
+
+
+def test_rate_friction_spans_pressure() -> None:
+    v, p = (a.ravel() for a in np.meshgrid(np.linspace(2e-3, 0.2, 15), np.linspace(0.0, 2e5, 15)))
+    law = Law("FlexibleRateFriction", "damper.f", {"load.v": v, "muscle.gas.p": P_ATM + p})
+    for target, bound in (
+        (3e-3 * p * v, 0.01),
+        (np.sqrt(v) * (20 + 2e-4 * p), 0.01),
+        (100 * v * np.sqrt(0.1 + p / 1e5), 0.06),
+    ):
+        assert law.misses(target) < bound
+
+
+PG = np.linspace(500, 2.5e5, 200)  # Pa gauge
+
+
+@cache
+def leak() -> Law:
+    return Law("FlexibleLeak", "leak.port.m_flow", {"muscle.gas.p": P_ATM + PG})
+
+
+def orifice(p: Array) -> Array:
+    r = np.maximum(P_ATM / (p + P_ATM), 0.5283)
+    return (p + P_ATM) * np.sqrt(np.maximum(r ** (2 / 1.4) - r ** (2.4 / 1.4), 0))
+
+
+LEAKS: dict[str, tuple[float, Form]] = {
+    "laminar": (1e-3, lambda p: p),
+    "compressible laminar": (0.01, lambda p: (p + P_ATM) ** 2 - P_ATM**2),
+    "orifice": (0.02, orifice),
+    "orifice and laminar": (0.01, lambda p: 2 * orifice(p) + p),
+    "square root": (0.01, np.sqrt),
+    "power 1.5": (0.01, lambda p: p**1.5),
+    "square": (0.01, lambda p: p**2),
+    "cubic": (0.01, lambda p: p**3),
+    "Forchheimer": (0.01, lambda p: np.sqrt(1 + p / 5e3) - 1),
+    "saturating": (0.02, lambda p: np.tanh(p / 5e4)),
+    "from 20 kPa on": (0.02, lambda p: np.maximum(p - 2e4, 0)),
+    "from 50 kPa on": (0.04, lambda p: np.maximum(p - 5e4, 0)),
+    "from 100 kPa on": (0.10, lambda p: np.maximum(p - 1e5, 0)),
+}
+
+
+@pytest.mark.parametrize("name", LEAKS)
+def test_leak_spans(name: str) -> None:
+    bound, form = LEAKS[name]
+    m = form(PG)
+    assert leak().misses(m * 2e-6 / np.sqrt(np.mean(m**2))) < bound
+
+
+# Sleeves: pulls above 8 N. A(e): pull by pressure, by that at full length.
+E, P = (a.ravel() for a in np.meshgrid(np.linspace(0, 0.29, 25), np.linspace(2e4, 2.1e5, 25)))
+FIBRE = 0.24**2 + (2 * np.pi * 0.02) ** 2
+AREA = (3 * 0.24**2 - FIBRE) / (16 * np.pi)
+
+
+def cylinder(e: Array) -> Array:
+    return (3 * 0.24**2 * (1 - e) ** 2 - FIBRE) / (16 * np.pi) / AREA
+
+
+E, P = E[cylinder(E) * P * AREA > 8], P[cylinder(E) * P * AREA > 8]
+SLEEVES: dict[str, tuple[float, Array]] = {
+    "Tondu": (1e-3, cylinder(1.1 * E)),
+    "Kang, 50 kPa": (0.02, cylinder((1 + 0.2 * np.exp(-P / 5e4)) * E)),
+    "Kang, 300 kPa": (0.02, cylinder((1 + 0.2 * np.exp(-P / 3e5)) * E)),
+    "Kerscher, 30 %": (0.02, cylinder(E) * (1 + 0.1 * np.exp(-E / 0.3))),
+    "Kerscher, 10 %": (0.11, cylinder(E) * (1 + 0.1 * np.exp(-E / 0.1))),
+    "constant factor": (0.01, cylinder(E) * 1.1),
+    "factor by strain": (0.02, cylinder(E) * (1 - 0.5 * E)),
+    "factor by pressure": (0.01, cylinder(E) * (1 - 0.1 * np.exp(-P / 1e5))),
+    "factor by inverse pressure": (0.08, cylinder(E) * (1 - 3e3 / (P + 3e4))),
+    "caps that contract with the power 1.5": (0.02, cylinder(E) - 0.3 * E**1.5),
+}
+
+
+@cache
+def sleeve() -> Law:
+    return Law("FlexibleEnds", "muscle.braid.F", {"load.s": 0.24 * E, "muscle.gas.p": P_ATM + P})
+
+
+@pytest.mark.parametrize("name", SLEEVES)
+def test_ends_span(name: str) -> None:
+    bound, factor = SLEEVES[name]
+    assert sleeve().misses(P * AREA * factor, of=P * AREA * (factor - cylinder(E))) < bound
+
+
+# Valves: inlet, three supplies, four currents.
+PM, PS, U = (a.ravel() for a in np.meshgrid(np.linspace(0.05, 0.99, 20), [1e5, 1.5e5, 2e5], np.linspace(0.2, 0.35, 4)))
+PM = PM * PS
+R = (PM + P_ATM) / (PS + P_ATM)
+NOMINAL = 0.699 * (1.8e-6 * U - 2.61e-7)
+AREAS: dict[str, tuple[float, Array]] = {
+    "straight line in the ratio": (0.01, 1 - 0.2 * R),
+    "Perry": (0.05, 1 - 0.3 * R**1.5),
+    "square of the ratio": (0.09, 1 - 0.2 * R**2),
+    "exponential of the ratio": (0.01, np.exp(-0.3 * R)),
+    "plunger against the drop": (0.01, 1 - 1.8e-7 * 0.1 * (PS - PM) / (1.8 * U - 0.261)),
+    "straight line in the drop": (0.01, 1 - 1e-6 * 0.1 * (PS - PM)),
+    "straight line in the supply": (0.22, 1 - 1e-6 * 0.1 * PS),
+    "square law of current": (0.11, 1 + 0.5 * (U / 0.35 - 1) + 0.5 * (U / 0.35 - 1) ** 2),
+    "ratio and current": (0.01, (1 - 0.2 * R) * (1 + 0.3 * (U / 0.35 - 1))),
+}
+
+
+@cache
+def area() -> Law:
+    at = {"muscle.gas.p": P_ATM + PM, "p_supply": PS, "u_in": U}
+    return Law("FlexibleArea", "valve.area.A[1]", at)
+
+
+@pytest.mark.parametrize("name", AREAS)
+def test_area_spans(name: str) -> None:
+    bound, factor = AREAS[name]
+    assert area().misses(NOMINAL * factor, of=NOMINAL * (factor - 1)) < bound
+
+
+# Lines: from the valve at p_a to the muscle at p_b.
+PA, PB = (a.ravel() for a in np.meshgrid(np.linspace(1.2e5, 3.1e5, 25), np.linspace(1.05e5, 3.0e5, 25)))
+PA, PB = PA[PA > PB + 500], PB[PA > PB + 500]
+
+
+@cache
+def line() -> Law:
+    gas = {"line.gas.p": PA, "line.gas.m": PA * 2e-6 / (287.05 * T_ATM), "muscle.gas.p": PB}
+    return Law("FlexibleLine", "line.resistance.m_flow", gas)
+
+
+def isentropic(p_a: Array, p_b: Array) -> Array:
+    r = np.maximum(p_b / p_a, 0.5283)
+    return p_a * np.sqrt(r ** (2 / 1.4) - r ** (2.4 / 1.4))
+
+
+LINES: dict[str, tuple[float, Array]] = {
+    "laminar": (0.01, PA**2 - PB**2),
+    "elliptic": (0.01, np.sqrt(PA**2 - PB**2)),
+    "isentropic": (0.09, isentropic(PA, PB)),
+    "laminar and isentropic in series": (0.07, 1 / (1 / isentropic(PA, PB) + 3e4 / (PA**2 - PB**2))),
+    "Blasius": (0.04, (PA**2 - PB**2) ** (4 / 7)),
+}
+
+
+@pytest.mark.parametrize("name", LINES)
+def test_line_spans(name: str) -> None:
+    bound, m = LINES[name]
+    assert line().misses(m * 1e-4 / np.sqrt(np.mean(m**2))) < bound
+
+
+# Creep: the force after a step of 10 mm.
+AFTER = np.concatenate([[0.0, 0.001], np.linspace(0.02, 10, 200)])
+RELAXATIONS: dict[str, tuple[float, Form]] = {
+    "Maxwell": (0.01, lambda t: np.exp(-t / 2)),
+    "Kohlrausch 0.5": (0.025, lambda t: np.exp(-np.sqrt(t))),
+    "Kohlrausch 0.3": (0.025, lambda t: np.exp(-(t**0.3))),
+    "Kohlrausch 0.7": (0.025, lambda t: np.exp(-((t / 1.5) ** 0.7))),
+    "logarithm": (0.025, lambda t: 1 - 0.1 * np.log1p(t / 0.1)),
+    "power": (0.025, lambda t: (1 + t / 0.3) ** -0.5),
+    "inverse": (0.025, lambda t: 1 / (1 + t)),
+}
+
+
+@pytest.mark.parametrize("name", RELAXATIONS)
+def test_creep_spans(name: str) -> None:
+    bound, form = RELAXATIONS[name]
+    inputs = {"x_wanted": np.where(AFTER > 0, 0.01, 0.0), "p_wanted": np.full(len(AFTER), 1e5)}
+    seen = np.where(AFTER >= 0.02, 1.0, 0.0)
+    assert course_misses(HARNESS, "FlexibleCreep", "effect", AFTER, inputs, 4 * form(AFTER), seen) < bound
+
+
+# Dry friction: large and small loops of contraction while the pressure rises from 50 to 150 kPa.
+CLOCK = np.linspace(0, 2, 401)
+PATH = 0.010 * (1 - np.cos(2 * np.pi * CLOCK)) + 0.0015 * np.sin(10 * np.pi * CLOCK) ** 3
+RISING = 5e4 + 5e4 * CLOCK
+
+
+def slips(travels: Array, path: Array) -> Array:
+    """Mean of hard Jenkin elements, each slipping at its own travel [m], by its own force."""
+    found, r = [], np.zeros(len(travels))
+    for step in np.diff(path, prepend=path[0]):
+        r = np.clip(r + step / travels, -1, 1)
+        found.append(r.mean())
+    return np.array(found)
+
+
+LOOPS: dict[str, tuple[float, Array, Array]] = {
+    "Coulomb": (0.03, np.array([2e-5]), np.full(len(CLOCK), 8.0)),
+    "Coulomb by pressure": (0.03, np.array([2e-5]), 8e-5 * RISING),
+    "one element of 1 mm": (0.11, np.array([1e-3]), np.full(len(CLOCK), 8.0)),
+    "four elements to 4 mm": (0.07, 4e-3 * 0.5 ** np.arange(4), np.full(len(CLOCK), 8.0)),
+    "ten elements, by pressure": (0.05, np.linspace(3e-4, 4e-3, 10), 4 + 4e-5 * RISING),
+}
+
+
+@pytest.mark.parametrize("name", LOOPS)
+def test_dry_friction_spans(name: str) -> None:
+    bound, travels, level = LOOPS[name]
+    inputs = {"x_wanted": PATH, "p_wanted": RISING}
+    target = level * slips(travels, PATH)
+
+    assert course_misses(HARNESS, "FlexibleDryFriction", "effect", CLOCK, inputs, target) < bound
+
+
+# Drives: opened at 0.1 s and shut at 1.1 s.
+TICK = np.linspace(0, 2, 801)
+COMMAND = np.where((TICK >= 0.1) & (TICK < 1.1), 0.35, 0.0)
+
+
+def chain(zeta: float, omega: float) -> Array:
+    """A second-order lag after ``COMMAND``."""
+    _, y, _ = lsim(([omega**2], [1, 2 * zeta * omega, omega**2]), COMMAND, TICK)
+    return np.asarray(y)
+
+
+def chased(up: float, down: float, rate: float = np.inf) -> Array:
+    """A first-order lag [s] that differs up and down, or a limited rate [A/s]."""
+    y, found = 0.0, []
+    dt = (TICK[1] - TICK[0]) / 20
+    for u in COMMAND:
+        found.append(y)
+        for _ in range(20):
+            y += dt * float(np.clip((u - y) / (up if u > y else down), -rate, rate))
+    return np.array(found)
+
+
+COURSES: dict[str, tuple[float, Array]] = {
+    "two lags in series": (0.07, chain(1.2, 30)),
+    "second order, 0.7": (0.05, chain(0.7, 30)),
+    "lags that differ": (0.02, chased(0.08, 0.03)),
+    "slew rate": (0.10, chased(1e-3, 1e-3, 2.0)),
+}
+
+
+@pytest.mark.parametrize("name", COURSES)
+def test_drive_spans(name: str) -> None:
+    bound, target = COURSES[name]
+    assert course_misses(DRIVE, "FlexibleDrive", "drive", TICK, {"u": COMMAND}, target) < bound
