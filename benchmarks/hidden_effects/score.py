@@ -57,6 +57,7 @@ def run_case(which: str, number: int, limit: float) -> Result:
     process = subprocess.Popen(
         command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment, start_new_session=True
     )
+    _RUNNING[process.pid] = process
     try:
         out, err = process.communicate(timeout=limit)
         return dict(json.loads(out))
@@ -71,7 +72,15 @@ def run_case(which: str, number: int, limit: float) -> Result:
     return {"set": which, "number": number, "case": known, "error": error, "seconds": seconds}
 
 
+_RUNNING: dict[int, subprocess.Popen[str]] = {}
+
+
+def _stop(*_: object) -> None:
+    raise KeyboardInterrupt
+
+
 def _end(process: subprocess.Popen[str]) -> None:
+    _RUNNING.pop(process.pid, None)
     with suppress(ProcessLookupError):
         os.killpg(process.pid, signal.SIGKILL)
     process.communicate()
@@ -95,6 +104,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         n for n in range(options.first, options.first + options.cases)
         if n not in done or (options.again and "error" in done[n])
     ]  # fmt: skip
+    signal.signal(signal.SIGTERM, _stop)
     print(f"{len(numbers)} cases to do, results in {file}", flush=True)
     begin = time.perf_counter()
     with ThreadPoolExecutor(options.jobs) as pool, file.open("a") as out:
@@ -110,6 +120,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 print(f"{_line(result)}   {count}/{len(numbers)}, {left / 60:.0f} min left", flush=True)
         except KeyboardInterrupt:
             pool.shutdown(wait=False, cancel_futures=True)
+            for process in list(_RUNNING.values()):  # they have sessions of their own, which Ctrl-C does not reach
+                with suppress(ProcessLookupError):
+                    os.killpg(process.pid, signal.SIGKILL)
             print("stopped; the same command goes on", flush=True)
             return 130
     return 0

@@ -135,8 +135,8 @@ def _fraction(kind: type[Effect], unit: float, /, **shapes: tuple[float, float])
 def _storage(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
     """The base wall is the one without capacity and with equal films."""
     r, half = _spread(rng, 0.5, 4.0), muscle.t_wall / (2 * muscle.k_wall)
-    area = muscle.bare_area(0.1 * muscle.length)
-    return lambda s: heat.StorageWall(0.4 * s, r ** min(s, 1.0), muscle.h_film, half, area)
+    shape = (muscle.length, muscle.fibre_squared, muscle.turns, muscle.fibre_area)
+    return lambda s: heat.StorageWall(0.4 * s, r ** min(s, 1.0), muscle.h_film, half, *shape)
 
 
 def _late_heat(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
@@ -150,21 +150,22 @@ def _curved_pressure(rng: np.random.Generator, muscle: MuscleParameters) -> Call
     return lambda s: heat.CurvedPressure(3e3 * s, c)
 
 
-def _fixed(kind: type[Effect], /, **shapes: tuple[float, float]) -> Make:
+def _gas(kind: type[Effect], /, **shapes: tuple[float, float]) -> Make:
     """Without a strength: what remains is how loud the noise is."""
 
     def make(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
         drawn = {name: _spread(rng, *bounds) for name, bounds in shapes.items()}
+        if kind is not known_heat.GasEnergy:  # whose h is that of films and wall together
+            drawn["wall"] = muscle.t_wall / muscle.k_wall
         return lambda s: kind(**drawn)
 
     return make
 
 
-def _fixed_form(
-    family: str, name: str, sets: tuple[str, ...], catalogue: bool, kind: type[Effect], /,
-    **shapes: tuple[float, float],
-) -> Form:  # fmt: skip
-    return Form(family, name, sets, catalogue, _fixed(kind, **shapes), 1.0, 1.0)
+def _gas_form(
+    name: str, sets: tuple[str, ...], catalogue: bool, kind: type[Effect], /, **shapes: tuple[float, float]
+) -> Form:
+    return Form("gas_energy", name, sets, catalogue, _gas(kind, **shapes), 1.0, 1.0)
 
 
 def _ripple(kind: type[Effect], unit: float) -> Make:
@@ -266,10 +267,10 @@ FORMS: tuple[Form, ...] = (
     Form("leak", "turbulent", T, False, _plain(g.TurbulentLeak, "c", 6e-9)),
     Form("leak", "squared", S, False, _plain(g.SquaredLeak, "c", 4e-17)),
     Form("leak", "lifting", S, False, _plain(g.LiftingLeak, "conductance", 4e-11, p_0=(3e4, 9e4))),
-    _fixed_form("gas_energy", "film", T, True, known_heat.GasEnergy, h=(8.0, 60.0)),
-    _fixed_form("gas_energy", "convective", S, True, h.StirredGas, h=(4.0, 10.0), h_1=(10.0, 100.0)),
-    _fixed_form("gas_energy", "free_convection", T, False, h.FreeConvectionGas, h=(8.0, 60.0)),
-    _fixed_form("gas_energy", "dense", S, False, h.DenseGas, h=(6.0, 30.0), a=(0.4, 0.9)),
+    _gas_form("film", T, True, known_heat.GasEnergy, h=(8.0, 60.0)),
+    _gas_form("convective", S, True, h.StirredGas, h=(4.0, 10.0), h_1=(10.0, 100.0)),
+    _gas_form("free_convection", T, False, h.FreeConvectionGas, h=(8.0, 60.0)),
+    _gas_form("dense", S, False, h.DenseGas, h=(6.0, 30.0), a=(0.4, 0.9)),
     Form("wall_heat", "lumped", T, True, _fraction(known_heat.WarmWall, 0.4, g_out=(0.005, 0.04)), 0.01, 20.0),
     Form("wall_heat", "storage", S, True, _storage, 0.01, 20.0),
     Form("wall_heat", "free_convection", T, False,

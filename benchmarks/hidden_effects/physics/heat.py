@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import exp
+from math import exp, sqrt
 from typing import ClassVar
 
 from tests.reference.effects.base import Effect, Now, Rest
@@ -15,12 +15,16 @@ State = Sequence[float]
 
 @dataclass(frozen=True)
 class _EnergyGas(Effect):
-    """Gas temperature from mass and energy; state: mass."""
+    """Gas temperature from mass and energy; state: mass. Films inside and outside the wall grow alike."""
 
     family = "gas_energy"
     energy_balance = True
     atol: ClassVar[tuple[float, ...]] = (1e-14,)
     h: float = 20.0  # W/(m2 K)
+    wall: float = 1.8e-3  # m2 K/W, t/k
+
+    def _through(self, film: float) -> float:
+        return 1 / (2 / film + self.wall)
 
     def initial(self, rest: Rest) -> tuple[float, ...]:
         return (rest.gas_mass,)
@@ -48,7 +52,7 @@ class StirredGas(_EnergyGas):
         return now.net_mass_flow, (now.net_mass_flow - q[1]) / self.tau
 
     def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
-        return self.h + self.h_1 * ((q[1] ** 2 + 1e-14) / 1e-8) ** 0.4
+        return self._through(self.h + self.h_1 * ((q[1] ** 2 + 1e-14) / 1e-8) ** 0.4)
 
 
 @dataclass(frozen=True)
@@ -58,7 +62,7 @@ class FreeConvectionGas(_EnergyGas):
     form = "free_convection"
 
     def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
-        return self.h * (0.5 + 0.5 * (((temperature - T_ATM) ** 2 + 0.01) / 100) ** (1 / 6))
+        return self._through(self.h * (0.5 + 0.5 * (((temperature - T_ATM) ** 2 + 0.01) / 100) ** (1 / 6)))
 
 
 @dataclass(frozen=True)
@@ -69,7 +73,7 @@ class DenseGas(_EnergyGas):
     a: float = 0.6
 
     def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
-        return self.h * (p / P_ATM) ** self.a
+        return self._through(self.h * (p / P_ATM) ** self.a)
 
 
 @dataclass(frozen=True)
@@ -83,7 +87,10 @@ class StorageWall(Effect):
     r: float = 1.0
     h_film: float = 20.0  # W/(m2 K)
     half_wall: float = 9e-4  # m2 K/W, t/(2 k)
-    area: float = 1.7e-3  # m2, outside, at rest
+    length: float = 0.24  # m
+    fibre_squared: float = 0.0734  # m2
+    turns: float = 2.0
+    fibre_area: float = 0.0133  # m2
 
     def initial(self, rest: Rest) -> tuple[float, ...]:
         return (T_ATM,)
@@ -92,7 +99,9 @@ class StorageWall(Effect):
         return 1 / (1 / self.h_film + self.half_wall)
 
     def rates(self, q: State, now: Now) -> tuple[float, ...]:
-        outside = self.area / (1 / (self.r * self.h_film) + self.half_wall)
+        length = self.length - now.x
+        girth = sqrt(self.fibre_squared - length * length) / self.turns
+        outside = max(0.0, girth * length - self.fibre_area) / (1 / (self.r * self.h_film) + self.half_wall)
         return ((-now.heat_to_gas - outside * (q[0] - T_ATM)) / self.capacity,)
 
     def wall_temperature(self, q: State, outside: float) -> float:

@@ -1,0 +1,51 @@
+"""Forms that the table marks as the catalogue's are the catalogue's: the same physics gives the same curve."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from benchmarks.hidden_effects.physics import force, gas, heat
+from pam_cosim.simulation import Simulator
+from tests.library.shelf import NOISE, built, effects, homes, values
+from tests.library.test_effects_against_rig import BENCH, RUN, TIMES, _drive
+from tests.reference.muscle import simulate_muscle
+from tests.reference.rig import TRUTH
+
+WALL = TRUTH.t_wall / TRUTH.k_wall
+SHAPE = (TRUTH.length, TRUTH.fibre_squared, TRUTH.turns, TRUTH.fibre_area)
+SAME = {
+    "YoungBladder": (force.YoungTube(6e5), {"E": 6e5}),
+    "MaxwellSlipFriction": (force.MaxwellSlip(8.0, 2e-3), {"F_c": 8, "d": 2e-3}),
+    "LoadRateFriction": (force.LoadRate(0.5, *SHAPE[:3]), {"ab": 0.5}),
+    "PronyCreep": (force.Prony(300.0, 0.5, 0.8), {"k_1": 300, "k_2": 150, "tau": 0.8}),
+    "KerscherEnds": (force.KerscherEnds(0.1, 0.1), {"c_3": 0.1, "eps_0": 0.1}),
+    "BalancedMass": (force.BalancedMass(3.0), {"m": 3}),
+    "CurrentOffsetArea": (gas.CurrentOffset(0.01), {"u_0": 0.01}),
+    "UnequalAreas": (gas.UnequalAreas(0.85), {"r": 0.85}),
+    "LongLine": (gas.LongTube(5e-6, 4e-7), {"A": 4e-7, "V": 5e-6}),
+    "OrificeLine": (gas.OrificeTube(2e-7, 4e-7), {"A": 4e-7}),
+    "LaminarLine": (gas.LaminarTube(2e-7, 4e-9), {"G": 4e-9}),
+    "ConvectiveGas": (heat.StirredGas(8.0, WALL, 30.0), {"h_0": 8, "h_1": 30}),
+    "StorageWall": (heat.StorageWall(0.4, 2.0, TRUTH.h_film, WALL / 2, *SHAPE), {"C": 0.4, "r": 2}),
+    "FibreFrictionHeat": (heat.FibreHeat(1.0), {"share": 1}),
+    "ThermocoupleSheath": (heat.Sheath(0.15, 0.3), {"tau": 0.15, "r": 0.3}),
+}
+
+
+@pytest.mark.parametrize("name", SAME)
+def test_same_physics_same_curve(name: str) -> None:
+    hidden, own = SAME[name]
+    effect = next(e for e in effects() if e.name == name)
+    assert effect.family == hidden.family
+    parameters = values(effect, homes(name)[BENCH], own)
+    parameters |= {"valve.C_A": TRUTH.calibration, "muscle.mu_fb": TRUTH.mu_fb, "load.m": RUN.load}
+    expected = simulate_muscle(
+        replace(TRUTH, load=RUN.load), RUN.p_supply, RUN.schedule, TIMES, [hidden], method="LSODA"
+    )
+    with Simulator(built(BENCH, name)) as simulator:
+        found = simulator.run(TIMES, parameters=parameters, inputs=_drive(), tolerance=1e-7).values
+    for signal, course, unit in (("p", expected.p, "Pa"), ("x", expected.x, "m"), ("T", expected.temperature, "K")):
+        assert np.abs(found[signal] - course).max() < 0.3 * NOISE[unit], signal
