@@ -103,7 +103,9 @@ def case_of(which: str, number: int) -> Case:
         return replace(case, hidden=(choice[index % len(choice)],), targets=(_within(rng, (5.0, 40.0)),))
     if group == "pair":
         choice = table.forms(which, True)
-        first, second = rng.choice(16, 2, replace=False)
+        # every family comes about equally often, with another partner in every turn
+        first = index % 16
+        second = (first + 1 + (7 * index + index // 16 + SEEDS[which]) % 15) % 16
         picked = tuple(choice[f][int(rng.integers(len(choice[f])))] for f in (_MIXED[first], _MIXED[second]))
         # what has no strength of its own sets the noise, so it comes first
         picked = tuple(sorted(picked, key=lambda form: form.high / form.low))

@@ -66,6 +66,16 @@ def test_every_form_of_a_set_is_used(which):
     assert used == {(f.family, f.name) for f in (*table.FORMS, *table.STRANGE) if which in f.sets}
 
 
+@pytest.mark.parametrize("which", SEEDS)
+def test_pairs_are_of_different_families_and_mixed(which):
+    pairs = [case_of(which, n).hidden for n in range(CASES) if case_of(which, n).group == "pair"]
+    assert all(len({form.family for form in pair}) == 2 for pair in pairs)
+    assert len({frozenset(form.family for form in pair) for pair in pairs}) > 25
+    count = Counter(form.family for pair in pairs for form in pair)
+    assert set(count) == set(table.FAMILIES)
+    assert max(count.values()) <= 7
+
+
 def test_sets_are_disjoint():
     forms = {which: {(f.family, f.name) for n in range(CASES) for f in case_of(which, n).hidden} for which in SEEDS}
     assert forms["tuning"] & forms["score"] == {("dead_volume", "constant")}  # the catalogue has no second law
