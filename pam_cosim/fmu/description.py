@@ -92,7 +92,8 @@ def default_experiment(root: Xml.Element, ode: Ode) -> None:
 
 
 def contents(parent: Xml.Element, ode: Ode) -> None:
-    """What the model is made of: libraries with their versions, and the effects in it."""
+    """What the model is made of: libraries with their versions, and the effects in it; FMI 2.0 takes one element."""
+    parent = Xml.SubElement(parent, "Contents")
     for name, version in ode.libraries:
         Xml.SubElement(parent, "Library", {"name": name, "version": version})
     for component, effect in ode.effects:

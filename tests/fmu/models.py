@@ -194,6 +194,6 @@ _FOLDER = tempfile.TemporaryDirectory(prefix="pam-cosim-tests-")
 
 
 @cache
-def fmu(make: Callable[[], Ode]) -> Path:
+def fmu(make: Callable[[], Ode], fmi: str = "2.0") -> Path:
     """The FMU of one of these models, built once per session."""
-    return build_fmu(make(), Path(_FOLDER.name, f"{make.__name__}.fmu"))
+    return build_fmu(make(), Path(_FOLDER.name, f"{make.__name__}-{fmi}.fmu"), fmi=fmi)

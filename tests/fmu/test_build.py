@@ -85,6 +85,50 @@ def test_dependencies_are_exact() -> None:
     assert _dependencies(models.fmu(models.algebraic), "Outputs") == {"y": ["u", "time"]}
 
 
+def _kinds(path: Path, part: str) -> dict[str, dict[str, str]]:
+    tree = _tree(path)
+    names = [v.attrib["name"] for v in tree.iter("ScalarVariable")]
+    unknowns = tree.find(f"ModelStructure/{part}")
+    assert unknowns is not None
+    return {
+        names[int(u.attrib["index"]) - 1]: {
+            names[int(i) - 1]: kind
+            for i, kind in zip(u.attrib["dependencies"].split(), u.attrib["dependenciesKind"].split(), strict=True)
+        }
+        for u in unknowns
+    }
+
+
+def test_kinds_of_dependencies_are_exact(tmp_path: Path) -> None:
+    path = models.fmu(models.lag)
+    assert _kinds(path, "Outputs") == {"y": {"x": "constant"}, "feed": {"x": "constant", "u": "constant"}}
+    assert _kinds(path, "Derivatives") == {"der(x)": {"x": "fixed", "u": "fixed"}}
+    assert _kinds(path, "InitialUnknowns")["der(x)"] == {"u": "dependent", "tau": "dependent", "x_start": "dependent"}
+    assert _kinds(path, "InitialUnknowns")["feed"] == {"u": "constant", "x_start": "constant"}
+    assert _kinds(models.fmu(models.van_der_pol), "Derivatives")["der(v)"] == {"x": "dependent", "v": "dependent"}
+
+
+def test_what_a_condition_depends_on_has_no_constant_factor(tmp_path: Path) -> None:
+    x, u, k = ca.SX.sym("x"), ca.SX.sym("u"), ca.SX.sym("k")
+    switched = models.ode(
+        "Switched",
+        {"x": (x, -x, 1.0)},
+        {"a": ca.if_else(x > 0, u, 2 * u) + 3 * x, "b": ca.sign(x) + k * u, "c": ca.fmod(x, 2) + u},
+        inputs={"u": u},
+        parameters={"k": (k, 1.0)},
+    )
+    assert _kinds(build_fmu(switched, tmp_path / "x.fmu"), "Outputs") == {
+        "a": {"x": "dependent", "u": "dependent"},
+        "b": {"x": "dependent", "u": "fixed"},
+        "c": {"x": "dependent", "u": "constant"},
+    }
+
+
+def test_unknown_version_of_fmi(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="no FMI version '4.0' to build; choose from 2.0, 3.0"):
+        build_fmu(models.lag(), tmp_path / "x.fmu", fmi="4.0")
+
+
 def test_state_that_is_output_and_derivative() -> None:
     path = models.fmu(models.oscillator)
     names = [v.attrib["name"] for v in _tree(path).iter("ScalarVariable")]

@@ -1,0 +1,78 @@
+"""Calls in random order with good and bad arguments, under the sanitizers, compiled from the FMU's own sources."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+
+import fmpy
+import pytest
+
+from pam_cosim.compiler.ode import Ode
+from pam_cosim.fmu.cache import cache_dir
+from tests.fmu import models
+
+_FUZZ = Path(__file__).with_name("fuzz.c")
+_COMMON = ["-std=c99", "-g", "-O1", "-w"]
+_GCC = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
+_ZIG = ["-fsanitize=undefined", "-fno-sanitize-recover=all"]
+
+
+def _compiler(sanitizer: str, folder: Path) -> list[str]:
+    """The compiler's command; the test is skipped where it cannot make programs with this sanitizer."""
+    if sanitizer == "undefined":
+        return [sys.executable, "-m", "ziglang", "cc", *_ZIG]
+    gcc = shutil.which("gcc") or shutil.which("clang")
+    if gcc is None:
+        pytest.skip("AddressSanitizer needs gcc or clang; ziglang brings no runtime for it")
+    probe = folder / "probe.c"
+    probe.write_text("int main(void) { return 0; }\n")
+    program = folder / "probe"
+    made = subprocess.run([gcc, *_GCC, str(probe), "-o", str(program)], capture_output=True, check=False)
+    if made.returncode != 0 or subprocess.run([str(program)], capture_output=True, check=False).returncode != 0:
+        pytest.skip(f"{gcc} has no working AddressSanitizer here")
+    return [gcc, *_GCC]
+
+
+def _program(path: Path, sanitizer: str, fmi: str, folder: Path) -> Path:
+    compiler = _compiler(sanitizer, folder)
+    with zipfile.ZipFile(path) as archive:
+        archive.extractall(folder)
+    sources = sorted(str(p) for p in (folder / "sources").glob("*.c"))
+    guid = fmpy.read_model_description(str(path)).guid
+    program = folder / "fuzz"
+    command = [
+        *compiler,
+        *_COMMON,
+        f"-DFMI={fmi[0]}",
+        f'-DGUID="{guid}"',
+        f"-I{folder / 'sources'}",
+        str(_FUZZ),
+        *sources,
+    ]
+    zig = str(cache_dir() / "zig")
+    environment = os.environ | {"ZIG_GLOBAL_CACHE_DIR": zig, "ZIG_LOCAL_CACHE_DIR": zig}
+    subprocess.run([*command, "-lm", "-o", str(program)], check=True, env=environment)
+    return program
+
+
+@pytest.mark.parametrize("sanitizer", ["address", "undefined"])
+@pytest.mark.parametrize("fmi", ["2.0", "3.0"])
+@pytest.mark.parametrize("make", [models.lag, models.delayed_mix, models.breaks_down], ids=lambda make: make.__name__)
+def test_no_call_does_harm(make: Callable[[], Ode], fmi: str, sanitizer: str, tmp_path: Path) -> None:
+    path = models.fmu(make, fmi)
+    program = _program(path, sanitizer, fmi, tmp_path)
+    description = fmpy.read_model_description(str(path))
+    arguments = [str(len(description.modelVariables)), str(int(description.modelExchange is not None))]
+    for seed in range(2):
+        run = subprocess.run(
+            [str(program), str(seed), "4000", *arguments], capture_output=True, text=True, timeout=120, check=False
+        )
+        assert run.returncode == 0, run.stderr[-4000:]
+        good, _, _, refused, messages = (int(n) for n in run.stdout.split())
+        assert good > 500 and refused > 500 and messages > 100
