@@ -9,6 +9,9 @@ from pathlib import Path
 
 from pam_cosim.compiler import ClassTree, Composition, EffectClass, Ode, compile_model, compose, unknown_terms
 
+TERM = "missing"
+"""What every class of a hole calls its term."""
+
 _NAME = "Books"
 
 
@@ -21,12 +24,16 @@ class Hole:
         balance: "force", "mass" or "energy", as the class of the term says.
         unit: of the term.
         meaning: the parameter's description: what is positive.
+        base: full name of the partial class that declares the term, ``missing``, and leaves its equation open.
+        variables: names that class declares: what a law for the term would be a function of.
     """
 
     parameter: str
     balance: str
     unit: str
     meaning: str
+    base: str = ""
+    variables: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -92,7 +99,9 @@ def _books(
     for term in terms:
         name = composition.parameters[term.name][0]
         variable = ode.interface.parameters[name]
-        holes.append(Hole(name, term.balance, variable.unit, variable.description))
+        base = next(c.owner for c in tree.components(term.qualified_name) if c.name == TERM)
+        own = [c.name for c in tree.classes[base].components if c.name != TERM]
+        holes.append(Hole(name, term.balance, variable.unit, variable.description, base, tuple(own)))
     return Books(ode, tuple(holes), replaced)
 
 

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from pam_cosim.compiler import ClassTree, read_library
 from pam_cosim.errors import InputError
-from pam_cosim.ledger.books import Books, Hole, open_books
+from pam_cosim.ledger.books import TERM, Books, Hole, open_books
 from pam_cosim.ledger.grid import Grid, make_grid
 from pam_cosim.ledger.ledger import Course, Entry, Ledger, Reading
 from pam_cosim.ledger.march import march
@@ -117,12 +117,22 @@ class _Keeping:
         samples = int(np.isfinite(problem.grid.measured).sum())
         best = min([alone.chi2, *(f.chi2 for f in alone.faults), *([opened.found.chi2] if opened else [])]) / samples
         replaced = None
-        if best > _AT_NOISE:
+        by_itself = min([alone.deviance, *(f.deviance for f in alone.faults)])
+        if best > _AT_NOISE or (opened and opened.found.deviance < by_itself and self._swallows(opened)):
             for further in self.every[1:]:
                 candidate = self._open(further)
                 if candidate and (replaced is None or candidate.found.deviance < replaced.found.deviance):
                     replaced = candidate
         return self._judged(alone, opened, replaced, samples)
+
+    def _swallows(self, opened: _Opened) -> bool:
+        """Whether a term is at work next to a balance that the model has no hole in, so that it may stand for it."""
+        covered = {h.balance for h in opened.holes}
+        neighbours = [h for b in self.every[1:] for h in b.holes if h.balance not in covered]
+        if not neighbours:
+            return False
+        working = [h for h in opened.holes if h.balance == "mass"]
+        return any(opened.without(h)[0] > opened.found.deviance + _DECISIVE for h in working)
 
     # ---- explanations -----------------------------------------------------------------------------------------
 
@@ -204,6 +214,12 @@ class _Keeping:
         best = min(deviances, key=lambda k: deviances[k])
         if deviances[best] > alone.deviance - _DECISIVE:
             best = "none"
+        rival = {"opened": "replaced", "replaced": "opened"}.get(best, "none")
+        if best != "none" and rival != "none" and deviances[rival] < deviances[best] + _DECISIVE:
+            self.notes.append(
+                "a law of the gas that keeps books of its energy explains the samples as well: without a signal that "
+                "shows the temperature, missing mass and missing heat cannot be told apart"
+            )
         winner = {"opened": opened, "replaced": replaced}.get(best)
         losses = self._losses(best, winner, fault, deviances)
         total = sum(losses.values())
@@ -283,7 +299,13 @@ class _Keeping:
             old = found.get(hole.balance) or Entry(hole.balance, 0.0, 0.0, 0.0)
             courses, units = _courses(shown, hole)
             found[hole.balance] = replace(
-                old, unit=hole.unit, meaning=hole.meaning, term=hole.parameter, courses=courses, units=units
+                old,
+                unit=hole.unit,
+                meaning=hole.meaning,
+                term=hole.parameter,
+                courses=courses,
+                units=units,
+                base=hole.base,
             )
         if alone.faults:
             fault = alone.faults[0]
@@ -314,7 +336,8 @@ def _courses(opened: _Opened, hole: Hole) -> tuple[tuple[Course, ...], dict[str,
     names = _variables(opened.books, hole)
     every = problem.model.variables(grid.time, found.point.x, grid.node_inputs, grid.node_delayed, p)
     against = {short: every[full] for short, full in names.items() if np.ptp(every[full]) > 0}
-    against.pop("missing", None)
+    against = {n: against[n] for n in sorted(against, key=lambda n: n not in hole.variables)}
+    against.pop(TERM, None)
     value = found.point.w[:, j]
     against = {n: v for n, v in against.items() if not np.allclose(v, value, rtol=1e-6, atol=0)}
     units = {n: opened.books.ode.interface.locals[names[n]].unit for n in against}

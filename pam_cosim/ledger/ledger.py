@@ -58,6 +58,7 @@ class Entry:
         courses: the missing term in every run; none for a sensor, or where the model has no place for it.
         units: of what the term can be looked at against.
         note: what must be known to read it.
+        base: full name of the partial class whose equation for the term is open.
     """
 
     balance: str
@@ -70,6 +71,7 @@ class Entry:
     courses: tuple[Course, ...] = ()
     units: dict[str, str] = field(default_factory=dict)
     note: str = ""
+    base: str = ""
 
     @property
     def size(self) -> float:

@@ -130,10 +130,28 @@ class _About:
         prior = np.zeros(rows.shape[1])
         prior[: len(self.free)] = (problem.prior - self.free) / problem.spread
         matrix = rows.T @ rows + np.eye(rows.shape[1])
-        change = np.linalg.solve(matrix, rows.T @ r + prior)
+        change = self._bounded(matrix, rows.T @ r + prior)
         chi2 = float(((r - rows @ change) ** 2).sum())
         deviance = chi2 + float(((change - prior) ** 2).sum() + np.linalg.slogdet(matrix)[1])
         return _Solution(deviance, chi2, change, np.sqrt(np.diag(np.linalg.inv(matrix))))
+
+    def _bounded(self, matrix: Array, right: Array) -> Array:
+        """The solution with free parameters held at a bound that they would pass."""
+        problem, q = self.problem, len(self.free)
+        low, high = (np.full(len(right), s * np.inf) for s in (-1, 1))
+        low[:q], high[:q] = (problem.low - self.free) / problem.spread, (problem.high - self.free) / problem.spread
+        held = np.zeros(len(right), dtype=bool)
+        change = np.zeros(len(right))
+        for _ in range(q + 1):
+            loose = ~held
+            rest = right[loose] - matrix[np.ix_(loose, held)] @ change[held]
+            change[loose] = np.linalg.solve(matrix[np.ix_(loose, loose)], rest)
+            passed = loose & ((change < low) | (change > high))
+            if not passed.any():
+                break
+            change = np.clip(change, low, high)
+            held |= passed
+        return change
 
 
 def _fault(about: _About, signal: tuple[str, str], j: int) -> SensorFault:

@@ -27,6 +27,7 @@ _FIRST_SLACKS = (1e-2, 1e-3, 1e-4)  # the same in the first iterations, which co
 _START = 1e-3  # of a state's range: how well the model knows its own start
 _ITERATIONS = 15
 _CLOSE = 1e-3  # change of a state, over its range, at which the iteration ends
+_SHORTENED = 6
 _SETTLED = 0.1  # the same at which the roughness is sought anew
 _ROUGHNESS_ROUNDS = 2
 
@@ -127,9 +128,9 @@ def smooth(problem: Problem, start: Point) -> Smoothed:
     """Smooths all runs, from a start.
 
     Raises:
-        InputError: the model gives no finite numbers about the start.
+        numpy.linalg.LinAlgError: the model gives no finite numbers about the start.
     """
-    q = np.full(len(problem.hole_size), 1.0)
+    q = np.full(len(problem.hole_size), 1 / float(_spans(problem.grid).max()))
     point, converged, rounds, before, part, growing = start, False, 0, np.inf, 1.0, False
     linear = linearise(problem, point, _FIRST_SLACKS[0])
     for iteration in range(_ITERATIONS):
@@ -140,13 +141,26 @@ def smooth(problem: Problem, start: Point) -> Smoothed:
             q, rounds, part = likeliest_roughness(problem, linear, point, q), rounds + 1, 1.0
         elif last and before > _CLOSE and iteration > len(_FIRST_SLACKS) + 1:
             part = max(part / 2, 0.25) if growing else min(2 * part, 1.0)
-        point, moved = _stepped(problem, linear, point, q, part)
+        point, linear, moved = _advanced(problem, linear, point, q, part, slack)
         growing, before = moved > 0.7 * before, moved
-        linear = linearise(problem, point, slack)
         converged = last and moved < _CLOSE
         if converged and (not len(q) or rounds == _ROUGHNESS_ROUNDS):
             break
     return _result(problem, linear, point, q, converged)
+
+
+def _advanced(
+    problem: Problem, linear: Linear, point: Point, q: Array, part: float, slack: float
+) -> tuple[Point, Linear, float]:
+    """One iteration; a step that leads out of what the model can evaluate is shortened."""
+    for _ in range(_SHORTENED):
+        new, moved = _stepped(problem, linear, point, q, part)
+        with np.errstate(all="ignore"):
+            about = linearise(problem, new, slack)
+        if np.isfinite(about.cost) and np.isfinite(about.chain.diagonal).all() and np.isfinite(about.gradient).all():
+            return new, about, moved
+        part /= 3
+    raise np.linalg.LinAlgError("the model has no finite values near the samples")
 
 
 def _result(problem: Problem, linear: Linear, point: Point, q: Array, converged: bool) -> Smoothed:

@@ -1,0 +1,322 @@
+"""A missing term that no effect of the catalogue explains, as a short formula of the model's own variables.
+
+The formula is a description of one measurement, not a cause: another formula of the same size may describe it as well,
+and beyond the range that was measured it means nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import minimize_scalar
+
+from pam_cosim.compiler import ClassTree, compose, effect_classes, read_library
+from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.diagnosis.learning_library import Form, Quantity, forms, quantities
+from pam_cosim.diagnosis.learning_text import formula_text, modelica_text
+from pam_cosim.diagnosis.trial import Trial, run_trial
+from pam_cosim.errors import InputError
+from pam_cosim.files import write_text
+from pam_cosim.ledger import Entry, Ledger
+from pam_cosim.measurement import DataSet
+
+Array = NDArray[np.float64]
+
+_MOST_FORMS = 4
+_WORTH = 0.03  # part of the error left in runs that were not asked, by which a further form must lower it
+_LEAST = 0.005  # the same, of the whole term
+_DESCRIBED = 0.3  # mean square of what is left, in variances of the term, that is its uncertainty
+_BLOCKS = 4  # parts of a single run that take the place of runs
+
+
+@dataclass(frozen=True)
+class Learned:
+    """One addend: coefficient [unit of the term] with its standard deviation, times a form."""
+
+    coefficient: float
+    deviation: float
+    form: Form
+
+
+@dataclass(frozen=True)
+class LearnedTerm:
+    """A missing term as a formula.
+
+    Attributes:
+        name: of the Modelica class.
+        balance: in which it acts.
+        formula: for a person, with numbers and units.
+        modelica_source: an effect class that composes and refits like any other; family "learned".
+        unit: of the term.
+        terms: the addends.
+        score: part of the missing term's mean square that the formula explains in runs that were not asked for it.
+        fit_score: the same in the runs that were.
+        parameters: by how much the free parameters of the model are off, as far as the term shows it [SI].
+    """
+
+    name: str
+    balance: str
+    formula: str
+    modelica_source: str
+    unit: str
+    terms: tuple[Learned, ...]
+    score: float
+    fit_score: float
+    parameters: dict[str, float]
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON, SI units."""
+        return {
+            "name": self.name,
+            "balance": self.balance,
+            "formula": self.formula,
+            "unit": self.unit,
+            "score": self.score,
+            "fit_score": self.fit_score,
+            "parameters": self.parameters,
+            "modelica": self.modelica_source,
+        }
+
+    def __str__(self) -> str:
+        return f"{self.formula}  (explains {100 * self.score:.0f} % in runs that were not asked)"
+
+
+def learn(ledger: Ledger, balance: str | None = None, *, name: str = "", tree: ClassTree | None = None) -> LearnedTerm:
+    """Describes the missing term of a balance (default: the one that fails most) by a sparse formula.
+
+    Forms are added one at a time, each time the one that lowers the error most in runs left out; the free
+    parameters of the model may move along by what the term shows of them.
+
+    Raises:
+        InputError: the ledger has no such term: nothing fails, or an instrument does.
+    """
+    chosen = balance or next((b for b in ledger.failing if (e := ledger.entry(b)) and e.courses), None)
+    entry = ledger.entry(chosen) if chosen else None
+    if entry is None or not entry.courses:
+        raise InputError(f"there is no missing term to learn{f' in the balance {balance}' if balance else ''}")
+    samples = _samples(entry)
+    known = quantities(samples.variables, entry.units)
+    picked = _pick(samples, forms(known))
+    fitted = _fitted(samples, picked)
+    title = name or f"Learned{entry.balance.capitalize()}"
+    terms = tuple(
+        Learned(float(c), float(d), f)
+        for c, d, f in zip(fitted.coefficients, fitted.deviations, fitted.forms, strict=True)
+    )
+    shelf = tree or read_library()
+    return LearnedTerm(
+        name=title,
+        balance=entry.balance,
+        formula=formula_text(entry, terms),
+        modelica_source=modelica_text(shelf, title, entry, terms, fitted.score),
+        unit=entry.unit,
+        terms=terms,
+        score=fitted.score,
+        fit_score=fitted.fit_score,
+        parameters=dict(zip(samples.free, fitted.free.tolist(), strict=True)),
+    )
+
+
+def try_learned(
+    term: LearnedTerm,
+    data: DataSet,
+    folder: Path,
+    model: str | None = None,
+    *,
+    effects: Sequence[str] = (),
+    start: Mapping[str, float] | None = None,
+    files: Sequence[Path] = (),
+) -> Candidate:
+    """Writes the class into ``folder``, composes the model with it and refits: a candidate like any other.
+
+    Args:
+        term: what was learned.
+        data: the measurement, with noise levels.
+        folder: where the class goes, as ``<name>.mo``.
+        model: default the bench of the data set.
+        effects: names of effects that the model has already.
+        start: values to start from [SI].
+        files: the user's Modelica files.
+
+    Raises:
+        InputError: the term finds no place in the model.
+    """
+    file = folder / f"{term.name}.mo"
+    write_text(file, term.modelica_source)
+    sources = [*files, file]
+    tree = read_library(files=sources)
+    base = model or data.model
+    composition = compose(tree, base, [*effects, term.name], files=sources)
+    if composition is None:
+        raise InputError(f"{base} has no place for {term.name}", file)
+    effect = next(e for e in effect_classes(tree) if e.name == term.name)
+    names = (*effects, term.name)
+    return run_trial(Trial(effect, names, composition, data, dict(start or {}), tuple(sources)))
+
+
+# ---- samples ----------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _Samples:
+    """The missing term (n,) in standard deviations, and what it may depend on.
+
+    Attributes:
+        value: the term over its deviation; ``weight`` one over the deviation.
+        variables: (n,) each [SI].
+        group: (n,) number of the run (or part of it) that a sample belongs to; ``asked`` of those to learn from.
+        imitated: (n, Q) what the free parameters do, times the weight.
+    """
+
+    value: Array
+    weight: Array
+    variables: dict[str, Array]
+    group: NDArray[np.intp]
+    asked: tuple[int, ...]
+    imitated: Array
+    free: tuple[str, ...]
+
+    def column(self, form: Form, shape: float | None = None) -> Array:
+        return form.values(self.variables, shape) * self.weight
+
+
+def _samples(entry: Entry) -> _Samples:
+    courses = entry.courses
+    group, roles, count = [], [], 0
+    alone = sum(c.role == "fit" for c in courses) == 1
+    for c in courses:
+        parts = _BLOCKS if alone and c.role == "fit" else 1
+        group.append(count + np.arange(len(c.time)) * parts // len(c.time))
+        roles += [c.role] * parts
+        count += parts
+    deviation = np.concatenate([c.deviation for c in courses])
+    free = tuple(courses[0].imitated)
+    imitated = np.concatenate([np.column_stack([np.zeros((len(c.time), 0)), *c.imitated.values()]) for c in courses])
+    used = np.any(imitated != 0, axis=0)
+    weight = 1 / np.maximum(deviation, np.median(deviation) / 3)
+    return _Samples(
+        value=np.concatenate([c.value for c in courses]) * weight,
+        weight=weight,
+        variables={n: np.concatenate([c.against[n] for c in courses]) for n in courses[0].against},
+        group=np.concatenate(group),
+        asked=tuple(i for i, r in enumerate(roles) if r == "fit") or tuple(range(count)),
+        imitated=imitated[:, used] * weight[:, None],
+        free=tuple(n for n, u in zip(free, used.tolist(), strict=True) if u),
+    )
+
+
+# ---- selection --------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _Fitted:
+    forms: tuple[Form, ...]
+    coefficients: Array
+    deviations: Array
+    free: Array
+    score: float
+    fit_score: float
+
+
+def _pick(samples: _Samples, shelf: Sequence[Form]) -> list[Form]:
+    """The forms, in order of selection."""
+    picked: list[Form] = []
+    left = _left_out(samples, [])
+    columns = [samples.column(f) for f in shelf]
+    first = left
+    while len(picked) < _MOST_FORMS and left > _DESCRIBED:
+        own = [samples.column(f) for f in picked]
+        errors = [
+            _left_out(samples, [*own, c]) if f not in picked else np.inf for f, c in zip(shelf, columns, strict=True)
+        ]
+        best = int(np.argmin(errors))
+        refined = _refined(samples, picked, shelf[best])
+        error = _left_out(samples, [*own, samples.column(refined)])
+        if not error < (1 - _WORTH) * left or not left - error > _LEAST * first:
+            break
+        picked.append(refined)
+        left = error
+    return [f for i, f in enumerate(picked) if _needed(samples, picked, i, left)]
+
+
+def _needed(samples: _Samples, picked: Sequence[Form], i: int, left: float) -> bool:
+    others = [samples.column(f) for k, f in enumerate(picked) if k != i]
+    return len(picked) == 1 or _left_out(samples, others) > (1 + _WORTH) * left
+
+
+def _refined(samples: _Samples, picked: Sequence[Form], form: Form) -> Form:
+    """The form with the best value of its shape."""
+    shape = form.shape
+    if shape is None:
+        return form
+    own = [samples.column(f) for f in picked]
+
+    def error(z: float) -> float:
+        return _left_out(samples, [*own, samples.column(form, float(np.exp(z)))])
+
+    bounds = (np.log(max(shape.low, shape.value / 3)), np.log(min(shape.high, shape.value * 3)))
+    found = minimize_scalar(error, bounds=bounds, method="bounded", options={"xatol": 0.01, "maxiter": 25})
+    return replace(form, shape=replace(shape, value=float(np.exp(found.x))))
+
+
+def _left_out(samples: _Samples, columns: Sequence[Array]) -> float:
+    """Mean square of the term over its deviation in each asked group, predicted from the others."""
+    rows = np.column_stack([samples.imitated, *columns])
+    total, count = 0.0, 0
+    moments = {}
+    for g in samples.asked:
+        at = samples.group == g
+        moments[g] = (
+            rows[at].T @ rows[at],
+            rows[at].T @ samples.value[at],
+            float(samples.value[at] @ samples.value[at]),
+        )
+        count += int(at.sum())
+    everything = sum(m[0] for m in moments.values())
+    target = sum(m[1] for m in moments.values())
+    for g in samples.asked:
+        own, right, square = moments[g]
+        solution = _solved(everything - own, target - right)
+        total += square - 2 * float(right @ solution) + float(solution @ own @ solution)
+    return total / count
+
+
+def _solved(matrix: Array, right: Array) -> Array:
+    if not len(right):
+        return right
+    size = np.sqrt(np.maximum(np.diag(matrix), 1e-300))
+    scaled = matrix / np.outer(size, size) + 1e-9 * np.eye(len(right))
+    found: Array = np.linalg.solve(scaled, right / size) / size
+    return found
+
+
+def _fitted(samples: _Samples, picked: Sequence[Form]) -> _Fitted:
+    columns = [samples.column(f) for f in picked]
+    rows = np.column_stack([np.zeros((len(samples.value), 0)), samples.imitated, *columns])
+    q = samples.imitated.shape[1]
+    asked = np.isin(samples.group, samples.asked)
+
+    def solve(kept: NDArray[np.bool_]) -> Array:
+        return _solved(rows[kept].T @ rows[kept], rows[kept].T @ samples.value[kept])
+
+    solution = solve(asked)
+    # left-out groups show how far the coefficients can be trusted (jackknife: Efron and Tibshirani 1993)
+    each = np.array([solve(asked & (samples.group != g)) for g in samples.asked])
+    n = len(samples.asked)
+    deviation = np.sqrt((n - 1) / n * ((each - each.mean(axis=0)) ** 2).sum(axis=0))
+    nuisance = samples.value - samples.imitated @ solution[:q]
+
+    def score(kept: NDArray[np.bool_]) -> float:
+        error = samples.value[kept] - rows[kept] @ solution
+        return 1 - float(error @ error) / float(nuisance[kept] @ nuisance[kept])
+
+    others = ~asked
+    held = score(others) if others.any() else 1 - _left_out(samples, columns) / float(np.mean(nuisance[asked] ** 2))
+    return _Fitted(tuple(picked), solution[q:], deviation[q:], solution[:q], held, score(asked))
+
+
+__all__ = ["Learned", "LearnedTerm", "Quantity", "learn", "try_learned"]

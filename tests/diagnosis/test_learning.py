@@ -1,0 +1,119 @@
+"""A force that the catalogue lacks is hidden; its formula is learned, composed, refitted and judged on another run."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from math import pi, sin
+from pathlib import Path
+from tempfile import mkdtemp
+
+import numpy as np
+import pytest
+
+from pam_cosim import study
+from pam_cosim.compiler import compile_model, effect_classes, read_library
+from pam_cosim.diagnosis.learning import LearnedTerm, learn, try_learned
+from pam_cosim.diagnosis.learning_library import forms, quantities
+from pam_cosim.errors import InputError
+from pam_cosim.fitting import Fit, complete_noise
+from pam_cosim.ledger import Ledger, keep_ledger
+from pam_cosim.measurement import DataSet
+from tests.reference.effects import Effect, effect_of
+from tests.systems.rig import write_light_data
+
+
+@dataclass(frozen=True)
+class Ripple(Effect):
+    """A force that goes up and down along the travel."""
+
+    family = "ripple"
+    form = "sine"
+    amplitude: float = 6.0  # N
+    length: float = 0.03  # m
+
+    def force(self, q: object, x: float, v: float, p_gauge: float) -> float:
+        return self.amplitude * sin(2 * pi * x / self.length) if x > 0 else 0.0
+
+
+@dataclass(frozen=True)
+class Coupled(Effect):
+    """A force that grows with the pressure and with the square of the travel."""
+
+    family = "coupled"
+    form = "quadratic"
+    c: float = 8e-4  # N/Pa at 70 mm
+
+    def force(self, q: object, x: float, v: float, p_gauge: float) -> float:
+        return self.c * p_gauge * (x / 0.07) ** 2
+
+
+HIDDEN = {"ripple": Ripple(), "coupled": Coupled(), "exponential": effect_of("elasticity:exponential")}
+
+
+@cache
+def _kept(hidden: str) -> tuple[DataSet, Fit, Ledger]:
+    data = complete_noise(study.read(write_light_data(Path(mkdtemp()) / "d", [HIDDEN[hidden]], 1)))
+    base = study.fit(data)
+    return data, base, keep_ledger(data, base.values)
+
+
+def _learned(hidden: str) -> LearnedTerm:
+    return learn(_kept(hidden)[2])
+
+
+@pytest.mark.parametrize("hidden", HIDDEN)
+def test_learned_term_brings_the_error_down_on_a_run_it_has_not_seen(hidden: str, tmp_path: Path) -> None:
+    data, base, _ = _kept(hidden)
+    term = _learned(hidden)
+    assert term.balance == "force" and term.score > 0.9
+    found = try_learned(term, data, tmp_path, start=base.values)
+    assert found.family == "learned" and found.fit is not None, found.failure
+    before = base.comparison.chi2_reduced("holdout")
+    after = found.fit.comparison.chi2_reduced("holdout")
+    assert before > 5 and after < 1.5, (before, after, term.formula)
+
+
+def test_ripple_is_found_with_its_size_and_length() -> None:
+    term = _learned("ripple")
+    (addend,) = term.terms
+    assert addend.form.words.startswith("sin(2 pi eps/") and addend.form.shape is not None
+    assert addend.coefficient == pytest.approx(6.0, rel=0.1)
+    assert addend.form.shape.value * 0.24 == pytest.approx(0.03, rel=0.05)
+    assert "N sin(2 pi eps/" in term.formula and term.formula.startswith("missing force = ")
+
+
+def test_class_is_an_effect_like_any_other(tmp_path: Path) -> None:
+    term = _learned("exponential")
+    file = tmp_path / f"{term.name}.mo"
+    file.write_text(term.modelica_source)
+    (effect,) = [e for e in effect_classes(read_library(files=[file])) if e.family == "learned"]
+    assert effect.parameters == ("c_1", "s_1") and effect.balance == "force"
+    assert "not a cause" in " ".join(effect.documentation.split()) and "Fingerprint:" in effect.documentation
+    text = study.add([term.name], "Isotonic", tmp_path / "With.mo", files=[file])
+    known = compile_model("With", files=[file, tmp_path / "With.mo"]).interface.parameters
+    own = [known[n] for n in known if n.startswith(effect.component_name + ".") and n.endswith(effect.parameters)]
+    assert text and len(own) == 2
+    for variable in own:
+        assert variable.unit and variable.min is not None and variable.max is not None
+        assert variable.start is not None and variable.min < variable.start < variable.max
+
+
+def test_nothing_is_learned_where_nothing_fails() -> None:
+    data = complete_noise(study.read(write_light_data(Path(mkdtemp()) / "d", [], 1)))
+    ledger = keep_ledger(data, {"valve.C_A": 0.72, "muscle.mu_fb": 0.018})
+    with pytest.raises(InputError, match="no missing term to learn"):
+        learn(ledger)
+    with pytest.raises(InputError, match="in the balance sensor"):
+        learn(ledger, "sensor")
+
+
+def test_forms_are_distinct_and_finite() -> None:
+    rng = np.random.default_rng(1)
+    variables = {"x": rng.uniform(0, 0.07, 200), "v": rng.uniform(-0.3, 0.3, 200), "twice": np.zeros(200)}
+    variables["twice"] = 2 * variables["x"]
+    known = quantities(variables, {"x": "m", "v": "m/s", "twice": "m"})
+    assert [(q.name, q.signed) for q in known] == [("x", False), ("v", True)]
+    shelf = forms(known)
+    assert len({(f.text, f.shape) for f in shelf}) == len(shelf) > 20
+    assert all(np.isfinite(f.values(variables)).all() for f in shelf)
