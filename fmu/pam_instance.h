@@ -91,7 +91,7 @@ enum pam_category { LOG_WARNING = 1, LOG_DISCARD = 2, LOG_ERROR = 4, LOG_ALL = 7
 /* A log message of the instance's own; returns status. */
 pam_status pam_log(const pam_instance *c, pam_status status, const char *format, ...);
 
-/* Which categories are reported: all where none is named. An unknown one is an error. */
+/* Which categories are reported: all where none is named. An unknown one is passed over with a warning. */
 pam_status pam_set_logging(pam_instance *c, int on, size_t n, const char *const categories[]);
 
 /* Null unless it is an instance of one of the kinds in one of the phases; otherwise the call is logged. */

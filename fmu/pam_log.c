@@ -31,16 +31,18 @@ pam_status pam_log(const pam_instance *c, pam_status status, const char *format,
 pam_status pam_set_logging(pam_instance *c, int on, size_t n, const char *const categories[]) {
     if (on && !pam_arrays(c, "SetDebugLogging", n, categories, categories)) return PAM_ERROR;
     int chosen = on && !n ? LOG_ALL : 0;
+    pam_status status = PAM_OK;
+    c->logging = LOG_ALL; /* for what is said here */
     for (size_t i = 0; on && i < n; i++) {
+        const char *name = categories[i] ? categories[i] : "(null)";
         int bit = 0;
         for (int k = 0; k < CATEGORY_COUNT; k++)
-            if (categories[i] && strcmp(categories[i], CATEGORIES[k].name) == 0) bit = CATEGORIES[k].bit;
-        if (!bit)
-            return pam_log(c, PAM_ERROR, "there is no log category '%s'", categories[i] ? categories[i] : "(null)");
+            if (strcmp(name, CATEGORIES[k].name) == 0) bit = CATEGORIES[k].bit;
+        if (!bit) status = pam_log(c, PAM_WARNING, "there is no log category '%s'", name);
         chosen |= bit;
     }
     c->logging = chosen;
-    return PAM_OK;
+    return status;
 }
 
 static const char *phase_text(int phase) {

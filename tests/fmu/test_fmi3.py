@@ -110,10 +110,14 @@ def test_log_keeps_to_what_is_asked_for() -> None:
         fmu.setDebugLogging(True, ["logStatusWarning"])
         _refused(fmu.terminate)
         assert log == []
-        _refused(fmu.setDebugLogging, True, ["no such category"])
+        fmu.setDebugLogging(True, ["no such category", "logStatusError"])
+        _refused(fmu.terminate)
+        fmu.setDebugLogging(False, [])
+        _refused(fmu.terminate)
         fmu.setDebugLogging(True, [])
         _refused(fmu.terminate)
-        assert len(log) == 1
+        refusal = "fmi3Terminate must not be called before initialization"
+        assert log == ["there is no log category 'no such category'", refusal, refusal]
     with instance(models.lag, loggingOn=False) as (fmu, _, log):
         _refused(fmu.terminate)
         assert log == []
