@@ -6,10 +6,14 @@ may be any function of time does not win by being able to:
 
 - the model by itself, and with a fault of one instrument that is the same in all runs (``sensor``);
 - the model with a hole in each balance at once, each a random walk whose roughness the samples choose;
-- where neither reaches the noise: the same with a law replaced by one that leaves a hole, as the library offers it.
+- where neither reaches the noise, or a mass flow is missing: the same with a law replaced by one that leaves a hole,
+  as the library offers it;
+- where none reaches the noise: the holes together with a fault of one instrument, whose samples are then left out.
 
 What cannot be told apart is found, not assumed: two holes that push every state and every signal in the same
-direction at all times are one hole, and the ledger says so.
+direction at all times are one hole, and the ledger says so. Not told apart, and not noticed: two missing terms of one
+balance; a term and what a free parameter can imitate of it (``Course.imitated``); a fault that changes from run to run
+and physics; two instruments at fault; a fault of a thermometer beside a wrong law of the gas.
 """
 
 from __future__ import annotations
@@ -28,7 +32,7 @@ from pam_cosim.ledger.grid import Grid, make_grid
 from pam_cosim.ledger.ledger import Course, Entry, Ledger, Reading
 from pam_cosim.ledger.march import march
 from pam_cosim.ledger.model import Model
-from pam_cosim.ledger.sensor import Alone, SensorFault, try_sensors
+from pam_cosim.ledger.sensor import Alone, SensorFault, fault_beside, try_sensors
 from pam_cosim.ledger.smoother import Point, Problem, Smoothed, hole_sizes, smooth, with_some
 from pam_cosim.measurement import DataSet
 
@@ -74,13 +78,24 @@ def keep_ledger(
 
 @dataclass(frozen=True)
 class _Opened:
-    """Smoothed books: problem, holes that act, and the estimate."""
+    """Smoothed books: problem, holes that act, and the estimate; the fault of an instrument that is not believed."""
 
     books: Books
     problem: Problem
     holes: tuple[Hole, ...]
     free: tuple[str, ...]
     found: Smoothed
+    fault: SensorFault | None = None
+
+    @property
+    def deviance(self) -> float:
+        """Of all samples, those of an instrument that is not believed with its fault."""
+        return self.found.deviance + (self.fault.deviance if self.fault else 0.0)
+
+    @property
+    def chi2(self) -> float:
+        """As ``deviance``."""
+        return self.found.chi2 + (self.fault.chi2 if self.fault else 0.0)
 
     def alone(self, hole: Hole) -> tuple[float, float]:
         return with_some(self.problem, self.found, [self.holes.index(hole)])
@@ -107,6 +122,7 @@ class _Keeping:
         defaults = {n: v.start or 0.0 for n, v in interface.parameters.items()}
         self.start = np.clip([float({**defaults, **starts}[n]) for n in self.free], self.low, self.high)
         self.notes: list[str] = []
+        self.same: dict[str, tuple[str, ...]] = {}
 
     def ledger(self) -> Ledger:
         """All explanations, the best of them, and the entries that it leaves."""
@@ -123,7 +139,26 @@ class _Keeping:
                 candidate = self._open(further)
                 if candidate and (replaced is None or candidate.found.deviance < replaced.found.deviance):
                     replaced = candidate
-        return self._judged(alone, opened, replaced, samples)
+        beside = self._beside() if best > _AT_NOISE else None
+        return self._judged(alone, opened, replaced, beside, samples)
+
+    def _beside(self) -> _Opened | None:
+        """The holes together with a fault of one instrument, the most probable one."""
+        found: list[_Opened] = []
+        for j, name in enumerate(self.signals):
+            if len(self.signals) < 2:
+                break
+            opened = self._open(self.every[0], None, name)
+            if opened is None:
+                continue
+            grid, free = opened.problem.grid, opened.found.point.free.tolist()
+            measured = self._problem(self.every[0], ())[0].grid.measured[:, j]
+            signal = (name, self.data.signals[name].unit)
+            course = opened.found.linear.outputs[:, j]
+            fault = fault_beside(grid, signal, measured, course, float(self.sigma[j]), free)
+            fault = replace(fault, deviance=fault.deviance + 2 * float(np.log(len(self.signals))))
+            found.append(replace(opened, fault=fault))
+        return min(found, key=lambda o: o.deviance, default=None)
 
     def _swallows(self, opened: _Opened) -> bool:
         """Whether a term is at work next to a balance that the model has no hole in, so that it may stand for it."""
@@ -195,10 +230,13 @@ class _Keeping:
         text += f"what is entered under {a.balance} [{a.unit}] may be either"
         if text not in self.notes:
             self.notes.append(text)
+            self.same[a.balance] = (*self.same.get(a.balance, ()), b.balance)
 
     # ---- judgement --------------------------------------------------------------------------------------------
 
-    def _judged(self, alone: Alone, opened: _Opened | None, replaced: _Opened | None, samples: int) -> Ledger:
+    def _judged(
+        self, alone: Alone, opened: _Opened | None, replaced: _Opened | None, beside: _Opened | None, samples: int
+    ) -> Ledger:
         excess = max(alone.chi2 - samples, 1e-9)
 
         def explained(chi2: float) -> float:
@@ -209,7 +247,8 @@ class _Keeping:
             "none": alone.deviance,
             "sensor": (fault.deviance if fault else np.inf) + 2 * np.log(max(len(alone.faults), 1)),
             "opened": opened.found.deviance if opened else np.inf,
-            "replaced": replaced.found.deviance if replaced else np.inf,
+            "replaced": replaced.deviance if replaced else np.inf,
+            "beside": beside.deviance if beside else np.inf,
         }
         best = min(deviances, key=lambda k: deviances[k])
         if deviances[best] > alone.deviance - _DECISIVE:
@@ -220,19 +259,25 @@ class _Keeping:
                 "a law of the gas that keeps books of its energy explains the samples as well: without a signal that "
                 "shows the temperature, missing mass and missing heat cannot be told apart"
             )
-        winner = {"opened": opened, "replaced": replaced}.get(best)
+        winner = {"opened": opened, "replaced": replaced, "beside": beside}.get(best)
         losses = self._losses(best, winner, fault, deviances)
         total = sum(losses.values())
         failing = tuple(sorted((b for b, v in losses.items() if v > _DECISIVE), key=lambda b: -losses[b]))
         after = {
             "none": alone.chi2, "sensor": fault.chi2 if fault else np.inf,
-        }.get(best, winner.found.chi2 if winner else np.inf) / samples  # fmt: skip
+        }.get(best, winner.chi2 if winner else np.inf) / samples  # fmt: skip
         shown = winner or opened
         if best == "sensor" and fault is not None:
             shown = self._open(self.every[0], None, fault.signal) or opened
-            self.notes.append(f"the reading of {fault.signal} is not believed: the other balances were kept without it")
+        disbelieved = fault if best == "sensor" else winner.fault if winner else None
+        if disbelieved is not None:
+            text = f"the reading of {disbelieved.signal} is not believed: the other balances were kept without it"
+            self.notes.append(text)
         entries = self._entries(alone, opened, replaced, shown, losses, total, explained)
-        readings = [_reading(f, alone, explained(f.chi2)) for f in alone.faults]
+        readings = [_reading(f, alone.deviance - f.deviance, explained(f.chi2)) for f in alone.faults]
+        if winner and winner.fault:
+            own = _reading(winner.fault, alone.deviance - winner.deviance, explained(winner.chi2))
+            readings = [own, *(r for r in readings if r.signal != own.signal)]
         free = fault.free if best == "sensor" and fault else tuple(winner.found.point.free if winner else self.start)
         return Ledger(
             model=self.every[0].ode.interface.model if not self.data.model else self.data.model,
@@ -255,6 +300,9 @@ class _Keeping:
         if winner is None:
             return {}
         losses = {h.balance: max(winner.without(h)[0] - winner.found.deviance, 0.0) for h in winner.holes}
+        if winner.fault is not None:
+            others = min(v for k, v in deviances.items() if k != best)
+            losses["sensor"] = max(others - deviances[best], 0.0)
         if winner.books.replaced:  # the law that was replaced counts too
             own = winner.holes[-1].balance if len(winner.holes) == 1 else self._replaced_balance(winner)
             losses[own] = max(losses.get(own, 0.0), min(v for k, v in deviances.items() if k != best) - deviances[best])
@@ -306,6 +354,7 @@ class _Keeping:
                 courses=courses,
                 units=units,
                 base=hole.base,
+                same_as=() if shown.books.replaced else self.same.get(hole.balance, ()),
             )
         if alone.faults:
             fault = alone.faults[0]
@@ -379,8 +428,8 @@ def _variables(books: Books, hole: Hole) -> dict[str, str]:
     return {n[len(prefix) :]: n for n in names}
 
 
-def _reading(fault: SensorFault, alone: Alone, explains: float) -> Reading:
+def _reading(fault: SensorFault, evidence: float, explains: float) -> Reading:
     return Reading(
         fault.signal, fault.unit, fault.offset, fault.offset_deviation, fault.gain, fault.gain_deviation, fault.lag,
-        alone.deviance - fault.deviance, explains,
+        evidence, explains,
     )  # fmt: skip

@@ -58,6 +58,7 @@ class Entry:
         courses: the missing term in every run; none for a sensor, or where the model has no place for it.
         units: of what the term can be looked at against.
         note: what must be known to read it.
+        same_as: balances whose missing term would do the same in this model: they may be meant as well.
         base: full name of the partial class whose equation for the term is open.
     """
 
@@ -72,6 +73,7 @@ class Entry:
     units: dict[str, str] = field(default_factory=dict)
     note: str = ""
     base: str = ""
+    same_as: tuple[str, ...] = ()
 
     @property
     def size(self) -> float:
@@ -99,6 +101,7 @@ class Entry:
             "size": _number(self.size),
             "outside": _number(self.outside),
             "note": self.note,
+            "same_as": list(self.same_as),
         }
         if courses:
             found["courses"] = [c.as_dict() for c in self.courses]

@@ -95,6 +95,39 @@ def try_sensors(problem: Problem, start: tuple[Array, Array], signals: Sequence[
     return Alone(none.deviance, none.chi2, about.point, tuple(sorted(faults, key=lambda f: f.deviance)))
 
 
+def fault_beside(
+    grid: Grid, signal: tuple[str, str], measured: Array, course: Array, sigma: float, free: Sequence[float]
+) -> SensorFault:
+    """The likeliest fault of an instrument whose samples (N,) were not used to find its signal's course (N,).
+
+    ``deviance`` and ``chi2`` are of this signal alone; that the course is not exact is left aside.
+    """
+    kept = np.isfinite(measured)
+    span = float(np.ptp(measured[kept])) or 1.0
+    tried = []
+    for lag, lagged in zip(
+        (0.0, *_lags(grid)), (course[:, None], *_lagged(grid, course[:, None], _lags(grid))), strict=True
+    ):
+        y = lagged[kept, 0]
+        rows = np.column_stack([np.full(len(y), _OFFSET * span), _GAIN * (y - np.mean(lagged))]) / sigma
+        r = (measured[kept] - y) / sigma
+        matrix = rows.T @ rows + np.eye(2)
+        change = np.linalg.solve(matrix, rows.T @ r)
+        chi2 = float(((r - rows @ change) ** 2).sum())
+        deviance = chi2 + float((change**2).sum() + np.linalg.slogdet(matrix)[1]) + 2 * float(np.log(_LAGS + 1))
+        tried.append((deviance, chi2, lag, change, np.sqrt(np.diag(np.linalg.inv(matrix)))))
+    deviance, chi2, lag, change, spread = min(tried, key=lambda t: t[0])
+    return SensorFault(
+        signal[0], signal[1], float(change[0]) * _OFFSET * span, float(spread[0]) * _OFFSET * span,
+        float(change[1]) * _GAIN, float(spread[1]) * _GAIN, float(lag), deviance, chi2, tuple(free),
+    )  # fmt: skip
+
+
+def _lags(grid: Grid) -> Array:
+    longest = float(grid.step.sum()) / len(grid.runs) / 2
+    return np.geomspace(min(float(np.median(grid.step)), longest / 2), longest, _LAGS)
+
+
 @dataclass(frozen=True)
 class _Solution:
     """Parameters (free ones, offset, gain) with deviations in their own scales, and what they are worth."""
@@ -157,8 +190,7 @@ class _About:
 def _fault(about: _About, signal: tuple[str, str], j: int) -> SensorFault:
     grid = about.problem.grid
     span = float(np.nanmax(grid.measured[:, j]) - np.nanmin(grid.measured[:, j])) or 1.0
-    longest = float(grid.step.sum()) / len(grid.runs) / 2
-    lags = np.geomspace(min(float(np.median(grid.step)), longest / 2), longest, _LAGS)
+    lags = _lags(grid)
     courses = np.column_stack([about.linear.outputs[:, j], about.slopes[:, j]])
     tried = [(0.0, about.least_squares(j, courses, span))]
     tried += [

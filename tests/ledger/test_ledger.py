@@ -38,8 +38,16 @@ BALANCE = {
 }
 
 
+PAIRS = {
+    "leak:orifice+dry_friction:coulomb": {"force", "mass"},
+    "gas_energy:film+elasticity:linear": {"energy", "force"},
+    "elasticity:linear+thermocouple_lag:first_order": {"force", "sensor"},
+    "pressure_offset:constant+leak:orifice": {"mass", "sensor"},
+}
+
+
 def _data(hidden: str, seed: int = 1) -> DataSet:
-    effects = [] if hidden == "none" else [effect_of(hidden)]
+    effects = [] if hidden == "none" else [effect_of(name) for name in hidden.split("+")]
     return complete_noise(study.read(write_light_data(Path(mkdtemp()) / "d", effects, seed)))
 
 
@@ -56,6 +64,13 @@ def test_failing_balance_is_named(hidden: str) -> None:
     assert ledger.closed and ledger.before > 2 * ledger.after
     assert ledger.shares[BALANCE[hidden]] == pytest.approx(1.0, abs=0.01)
     assert sum(ledger.shares.values()) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("hidden", PAIRS)
+def test_both_failing_balances_are_named(hidden: str) -> None:
+    ledger = _ledger(hidden)
+    assert set(ledger.failing) == PAIRS[hidden], str(ledger)
+    assert ledger.closed
 
 
 @pytest.mark.parametrize("seed", range(1, 5))
@@ -114,7 +129,10 @@ def test_instrument_fault_has_its_size() -> None:
 
 
 def test_mass_and_heat_are_said_to_be_one_where_the_gas_law_cannot_tell() -> None:
-    assert any("mass" in n and "energy" in n and "do the same" in n for n in _ledger("leak:orifice").notes)
+    ledger = _ledger("leak:orifice")
+    entry = ledger.entry("mass")
+    assert entry is not None and entry.same_as == ("energy",)
+    assert any("mass" in n and "energy" in n and "do the same" in n for n in ledger.notes)
 
 
 def test_summaries_and_plain_data() -> None:
