@@ -60,16 +60,24 @@ class Grid:
 
 
 def make_grid(
-    ode: Ode, data: DataSet, runs: Sequence[Run], values: Mapping[str, float], signals: Sequence[str], spacing: float
+    ode: Ode,
+    data: DataSet,
+    runs: Sequence[Run],
+    values: Mapping[str, float],
+    signals: Sequence[str],
+    spacing: float,
+    further: Sequence[Array] = (),
 ) -> Grid:
-    """Nodes at samples, no two closer than ``spacing`` [s] but at the jumps of an input."""
+    """Nodes at samples, no two closer than ``spacing`` [s] but at the jumps of an input; and at ``further`` times."""
     defaults = {n: v.start or 0.0 for n, v in ode.interface.parameters.items()}
     times, inputs, stages, delayed, stage_delayed, measured, parameters = [], [], [], [], [], [], []
-    for run in runs:
+    for r, run in enumerate(runs):
         stated = data.parameters_of(run, values)
         p = np.array([stated.get(n, v) for n, v in defaults.items()])
         courses = _courses(ode, run)
         t = _node_times(run, courses, spacing)
+        if further:
+            t = np.union1d(t, further[r])
         end = np.append(t[:1], t[1:] - _INSIDE * np.diff(t))
         inside = t[:-1] + STAGE * np.diff(t)
         times.append(t)

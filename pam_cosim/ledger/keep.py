@@ -30,7 +30,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.ledger.books import TERM, Books, Hole, open_books
 from pam_cosim.ledger.grid import Grid, make_grid
 from pam_cosim.ledger.ledger import Course, Entry, Ledger, Reading
-from pam_cosim.ledger.march import march
+from pam_cosim.ledger.march import further_nodes, march
 from pam_cosim.ledger.model import Model
 from pam_cosim.ledger.sensor import Alone, SensorFault, fault_beside, try_sensors
 from pam_cosim.ledger.smoother import Point, Problem, Smoothed, hole_sizes, smooth, with_some
@@ -39,6 +39,9 @@ from pam_cosim.measurement import DataSet
 Array = NDArray[np.float64]
 
 _SPACING = 0.04  # s between nodes; a slow or a long run is looked at in as many
+_ACCURACY = 2e-4  # of a state's range, that a step may be wrong by
+_REFINEMENTS = 3
+_FAR_BELOW = 0.2  # standard deviations of a sample
 _MOST_NODES = 400  # of a run
 _DECISIVE = 10.0  # twice the logarithm of a ratio of probabilities that counts as very strong (Kass and Raftery 1995)
 _AT_NOISE = 1.3  # mean square of the residuals in noise variances that leaves nothing to explain
@@ -110,6 +113,8 @@ class _Keeping:
     def __init__(self, data: DataSet, values: Mapping[str, float], every: Sequence[Books]) -> None:
         self.data, self.values, self.every = data, values, every
         interface = every[0].ode.interface
+        if not every[0].ode.states:
+            raise InputError(f"{data.model} has no states: there is no balance to keep a ledger of", data.model)
         self.signals = [n for n, s in data.signals.items() if s.fitted and n in interface.outputs]
         unknown = [n for n in self.signals if not data.signals[n].sigma]
         if unknown:
@@ -122,6 +127,7 @@ class _Keeping:
         defaults = {n: v.start or 0.0 for n, v in interface.parameters.items()}
         self.start = np.clip([float({**defaults, **starts}[n]) for n in self.free], self.low, self.high)
         self.notes: list[str] = []
+        self.grids: dict[int, Grid] = {}
         self.same: dict[str, tuple[str, ...]] = {}
 
     def ledger(self) -> Ledger:
@@ -139,7 +145,8 @@ class _Keeping:
                 candidate = self._open(further)
                 if candidate and (replaced is None or candidate.found.deviance < replaced.found.deviance):
                     replaced = candidate
-        beside = self._beside() if best > _AT_NOISE else None
+        plain = replaced is not None and replaced.deviance < _AT_NOISE * samples
+        beside = self._beside() if best > _AT_NOISE and not plain else None
         return self._judged(alone, opened, replaced, beside, samples)
 
     def _beside(self) -> _Opened | None:
@@ -176,7 +183,7 @@ class _Keeping:
     ) -> tuple[Problem, tuple[Array, Array]]:
         longest = max(float(r.time[-1] - r.time[0]) for r in self.data.runs)
         spacing = min(_SPACING, longest / 50) if longest < _SPACING * _MOST_NODES else longest / _MOST_NODES
-        grid = make_grid(books.ode, self.data, self.data.runs, self.values, self.signals, spacing)
+        grid = self._grid(books, spacing)
         if hidden is not None:
             measured = grid.measured.copy()
             measured[:, self.signals.index(hidden)] = np.nan
@@ -192,6 +199,41 @@ class _Keeping:
         p = none.parameters(self.start)
         hole_size = hole_sizes(model, grid, states[0], self.start, p, self.sigma.tolist())
         return replace(none, size=size, hole_size=hole_size), states
+
+    def _grid(self, books: Books, spacing: float) -> Grid:
+        """The grid of some books, fine enough for the model by itself: finer ones would not change what it says."""
+        key = self.every.index(books)
+        if key not in self.grids:
+            args = (books.ode, self.data, self.data.runs, self.values, self.signals, spacing)
+            grid, model = make_grid(*args), Model(books.ode, [], self.free, self.signals)
+            p = grid.parameters.copy()
+            p[:, model.free_at] = self.start
+            states = march(model, grid, p)
+            further = [np.zeros(0) for _ in grid.runs]
+            for _ in range(_REFINEMENTS):
+                new = further_nodes(model, grid, p, states, _ACCURACY)
+                further = [np.union1d(a, b) for a, b in zip(further, new, strict=True)]
+                finer = make_grid(*args, further)
+                states_of_finer = march(model, finer, p)
+                if self._same_outputs(model, (grid, states[0]), (finer, states_of_finer[0]), p):
+                    break
+                grid, states = finer, states_of_finer
+            self.grids[key] = grid
+        return self.grids[key]
+
+    def _same_outputs(self, model: Model, coarse: tuple[Grid, Array], fine: tuple[Grid, Array], p: Array) -> bool:
+        """Whether the signals agree where both grids have nodes, far below the noise."""
+        found = []
+        for grid, x in (coarse, fine):
+            run = grid.run_of_node
+            slopes = model.everything(grid.time, x, grid.node_inputs, grid.node_delayed, p[run])
+            found.append((run, grid.time, slopes.value[:, model.states :]))
+        (run, time, few), (run_of_fine, time_of_fine, many) = found
+        common = np.zeros(len(time_of_fine), dtype=bool)
+        for r in range(len(coarse[0].runs)):
+            common[run_of_fine == r] = np.isin(time_of_fine[run_of_fine == r], time[run == r])
+        difference = (few - many[common]) / self.sigma
+        return bool(np.sqrt(np.mean(difference**2)) < _FAR_BELOW)
 
     def _open(
         self, books: Books, states: tuple[Array, Array] | None = None, hidden: str | None = None
@@ -210,6 +252,8 @@ class _Keeping:
             return None
 
     def _distinct(self, books: Books, problem: Problem, x: Array) -> tuple[Hole, ...]:
+        if not books.holes:
+            return ()
         grid, kept = problem.grid, list[int]()
         p = grid.parameters[grid.run_of_node]
         slopes = problem.model.everything(grid.time, x, grid.node_inputs, grid.node_delayed, p).by_hole

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -11,6 +13,7 @@ from pam_cosim.ledger.model import Model
 Array = NDArray[np.float64]
 
 _ITERATIONS = 12
+_MOST_PARTS = 8  # of a step
 _CLOSE = 1e-7  # change of a state, over its size, at which an iteration ends
 
 
@@ -34,10 +37,63 @@ def march(model: Model, grid: Grid, parameters: Array) -> tuple[Array, Array]:
     return nodes, stages
 
 
-def _step(model: Model, grid: Grid, p: Array, x: Array, step: NDArray[np.intp], size: Array) -> tuple[Array, Array]:
+def further_nodes(
+    model: Model, grid: Grid, parameters: Array, states: tuple[Array, Array], accuracy: float
+) -> list[Array]:
+    """Times inside steps (one array a run) that lower the error of a step to ``accuracy`` of the range of a state.
+
+    The error is what two half steps make different.
+    """
+    x = states[0]
+    size = np.maximum(np.ptp(x, axis=0), 1e-3 * np.max(np.abs(x), axis=0)) + 1e-300
+    steps = np.arange(len(grid.left))
+    run = grid.run_of_node[grid.left]
+    middle = x[grid.left]
+    for half in range(2):
+        _, middle = _step(model, _halved(grid, half), parameters[run], middle, steps, size, half)
+    error = np.max(np.abs(middle - x[grid.left + 1]) / size, axis=1)
+    parts = np.minimum(np.ceil((np.nan_to_num(error, nan=1.0) / accuracy) ** 0.25), _MOST_PARTS).astype(int)
+    found = []
+    for r in range(len(grid.runs)):
+        own = np.flatnonzero((run == r) & (parts > 1))
+        inside = [grid.time[grid.left[k]] + grid.step[k] * np.arange(1, parts[k]) / parts[k] for k in own.tolist()]
+        found.append(np.concatenate([np.zeros(0), *inside]))
+    return found
+
+
+def _halved(grid: Grid, half: int) -> Grid:
+    """The grid with half of every step, and inputs between those that it knows: at a third and at the end."""
+    u1, u2, d1, d2 = (
+        grid.stage_inputs,
+        grid.node_inputs[grid.left + 1],
+        grid.stage_delayed,
+        grid.node_delayed[grid.left + 1],
+    )
+    c1, c2 = (STAGE / 2, 0.5) if half == 0 else (0.5 + STAGE / 2, 1.0)
+
+    def at(c: float, inner: Array, end: Array) -> Array:
+        return inner + (c - STAGE) / (1 - STAGE) * (end - inner)
+
+    node_u, node_d = grid.node_inputs.copy(), grid.node_delayed.copy()
+    node_u[grid.left + 1], node_d[grid.left + 1] = at(c2, u1, u2), at(c2, d1, d2)
+    return replace(
+        grid,
+        step=grid.step / 2,
+        stage_inputs=at(c1, u1, u2),
+        stage_delayed=at(c1, d1, d2),
+        node_inputs=node_u,
+        node_delayed=node_d,
+    )
+
+
+def _step(
+    model: Model, grid: Grid, p: Array, x: Array, step: NDArray[np.intp], size: Array, offset: float = 0.0
+) -> tuple[Array, Array]:
+    """One step of each of some runs; ``offset``, in steps, is where it starts after its node."""
     h = grid.step[step][:, None]
     r, n = x.shape
-    at = grid.time[grid.left[step]]
+    size = np.broadcast_to(size, x.shape)
+    at = grid.time[grid.left[step]] + offset * h[:, 0]
     t = np.concatenate([at + STAGE * h[:, 0], at + h[:, 0]])
     u = np.concatenate([grid.stage_inputs[step], grid.node_inputs[grid.left[step] + 1]])
     d = np.concatenate([grid.stage_delayed[step], grid.node_delayed[grid.left[step] + 1]])

@@ -15,8 +15,11 @@ from pam_cosim import study
 from pam_cosim.compiler import effect_classes, read_library, unknown_terms
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import complete_noise
+from pam_cosim.fmu import build_model, build_source
 from pam_cosim.ledger import Entry, Ledger, binned, keep_ledger, mapped
-from pam_cosim.measurement import DataSet
+from pam_cosim.measurement import DataSet, Signal
+from pam_cosim.simulation import Inputs, Simulator
+from tests.fitting.models import recording
 from tests.reference.effects import effect_of
 from tests.reference.flow import P_ATM
 from tests.reference.muscle import simulate_muscle
@@ -171,3 +174,26 @@ def test_bad_input() -> None:
     blind = replace(data, signals={n: replace(s, sigma=None) for n, s in data.signals.items()})
     with pytest.raises(InputError, match="noise of p, x, T is not known"):
         keep_ledger(blind)
+    with pytest.raises(InputError, match="has no states"):
+        keep_ledger(replace(data, model="PneumaticMuscle.Benches.StaticForce"))
+
+
+@pytest.mark.parametrize(("effect", "failing"), [(None, ()), ("LinearBladder", ("force",)), ("OrificeLeak", ("mass",))])
+def test_other_bench_with_faster_dynamics(effect: str | None, failing: tuple[str, ...]) -> None:
+    """The drive of the isometric bench is ten times faster than the samples: the grid must be refined by itself."""
+    ledger = keep_ledger(_isometric(effect))
+    assert ledger.failing == failing and ledger.closed, str(ledger)
+
+
+def _isometric(effect: str | None) -> DataSet:
+    time, rng = np.linspace(0, 10, 201), np.random.default_rng(1)
+    filling, venting = ((time >= a) & (time < b) for a, b in ((0, 3), (5, 10)))
+    inputs = {"u_in": 0.35 * filling, "u_out": 0.3 * venting, "s": 0.02 + 0.01 * np.sin(time)}
+    text = study.add([effect], "Isometric") if effect else ""
+    fmu = build_source(text.split()[1], text) if effect else build_model("PneumaticMuscle.Benches.Isometric")
+    signals = {"p": Signal("p", "Pa", 500.0), "F": Signal("F", "N", 1.0), "T": Signal("T", "K", 0.3)}
+    with Simulator(fmu) as simulator:
+        clean = simulator.run(time, inputs=Inputs(time, inputs)).values
+    noisy = {n: clean[n] + (s.sigma or 0) * rng.standard_normal(len(time)) for n, s in signals.items()}
+    run = recording(time, noisy, "fit", inputs)
+    return DataSet(Path("rig"), "a rig", "PneumaticMuscle.Benches.Isometric", signals, {}, {}, (run,))
