@@ -99,9 +99,10 @@ def _signals(document: ExperimentFile, interface: Interface, runs: tuple[Run, ..
 
 
 def _signal(document: ExperimentFile, name: str, unit: str) -> Signal:
-    table = document.content.signals.get(name)
+    declared = document.content.signals
+    table = declared.get(name)
     if table is None or table.sigma is None:
-        return Signal(name, unit, fitted=not document.content.signals)
+        return Signal(name, unit, fitted=not declared or name in declared)
     path = ("signals", name, "sigma")
     try:
         sigma = quantity(table.sigma, unit, difference=True)

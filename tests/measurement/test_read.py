@@ -145,3 +145,9 @@ def test_all_columns_are_fitted_where_no_signal_is_declared(make):
     file.write_text("\n".join(kept))
     signals = read_data_set(folder, describe).signals
     assert signals and all(s.fitted for s in signals.values())
+
+
+def test_a_table_without_a_noise_level_declares_the_signal(make):
+    signals = read_data_set(make((TOML, 'sigma = "0.5 kPa"', "")), describe).signals
+    assert [n for n, s in signals.items() if s.fitted] == ["p", "x", "T"]
+    assert signals["p"].sigma is None and signals["x"].sigma is not None

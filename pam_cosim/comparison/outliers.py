@@ -1,0 +1,63 @@
+"""Single samples that no smooth course of a signal explains.
+
+A sample whose residual is far from the median of its neighbours' residuals is an outlier (Hampel, Journal of the
+American Statistical Association 69, 1974). It is the residual that is looked at, so that a fast but modelled change of
+the signal is not taken for one; and single samples, so that what lasts longer stays in the data and is judged.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import median_filter
+
+from pam_cosim.comparison.residuals import RunComparison
+from pam_cosim.measurement import DataSet, Run
+
+Array = NDArray[np.float64]
+
+_WINDOW = 7  # samples; three neighbours on each side outvote a pair of outliers
+_FAR = 6.0  # standard deviations; noise alone does this once in 5e8 samples
+_MEDIAN_TO_SIGMA = 1.4826
+_FEWEST = 50
+_MOST = 0.03  # where more than this share lies far off, it is not a matter of single samples
+
+
+def outliers(residual: Array) -> NDArray[np.bool_]:
+    """(n,) which samples are outliers; ``residual`` has NaN where a sample is missing."""
+    found = np.zeros(len(residual), dtype=bool)
+    kept = np.flatnonzero(np.isfinite(residual))
+    if len(kept) < _FEWEST:
+        return found
+    e = residual[kept]
+    off = np.abs(e - median_filter(e, _WINDOW, mode="nearest"))
+    far = off > _FAR * _MEDIAN_TO_SIGMA * float(np.median(off))
+    if far.mean() <= _MOST:
+        found[kept[far]] = True
+    return found
+
+
+
+
+def without_outliers(data: DataSet, compared: Sequence[RunComparison]) -> tuple[DataSet, dict[str, int]]:
+    """The data set with outliers marked as missing, and how many there were, by signal.
+
+    Args:
+        data: the measurement.
+        compared: its runs beside a fitted model.
+    """
+    counts: dict[str, int] = {}
+    runs: list[Run] = []
+    for c in compared:
+        measurements = dict(c.run.measurements)
+        for name in data.signals:
+            if name in measurements and c.run.sample_count(name):
+                far = outliers(c.residual(name))
+                if far.any():
+                    measurements[name] = np.where(far, np.nan, measurements[name])
+                    counts[name] = counts.get(name, 0) + int(far.sum())
+        runs.append(replace(c.run, measurements=measurements))
+    return replace(data, runs=tuple(runs)), counts

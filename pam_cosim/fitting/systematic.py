@@ -1,0 +1,139 @@
+"""Does the residual of one run tell that of another? Noise does not, whatever its colour; a missing effect does.
+
+The residual of each signal is regressed (ridge) on functions of the model's own signals and inputs in all runs but
+one, and the regression predicts the run left out. What it predicts there is systematic: the rig does the same thing
+again in the same circumstances. A slow drift of an instrument, or noise that is correlated in time, is not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.comparison import RunComparison
+
+Array = NDArray[np.float64]
+
+_MEMORIES = (0.1, 0.5, 2.0)  # [s] for what went before
+_RIDGE = 0.01  # of the samples, on columns of unit size
+_SHORT_OF_RUNS = 3  # fewer runs than this are cut into parts
+
+
+@dataclass(frozen=True)
+class Systematic:
+    """How much of a residual other runs foretell.
+
+    Attributes:
+        variance: mean square that is foretold, in noise variances; negative where the regression only does harm.
+        score: ``variance`` in standard errors over the parts that were left out in turn.
+    """
+
+    variance: float
+    score: float
+
+
+def systematic(runs: Sequence[RunComparison], sigma: Mapping[str, float]) -> Systematic:
+    """Judges the residuals of all runs together.
+
+    Args:
+        runs: at least one; more tell more.
+        sigma: noise level [SI] of each signal that counts.
+    """
+    gains: dict[int, float] = {}
+    total = 0
+    tables = _features(runs)
+    parts = _parts(runs)
+    for name, level in sigma.items():
+        residuals = [r.residual(name) / level if r.run.sample_count(name) else None for r in runs]
+        pieces = [_piece(tables, residuals, where) for where in parts]
+        usable = [p for p in pieces if p is not None]
+        if len(usable) < 2:
+            continue
+        gram, moment = sum(x.T @ x for x, _ in usable), sum(x.T @ e for x, e in usable)
+        samples = sum(len(e) for _, e in usable)
+        total += samples
+        for number, piece in enumerate(pieces):
+            if piece is None:
+                continue
+            x, e = piece
+            left = samples - len(e)
+            weights = np.linalg.solve(gram - x.T @ x + _RIDGE * left * np.eye(x.shape[1]), moment - x.T @ e)
+            gains[number] = gains.get(number, 0.0) + float(np.sum(e**2) - np.sum((e - x @ weights) ** 2))
+    if total == 0 or len(gains) < 2:
+        return Systematic(0.0, 0.0)
+    found = np.array([gains[k] for k in sorted(gains)])
+    error = float(np.std(found, ddof=1)) * np.sqrt(len(found))
+    return Systematic(float(found.sum()) / total, float(found.sum()) / error if error > 0 else 0.0)
+
+
+def _parts(runs: Sequence[RunComparison]) -> list[tuple[int, slice]]:
+    """What is left out in turn: whole runs, or thirds of the few there are."""
+    if len(runs) >= _SHORT_OF_RUNS:
+        return [(i, slice(None)) for i in range(len(runs))]
+    cuts = [(i, np.linspace(0, len(r.run.time), 4).astype(int)) for i, r in enumerate(runs)]
+    return [(i, slice(int(c[k]), int(c[k + 1]))) for i, c in cuts for k in range(3)]
+
+
+def _piece(tables: Sequence[Array], residuals: Sequence[Array | None], where: tuple[int, slice]) -> (
+    tuple[Array, Array] | None
+):
+    run, rows = where
+    residual = residuals[run]
+    if residual is None:
+        return None
+    e, x = residual[rows], tables[run][rows]
+    kept = np.isfinite(e)
+    return (x[kept], e[kept]) if kept.any() else None
+
+
+def _features(runs: Sequence[RunComparison]) -> list[Array]:
+    """Per run (n, features): the model's outputs and the inputs, their rates, what went before, products of two."""
+    outputs = _scaled([np.column_stack(list(r.model.values())) for r in runs], centred=True)
+    rates = _scaled([_each(_rate, r.run.time, list(r.model.values())) for r in runs])
+    varied = [n for n in runs[0].run.inputs if any(np.ptp(r.run.inputs[n]) > 0 for r in runs)]
+    inputs = [np.column_stack([np.ones(len(r.run.time)), *(r.run.inputs[n] for n in varied)]) for r in runs]
+    past = _scaled([_past(r, varied) for r in runs])
+    tables = []
+    for now, rate, given, before in zip(outputs, rates, inputs, past, strict=True):
+        factors = np.column_stack([now, rate, np.tanh(2 * rate)])
+        pairs = [factors[:, i] * factors[:, j] for i in range(factors.shape[1]) for j in range(i + 1)]
+        tables.append(np.column_stack([given, factors, before, *pairs]))
+    return _scaled(tables)
+
+
+def _past(r: RunComparison, inputs: Sequence[str]) -> Array:
+    columns = [*r.model.values(), *(r.run.inputs[n] for n in inputs)]
+    return np.column_stack([v - _lagged(r.run.time, v, memory) for v in columns for memory in _MEMORIES])
+
+
+def _each(function: Callable[[Array, Array], Array], time: Array, columns: Sequence[Array]) -> Array:
+    return np.column_stack([function(time, v) for v in columns])
+
+
+def _scaled(tables: Sequence[Array], centred: bool = False) -> list[Array]:
+    """Columns of mean square one over all runs."""
+    every = np.vstack(tables)
+    middle = every.mean(axis=0) if centred else np.zeros(every.shape[1])
+    size = np.sqrt(np.mean((every - middle) ** 2, axis=0))
+    size[size == 0] = 1.0
+    return [(t - middle) / size for t in tables]
+
+
+def _rate(time: Array, values: Array) -> Array:
+    """Central difference; zero where two rows share a time."""
+    step = np.gradient(time)
+    change = np.gradient(values)
+    return np.divide(change, step, out=np.zeros_like(values), where=step > 0)
+
+
+def _lagged(time: Array, values: Array, memory: float) -> Array:
+    """Exponential average of the past, beginning at the first value."""
+    found = np.empty_like(values)
+    found[0] = values[0]
+    decay = np.exp(-np.diff(time) / memory)
+    for k, d in enumerate(decay, 1):
+        found[k] = d * found[k - 1] + (1 - d) * values[k]
+    return found
