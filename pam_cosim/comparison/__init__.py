@@ -1,6 +1,7 @@
 """Trajectory and data set -> residuals, scores, and where the error sits."""
 
 from pam_cosim.comparison.compare import Comparison, compare
+from pam_cosim.comparison.outliers import outliers, without_outliers
 from pam_cosim.comparison.residuals import RunComparison, simulate_run, start_time
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.comparison.where import Rule, where
@@ -12,8 +13,10 @@ __all__ = [
     "SignalScore",
     "chi2_reduced",
     "compare",
+    "outliers",
     "score",
     "simulate_run",
     "start_time",
     "where",
+    "without_outliers",
 ]

@@ -22,6 +22,7 @@ Array = NDArray[np.float64]
 _WINDOW = 7  # samples; three neighbours on each side outvote a pair of outliers
 _FAR = 6.0  # standard deviations; noise alone does this once in 5e8 samples
 _MEDIAN_TO_SIGMA = 1.4826
+_ALONE = 0.5
 _FEWEST = 50
 _MOST = 0.03  # where more than this share lies far off, it is not a matter of single samples
 
@@ -33,13 +34,13 @@ def outliers(residual: Array) -> NDArray[np.bool_]:
     if len(kept) < _FEWEST:
         return found
     e = residual[kept]
-    off = np.abs(e - median_filter(e, _WINDOW, mode="nearest"))
-    far = off > _FAR * _MEDIAN_TO_SIGMA * float(np.median(off))
+    off = e - median_filter(e, _WINDOW, mode="nearest")
+    far = np.abs(off) > _FAR * _MEDIAN_TO_SIGMA * float(np.median(np.abs(off)))
+    beside = np.maximum(np.abs(np.append(off[1:], 0.0)), np.abs(np.insert(off[:-1], 0, 0.0)))
+    far &= beside < _ALONE * np.abs(off)  # a quick change of the signal takes its neighbours along
     if far.mean() <= _MOST:
         found[kept[far]] = True
     return found
-
-
 
 
 def without_outliers(data: DataSet, compared: Sequence[RunComparison]) -> tuple[DataSet, dict[str, int]]:

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
-from pam_cosim.compiler import ClassTree, EffectClass, compose, effect_classes, read_library
+from pam_cosim.comparison import without_outliers
+from pam_cosim.compiler import effect_classes, read_library
 from pam_cosim.diagnosis.candidate import Candidate, role_summary
-from pam_cosim.diagnosis.evidence import convincing, leading, leaves_structure, rank, structured
+from pam_cosim.diagnosis.evidence import convincing, foretold, leading, promising, rank, structured
 from pam_cosim.diagnosis.missing_term import missing_term
 from pam_cosim.diagnosis.next_experiment import Plan, told_apart
-from pam_cosim.diagnosis.trial import Trial, crashed, run_trial
+from pam_cosim.diagnosis.search import Search, describe_fit
 from pam_cosim.diagnosis.verdict import Verdict, explained, judge, rivals
-from pam_cosim.diagnosis.workers import run_tasks
-from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit, complete_noise, fit
 from pam_cosim.fmu import build_model
 from pam_cosim.measurement import DataSet
@@ -36,6 +36,7 @@ class Diagnosis:
         path: the effects that were added, in order, as candidates.
         balance: share of the explainable error by balance (force, mass, energy, sensor).
         verdict: the answer.
+        outliers: how many single samples were set aside, by signal.
         next_experiment: for an ambiguous verdict, the run that would decide.
         missing_term: for an unknown verdict, a description of what is left.
     """
@@ -47,6 +48,7 @@ class Diagnosis:
     path: tuple[Candidate, ...]
     balance: dict[str, float]
     verdict: Verdict
+    outliers: dict[str, int] = field(default_factory=dict)
     next_experiment: dict[str, object] | None = None
     missing_term: dict[str, object] | None = None
 
@@ -68,6 +70,7 @@ class Diagnosis:
             "balance": self.balance,
             "candidates": [c.as_dict() for c in self.candidates],
             "verdict": self.verdict.as_dict(),
+            "outliers": self.outliers,
             "next_experiment": self.next_experiment,
             "missing_term": self.missing_term,
         }
@@ -87,13 +90,6 @@ class Diagnosis:
                 )
         lines += [f"  {n} = {e}" for n, e in self.final.parameters.items()]
         return "\n".join(lines)
-
-
-def describe_fit(found: Fit) -> str:
-    """Root mean square errors of a fit in units a person reads."""
-    scores = found.comparison.scores["fit"]
-    signals = found.comparison.data.signals
-    return ", ".join(f"{n} {readable(s.rmse, signals[n].unit)}" for n, s in scores.items())
 
 
 def diagnose(
@@ -117,37 +113,20 @@ def diagnose(
         InputError: the model cannot be compiled, or lacks a parameter that is to be fitted.
         SimulationFailure: the base model cannot be simulated at all.
     """
-    data = complete_noise(data)
     name = model or data.model
     if name.endswith(".fmu"):
         raise InputError("effects can be added to a Modelica model only; an FMU can be compared and fitted", name)
-    tree = read_library(files=_sources(name, files))
-    with Simulator(build_model(name, files, sensitivities=tuple(data.fit), where_smooth=True)) as simulator:
-        base = fit(simulator, data)
-    say(f"base model refitted: rms error {describe_fit(base)}, chi2 {base.comparison.chi2_reduced('fit'):.4g}")
-    shelf = effect_classes(tree)
-    path: list[Candidate] = []
-    tried: list[Candidate] = []
+    sources = tuple([*files, Path(name)] if name.endswith(".mo") else files)
+    tree = read_library(files=sources)
+    data, base, outliers = _base(complete_noise(data), name, files, say)
+    search = Search(tree, name, effect_classes(tree), data, sources, say, workers)
+    path, tried = _add_effects(search, base)
     others: list[Plan] = []
-    present = base
-    while len(path) < _MOST_EFFECTS and (not path or any(leaves_structure(s) for s in present.structure.values())):
-        trials = _trials(tree, name, shelf, path, data, present, files)
-        found = run_tasks(run_trial, trials, crashed, lambda c: say(_line(c)), workers)
-        if found and all(c.fit is None for c in found):
-            raise SimulationFailure(f"no effect could be tried; {found[0].effect}: {found[0].failure}")
-        ranked = rank(present, found)
-        tried += ranked
-        if not ranked or not any(structured(s) for s in present.structure.values()):
-            break  # many samples make the smallest difference of two programs significant: noise needs no effect
-        if not convincing(present, best := leading(ranked)):
-            break
-        assert best.fit is not None
-        path.append(best)
-        others = told_apart(data, best, rivals(best, ranked), _sources(name, files))
-        present = best.fit
-        say(f"added {best.effect} ({best.family}): rms error {describe_fit(present)}")
+    if path:
+        last = [c for c in tried if c.effects[:-1] == path[-1].effects[:-1]]
+        others = told_apart(data, path[-1], rivals(path[-1], last), sources)
     verdict = judge(base, path, [c for c, _ in others])
-    balance = _balance(base, tried[: len(trials)])
+    balance = _balance(base, [c for c in tried if len(c.effects) == 1])
     return Diagnosis(
         data=data,
         model=name,
@@ -156,44 +135,82 @@ def diagnose(
         path=tuple(path),
         balance=balance,
         verdict=verdict,
+        outliers=outliers,
         next_experiment=others[0][1] if others else None,
-        missing_term=missing_term(present, balance) if verdict.kind == "unknown" else None,
+        missing_term=missing_term(path[-1].fit or base if path else base, balance)
+        if verdict.kind == "unknown"
+        else None,
     )
 
 
-def _sources(model: str, files: Sequence[Path]) -> list[Path]:
-    return [*files, Path(model)] if model.endswith(".mo") else list(files)
+def _base(
+    data: DataSet, model: str, files: Sequence[Path], say: Callable[[str], None]
+) -> tuple[DataSet, Fit, dict[str, int]]:
+    """The base model fitted to the data without outliers, these data, and how many samples were set aside."""
+    with Simulator(build_model(model, files, sensitivities=tuple(data.fit), where_smooth=True)) as simulator:
+        base = fit(simulator, data)
+        data, outliers = without_outliers(data, base.comparison.runs)
+        if outliers:
+            counts = ", ".join(f"{count} of {name}" for name, count in outliers.items())
+            say(f"single samples far off their neighbours are set aside: {counts}")
+            base = fit(simulator, data)
+    say(f"base model refitted: rms error {describe_fit(base)}, chi2 {base.comparison.chi2_reduced('fit'):.4g}")
+    return data, base, outliers
 
 
-def _trials(
-    tree: ClassTree,
-    model: str,
-    shelf: Sequence[EffectClass],
-    path: Sequence[Candidate],
-    data: DataSet,
-    present: Fit,
-    files: Sequence[Path],
-) -> list[Trial]:
-    taken = {c.family for c in path}
-    added = [c.effect for c in path]
-    sources = tuple(_sources(model, files))
-    trials = []
-    for effect in shelf:
-        if effect.family in taken:
-            continue
-        names = (*added, effect.name)
-        composition = compose(tree, model, names, files=sources)
-        if composition is not None:
-            trials.append(Trial(effect, names, composition, data, present.values, sources))
-    return trials
+def _add_effects(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidate]]:
+    """The effects that are needed, in the order in which they were found, and all that were tried."""
+    path: list[Candidate] = []
+    tried: list[Candidate] = []
+    present = base
+    while len(path) < _MOST_EFFECTS:
+        missing = _structured(present)
+        if path and not missing:
+            break
+        found = search.round([c.effect for c in path], present, tried if path else (), deep=missing)
+        tried += found
+        if not missing or not found or not promising(present, best := leading(found)):
+            break
+        assert best.fit is not None
+        path.append(best)
+        present = best.fit
+        search.say(f"added {best.effect} ({best.family}): rms error {describe_fit(present)}")
+    path = _needed(search, base, path, tried)
+    return (path, tried) if path and convincing(base, rank(base, [path[-1]])[0]) else ([], tried)
 
 
-def _line(c: Candidate) -> str:
-    if c.fit is None:
-        return f"  {c.effect} ({c.family}): could not be fitted: {c.failure}"
-    return (
-        f"  {c.effect} ({c.family}): rms error {describe_fit(c.fit)}, chi2 {c.fit.comparison.chi2_reduced('fit'):.4g}"
-    )
+def _structured(found: Fit) -> bool:
+    repeated = foretold(found)
+    return any(structured(s, repeated) for s in found.structure.values())
+
+
+def _needed(search: Search, base: Fit, path: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
+    """The path without effects that those added later made superfluous."""
+    path = list(path)
+    for i in reversed(range(len(path) - 1)):
+        rest = [*path[:i], *path[i + 1 :]]
+        full = path[-1].fit
+        assert full is not None
+        without = _refitted(search, [c.effect for c in rest], full, base, tried)
+        last = without[-1].fit
+        if last is not None and not convincing(last, rank(last, [path[-1]])[0]):
+            search.say(f"{path[i].effect} is not needed any more")
+            path = without
+    return path
+
+
+def _refitted(search: Search, effects: Sequence[str], full: Fit, base: Fit, tried: list[Candidate]) -> list[Candidate]:
+    """The chain of models that adds these effects one after another, fitted from the values of a fuller model."""
+    chain: list[Candidate] = []
+    for k in range(1, len(effects) + 1):
+        names = tuple(effects[:k])
+        known = next((c for c in tried if c.effects == names and c.fit is not None), None)
+        if known is None:
+            before = chain[-1].fit if chain and chain[-1].fit else base
+            known = rank(before, [search.with_effects(names, full.values)])[0]
+            tried.append(known)
+        chain.append(known)
+    return chain
 
 
 def _balance(base: Fit, candidates: Sequence[Candidate]) -> dict[str, float]:

@@ -7,36 +7,56 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.fitting import Fit, Structure
+from pam_cosim.fitting import Fit, Structure, Systematic, systematic
 
 SIGNIFICANT = 10.0  # difference of the criterion that counts as very strong (Kass and Raftery 1995)
 _WHITE_SCORE = 4.0
 _WHITE_SCORE_OF_FEW = 3.0  # the score of n samples cannot exceed sqrt(n)
 _EXCESS = 0.05
+_LARGE_EXCESS = 0.5
+_FORETOLD = 0.02
 _DENSE = 100
+_STEP = 0.9  # of the squared error, that a step must leave behind it at most
 
 
 def _correlated(s: Structure) -> bool:
     return s.score > (_WHITE_SCORE if s.samples >= _DENSE else _WHITE_SCORE_OF_FEW)
 
 
-def structured(s: Structure) -> bool:
+def foretold(fit: Fit) -> Systematic:
+    """How much of a fit's residual in one run the other runs foretell."""
+    sigma = {n: s.sigma for n, s in fit.comparison.data.signals.items() if s.fitted and s.sigma}
+    return systematic(fit.comparison.runs, sigma)
+
+
+def structured(s: Structure, repeated: Systematic | None = None) -> bool:
     """Whether residuals hold something that is not noise.
 
     Many samples show it by their correlation in time, and by its size: less than a twentieth of the noise's
-    variance is not worth a name. Few samples cannot; there the level against the stated noise decides too.
+    variance is not worth a name. A small excess must also come again in other runs: instruments drift, and noise
+    may have any colour. Few samples cannot show that; there the level against the stated noise decides too.
+
+    Args:
+        s: statistics of the residuals.
+        repeated: what other runs foretell of them; None: nobody knows.
     """
     if not s.samples:
         return False
     coherent = _correlated(s) and s.excess > _EXCESS
     if s.samples >= _DENSE:
-        return coherent
+        return coherent and _comes_again(s, repeated)
     return coherent or s.chi2_reduced > 1 + 4 * math.sqrt(2 / s.samples)
 
 
-def leaves_structure(s: Structure) -> bool:
+def leaves_structure(s: Structure, repeated: Systematic | None = None) -> bool:
     """Whether residuals of a model that explains much are still coherent: more than a fifth of the noise's variance."""
-    return bool(s.samples) and _correlated(s) and s.excess > 0.2 * max(1.0, s.noise)
+    return bool(s.samples) and _correlated(s) and s.excess > 0.2 * max(1.0, s.level) and _comes_again(s, repeated)
+
+
+def _comes_again(s: Structure, repeated: Systematic | None) -> bool:
+    if repeated is None or s.excess > _LARGE_EXCESS * max(1.0, s.level):
+        return True
+    return repeated.variance > _FORETOLD * max(1.0, s.level) and repeated.score > 1.0
 
 
 def _scale(fits: Sequence[Fit]) -> tuple[float, float]:
@@ -93,7 +113,17 @@ def leading(ranked: Sequence[Candidate]) -> Candidate:
 
 def convincing(base: Fit, candidate: Candidate) -> bool:
     """Whether a candidate is better beyond chance, on runs that were fitted and on runs that were not."""
-    if candidate.fit is None or not candidate.delta_bic < -SIGNIFICANT:
+    return candidate.fit is not None and candidate.delta_bic < -SIGNIFICANT and _better(base, candidate.fit)
+
+
+def promising(base: Fit, candidate: Candidate) -> bool:
+    """Whether a candidate is a step forward, be it not the last: what it leaves may be another effect's."""
+    if candidate.fit is None:
         return False
-    before, after = base.structure["holdout"], candidate.fit.structure["holdout"]
+    before, after = base.structure["fit"], candidate.fit.structure["fit"]
+    return candidate.delta_bic < 0 and after.chi2 < _STEP * before.chi2 and _better(base, candidate.fit)
+
+
+def _better(base: Fit, fit: Fit) -> bool:
+    before, after = base.structure["holdout"], fit.structure["holdout"]
     return not before.samples or after.chi2 < before.chi2

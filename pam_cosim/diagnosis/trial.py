@@ -16,6 +16,8 @@ from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet
 from pam_cosim.simulation import Simulator
 
+_FEW = 2
+
 
 @dataclass(frozen=True)
 class Trial:
@@ -28,6 +30,7 @@ class Trial:
         data: the measurement, with noise levels.
         start: values to start from, by name [SI].
         files: further Modelica files.
+        evaluations: of each descent, and from how many starts it is made (``follow``).
     """
 
     effect: EffectClass
@@ -36,6 +39,8 @@ class Trial:
     data: DataSet
     start: Mapping[str, float] = field(default_factory=dict)
     files: tuple[Path, ...] = ()
+    evaluations: int = 60
+    follow: int = 2
 
     def candidate(self, **found: object) -> Candidate:
         """The result of this trial."""
@@ -63,16 +68,26 @@ def run_trial(trial: Trial) -> Candidate:
         fmu = build_source(trial.composition.name, trial.composition.text, trial.files, sensitivities=free)
         with Simulator(fmu) as simulator:
             moved, starts = free_parameters(trial, simulator.interface)
-            return trial.candidate(fit=fit(simulator, trial.data, moved, starts=starts))
+            found = fit(
+                simulator,
+                trial.data,
+                moved,
+                starts=starts,
+                most_evaluations=trial.evaluations,
+                follow=trial.follow,
+            )
+            return trial.candidate(fit=found)
     except (SimulationFailure, InputError) as problem:
         return trial.candidate(fit=None, failure=str(problem))
+    except Exception as defect:  # whatever one effect runs into must not end the study of the others
+        return trial.candidate(fit=None, failure=f"{type(defect).__name__}: {defect}")
 
 
 def free_parameters(trial: Trial, interface: Interface) -> tuple[tuple[Free, ...], list[dict[str, float]]]:
     """Base parameters and those of the effects, and further points to start from.
 
     The strength of an unknown effect is uncertain by orders of magnitude: each parameter of the tried effect is
-    started at its stated value, and at ten times more and less.
+    started at its stated value, and at ten times more and less; in all combinations where they are few.
     """
     free = list(base_parameters(trial.data, interface))
     known = {f.name for f in free}
@@ -88,8 +103,14 @@ def free_parameters(trial: Trial, interface: Interface) -> tuple[tuple[Free, ...
             if effect == trial.effect.name:
                 spread.append([(name, s) for s in _orders(parameter)])
     moved = [_from(f, trial.start) for f in free]
-    starts = [dict(point) for point in itertools.islice(itertools.product(*spread), 27)] if spread else []
-    return tuple(moved), starts
+    return tuple(moved), _combined(spread)
+
+
+def _combined(spread: Sequence[Sequence[tuple[str, float]]]) -> list[dict[str, float]]:
+    """All combinations of a few parameters' values, or one at a time of many."""
+    if len(spread) <= _FEW:
+        return [dict(point) for point in itertools.product(*spread)] if spread else []
+    return [{name: value} for values in spread for name, value in values]
 
 
 def _orders(free: Free) -> Sequence[float]:

@@ -8,7 +8,7 @@ from math import prod
 from typing import Literal
 
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.evidence import SIGNIFICANT, leaves_structure, structured
+from pam_cosim.diagnosis.evidence import SIGNIFICANT, foretold, leaves_structure, structured
 from pam_cosim.fitting import Fit
 
 Kind = Literal["none_missing", "identified", "ambiguous", "unknown"]
@@ -77,7 +77,8 @@ def _refuted(rival: Fit, best: Fit) -> bool:
 def judge(base: Fit, path: Sequence[Candidate], others: Sequence[Candidate]) -> Verdict:
     """Turns the effects that were added (``path``) and the rivals of the last one into a verdict."""
     if not path:
-        if any(structured(base.structure[r]) for r in _ROLES):
+        repeated = foretold(base)
+        if any(structured(base.structure[r], repeated) for r in _ROLES):
             return Verdict("unknown", (), (), "The residual has structure, and no listed effect explains it.")
         return Verdict("none_missing", (), (), "The residual is noise: nothing is missing that these data could show.")
     last = path[-1]
@@ -91,7 +92,8 @@ def judge(base: Fit, path: Sequence[Candidate], others: Sequence[Candidate]) -> 
         names = " and ".join([last.family, *(c.family for c in others)])
         return Verdict("ambiguous", families, effects, f"These data cannot separate {names}.")
     text = f"{' + '.join(effects)} removes {100 * share:.1f} % of the squared error beyond the noise"
-    if any(leaves_structure(last.fit.structure[r]) for r in _ROLES):
+    repeated = foretold(last.fit)
+    if any(leaves_structure(last.fit.structure[r], repeated) for r in _ROLES):
         return Verdict(
             "unknown", families, effects, f"{text}, but what remains has structure: something else is missing."
         )

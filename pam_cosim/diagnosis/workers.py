@@ -8,7 +8,9 @@ from concurrent.futures import FIRST_COMPLETED, Future, wait
 from concurrent.futures.process import BrokenProcessPool
 from typing import TypeVar
 
-from loky import ProcessPoolExecutor  # its processes do not run the user's script again, as the standard ones do
+from loky import get_reusable_executor  # its processes do not run the user's script again, as the standard ones do
+
+_IDLE = 60.0  # [s] after which a process without work ends
 
 Task = TypeVar("Task")
 Result = TypeVar("Result")
@@ -56,21 +58,21 @@ def _attempt(
 ) -> list[int]:
     """Runs the chosen tasks; returns those whose pool broke."""
     lost: list[int] = []
-    with ProcessPoolExecutor(count, timeout=None) as pool:
-        running: dict[Future[Result], int] = {}
-        for i in chosen:
+    pool = get_reusable_executor(count, timeout=_IDLE)
+    running: dict[Future[Result], int] = {}
+    for i in chosen:
+        try:
+            running[pool.submit(function, tasks[i])] = i
+        except BrokenProcessPool:
+            lost.append(i)
+    while running:
+        finished, _ = wait(running, return_when=FIRST_COMPLETED)
+        for future in sorted(finished, key=lambda f: running[f]):
+            i = running.pop(future)
             try:
-                running[pool.submit(function, tasks[i])] = i
+                results[i] = future.result()
             except BrokenProcessPool:
                 lost.append(i)
-        while running:
-            finished, _ = wait(running, return_when=FIRST_COMPLETED)
-            for future in sorted(finished, key=lambda f: running[f]):
-                i = running.pop(future)
-                try:
-                    results[i] = future.result()
-                except BrokenProcessPool:
-                    lost.append(i)
-                    continue
-                done(results[i])
+                continue
+            done(results[i])
     return sorted(lost)

@@ -16,7 +16,7 @@ from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.estimate import Estimate, describe, estimates
 from pam_cosim.fitting.free import Free, base_parameters
 from pam_cosim.fitting.objective import TOLERANCE, Objective
-from pam_cosim.fitting.structure import Structure, series_of, structure
+from pam_cosim.fitting.structure import Structure, series_of, stated_of, structure
 from pam_cosim.fitting.swarm import swarm
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
@@ -83,6 +83,8 @@ def fit(
     starts: Sequence[Mapping[str, float]] = (),
     runs: Sequence[Run] | None = None,
     progress: Progress | None = None,
+    most_evaluations: int = _MOST_EVALUATIONS,
+    follow: int = 2,
 ) -> Fit:
     """Fits ``free`` (default: what the data set declares under [fit]) to the fit runs.
 
@@ -91,10 +93,12 @@ def fit(
         data: the measurement; every signal needs a noise level.
         free: parameters to move.
         fixed: further parameter values [SI].
-        starts: further points to start from, by name [SI]; the best two of all starts are followed, the
-            second only where the first does not reach the noise.
+        starts: further points to start from, by name [SI].
         runs: default ``data.fit_runs``.
         progress: called with the number of evaluations and the present reduced chi-square.
+        most_evaluations: of each descent.
+        follow: how many of all starts are followed, the best first; each further one only where those before did
+            not reach the noise.
 
     Raises:
         SimulationFailure: the model breaks down at every start.
@@ -102,13 +106,9 @@ def fit(
     """
     chosen = tuple(base_parameters(data, simulator.interface) if free is None else free)
     objective = Objective(simulator, data, data.fit_runs if runs is None else runs, chosen, fixed)
-    z, jacobian = _solve(objective, _start_points(chosen, starts), progress)
+    z, jacobian = _solve(objective, _start_points(chosen, starts), progress, most_evaluations, follow)
     comparison = compare(simulator, data, objective.values(z), TOLERANCE)
-    sigma = {n: s.sigma for n, s in data.signals.items() if s.fitted and s.sigma is not None}
-    by_role = {
-        role: structure(series_of([r for r in comparison.runs if r.run.role == role], sigma))
-        for role in ("fit", "holdout")
-    }
+    by_role = structures(comparison)
     found = estimates(chosen, z, jacobian, objective.bounds, _spread(by_role["fit"]))
     return Fit(
         simulator.interface.model,
@@ -118,6 +118,17 @@ def fit(
         objective.evaluations,
         tuple(dict.fromkeys(objective.failures)),
     )
+
+
+def structures(comparison: Comparison) -> dict[str, Structure]:
+    """What the residuals of a comparison are like, per role ("fit", "holdout")."""
+    signals = comparison.data.signals
+    sigma = {n: s.sigma for n, s in signals.items() if s.fitted and s.sigma}
+    found = {}
+    for role in ("fit", "holdout"):
+        runs = [r for r in comparison.runs if r.run.role == role]
+        found[role] = structure(series_of(runs, sigma), stated_of(runs, signals))
+    return found
 
 
 def swarm_start(
@@ -158,15 +169,17 @@ def _start_points(free: Sequence[Free], starts: Sequence[Mapping[str, float]]) -
     return found
 
 
-def _solve(objective: Objective, points: list[Array], progress: Progress | None) -> tuple[Array, Array]:
+def _solve(
+    objective: Objective, points: list[Array], progress: Progress | None, most_evaluations: int, follow: int
+) -> tuple[Array, Array]:
     scored = [(_cost(objective.residuals(z)), i) for i, z in enumerate(points)]
     usable = sorted((c, i) for c, i in scored if np.isfinite(c))
     if not usable:
         points = [_rescue(objective)]
         usable = [(0.0, 0)]
     best: tuple[float, Array, Array] | None = None
-    for _, i in usable[:2]:
-        found = _descend(objective, points[i], progress)
+    for _, i in usable[:follow]:
+        found = _descend(objective, points[i], progress, most_evaluations)
         if best is None or found[0] < best[0]:
             best = found
         if best[0] <= _NOISE_LEVEL * objective.size:
@@ -191,7 +204,9 @@ def _rescue(objective: Objective) -> Array:
     raise SimulationFailure(f"no start value within the bounds can be simulated: {reason}")
 
 
-def _descend(objective: Objective, start: Array, progress: Progress | None) -> tuple[float, Array, Array]:
+def _descend(
+    objective: Objective, start: Array, progress: Progress | None, most_evaluations: int
+) -> tuple[float, Array, Array]:
     low, high = objective.bounds
     latest: dict[bytes, Array] = {}
 
@@ -220,6 +235,6 @@ def _descend(objective: Objective, start: Array, progress: Progress | None) -> t
         ftol=1e-6,
         xtol=1e-7,
         gtol=1e-8,
-        max_nfev=_MOST_EVALUATIONS,
+        max_nfev=most_evaluations,
     )
     return float(2 * found.cost), found.x, found.jac

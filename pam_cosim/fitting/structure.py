@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import nnls
 
 from pam_cosim.comparison import RunComparison
+from pam_cosim.measurement import Signal
 
 Array = NDArray[np.float64]
 
+_LAGS = 8
+_REDDEST = 0.95  # noise of slower memory cannot be told from a slow course
 _LONGEST = 0.2  # autocorrelation is summed over at most this share of a series
 
 
@@ -24,6 +28,7 @@ class Structure:
         noise: mean square that neighbouring samples do not share (von Neumann): the white part.
         score: standard score of "the residuals are white"; above 4 they are not.
         correlation_time: how many samples make one independent one, at least 1.
+        level: mean square that noise explains, white or not: the stated one, or an estimate.
     """
 
     chi2: float
@@ -31,6 +36,7 @@ class Structure:
     noise: float
     score: float
     correlation_time: float
+    level: float = 1.0
 
     @property
     def chi2_reduced(self) -> float:
@@ -39,8 +45,8 @@ class Structure:
 
     @property
     def excess(self) -> float:
-        """Mean square of what is not white, in noise variances."""
-        return max(self.chi2_reduced - self.noise, 0.0)
+        """Mean square beyond the noise, in noise variances."""
+        return max(self.chi2_reduced - self.level, 0.0)
 
 
 def series_of(runs: Sequence[RunComparison], sigma: dict[str, float]) -> list[Array]:
@@ -54,15 +60,65 @@ def series_of(runs: Sequence[RunComparison], sigma: dict[str, float]) -> list[Ar
     return found
 
 
-def structure(series: Sequence[Array]) -> Structure:
-    """Statistics of ``series``, weighted residuals in time order."""
+def stated_of(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> list[bool]:
+    """For each series of ``series_of``, whether the noise level of its signal was stated."""
+    return [not s.estimated for r in runs for n, s in signals.items() if s.fitted and s.sigma and r.run.sample_count(n)]
+
+
+def structure(series: Sequence[Array], stated: Sequence[bool] | None = None) -> Structure:
+    """Statistics of ``series``, weighted residuals in time order.
+
+    Args:
+        series: one for each run and signal.
+        stated: for each, whether its noise level was stated by the experimenter. Stated noise may have any colour
+            up to that level; None: noise is white.
+    """
     chi2 = float(sum(np.sum(e**2) for e in series))
     samples = sum(len(e) for e in series)
     steps = float(sum(np.sum(np.diff(e) ** 2) for e in series))
     pairs = sum(max(len(e) - 1, 0) for e in series)
     noise = steps / (2 * pairs) if pairs else float("nan")
     score = _whiteness(series)
-    return Structure(chi2, samples, noise, score, _correlation_time(series))
+    level = noise if stated is None else _level(series, stated)
+    return Structure(chi2, samples, noise, score, _correlation_time(series), level)
+
+
+def _level(series: Sequence[Array], stated: Sequence[bool]) -> float:
+    """Mean square that noise explains: of stated noise at least its own variance, else the estimate for red noise."""
+    total, samples = 0.0, 0
+    for known in (True, False):
+        chosen = [e for e, s in zip(series, stated, strict=True) if s is known and len(e) > _LAGS]
+        count = sum(len(e) for e in chosen)
+        if count:
+            total += count * (max(1.0, _steps(chosen, 1)) if known else red_noise(chosen))
+            samples += count
+    return total / samples if samples else 1.0
+
+
+def _steps(series: Sequence[Array], lag: int) -> float:
+    """Half the mean square difference of samples at a distance."""
+    squares = sum(float(np.sum((e[lag:] - e[:-lag]) ** 2)) for e in series)
+    return squares / (2 * sum(len(e) - lag for e in series))
+
+
+def red_noise(series: Sequence[Array]) -> float:
+    """Variance of first-order autoregressive noise under a slow course.
+
+    Samples at a distance l differ by noise, half mean square v (1 - r^l), and by what the slow course gains, a l^2.
+    v, a >= 0 and the correlation r of neighbours are fitted to the first few distances.
+
+    Args:
+        series: weighted residuals in time order, each longer than those distances.
+    """
+    lags = np.arange(1, _LAGS + 1)
+    found = np.array([_steps(series, int(lag)) for lag in lags])
+    best, variance = np.inf, found[0]
+    for r in np.linspace(0.0, _REDDEST, 39):
+        columns = np.column_stack([1 - r**lags, lags**2]) / found[:, None].clip(1e-300)
+        weights, miss = nnls(columns, np.ones(_LAGS))
+        if miss < best:
+            best, variance = miss, float(weights[0])
+    return max(float(variance), 0.0)
 
 
 def _whiteness(series: Sequence[Array]) -> float:

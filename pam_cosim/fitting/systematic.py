@@ -77,9 +77,9 @@ def _parts(runs: Sequence[RunComparison]) -> list[tuple[int, slice]]:
     return [(i, slice(int(c[k]), int(c[k + 1]))) for i, c in cuts for k in range(3)]
 
 
-def _piece(tables: Sequence[Array], residuals: Sequence[Array | None], where: tuple[int, slice]) -> (
-    tuple[Array, Array] | None
-):
+def _piece(
+    tables: Sequence[Array], residuals: Sequence[Array | None], where: tuple[int, slice]
+) -> tuple[Array, Array] | None:
     run, rows = where
     residual = residuals[run]
     if residual is None:

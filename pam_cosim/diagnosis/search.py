@@ -1,0 +1,146 @@
+"""Trying effects on top of a model: all of them briefly, the promising ones to the end."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from pam_cosim.compiler import ClassTree, EffectClass, compose
+from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.diagnosis.evidence import rank
+from pam_cosim.diagnosis.trial import Trial, crashed, run_trial
+from pam_cosim.diagnosis.workers import run_tasks
+from pam_cosim.errors import SimulationFailure
+from pam_cosim.fitting import Fit
+from pam_cosim.measurement import DataSet
+from pam_cosim.quantities import readable
+
+_BRIEF = 6  # evaluations
+_MOST_REFITS = 12
+_FEWEST_REFITS = 4
+_FAR = 5.0  # times the excess error of the best that a few more steps may still take away
+_ROOM = 0.02  # of the noise's variance, on top of that
+_LEADING_FAMILIES = 3
+
+
+@dataclass(frozen=True)
+class Search:
+    """What every round of trials shares.
+
+    Attributes:
+        tree: the Modelica library with the user's classes.
+        model: the base model.
+        shelf: the effects there are.
+        data: the measurement, with noise levels.
+        files: further Modelica files.
+        say: told each result, in a line.
+        workers: number of processes; None: the processors at hand.
+    """
+
+    tree: ClassTree
+    model: str
+    shelf: Sequence[EffectClass]
+    data: DataSet
+    files: tuple[Path, ...] = ()
+    say: Callable[[str], None] = lambda text: None
+    workers: int | None = None
+
+    def round(
+        self, added: Sequence[str], present: Fit, known: Sequence[Candidate] = (), deep: bool = True
+    ) -> list[Candidate]:
+        """Tries one more effect on top of those that were added; best first.
+
+        Args:
+            added: names of effects in the model.
+            present: the model with them, fitted.
+            known: candidates of an earlier round, best first. The best of each family stands for it then, until it
+                proves promising.
+            deep: whether the promising ones are fitted to the end.
+
+        Raises:
+            SimulationFailure: no effect could be tried at all.
+        """
+        trials = self._trials(added, present.values)
+        first = _of_each_family(trials, known) if known else trials
+        found = self._run([replace(t, evaluations=_BRIEF, follow=1) for t in first])
+        if found and all(c.fit is None for c in found):
+            raise SimulationFailure(f"no effect could be tried; {found[0].effect}: {found[0].failure}")
+        if not deep:
+            return rank(present, found)
+        chosen = worth_refitting(found)
+        values = {c.effect: c.fit.values for c in chosen if c.fit is not None}
+        again = [replace(t, start=values[t.effect.name]) for t in first if t.effect.name in values]
+        families = list(dict.fromkeys(c.family for c in chosen))[:_LEADING_FAMILIES]
+        others = [t for t in trials if t not in first and t.effect.family in families]
+        better = {c.effect: c for c in self._run([*again, *others])}
+        return rank(present, [better.pop(c.effect, c) for c in found] + list(better.values()))
+
+    def with_effects(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate:
+        """The model with just these effects, fitted to the end; the last of them counts as the one that is tried."""
+        last = next(e for e in self.shelf if e.name == effects[-1])
+        composition = compose(self.tree, self.model, tuple(effects), files=self.files)
+        assert composition is not None
+        return run_tasks(
+            run_trial, [Trial(last, tuple(effects), composition, self.data, start, self.files)], crashed,
+            lambda c: self.say(told(c)), 1,
+        )[0]  # fmt: skip
+
+    def _run(self, trials: Sequence[Trial]) -> list[Candidate]:
+        return run_tasks(run_trial, trials, crashed, lambda c: self.say(told(c)), self.workers)
+
+    def _trials(self, added: Sequence[str], start: Mapping[str, float]) -> list[Trial]:
+        taken = {e.family for e in self.shelf if e.name in added}
+        trials = []
+        for effect in self.shelf:
+            if effect.family in taken:
+                continue
+            names = (*added, effect.name)
+            composition = compose(self.tree, self.model, names, files=self.files)
+            if composition is not None:
+                trials.append(Trial(effect, names, composition, self.data, start, self.files))
+        return trials
+
+
+def told(c: Candidate) -> str:
+    """A candidate in a line."""
+    if c.fit is None:
+        return f"  {c.effect} ({c.family}): could not be fitted: {c.failure}"
+    return (
+        f"  {c.effect} ({c.family}): rms error {describe_fit(c.fit)}, chi2 {c.fit.comparison.chi2_reduced('fit'):.4g}"
+    )
+
+
+def describe_fit(found: Fit) -> str:
+    """Root mean square errors of a fit in units a person reads."""
+    scores = found.comparison.scores["fit"]
+    signals = found.comparison.data.signals
+    return ", ".join(f"{n} {readable(s.rmse, signals[n].unit)}" for n, s in scores.items())
+
+
+def worth_refitting(candidates: Sequence[Candidate]) -> list[Candidate]:
+    """Those that came near the best in a few steps, best first."""
+    fitted = [(c.fit.structure["fit"], c) for c in candidates if c.fit is not None]
+    if not fitted:
+        return []
+    fitted.sort(key=lambda pair: (pair[0].chi2, pair[1].effect))
+    floor = min(max(s.level, 0.0) for s, _ in fitted) * fitted[0][0].samples
+    least = max(fitted[0][0].chi2 - floor, 0.0)
+    limit = floor + _FAR * least + _ROOM * fitted[0][0].samples
+    near = [c for s, c in fitted if s.chi2 <= limit]
+    return [c for _, c in fitted][:_FEWEST_REFITS] if len(near) < _FEWEST_REFITS else near[:_MOST_REFITS]
+
+
+def _of_each_family(trials: Sequence[Trial], known: Sequence[Candidate]) -> list[Trial]:
+    """The effect of each family that did best before; those that nobody tried before all stay."""
+    order = {c.effect: i for i, c in enumerate(known)}
+    best: dict[str, Trial] = {}
+    new = []
+    for t in trials:
+        if t.effect.name not in order:
+            new.append(t)
+            continue
+        rival = best.get(t.effect.family)
+        if rival is None or order[t.effect.name] < order[rival.effect.name]:
+            best[t.effect.family] = t
+    return [t for t in trials if t in new or t in best.values()]
