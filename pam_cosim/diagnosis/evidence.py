@@ -54,7 +54,7 @@ def leaves_structure(s: Structure, repeated: Systematic | None = None) -> bool:
 
 
 def _comes_again(s: Structure, repeated: Systematic | None) -> bool:
-    if repeated is None or s.excess > _LARGE_EXCESS * max(1.0, s.level):
+    if repeated is None or math.isnan(repeated.variance) or s.excess > _LARGE_EXCESS * max(1.0, s.level):
         return True
     return repeated.variance > _FORETOLD * max(1.0, s.level) and repeated.score > 1.0
 

@@ -22,6 +22,8 @@ _FEWEST_REFITS = 4
 _FAR = 5.0  # times the excess error of the best that a few more steps may still take away
 _ROOM = 0.02  # of the noise's variance, on top of that
 _LEADING_FAMILIES = 3
+_SIMPLE = 2  # parameters
+_AT_NOISE = 0.1  # excess, in noise variances
 
 
 @dataclass(frozen=True)
@@ -62,19 +64,38 @@ class Search:
             SimulationFailure: no effect could be tried at all.
         """
         trials = self._trials(added, present.values)
-        first = _of_each_family(trials, known) if known else trials
-        found = self._run([replace(t, evaluations=_BRIEF, follow=1) for t in first])
+        simple = _simple(trials)
+        first = _of_each_family(simple, known) if known else simple
+        found = self._brief(first)
         if found and all(c.fit is None for c in found):
             raise SimulationFailure(f"no effect could be tried; {found[0].effect}: {found[0].failure}")
         if not deep:
             return rank(present, found)
-        chosen = worth_refitting(found)
-        values = {c.effect: c.fit.values for c in chosen if c.fit is not None}
-        again = [replace(t, start=values[t.effect.name]) for t in first if t.effect.name in values]
-        families = list(dict.fromkeys(c.family for c in chosen))[:_LEADING_FAMILIES]
-        others = [t for t in trials if t not in first and t.effect.family in families]
-        better = {c.effect: c for c in self._run([*again, *others])}
+        leading = self._deep(trials, found)
+        if not any(c.fit is not None and at_noise(c.fit) for c in leading):
+            seen = {c.effect for c in [*found, *leading]}
+            rest = self._brief([t for t in trials if t.effect.name not in seen])
+            found += rest
+            leading = [*leading, *self._deep(trials, rest, [*found, *leading])]
+        better = {c.effect: c for c in leading}
         return rank(present, [better.pop(c.effect, c) for c in found] + list(better.values()))
+
+    def _brief(self, trials: Sequence[Trial]) -> list[Candidate]:
+        return self._run([replace(t, evaluations=_BRIEF, follow=1) for t in trials])
+
+    def _deep(
+        self, trials: Sequence[Trial], found: Sequence[Candidate], among: Sequence[Candidate] = ()
+    ) -> list[Candidate]:
+        """Fits the promising ones of ``found`` (that are so ``among`` more) to the end, and all of their families."""
+        near = worth_refitting(among or found)
+        names = {c.effect for c in found}
+        chosen = [c for c in near if c.effect in names]
+        values = {c.effect: c.fit.values for c in chosen if c.fit is not None}
+        families = list(dict.fromkeys(c.family for c in near))[:_LEADING_FAMILIES]
+        known = names | {c.effect for c in among}
+        again = [replace(t, start=values[t.effect.name]) for t in trials if t.effect.name in values]
+        others = [t for t in trials if t.effect.name not in known and t.effect.family in families]
+        return self._run([*again, *others])
 
     def with_effects(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate:
         """The model with just these effects, fitted to the end; the last of them counts as the one that is tried."""
@@ -129,6 +150,21 @@ def worth_refitting(candidates: Sequence[Candidate]) -> list[Candidate]:
     limit = floor + _FAR * least + _ROOM * fitted[0][0].samples
     near = [c for s, c in fitted if s.chi2 <= limit]
     return [c for _, c in fitted][:_FEWEST_REFITS] if len(near) < _FEWEST_REFITS else near[:_MOST_REFITS]
+
+
+def at_noise(found: Fit) -> bool:
+    """Whether the residuals of the fitted runs are down at the level of the noise."""
+    s = found.structure["fit"]
+    return s.excess < _AT_NOISE * max(1.0, s.level)
+
+
+def _simple(trials: Sequence[Trial]) -> list[Trial]:
+    """Effects with few parameters, and the simplest of each family; richer ones wait until these have failed."""
+    fewest: dict[str, int] = {}
+    for t in trials:
+        size = len(t.effect.parameters)
+        fewest[t.effect.family] = min(size, fewest.get(t.effect.family, size))
+    return [t for t in trials if len(t.effect.parameters) <= max(_SIMPLE, fewest[t.effect.family])]
 
 
 def _of_each_family(trials: Sequence[Trial], known: Sequence[Candidate]) -> list[Trial]:

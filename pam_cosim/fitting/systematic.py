@@ -39,9 +39,11 @@ def systematic(runs: Sequence[RunComparison], sigma: Mapping[str, float]) -> Sys
     """Judges the residuals of all runs together.
 
     Args:
-        runs: at least one; more tell more.
+        runs: more tell more; NaN where they are too few to tell.
         sigma: noise level [SI] of each signal that counts.
     """
+    if not runs:
+        return Systematic(float("nan"), float("nan"))
     gains: dict[int, float] = {}
     total = 0
     tables = _features(runs)
@@ -63,7 +65,7 @@ def systematic(runs: Sequence[RunComparison], sigma: Mapping[str, float]) -> Sys
             weights = np.linalg.solve(gram - x.T @ x + _RIDGE * left * np.eye(x.shape[1]), moment - x.T @ e)
             gains[number] = gains.get(number, 0.0) + float(np.sum(e**2) - np.sum((e - x @ weights) ** 2))
     if total == 0 or len(gains) < 2:
-        return Systematic(0.0, 0.0)
+        return Systematic(float("nan"), float("nan"))
     found = np.array([gains[k] for k in sorted(gains)])
     error = float(np.std(found, ddof=1)) * np.sqrt(len(found))
     return Systematic(float(found.sum()) / total, float(found.sum()) / error if error > 0 else 0.0)

@@ -33,6 +33,7 @@ def fitted(
     estimates = {f"base.{i}": Estimate(1.0, 0.9, 1.1) for i in range(parameters)} | dict(own or {})
     signals = {n: SimpleNamespace(fitted=False) for n in shown or {}}
     comparison = SimpleNamespace(
+        runs=(),
         data=SimpleNamespace(signals=signals),
         scores={"all": {n: SimpleNamespace(rmse=v) for n, v in (shown or {}).items()}},
     )
