@@ -71,7 +71,7 @@ class Search:
             raise SimulationFailure(f"no effect could be tried; {found[0].effect}: {found[0].failure}")
         if not deep:
             return rank(present, found)
-        leading = self._deep(trials, found)
+        leading = self._deep(simple, found)
         if not any(c.fit is not None and at_noise(c.fit) for c in leading):
             seen = {c.effect for c in [*found, *leading]}
             rest = self._brief([t for t in trials if t.effect.name not in seen])
