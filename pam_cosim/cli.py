@@ -58,12 +58,24 @@ def build(
         list[str] | None, typer.Option("--platform", help="native, all, or x86_64-windows ...")
     ] = None,
     fmi: Annotated[str, typer.Option("--fmi", help="Version of the interface: 2.0 or 3.0.")] = "2.0",
+    sensitivities: Annotated[
+        list[str] | None,
+        typer.Option("--sensitivity", help="A parameter; the outputs' derivatives by it become outputs too."),
+    ] = None,
 ) -> None:
     """Modelica to FMU."""
     for model in models or study.benches():
         name = Path(model).stem if model.endswith(".mo") else model.rpartition(".")[2]
         target = output / f"{name}.fmu"
-        typer.echo(study.build(model, target, files=files or [], platforms=platforms or ["native"], fmi=fmi))
+        made = study.build(
+            model,
+            target,
+            files=files or [],
+            platforms=platforms or ["native"],
+            fmi=fmi,
+            sensitivities=sensitivities or [],
+        )
+        typer.echo(made)
 
 
 @app.command()

@@ -41,13 +41,15 @@ def build(
     files: Paths = (),
     platforms: Sequence[str] = ("native",),
     fmi: str = "2.0",
+    sensitivities: Sequence[str] = (),
 ) -> Path:
     """Builds an FMU, or finds it in the cache; with ``output`` it is put there.
 
     ``platforms`` names those that the FMU shall run on: "native", "all", or names such as "x86_64-windows".
-    ``fmi`` is the version of the interface, "2.0" or "3.0".
+    ``fmi`` is the version of the interface, "2.0" or "3.0". For each parameter in ``sensitivities`` the derivatives
+    of the outputs with respect to it are outputs too, ``sensitivity.<output>.<parameter>``.
     """
-    made = build_model(model, _paths(files), platforms=platforms, fmi=fmi)
+    made = build_model(model, _paths(files), platforms=platforms, fmi=fmi, sensitivities=sensitivities)
     if output is None:
         return made
     target = Path(output)

@@ -41,6 +41,14 @@ def test_build_names_and_platforms(command: Command, place: Path) -> None:
     assert sorted(p.name for p in place.iterdir()) == ["out"]
 
 
+def test_build_with_sensitivities(command: Command, place: Path) -> None:
+    done(command("build", "VesselOrifice", "--sensitivity", "tank.n", "--sensitivity", "orifice.C_d", "-o", "."))
+    found = done(command("simulate", "VesselOrifice.fmu"))
+    assert "sensitivity.p.tank.n" in found.out and "sensitivity.T.orifice.C_d" in found.out
+    wrong = command("build", "VesselOrifice", "--sensitivity", "tank.m", "-o", "other")
+    assert wrong.status == 2 and "tank.m" in wrong.err and not (place / "other").exists()
+
+
 def test_build_every_bench(command: Command, place: Path) -> None:
     done(command("build"))
     built = {p.stem for p in (place / "fmu" / "build").iterdir()}
