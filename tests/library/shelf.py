@@ -21,6 +21,8 @@ _DRIVE = {
     "u_in": [0.35, 0.35, 0, 0, 0, 0, 0.3, 0.3],
     "u_out": [0, 0, 0, 0, 0.35, 0.35, 0, 0],
 }
+_OPENED = (1e-5 + 2.61e-7) / 1.80e-6
+"""Current [A] that a command of 1 stands for where valves are switched; the drive opens them as far as the others."""
 _DRIVE_TIMES = np.array([0, 2, 2, 4, 4, 6, 6, 10.0])
 
 Values = dict[str, np.ndarray]
@@ -90,7 +92,11 @@ def run(fmu: Path, parameters: dict[str, float]) -> tuple[Values, Interface]:
     """Outputs of a run in which both valves are opened and shut, where there are valves."""
     with Simulator(fmu) as simulator:
         known = simulator.interface.inputs
-        drive = {name: np.array(course) for name, course in _DRIVE.items() if name in known}
+        drive = {
+            name: np.array(course) / (_OPENED if known[name].unit == "1" else 1)
+            for name, course in _DRIVE.items()
+            if name in known
+        }
         inputs = Inputs(_DRIVE_TIMES, drive, "linear") if drive else None
         found = simulator.run(TIMES, parameters=parameters, inputs=inputs).values
         return {name: found[name] for name in simulator.interface.outputs}, simulator.interface

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects;
 model FrictionLine "A long tube with wall friction and the temperature of its surroundings"
   extends Interfaces.Line;
-  extends Interfaces.Effect(final family="supply_line", final balance="mass", final absent="A=5e-6, V=2e-7");
+  extends Interfaces.Effect(final family="supply_line", final balance="mass");
   parameter Types.Area A(min=2e-8, max=5e-6, nominal=3e-7) = 3e-7 "Effective area of the tube";
   parameter Types.Volume V(min=2e-7, max=5e-4, nominal=1e-5) = 1e-5 "Volume of the tube, at the valve end";
 protected
@@ -17,7 +17,8 @@ equation
 <p>m_flow = A sqrt((p_a^2 - p_b^2)/(R T)), isothermal turbulent flow through a long tube behind its volume.
 A = (pi d^2/4)/sqrt(f l/d) with Darcy's friction factor f, where the logarithm of the pressures is small beside f l/d.
 Source: isothermal flow in long ducts, A. H. Shapiro, The Dynamics and Thermodynamics of Compressible Fluid Flow.
-Typical f 0.02 to 0.04: 2 m of 4 mm tube 3e-6 m2 and 25 mL. The volume at the muscle's end is DeadVolume.</p>
+Typical f 0.02 to 0.04: 2 m of 4 mm tube 3e-6 m2 and 25 mL. The volume at the muscle's end is DeadVolume.
+What is vented reaches the valve at ambient temperature, so that no value of A and V quite gives the base law back.</p>
 <p>Fingerprint: as LongLine, but the flow never chokes: it falls from the beginning as the pressure at the muscle
 rises.</p>
 </html>"));
