@@ -31,6 +31,7 @@ class Trial:
         start: values to start from, by name [SI].
         files: further Modelica files.
         evaluations: of each descent, and from how many starts it is made (``follow``).
+        tolerance: of the solver; None: that of a fit.
     """
 
     effect: EffectClass
@@ -41,6 +42,7 @@ class Trial:
     files: tuple[Path, ...] = ()
     evaluations: int = 60
     follow: int = 2
+    tolerance: float | None = None
 
     def candidate(self, **found: object) -> Candidate:
         """The result of this trial."""
@@ -75,6 +77,7 @@ def run_trial(trial: Trial) -> Candidate:
                 starts=starts,
                 most_evaluations=trial.evaluations,
                 follow=trial.follow,
+                tolerance=trial.tolerance,
             )
             return trial.candidate(fit=found)
     except (SimulationFailure, InputError) as problem:

@@ -15,7 +15,7 @@ from pam_cosim.comparison import Comparison, compare
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.estimate import Estimate, describe, estimates
 from pam_cosim.fitting.free import Free, base_parameters
-from pam_cosim.fitting.objective import TOLERANCE, Objective
+from pam_cosim.fitting.objective import Objective
 from pam_cosim.fitting.structure import Structure, series_of, stated_of, structure
 from pam_cosim.fitting.swarm import swarm
 from pam_cosim.measurement import DataSet, Run
@@ -85,6 +85,7 @@ def fit(
     progress: Progress | None = None,
     most_evaluations: int = _MOST_EVALUATIONS,
     follow: int = 2,
+    tolerance: float | None = None,
 ) -> Fit:
     """Fits ``free`` (default: what the data set declares under [fit]) to the fit runs.
 
@@ -99,15 +100,16 @@ def fit(
         most_evaluations: of each descent.
         follow: how many of all starts are followed, the best first; each further one only where those before did
             not reach the noise.
+        tolerance: relative, of the solver; default: tight enough for the noise and for finite differences.
 
     Raises:
         SimulationFailure: the model breaks down at every start.
         InputError: a parameter that the model does not have.
     """
     chosen = tuple(base_parameters(data, simulator.interface) if free is None else free)
-    objective = Objective(simulator, data, data.fit_runs if runs is None else runs, chosen, fixed)
+    objective = Objective(simulator, data, data.fit_runs if runs is None else runs, chosen, fixed, tolerance)
     z, jacobian = _solve(objective, _start_points(chosen, starts), progress, most_evaluations, follow)
-    comparison = compare(simulator, data, objective.values(z), TOLERANCE)
+    comparison = compare(simulator, data, objective.values(z), objective.tolerance)
     by_role = structures(comparison)
     found = estimates(chosen, z, jacobian, objective.bounds, _spread(by_role["fit"]))
     return Fit(

@@ -16,7 +16,8 @@ from pam_cosim.simulation import AnySimulator
 
 Array = NDArray[np.float64]
 
-TOLERANCE = 1e-7  # of the solver: its error must be far below a finite difference
+TOLERANCE = 1e-6  # of the solver: its error must be far below the noise
+_DIFFERENCE_TOLERANCE = 1e-7  # and far below a finite difference, where one is needed
 _STEP = 1e-3
 
 
@@ -27,6 +28,7 @@ class Objective:
         free: the parameters that are searched.
         evaluations: simulations of the whole set so far.
         failures: the first message of each kind of breakdown.
+        tolerance: relative, of the solver.
     """
 
     def __init__(
@@ -36,6 +38,7 @@ class Objective:
         runs: Sequence[Run],
         free: Sequence[Free],
         fixed: Mapping[str, float] | None = None,
+        tolerance: float | None = None,
     ) -> None:
         self.simulator, self.data, self.runs, self.free = simulator, data, tuple(runs), tuple(free)
         self.fixed = dict(fixed or {})
@@ -45,6 +48,8 @@ class Objective:
         self._signals = [
             [s for s, signal in data.signals.items() if signal.fitted and run.sample_count(s)] for run in self.runs
         ]
+        chosen = TOLERANCE if all(self._exact) else _DIFFERENCE_TOLERANCE
+        self.tolerance = chosen if tolerance is None else tolerance
         self.size = sum(run.sample_count(s) for run, names in zip(self.runs, self._signals, strict=True) for s in names)
 
     @property
@@ -65,7 +70,7 @@ class Objective:
         """
         values = self.values(z)
         return [
-            simulate_run(self.simulator, self.data, run, values, TOLERANCE, [*names, *self._slopes(run, names)])
+            simulate_run(self.simulator, self.data, run, values, self.tolerance, [*names, *self._slopes(run, names)])
             for run, names in zip(self.runs, self._signals, strict=True)
         ]
 
