@@ -2,64 +2,71 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 
-from pam_cosim.comparison import simulate_run
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.evidence import SIGNIFICANT
+from pam_cosim.diagnosis.prediction import Hypothesis
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.fmu import build_source
 from pam_cosim.measurement import DataSet, Run
-from pam_cosim.simulation import Simulator
 
 Plan = tuple[Candidate, dict[str, object] | None]
 
 _FACTORS = (0.5, 0.75, 1.25, 1.5)
+_PACES = (0.5, 2.0)
 
 
-def next_experiment(
-    data: DataSet, a: Candidate, b: Candidate, files: Sequence[object] = ()
-) -> dict[str, object] | None:
-    """Searches variations of the runs at hand for the one in which two fitted rivals differ most.
+def next_experiment(data: DataSet, a: Candidate, b: Candidate, files: Sequence[Path] = ()) -> dict[str, object] | None:
+    """Searches variations of the runs at hand for the one that tells two fitted rivals apart best.
 
-    Each input of each run, and each parameter that differs between runs, is scaled by a few factors. The rivals
-    keep their fitted parameters, so the separation is an upper estimate of what a refit would leave.
+    Each input of each run, and each parameter that differs between runs, is scaled by a few factors; whole runs are
+    made faster and slower; and the two best changes of one run are made together. Whichever rival is right, the
+    other would be fitted again with the new run among its data: what counts is what it then still misses.
 
     Returns:
         ``run`` to repeat, the ``change`` to make, the expected ``separation`` in noise standard deviations (root
-        mean square over all samples) and the ``evidence``, the sum of its squares; None when no variation can be
+        mean square over all samples), the ``evidence``, the sum of its squares, the rivals' families (``between``),
+        the ``parameters`` [SI] and the ``table`` of inputs [SI] over time [s], as columns, at the points between
+        which they are straight (held, where the run says so: ``interpolation``). None when no variation can be
         simulated.
     """
-    assert a.fit is not None and b.fit is not None
-    fmus = [build_source(c.equations.split()[1], c.equations, tuple(files)) for c in (a, b)]  # type: ignore[arg-type]
-    best: dict[str, object] | None = None
-    most = -1.0
-    with Simulator(fmus[0]) as first, Simulator(fmus[1]) as second:
-        for run, change in _variations(data):
-            try:
-                one = simulate_run(first, data, run, a.fit.values)
-                two = simulate_run(second, data, run, b.fit.values)
-            except SimulationFailure:
-                continue
-            squares = [
-                ((one.model[s] - two.model[s]) / signal.sigma) ** 2
-                for s, signal in data.signals.items()
-                if signal.fitted and signal.sigma
-            ]
-            separation = float(np.sqrt(np.mean(squares)))
-            if separation > most:
-                most = separation
-                best = {"run": run.name, "change": change, "separation": separation, "evidence": float(np.sum(squares))}
-    return None if best is None else {**best, "between": [a.family, b.family]}
+    with Hypothesis(a, data, files) as first, Hypothesis(b, data, files) as second:
+        scored = [(_separation(first, second, run), run, change) for run, change in _variations(data)]
+        scored += [(_separation(first, second, run), run, change) for run, change in _joined(scored)]
+        usable = [entry for entry in scored if entry[0] is not None]
+        if not usable:
+            return None
+        evidence, run, change = max(usable, key=lambda entry: entry[0] or 0.0)
+        assert evidence is not None
+        samples = len(first.sigma) * len(run.time)
+    return {
+        "run": run.name,
+        "change": change,
+        "separation": float(np.sqrt(evidence / samples)),
+        "evidence": evidence,
+        "between": [a.family, b.family],
+        "parameters": {n: run.parameters[n] for n in _varied(data)},
+        "interpolation": run.interpolation,
+        "table": _table(run),
+    }
 
 
-def told_apart(data: DataSet, best: Candidate, rivals: Sequence[Candidate], files: Sequence[object] = ()) -> list[Plan]:
+def _separation(a: Hypothesis, b: Hypothesis, run: Run) -> float | None:
+    try:
+        one, two = a.predict(run), b.predict(run)
+        return min(b.refitted_miss(one, two), a.refitted_miss(two, one))
+    except SimulationFailure:
+        return None
+
+
+def told_apart(data: DataSet, best: Candidate, rivals: Sequence[Candidate], files: Sequence[Path] = ()) -> list[Plan]:
     """The rivals that mean something else than ``best``, each with the experiment that would decide.
 
-    A rival with more parameters that predicts the same in every experiment at hand is ``best`` in another dress,
+    A rival with more parameters that could predict the same in every experiment at hand is ``best`` in another dress,
     such as creep so slow that it is a spring: the simpler one stands for both.
     """
     plans = [(rival, next_experiment(data, best, rival, files)) for rival in rivals]
@@ -72,18 +79,60 @@ def _same(best: Candidate, rival: Candidate, plan: dict[str, object]) -> bool:
     return richer and isinstance(evidence, float) and evidence < SIGNIFICANT
 
 
-def _variations(data: DataSet) -> list[tuple[Run, str]]:
-    found = []
-    varied = [n for n in data.runs[0].parameters if len({r.parameters.get(n) for r in data.runs}) > 1]
+def _varied(data: DataSet) -> list[str]:
+    """Parameters that differ between runs: the experimenter can set them."""
+    return [n for n in data.runs[0].parameters if len({r.parameters.get(n) for r in data.runs}) > 1]
+
+
+def _variations(data: DataSet) -> Iterator[tuple[Run, str]]:
     for run in data.runs:
-        found.append((run, "repeat it as it is"))
+        yield run, "repeat it as it is"
         for factor in _FACTORS:
             for name, values in run.inputs.items():
                 if np.any(values != 0):
-                    changed = replace(run, inputs={**run.inputs, name: values * factor})
-                    found.append((changed, f"{name} times {factor:g}"))
-            for name in varied:
+                    yield replace(run, inputs={**run.inputs, name: values * factor}), f"{name} times {factor:g}"
+            for name in _varied(data):
                 if name in run.parameters:
-                    changed = replace(run, parameters={**run.parameters, name: run.parameters[name] * factor})
-                    found.append((changed, f"{name} times {factor:g}"))
-    return found
+                    value = run.parameters[name] * factor
+                    yield replace(run, parameters={**run.parameters, name: value}), f"{name} times {factor:g}"
+        if run.inputs:
+            for pace in _PACES:
+                time = run.time[0] + (run.time - run.time[0]) * pace
+                yield replace(run, time=time), f"{'slower' if pace > 1 else 'faster'}, all times times {pace:g}"
+
+
+def _joined(scored: Sequence[tuple[float | None, Run, str]]) -> Iterator[tuple[Run, str]]:
+    """The two best changes of the best run in one."""
+    order = sorted((entry for entry in scored if entry[0] is not None), key=lambda entry: -(entry[0] or 0.0))
+    best = [entry for entry in order if order and entry[1].name == order[0][1].name][:3]
+    original = next((run for _, run, change in scored if best and run.name == best[0][1].name), None)
+    for i, (_, one, change) in enumerate(best):
+        for _, two, other in best[:i]:
+            if original is not None and change.split(" times ")[0] != other.split(" times ")[0]:
+                yield _both(original, one, two), f"{other} and {change}"
+
+
+def _both(original: Run, one: Run, two: Run) -> Run:
+    """Each part from the run in which it was changed."""
+    parameters = {n: two.parameters[n] if v == original.parameters[n] else v for n, v in one.parameters.items()}
+    inputs = {n: two.inputs[n] if np.array_equal(v, original.inputs[n]) else v for n, v in one.inputs.items()}
+    time = two.time if np.array_equal(one.time, original.time) else one.time
+    return replace(original, parameters=parameters, inputs=inputs, time=time)
+
+
+def _table(run: Run) -> dict[str, list[float]]:
+    """The inputs where any of them bends, and the ends."""
+    if not run.inputs:
+        return {"time": [float(run.time[0]), float(run.time[-1])]}
+    columns = np.column_stack(list(run.inputs.values()))
+    kept = np.ones(len(run.time), dtype=bool)
+    if len(run.time) > 2:
+        step = np.diff(run.time)[:, None]
+        slope = np.divide(np.diff(columns, axis=0), step, out=np.full_like(columns[1:], np.inf), where=step > 0)
+        held = run.interpolation == "previous"
+        change = (
+            np.diff(columns[:-1], axis=0) != 0 if held else ~np.isclose(slope[1:], slope[:-1], rtol=1e-6, atol=1e-12)
+        )
+        kept[1:-1] = change.any(axis=1)
+    values = {n: v[kept].tolist() for n, v in run.inputs.items()}
+    return {"time": run.time[kept].tolist(), **values}

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from pam_cosim import study
 from pam_cosim.compiler import compose, read_library
 from pam_cosim.diagnosis import Candidate
 from pam_cosim.diagnosis.next_experiment import next_experiment, told_apart
+from pam_cosim.diagnosis.prediction import Hypothesis
 from pam_cosim.fitting import Estimate, Fit
 from pam_cosim.measurement import DataSet, read_data_set
 from tests.systems.rig import write_light_data
@@ -37,7 +39,7 @@ def test_creep_without_end_is_a_spring(data: DataSet) -> None:
     ((kept, plan),) = told_apart(data, spring, [slow, fast])
     assert kept is fast
     assert plan is not None and plan["separation"] > 5
-    assert set(plan) == {"run", "change", "separation", "evidence", "between"}
+    assert set(plan) >= {"run", "change", "separation", "evidence", "between", "table"}
     assert plan["between"] == ["elasticity", "creep"]
 
 
@@ -48,13 +50,32 @@ def test_the_simpler_of_two_stays_a_rival_of_the_richer(data: DataSet) -> None:
     assert len(told_apart(data, slow, [spring])) == 1
 
 
-def test_best_variation_is_chosen(data: DataSet) -> None:
-    """A spring and a rubber spring of the same force at one contraction differ most where the muscle goes furthest."""
+def test_what_a_refit_would_take_away_does_not_count(data: DataSet) -> None:
+    """Two strengths of one law differ by little more than what the data at hand forbid; two laws by far more."""
     a = rival("ViscousFriction", "rate_friction", data, c=300.0)
     b = rival("ViscousFriction", "rate_friction", data, c=330.0)
+    with Hypothesis(a, data) as first, Hypothesis(b, data) as second:
+        run = data.runs[1]
+        one, two = first.predict(run), second.predict(run)
+        plain = float(np.sum((one.values - two.values) ** 2))
+        held = second.refitted_miss(one, two)
+        second._held = np.zeros((1, len(second.free)))  # nothing measured yet
+        free = second.refitted_miss(one, two)
+    assert free < 0.02 * plain and free < held < plain
+
+
+def test_the_run_can_be_made_as_printed(data: DataSet) -> None:
+    """The table holds the points between which the inputs are straight: it gives back the run."""
+    a = rival("ViscousFriction", "rate_friction", data, c=300.0)
+    b = rival("LinearBladder", "elasticity", data, k=200.0)
     plan = next_experiment(data, a, b)
     assert plan is not None
-    repeat = next_experiment(data, a, a)
-    assert repeat is not None and repeat["separation"] == 0.0
-    assert isinstance(plan["separation"], float) and plan["separation"] > 0.5
-    assert "times" in str(plan["change"])
+    table, parameters = plan["table"], plan["parameters"]
+    assert isinstance(table, dict) and isinstance(parameters, dict)
+    assert set(table) == {"time", "u_in", "u_out", "p_supply"} and set(parameters) == {"load.m"}
+    assert len({len(column) for column in table.values()}) == 1 and len(table["time"]) < 60
+    run = next(r for r in data.runs if r.name == plan["run"])
+    assert run.interpolation == plan["interpolation"] == "previous"
+    if str(plan["change"]).startswith(("load.m", "p_supply", "u_out", "repeat")):
+        row = np.searchsorted(table["time"], run.time, side="right") - 1
+        assert np.array_equal(np.array(table["u_in"])[row], run.inputs["u_in"])

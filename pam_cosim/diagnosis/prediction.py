@@ -1,0 +1,96 @@
+"""What a fitted hypothesis foretells of an experiment, and how far its parameters could still give way."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.comparison import simulate_run
+from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.fmu import build_source
+from pam_cosim.interface import sensitivity_name
+from pam_cosim.measurement import DataSet, Run
+from pam_cosim.simulation import Simulator
+
+Array = NDArray[np.float64]
+
+
+class Hypothesis:
+    """A candidate's model at its fitted parameters; a context manager.
+
+    Args:
+        candidate: with a fit.
+        data: the measurement, with noise levels; its fit runs hold the parameters where they are.
+        files: further Modelica files.
+    """
+
+    def __init__(self, candidate: Candidate, data: DataSet, files: Sequence[Path] = ()) -> None:
+        assert candidate.fit is not None
+        self.candidate, self.data = candidate, data
+        self.values = candidate.fit.values
+        self.free = [n for n, e in candidate.fit.parameters.items() if not e.at_bound]
+        self.sigma = {n: s.sigma for n, s in data.signals.items() if s.fitted and s.sigma}
+        self._simulator = Simulator(
+            build_source(candidate.equations.split()[1], candidate.equations, files, sensitivities=self.free)
+        )
+        self._held: Array | None = None
+
+    def __enter__(self) -> Hypothesis:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._simulator.close()
+
+    def predict(self, run: Run) -> Prediction:
+        """Signals of a run and their slopes, all samples of all signals, in noise standard deviations.
+
+        Raises:
+            SimulationFailure: the run did not reach its end.
+        """
+        known = self._simulator.interface.sensitivities
+        slopes = {(s, p): n for s in self.sigma for p in self.free if (n := sensitivity_name(s, p)) in known}
+        found = simulate_run(self._simulator, self.data, run, self.values, None, [*self.sigma, *slopes.values()])
+        values = np.concatenate([found.model[s] / sigma for s, sigma in self.sigma.items()])
+        columns = np.zeros((len(values), len(self.free)))
+        for j, p in enumerate(self.free):
+            if p not in run.parameters:
+                columns[:, j] = np.concatenate(
+                    [
+                        found.model[slopes[s, p]] / sigma if (s, p) in slopes else np.zeros(len(run.time))
+                        for s, sigma in self.sigma.items()
+                    ]
+                )
+        return Prediction(values, columns)
+
+    @property
+    def held(self) -> Array:
+        """(k, k) triangular: the fit runs resist a change of the parameters by the square of its product."""
+        if self._held is None:
+            rows = [np.zeros((1, len(self.free))), *(self.predict(r).slopes for r in self.data.fit_runs)]
+            self._held = np.asarray(np.linalg.qr(np.vstack(rows), mode="r"))
+        return self._held
+
+    def refitted_miss(self, truth: Prediction, own: Prediction) -> float:
+        """Sum of squares that is left when this hypothesis is fitted to what it has seen and to a new run as well.
+
+        To first order in the parameters. A parameter without sensitivities stays where it is.
+        """
+        miss = truth.values - own.values
+        rows = np.vstack([own.slopes, self.held])
+        size = np.linalg.norm(rows, axis=0)
+        size[size == 0] = 1.0
+        target = np.concatenate([miss, np.zeros(len(self.held))])
+        change = np.linalg.lstsq(rows / size, target, rcond=1e-10)[0]
+        return float(np.sum((target - rows / size @ change) ** 2))
+
+
+@dataclass(frozen=True)
+class Prediction:
+    """(n,) values and (n, k) slopes, in noise standard deviations."""
+
+    values: Array
+    slopes: Array
