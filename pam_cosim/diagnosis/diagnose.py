@@ -10,6 +10,8 @@ from pam_cosim.comparison import without_outliers
 from pam_cosim.compiler import effect_classes, read_library
 from pam_cosim.diagnosis.candidate import Candidate, role_summary
 from pam_cosim.diagnosis.evidence import convincing, foretold, leading, promising, rank, structured
+from pam_cosim.diagnosis.explanation import learned_term, ledger_of
+from pam_cosim.diagnosis.learning import LearnedTerm
 from pam_cosim.diagnosis.missing_term import missing_term
 from pam_cosim.diagnosis.next_experiment import Plan, told_apart
 from pam_cosim.diagnosis.search import Search, describe_fit
@@ -17,6 +19,7 @@ from pam_cosim.diagnosis.verdict import Verdict, explained, judge, rivals
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit, complete_noise, fit
 from pam_cosim.fmu import build_model
+from pam_cosim.ledger import Ledger
 from pam_cosim.measurement import DataSet
 from pam_cosim.quantities import readable
 from pam_cosim.simulation import Simulator
@@ -39,6 +42,8 @@ class Diagnosis:
         outliers: how many single samples were set aside, by signal.
         next_experiment: for an ambiguous verdict, the run that would decide.
         missing_term: for an unknown verdict, a description of what is left.
+        ledger: which balances of the base model fail, with the missing terms as signals; None where nothing does.
+        learned: for an unknown verdict, a formula for what is missing and the model with it: a description, no cause.
     """
 
     data: DataSet
@@ -51,6 +56,8 @@ class Diagnosis:
     outliers: dict[str, int] = field(default_factory=dict)
     next_experiment: dict[str, object] | None = None
     missing_term: dict[str, object] | None = None
+    ledger: Ledger | None = None
+    learned: tuple[LearnedTerm, Candidate] | None = None
 
     @property
     def final(self) -> Fit:
@@ -72,8 +79,15 @@ class Diagnosis:
             "verdict": self.verdict.as_dict(),
             "outliers": self.outliers,
             "next_experiment": self.next_experiment,
-            "missing_term": self.missing_term,
+            "missing_term": self._missing(),
+            "ledger": self.ledger.as_dict(courses=False) if self.ledger else None,
         }
+
+    def _missing(self) -> dict[str, object] | None:
+        if self.missing_term is None or self.learned is None:
+            return self.missing_term
+        term, candidate = self.learned
+        return {**self.missing_term, "learned": {**term.as_dict(), "model": candidate.as_dict()}}
 
     def __str__(self) -> str:
         v = self.verdict
@@ -89,6 +103,14 @@ class Diagnosis:
                     f" (noise {noise})"
                 )
         lines += [f"  {n} = {e}" for n, e in self.final.parameters.items()]
+        if self.learned is not None:
+            term, candidate = self.learned
+            assert candidate.fit is not None
+            left = candidate.fit.structure["holdout" if candidate.fit.structure["holdout"].samples else "fit"]
+            lines.append(f"  What is missing, described (not explained): {term}")
+            lines.append(f"  with it the chi-square is {left.chi2_reduced:.3g}")
+        if self.ledger is not None and self.ledger.failing:
+            lines.append(f"  The base model fails in the balance of {' and '.join(self.ledger.failing)}")
         return "\n".join(lines)
 
 
@@ -126,6 +148,12 @@ def diagnose(
         last = [c for c in tried if c.effects[:-1] == path[-1].effects[:-1]]
         others = told_apart(data, path[-1], rivals(path[-1], last), sources)
     verdict = judge(base, path, [c for c, _ in others])
+    present = path[-1].fit or base if path else base
+    added = [c.effect for c in path]
+    ledger = ledger_of(search, (), base) if verdict.kind != "none_missing" else None
+    learned = None
+    if verdict.kind == "unknown":
+        learned = learned_term(search, ledger_of(search, added, present) if added else ledger, added, present)
     balance = _balance(base, [c for c in tried if len(c.effects) == 1])
     return Diagnosis(
         data=data,
@@ -137,9 +165,9 @@ def diagnose(
         verdict=verdict,
         outliers=outliers,
         next_experiment=others[0][1] if others else None,
-        missing_term=missing_term(path[-1].fit or base if path else base, balance)
-        if verdict.kind == "unknown"
-        else None,
+        missing_term=missing_term(present, balance) if verdict.kind == "unknown" else None,
+        ledger=ledger,
+        learned=learned,
     )
 
 

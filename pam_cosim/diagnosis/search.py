@@ -23,6 +23,7 @@ _FEWEST_REFITS = 4
 _FAR = 5.0  # times the excess error of the best that a few more steps may still take away
 _ROOM = 0.02  # of the noise's variance, on top of that
 _LEADING_FAMILIES = 3
+_MORE_FAMILIES = 5
 _SIMPLE = 2  # parameters
 _AT_NOISE = 0.1  # excess, in noise variances
 
@@ -75,7 +76,8 @@ class Search:
         leading = self._deep(simple, found)
         if not any(c.fit is not None and at_noise(c.fit) for c in leading):
             seen = {c.effect for c in [*found, *leading]}
-            rest = self._brief([t for t in trials if t.effect.name not in seen])
+            families = _leading_families([*found, *leading], _MORE_FAMILIES)
+            rest = self._brief([t for t in trials if t.effect.name not in seen and t.effect.family in families])
             found += rest
             leading = [*leading, *self._deep(trials, rest, [*found, *leading])]
         better = {c.effect: c for c in leading}
@@ -92,7 +94,7 @@ class Search:
         names = {c.effect for c in found}
         chosen = [c for c in near if c.effect in names]
         values = {c.effect: c.fit.values for c in chosen if c.fit is not None}
-        families = list(dict.fromkeys(c.family for c in near))[:_LEADING_FAMILIES]
+        families = _leading_families(near, _LEADING_FAMILIES)
         known = names | {c.effect for c in among}
         again = [replace(t, start=values[t.effect.name]) for t in trials if t.effect.name in values]
         others = [t for t in trials if t.effect.name not in known and t.effect.family in families]
@@ -151,6 +153,11 @@ def worth_refitting(candidates: Sequence[Candidate]) -> list[Candidate]:
     limit = floor + _FAR * least + _ROOM * fitted[0][0].samples
     near = [c for s, c in fitted if s.chi2 <= limit]
     return [c for _, c in fitted][:_FEWEST_REFITS] if len(near) < _FEWEST_REFITS else near[:_MOST_REFITS]
+
+
+def _leading_families(candidates: Sequence[Candidate], count: int) -> list[str]:
+    fitted = [(c.fit.structure["fit"].chi2, c.effect, c.family) for c in candidates if c.fit is not None]
+    return list(dict.fromkeys(family for _, _, family in sorted(fitted)))[:count]
 
 
 def at_noise(found: Fit) -> bool:

@@ -1,0 +1,48 @@
+"""What can still be said where no effect says it all: the balances, and a description of what is missing."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+
+from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.diagnosis.evidence import rank
+from pam_cosim.diagnosis.learning import LearnedTerm, learn, try_learned
+from pam_cosim.diagnosis.search import Search
+from pam_cosim.errors import InputError
+from pam_cosim.fitting import Fit
+from pam_cosim.ledger import Ledger, keep_ledger
+
+
+def ledger_of(search: Search, effects: Sequence[str], present: Fit) -> Ledger | None:
+    """The ledger of the model with these effects; None where it has no balances to open."""
+    try:
+        return keep_ledger(
+            search.data, present.values, search.model, effects=effects, files=search.files, tree=search.tree
+        )
+    except (InputError, ArithmeticError, ValueError) as problem:  # numpy reports a singular system as a ValueError
+        search.say(f"no ledger could be kept: {problem}")
+        return None
+
+
+def learned_term(
+    search: Search, ledger: Ledger | None, effects: Sequence[str], present: Fit
+) -> tuple[LearnedTerm, Candidate] | None:
+    """A formula for the missing term, and the model with it refitted; None where there is no term to describe."""
+    if ledger is None:
+        return None
+    try:
+        term = learn(ledger, tree=search.tree)
+        with tempfile.TemporaryDirectory(prefix="pam-cosim-") as folder:
+            found = try_learned(
+                term, search.data, Path(folder), search.model, effects=effects, start=present.values, files=search.files
+            )
+    except (InputError, ArithmeticError, ValueError) as problem:
+        search.say(f"no formula could be found for what is missing: {problem}")
+        return None
+    if found.fit is None:
+        search.say(f"the model with the formula for what is missing could not be fitted: {found.failure}")
+        return None
+    search.say(f"described, not explained: {term}")
+    return term, rank(present, [found])[0]
