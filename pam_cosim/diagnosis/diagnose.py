@@ -9,7 +9,7 @@ from pathlib import Path
 from pam_cosim.comparison import without_outliers
 from pam_cosim.compiler import effect_classes, read_library
 from pam_cosim.diagnosis.candidate import Candidate, role_summary
-from pam_cosim.diagnosis.evidence import convincing, foretold, leading, promising, rank, structured
+from pam_cosim.diagnosis.evidence import clears, coherent, convincing, foretold, leading, promising, rank, structured
 from pam_cosim.diagnosis.explanation import learned_term, ledger_of
 from pam_cosim.diagnosis.learning import LearnedTerm
 from pam_cosim.diagnosis.missing_term import missing_term
@@ -25,6 +25,7 @@ from pam_cosim.quantities import readable
 from pam_cosim.simulation import Simulator
 
 _MOST_EFFECTS = 3
+_FIRST = 3  # effects that the search for a second one starts from
 
 
 @dataclass(frozen=True)
@@ -188,23 +189,70 @@ def _base(
 
 def _add_effects(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidate]]:
     """The effects that are needed, in the order in which they were found, and all that were tried."""
-    path: list[Candidate] = []
-    tried: list[Candidate] = []
-    present = base
-    while len(path) < _MOST_EFFECTS:
-        missing = _structured(present)
-        if path and not missing:
-            break
-        found = search.round([c.effect for c in path], present, tried if path else (), deep=missing)
+    missing = any(coherent(s) for s in base.structure.values())
+    tried = search.round((), base, deep=missing)
+    first = _steps(base, tried) if missing else []
+    path = [first[0]] if first else []
+    if first and _unsolved(first[0]):
+        path = _second(search, base, first, tried)
+    while 1 < len(path) < _MOST_EFFECTS and (last := path[-1]).fit is not None and _unsolved(last):
+        found = search.round(last.effects, last.fit, tried)
         tried += found
-        if not missing or not found or not promising(present, best := leading(found)):
+        steps = _steps(last.fit, found)
+        if not steps:
             break
-        assert best.fit is not None
-        path.append(best)
-        present = best.fit
-        search.say(f"added {best.effect} ({best.family}): rms error {describe_fit(present)}")
+        path.append(steps[0])
+        search.say(f"added {_told(steps[0])}")
     path = _needed(search, base, path, tried)
     return (path, tried) if path and convincing(base, rank(base, [path[-1]])[0]) else ([], tried)
+
+
+def _second(search: Search, base: Fit, first: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
+    """The best first effect with the best second one: of two that are missing, neither need be the best alone."""
+    singles = list(tried)
+    pairs: list[Candidate] = []
+    for one in first[:_FIRST]:
+        assert one.fit is not None
+        search.say(f"with {_told(one)}")
+        found = search.round(one.effects, one.fit, singles)
+        tried += found
+        pairs += _steps(one.fit, found)[:1]
+        if pairs and not _unsolved(pairs[-1]):
+            break
+    if not pairs:
+        return [first[0]]
+    best = rank(base, pairs)[0]
+    chosen = next(p for p in pairs if p.effects == best.effects)
+    search.say(f"added {_told(chosen)}")
+    return [next(c for c in first if c.effects == chosen.effects[:1]), chosen]
+
+
+def _steps(present: Fit, found: Sequence[Candidate]) -> list[Candidate]:
+    """Effects worth adding, the leading one first, one of each family."""
+    order = [leading(found), *found] if any(c.fit for c in found) else []
+    best: dict[str, Candidate] = {}
+    for c in order:
+        if _step(present, c):
+            best.setdefault(c.family, c)
+    return list(best.values())
+
+
+def _unsolved(c: Candidate) -> bool:
+    return c.fit is not None and _structured(c.fit)
+
+
+def _told(c: Candidate) -> str:
+    assert c.fit is not None
+    return f"{' + '.join(c.effects)} ({c.family}): rms error {describe_fit(c.fit)}"
+
+
+def _step(present: Fit, best: Candidate) -> bool:
+    """Whether an effect is worth adding: to what other runs foretell, or because it takes away all there is."""
+    if best.fit is None:
+        return False
+    if convincing(present, best) and clears(present, best.fit):
+        return True
+    return _structured(present) and promising(present, best)
 
 
 def _structured(found: Fit) -> bool:

@@ -16,6 +16,7 @@ _EXCESS = 0.05
 _LARGE_EXCESS = 0.5
 _FORETOLD = 0.02
 _DENSE = 100
+_CLEARED = 0.4  # of the excess, that may be left
 _STEP = 0.9  # of the squared error, that a step must leave behind it at most
 
 
@@ -46,6 +47,11 @@ def structured(s: Structure, repeated: Systematic | None = None) -> bool:
     if s.samples >= _DENSE:
         return coherent and _comes_again(s, repeated)
     return coherent or s.chi2_reduced > 1 + 4 * math.sqrt(2 / s.samples)
+
+
+def coherent(s: Structure) -> bool:
+    """Whether residuals are correlated and larger than noise, be it a drift of the instruments."""
+    return structured(s)
 
 
 def leaves_structure(s: Structure, repeated: Systematic | None = None) -> bool:
@@ -114,6 +120,17 @@ def leading(ranked: Sequence[Candidate]) -> Candidate:
 def convincing(base: Fit, candidate: Candidate) -> bool:
     """Whether a candidate is better beyond chance, on runs that were fitted and on runs that were not."""
     return candidate.fit is not None and candidate.delta_bic < -SIGNIFICANT and _better(base, candidate.fit)
+
+
+def clears(base: Fit, fit: Fit) -> bool:
+    """Whether a model takes away most of what exceeds the noise, in the runs that were fitted and in the others.
+
+    A small excess that does not come again in other runs may be a drift, which no effect takes away in all of them.
+    """
+    roles = [r for r in ("fit", "holdout") if base.structure[r].samples]
+    before = sum(base.structure[r].excess * base.structure[r].samples for r in roles)
+    after = sum(fit.structure[r].excess * fit.structure[r].samples for r in roles)
+    return after < _CLEARED * before and _better(base, fit)
 
 
 def promising(base: Fit, candidate: Candidate) -> bool:
