@@ -203,7 +203,7 @@ AREAS: dict[str, tuple[float, Array]] = {
     "exponential of the ratio": (0.01, np.exp(-0.3 * R)),
     "plunger against the drop": (0.01, 1 - 1.8e-7 * 0.1 * (PS - PM) / (1.8 * U - 0.261)),
     "straight line in the drop": (0.01, 1 - 1e-6 * 0.1 * (PS - PM)),
-    "straight line in the supply": (0.22, 1 - 1e-6 * 0.1 * PS),
+    "straight line in the supply": (0.02, 1 - 1e-6 * 0.1 * PS),
     "square law of current": (0.11, 1 + 0.5 * (U / 0.35 - 1) + 0.5 * (U / 0.35 - 1) ** 2),
     "ratio and current": (0.01, (1 - 0.2 * R) * (1 + 0.3 * (U / 0.35 - 1))),
 }
