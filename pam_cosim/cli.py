@@ -15,12 +15,13 @@ from rich.table import Table
 from pam_cosim import study
 from pam_cosim.arguments import parse_settings, parse_variations, read_inputs
 from pam_cosim.comparison import Comparison
+from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.files import check_writable, write_json
+from pam_cosim.files import check_writable, write_json, write_text
 from pam_cosim.fitting import read_parameters, write_parameters
 from pam_cosim.quantities import readable
-from pam_cosim.reporting import comparison_report, diagnosis_report, plot_trajectory, write_report
-from pam_cosim.tables import against_lines, read_comparison, write_sweep
+from pam_cosim.reporting import comparison_report, diagnosis_report, diagnosis_text, plot_trajectory, write_report
+from pam_cosim.tables import against_lines, read_comparison, write_next_run, write_sweep
 
 app = typer.Typer(
     no_args_is_help=True,
@@ -206,22 +207,47 @@ def diagnose(
     model: ModelOption = None,
     json: JsonOption = None,
     report: ReportOption = None,
+    following: Annotated[
+        Path | None, typer.Option("--next", help="Write the next experiment's inputs as CSV, if there is one to make.")
+    ] = None,
+    learned: Annotated[
+        Path | None, typer.Option("--learned", help="Write the formula for what no effect explains as Modelica.")
+    ] = None,
     files: FilesOption = None,
     workers: Annotated[int | None, typer.Option(help="Processes; default: all processors.")] = None,
 ) -> None:
     """Find the physical effect that the model lacks."""
-    _checked(json, report)
+    _checked(json, report, following, learned)
+    if learned is not None and learned.suffix != ".mo":
+        raise InputError("the formula is written as Modelica: name a file that ends in .mo", learned)
     read = study.read(data, model=model, files=files or [])
     with _console.status("refitting the base model") as status:
         say = _teller(status)
         found = study.diagnose(read, model, files=files or [], say=say, workers=workers)
-    typer.echo(str(found))
+    typer.echo(diagnosis_text(found))
     if json:
         write_json(json, found.as_dict())
     if report:
         write_report(report, diagnosis_report(found))
     _saved(json)
     _saved(report)
+    _write_advice(found, following, learned)
+
+
+def _write_advice(found: Diagnosis, following: Path | None, learned: Path | None) -> None:
+    """What a verdict leaves to do, as files, where there is something to do."""
+    if following is not None:
+        if found.next_experiment is None:
+            typer.echo(f"no next experiment: the verdict is {found.verdict.kind}; {following} is not written")
+        else:
+            write_next_run(following, found.next_experiment)
+            _saved(following)
+    if learned is not None:
+        if found.learned is None:
+            typer.echo(f"nothing was learned: the verdict is {found.verdict.kind}; {learned} is not written")
+        else:
+            write_text(learned, found.learned[0].modelica_source)
+            _saved(learned)
 
 
 def _teller(status: Any) -> Callable[[str], None]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +12,7 @@ from pam_cosim.comparison import Comparison
 from pam_cosim.errors import InputError
 from pam_cosim.files import read_json, write_text
 from pam_cosim.interface import Interface
-from pam_cosim.quantities import readable
+from pam_cosim.quantities import readable, readable_factor, readable_unit
 from pam_cosim.study import SweepPoint
 
 
@@ -43,6 +43,59 @@ def write_sweep(path: Path, points: Sequence[SweepPoint], interface: Interface) 
         for i, time in enumerate(point.trajectory.time):
             table.writerow([*values, repr(float(time)), *[repr(float(c[i])) for c in columns], ""])
     write_text(path, text.getvalue())
+
+
+def write_next_run(path: Path, plan: Mapping[str, Any]) -> None:
+    """Writes the inputs of a next experiment as a run's CSV; what else to set stands in comments above.
+
+    Where inputs are held between the points, a step is two rows at one time, so that the file says the same whether
+    it is read as straight lines or as steps.
+
+    Args:
+        path: the file.
+        plan: ``Diagnosis.next_experiment``.
+
+    Raises:
+        InputError: the file cannot be written.
+    """
+    units: Mapping[str, str] = {"time": "s", **plan["units"]}
+    columns: Mapping[str, list[float]] = plan["table"]
+    rows = list(zip(*columns.values(), strict=True))
+    if plan["interpolation"] == "previous":
+        rows = _with_steps(rows)
+    text = io.StringIO()
+    text.write(f"# run {_line(plan['run'])}, {_line(plan['change'])}\n")
+    for name, value in plan["parameters"].items():
+        text.write(f"# set {name} = {_cell(value, units[name])} {_file_unit(units[name])}\n")
+    table = csv.writer(text, lineterminator="\n")
+    table.writerow([_headed(n, _file_unit(units[n])) for n in columns])
+    for row in rows:
+        table.writerow([_cell(v, units[n]) for n, v in zip(columns, row, strict=True)])
+    write_text(path, text.getvalue())
+
+
+def _with_steps(rows: Sequence[tuple[float, ...]]) -> list[tuple[float, ...]]:
+    found = [*rows[:1]]
+    for before, row in zip(rows[:-1], rows[1:], strict=True):
+        if row[1:] != before[1:] and row[0] > before[0]:
+            found.append((row[0], *before[1:]))
+        found.append(row)
+    return found
+
+
+def _file_unit(unit: str) -> str:
+    """The readable unit where it can be typed, the SI unit otherwise."""
+    shown = readable_unit(unit)
+    return shown if shown.isascii() else unit
+
+
+def _cell(value: float, unit: str) -> str:
+    factor = readable_factor(unit) if readable_unit(unit).isascii() else 1.0
+    return f"{value * factor:.9g}"
+
+
+def _line(text: object) -> str:
+    return " ".join(str(text).split())
 
 
 def read_comparison(path: Path) -> dict[str, Any]:

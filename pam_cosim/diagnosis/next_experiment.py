@@ -31,8 +31,8 @@ def next_experiment(data: DataSet, a: Candidate, b: Candidate, files: Sequence[P
         ``run`` to repeat, the ``change`` to make, the expected ``separation`` in noise standard deviations (root
         mean square over all samples), the ``evidence``, the sum of its squares, the rivals' families (``between``),
         the ``parameters`` [SI] and the ``table`` of inputs [SI] over time [s], as columns, at the points between
-        which they are straight (held, where the run says so: ``interpolation``). None when no variation can be
-        simulated.
+        which they are straight (held, where the run says so: ``interpolation``); ``units`` by name of an input or
+        parameter. None when no variation can be simulated.
     """
     with Hypothesis(a, data, files) as first, Hypothesis(b, data, files) as second:
         scored = [(_separation(first, second, run), run, change) for run, change in _variations(data)]
@@ -43,6 +43,7 @@ def next_experiment(data: DataSet, a: Candidate, b: Candidate, files: Sequence[P
         evidence, run, change = max(usable, key=lambda entry: entry[0] or 0.0)
         assert evidence is not None
         samples = len(first.sigma) * len(run.time)
+        known = first.interface
     return {
         "run": run.name,
         "change": change,
@@ -52,6 +53,7 @@ def next_experiment(data: DataSet, a: Candidate, b: Candidate, files: Sequence[P
         "parameters": {n: run.parameters[n] for n in _varied(data)},
         "interpolation": run.interpolation,
         "table": _table(run),
+        "units": {v: (known.inputs | known.parameters)[v].unit for v in [*run.inputs, *_varied(data)]},
     }
 
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from pam_cosim.comparison import simulate_run
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.fmu import build_source
-from pam_cosim.interface import sensitivity_name
+from pam_cosim.interface import Interface, sensitivity_name
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import Simulator
 
@@ -44,6 +44,11 @@ class Hypothesis:
 
     def __exit__(self, *_: object) -> None:
         self._simulator.close()
+
+    @property
+    def interface(self) -> Interface:
+        """Inputs, outputs and parameters of the model."""
+        return self._simulator.interface
 
     def predict(self, run: Run) -> Prediction:
         """Signals of a run and their slopes, all samples of all signals, in noise standard deviations.

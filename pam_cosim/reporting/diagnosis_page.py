@@ -12,15 +12,18 @@ from pam_cosim.reporting.figures.bars import Bar, balance_picture, colours, rank
 from pam_cosim.reporting.figures.curves import curve_pictures
 from pam_cosim.reporting.figures.ladder import Rung, ladder_picture
 from pam_cosim.reporting.figures.layer import Layer, before_and_after
+from pam_cosim.reporting.figures.residual_map import residual_map
 from pam_cosim.reporting.figures.residuals import residual_pictures
+from pam_cosim.reporting.learned_part import learned_part
+from pam_cosim.reporting.ledger_part import ledger_part
 from pam_cosim.reporting.meaning import compared_sentence, error_sentence, headline, kind_name, meaning
+from pam_cosim.reporting.next_run import next_run
 from pam_cosim.reporting.page import provenance, render, score_rows, signal_rows
 from pam_cosim.reporting.style import Picture
 from pam_cosim.reporting.wording import (
     NOTHING,
     estimate_texts,
     fixed,
-    listed,
     number,
     percent,
     quantity,
@@ -67,12 +70,15 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
         parameters=_parameter_rows(diagnosis),
         added=bool(diagnosis.path),
         balance=balance_picture(diagnosis.balance, palette) if any(diagnosis.balance.values()) else None,
-        next_experiment=_next_experiment(diagnosis.next_experiment),
+        map=residual_map(layers, signals),
+        ledger=ledger_part(diagnosis),
+        learned=learned_part(diagnosis),
+        next_experiment=next_run(diagnosis.next_experiment),
         missing_term=_missing_term(diagnosis),
         signals=signal_rows(diagnosis.data),
         scores=score_rows(diagnosis.final.comparison),
         runs_in_words=[run.describe() for run in diagnosis.data.runs],
-        notes=diagnosis.data.notes(),
+        notes=[*_outlier_notes(diagnosis), *diagnosis.data.notes()],
         failures=diagnosis.final.failures,
         equations=diagnosis.path[-1].equations if diagnosis.path else "",
         provenance=provenance(diagnosis.data, diagnosis.model),
@@ -183,16 +189,13 @@ def _parameter_rows(diagnosis: Diagnosis) -> list[Row]:
     return rows
 
 
-def _next_experiment(found: Mapping[str, Any] | None) -> list[tuple[str, str]] | None:
-    if not found:
-        return None
-    rows = [("Start from run", str(found.get("run", NOTHING))), ("Change", str(found.get("change", NOTHING)))]
-    if found.get("between"):
-        rows.append(("To tell apart", listed([words(str(f)) for f in found["between"]])))
-    if found.get("separation") is not None:
-        away = f"{number(found['separation'])} noise standard deviations between the two, as root mean square"
-        rows.append(("Expected", away))
-    return rows
+def _outlier_notes(diagnosis: Diagnosis) -> list[str]:
+    return [
+        f"{count} {'sample' if count == 1 else 'samples'} of {name}, far off the neighbours, "
+        f"{'was' if count == 1 else 'were'} set aside as {'an outlier' if count == 1 else 'outliers'}"
+        for name, count in diagnosis.outliers.items()
+        if count
+    ]
 
 
 def _missing_term(diagnosis: Diagnosis) -> dict[str, Any] | None:

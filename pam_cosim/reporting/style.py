@@ -18,6 +18,7 @@ from matplotlib.figure import Figure
 BLUE, VERMILLION, GREEN, PINK, ORANGE, SKY = "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"
 INK, SOFT, LINE, HALO, BAND = "#2b2f33", "#6b7178", "#d5d9dd", "#aeb4ba", "#e4e7ea"
 BEFORE, AFTER = VERMILLION, BLUE
+BALANCE = {"energy": BLUE, "force": ORANGE, "mass": GREEN, "sensor": PINK}  # the same in all figures of a report
 FURTHER = (VERMILLION, GREEN, PINK, ORANGE, SKY)
 
 WIDTH = 11.0  # in, the full width of a page

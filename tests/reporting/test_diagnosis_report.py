@@ -107,7 +107,7 @@ def test_two_renderings_are_identical():
 def test_pictures_are_complete_vector_pictures_without_outside_resources():
     page = checked(report("identified"))
     sources = [value for tag, name, value in page.attributes if (tag, name) == ("img", "src")]
-    assert len(sources) == 6
+    assert len(sources) == 7
     for source in sources:
         assert source.startswith("data:image/svg+xml;base64,")
         root = ElementTree.fromstring(base64.b64decode(source.split(",", 1)[1]))
@@ -143,8 +143,8 @@ def test_a_run_that_lacks_a_signal_and_a_signal_whose_noise_nobody_knows():
 
 
 def test_many_runs_go_to_further_figures():
-    few = checked(diagnosis_report(make_diagnosis("identified", make_data(("fit",) * 5 + ("holdout",), 30))))
-    many = checked(diagnosis_report(make_diagnosis("identified", make_data(("fit",) * 6 + ("holdout",), 30))))
+    few = checked(diagnosis_report(make_diagnosis("identified", make_data(("fit",) * 5 + ("holdout",), 25))))
+    many = checked(diagnosis_report(make_diagnosis("identified", make_data(("fit",) * 6 + ("holdout",), 25))))
     assert many.tags.count("img") == few.tags.count("img") + 2
 
 

@@ -11,13 +11,10 @@ from matplotlib.ticker import PercentFormatter
 
 from pam_cosim.comparison import Rule
 from pam_cosim.reporting.style import (
+    BALANCE,
     BEFORE,
-    BLUE,
-    GREEN,
     INK,
     LINE,
-    ORANGE,
-    PINK,
     SKY,
     SOFT,
     WIDTH,
@@ -30,7 +27,7 @@ from pam_cosim.reporting.wording import percent, shortened, words
 
 _MOST_RULES = 10
 _WORST = -0.2  # an effect that makes the error larger is drawn to here
-_PALETTE = (BLUE, ORANGE, GREEN, PINK, SKY, BEFORE)
+_OTHER = (SKY, BEFORE, INK, SOFT)
 
 
 @dataclass(frozen=True)
@@ -45,7 +42,8 @@ class Bar:
 
 def colours(balances: Sequence[str]) -> dict[str, str]:
     """A colour for each balance, the same in all figures of a report."""
-    return {b: _PALETTE[i % len(_PALETTE)] for i, b in enumerate(sorted(dict.fromkeys(balances)))}
+    own = sorted(b for b in dict.fromkeys(balances) if b not in BALANCE)
+    return BALANCE | {b: _OTHER[i % len(_OTHER)] for i, b in enumerate(own)}
 
 
 def where_picture(rules: Sequence[Rule]) -> Picture:

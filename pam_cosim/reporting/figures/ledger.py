@@ -8,9 +8,8 @@ from matplotlib.figure import Figure
 
 from pam_cosim.ledger import Entry, Ledger, binned, mapped
 from pam_cosim.quantities import readable_factor, readable_unit
-from pam_cosim.reporting.style import BAND, BLUE, GREEN, INK, PINK, SOFT, VERMILLION, message, new_figure
+from pam_cosim.reporting.style import BALANCE, BAND, INK, SOFT, message, new_figure
 
-_COLOURS = {"force": VERMILLION, "mass": BLUE, "energy": PINK, "sensor": GREEN}
 _PLANES = (("x", "p_gauge"), ("T_excess", "p_gauge"), ("p_rate", "p_gauge"))
 _AXES = ("x", "T_excess", "p_gauge", "v")  # what a term is drawn against first
 
@@ -41,7 +40,7 @@ def draw_shares(axes: Axes, ledger: Ledger) -> None:
     left = 0.0
     for entry in ledger.entries:
         if entry.share > 0:
-            axes.barh(0, entry.share, left=left, color=_COLOURS.get(entry.balance, SOFT), height=0.6)
+            axes.barh(0, entry.share, left=left, color=BALANCE.get(entry.balance, SOFT), height=0.6)
             if entry.share > 0.08:
                 text = f"{entry.balance} {100 * entry.share:.0f} %"
                 axes.text(left + entry.share / 2, 0, text, ha="center", va="center", color="white", fontweight="bold")
@@ -60,7 +59,7 @@ def draw_shares(axes: Axes, ledger: Ledger) -> None:
 def draw_courses(axes: Axes, entry: Entry) -> None:
     """The missing term over time, every run, with two standard deviations."""
     factor, unit = _scale(entry)
-    colour = _COLOURS.get(entry.balance, INK)
+    colour = BALANCE.get(entry.balance, INK)
     for course in entry.courses:
         low, high = ((course.value + s * 2 * course.deviation) * factor for s in (-1, 1))
         axes.fill_between(course.time, low, high, color=colour, alpha=0.12, lw=0)
@@ -82,7 +81,7 @@ def draw_against(axes: Axes, entry: Entry, name: str) -> None:
     bands = binned(entry, name)
     at = np.array([(b.low + b.high) / 2 for b in bands]) * across
     mean, deviation = np.array([b.mean for b in bands]) * factor, np.array([b.deviation for b in bands]) * factor
-    axes.errorbar(at, mean, 2 * deviation, fmt="o-", color=_COLOURS.get(entry.balance, INK), ms=3, lw=1.2, capsize=2)
+    axes.errorbar(at, mean, 2 * deviation, fmt="o-", color=BALANCE.get(entry.balance, INK), ms=3, lw=1.2, capsize=2)
     axes.axhline(0, color=SOFT, lw=0.8)
     _bound(axes, entry, factor)
     axes.set_xlabel(_named(entry, name))

@@ -1,0 +1,108 @@
+"""The ledger in words: which balance fails, by how much, and what must be known to read it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pam_cosim.diagnosis import Diagnosis
+from pam_cosim.ledger import Entry, Ledger, Reading
+from pam_cosim.reporting.figures.ledger import ledger_figure
+from pam_cosim.reporting.style import Picture, drawing, picture
+from pam_cosim.reporting.wording import NOTHING, listed, number, percent, quantity, words
+
+_SHOWN = 0.005  # share that is worth a word
+
+
+def ledger_part(diagnosis: Diagnosis) -> dict[str, Any] | None:
+    """What the section "Which balance fails" shows; None without a ledger."""
+    ledger = diagnosis.ledger
+    if ledger is None:
+        return None
+    return {
+        "picture": _picture(ledger),
+        "sentence": ledger_sentence(ledger),
+        "rows": [_row(e) for e in ledger.entries],
+        "meanings": [f"{words(e.balance).capitalize()}: {e.meaning}" for e in ledger.entries if e.meaning],
+        "readings": [_reading(r) for r in ledger.readings],
+        "notes": [*_disagreement(diagnosis, ledger), *ledger.notes],
+    }
+
+
+def ledger_sentence(ledger: Ledger) -> str:
+    """Which balances fail, and whether that is all."""
+    if not ledger.failing:
+        return (
+            "No balance fails for certain: no missing term, free to take any course in time, makes the samples so "
+            "much more probable that it pays."
+        )
+    names = [_name(b, ledger) for b in ledger.failing]
+    course = f"mean square error {number(ledger.before)} → {number(ledger.after)} noise variances"
+    rest = (
+        "With what is missing there the model meets the samples to the noise"
+        if ledger.closed
+        else "What is missing there does not bring the model to the noise: something is missing elsewhere too"
+    )
+    return f"The base model fails in {listed(names)}. {rest} ({course})."
+
+
+def ledger_line(ledger: Ledger) -> str:
+    """The ledger in one line of plain text."""
+    if not ledger.failing:
+        return "no balance fails for certain"
+    shares = ", ".join(f"{_name(e.balance, ledger)} {percent(e.share)}" for e in ledger.entries if e.share >= _SHOWN)
+    rest = "" if ledger.closed else "; something is missing elsewhere too"
+    return f"share of the error in {shares}{rest}"
+
+
+def _name(balance: str, ledger: Ledger) -> str:
+    if balance == "sensor" and ledger.readings:
+        return f"the reading of {ledger.readings[0].signal}"
+    return f"the {words(balance)} balance"
+
+
+def _row(entry: Entry) -> dict[str, str]:
+    same = f"the balance of {listed([words(b) for b in entry.same_as])} may be meant as well" if entry.same_as else ""
+    there = bool(entry.courses)
+    return {
+        "balance": words(entry.balance),
+        "share": percent(entry.share),
+        "explains": percent(entry.explains),
+        "size": quantity(entry.size, entry.unit) if there else NOTHING,
+        "outside": percent(entry.outside) if there else NOTHING,
+        "note": "; ".join(t for t in (entry.note, same) if t),
+    }
+
+
+def _reading(r: Reading) -> dict[str, str]:
+    return {
+        "signal": r.signal,
+        "offset": f"{quantity(r.offset, r.unit)} ± {quantity(r.offset_deviation, r.unit, 2)}",
+        "factor": f"{number(1 + r.gain, 4)} ± {number(r.gain_deviation, 2)}",
+        "lag": quantity(r.lag, "s", 2) if r.lag else "none",
+        "explains": percent(r.explains),
+    }
+
+
+def _disagreement(diagnosis: Diagnosis, ledger: Ledger) -> list[str]:
+    """Where the effects that were added act elsewhere than the ledger says: both explain the samples."""
+    added = [b for b in dict.fromkeys(c.balance for c in diagnosis.path) if b not in ledger.failing]
+    if not added or not ledger.failing:
+        return []
+    return [
+        f"The effects that were added act in the {listed([words(b) for b in added])} balance; a free term in the "
+        f"{listed([words(b) for b in ledger.failing])} balance explains the same samples. The effects do it with a law "
+        "of physics and fewer numbers, the ledger without any law."
+    ]
+
+
+def _picture(ledger: Ledger) -> Picture:
+    with drawing():
+        return picture(
+            ledger_figure(ledger),
+            "Share of each balance in the error, and the missing term of each balance over time and against its "
+            "variables",
+            "Above: what would be lost without each balance in the best explanation. Below, a row for each balance: "
+            "the term that is missing in it, as the samples ask for it, in time with two standard deviations; the same "
+            "against the variables it may depend on (dots: instants, line: means with two standard deviations); and "
+            "over a plane, in standard deviations. A flat line at zero: nothing is missing there.",
+        )

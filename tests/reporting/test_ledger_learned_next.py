@@ -1,0 +1,170 @@
+"""The parts of a diagnosis that say where it fails, what describes it, and what to measure next."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pam_cosim.diagnosis.learning import LearnedTerm
+from pam_cosim.ledger import Course, Entry, Ledger, Reading
+from pam_cosim.reporting import diagnosis_report, diagnosis_text
+from pam_cosim.reporting.figures.layer import Layer
+from pam_cosim.reporting.figures.residual_map import binned_residual, residual_map
+from pam_cosim.reporting.next_run import expectation, next_run
+from pam_cosim.tables import write_next_run
+from tests.reporting.html_checks import checked
+from tests.reporting.synthetic import SIGNALS, make_candidate, make_comparison, make_data, make_diagnosis
+
+PLAN = {
+    "run": "run-2",
+    "change": "load.m times 1.5",
+    "separation": 2.5,
+    "evidence": 1250.0,
+    "between": ["elasticity", "end_shape"],
+    "parameters": {"load.m": 3.0},
+    "interpolation": "previous",
+    "table": {"time": [0.0, 0.5, 10.0], "u_in": [0.35, 0.0, 0.0], "p_supply": [2e5, 2e5, 2e5]},
+    "units": {"u_in": "A", "p_supply": "Pa", "load.m": "kg"},
+}
+
+
+def make_ledger(failing=("force", "sensor"), closed=True, notes=("mass and heat cannot be told apart <here>",)):
+    t = np.linspace(0, 10, 101)
+    x = 0.03 + 0.02 * np.sin(t)
+    against = {"x": x, "v": 0.02 * np.cos(t), "p_gauge": 1e5 + 1e4 * np.cos(t)}
+    course = Course("run-1", "fit", t, np.full_like(t, -4.0), np.full_like(t, 0.3), against)
+    units = {"x": "m", "v": "m/s", "p_gauge": "Pa"}
+    force = Entry("force", 100.0, 0.9, 0.75, "N", "what pulls the load down", "f", (course,), units,
+                  note="known but for friction", same_as=("mass",))  # fmt: skip
+    entries = (force, Entry("sensor", 10.0, 0.1, 0.25), Entry("energy", -3.0, 0.0, 0.0))
+    readings = (Reading("p", "Pa", 5000.0, 120.0, 0.012, 0.003, 0.0, 40.0, 0.1),)
+    return Ledger("Isotonic", entries, readings, failing, closed, 50.0, 1.02, {}, notes)
+
+
+def make_learned(data):
+    term = LearnedTerm("LearnedForce", "force", "missing force = 5.1 N (exp(x/(40 mm)) - 1)",
+                       "model LearnedForce\nend LearnedForce;\n", "N", (), 0.97, 0.98, {})  # fmt: skip
+    return term, make_candidate(data, "LearnedForce", "learned", "force", 0.5)
+
+
+def test_which_balance_fails_is_said_drawn_and_tabled():
+    ledger = make_ledger()
+    html = diagnosis_report(make_diagnosis("identified", ledger=ledger))
+    text = checked(html).text
+    assert "The base model fails in the force balance and the reading of p." in text
+    assert "meets the samples to the noise (mean square error 50.0 → 1.02 noise variances)" in text
+    assert "force 75 % 90 % 4.00 N 100 % known but for friction; the balance of mass may be meant as well" in text
+    assert "p 5.00 kPa ± 0.12 kPa 1.012 ± 0.0030 none 10 %" in text
+    assert "Force: what pulls the load down." in text
+    assert "cannot be told apart <here>" in text
+    plain = checked(diagnosis_report(make_diagnosis("identified")))
+    assert "Which balance fails" not in plain.text
+    assert checked(html).tags.count("img") == plain.tags.count("img") + 1
+    assert html == diagnosis_report(make_diagnosis("identified", ledger=ledger))
+
+
+def test_a_ledger_that_does_not_close_or_finds_nothing_says_so():
+    def text(**changes):
+        return checked(diagnosis_report(make_diagnosis("unknown", ledger=make_ledger(**changes)))).text
+
+    assert "something is missing elsewhere too" in text(closed=False)
+    assert "No balance fails for certain" in text(failing=())
+    assert "may" not in diagnosis_text(make_diagnosis("unknown", ledger=make_ledger(failing=(), notes=())))
+
+
+def test_effects_of_another_balance_than_the_ledger_names_are_pointed_out():
+    diagnosis = make_diagnosis("identified", ledger=make_ledger(failing=("mass",)))
+    text = checked(diagnosis_report(diagnosis)).text
+    assert "The effects that were added act in the force balance; a free term in the mass balance explains" in text
+    agreed = checked(diagnosis_report(make_diagnosis("identified", ledger=make_ledger()))).text
+    assert "act in the force balance" not in agreed
+
+
+def test_a_learned_term_is_shown_with_its_source_and_its_limits():
+    data = make_data()
+    diagnosis = make_diagnosis("unknown", data, learned=make_learned(data))
+    page = checked(diagnosis_report(diagnosis))
+    assert "missing force = 5.1 N (exp(x/(40 mm)) - 1)" in page.text
+    assert "explains 97 % of the mean square of the missing term of the force balance" in page.text
+    assert "This is a description, not a cause" in page.text
+    assert diagnosis.learned[0].modelica_source in "".join(page.texts)
+    before = diagnosis.base.comparison.scores["holdout"]["p"].rmse / 1e3
+    after = diagnosis.learned[1].fit.comparison.scores["holdout"]["p"].rmse / 1e3
+    assert f"p holdout {before:.2f} kPa {after:.3f} kPa 0.500 kPa" in page.text
+    assert "What is missing, described" not in checked(diagnosis_report(make_diagnosis("unknown"))).text
+
+
+def test_outliers_are_among_the_notes():
+    text = checked(diagnosis_report(make_diagnosis("identified", outliers={"p": 3, "x": 1}))).text
+    assert "3 samples of p, far off the neighbours, were set aside as outliers" in text
+    assert "1 sample of x, far off the neighbours, was set aside as an outlier" in text
+
+
+def test_the_next_run_is_ready_to_make():
+    text = checked(diagnosis_report(make_diagnosis("ambiguous", next_experiment=PLAN))).text
+    assert "Start from run run-2 Change load.m times 1.5 Set load.m = 3.000 kg" in text
+    assert "To tell apart elasticity and end shape" in text
+    assert "time [s] u_in [A] p_supply [kPa] 0 0.35 200 0.5 0 200 10 0 200" in text
+    assert "each value holds until the next row" in text
+    assert "after either is refitted to this run as well (chi-square 1250;" in text
+
+
+def test_a_long_run_is_cut_in_the_report_only(tmp_path):
+    n = 100
+    long = PLAN | {"table": {"time": list(range(n)), "u_in": [0.1] * n, "p_supply": [2e5] * n}}
+    found = next_run(long)
+    assert (len(found["table"]), found["left_out"]) == (40, 60)
+    write_next_run(tmp_path / "n.csv", long)
+    assert len((tmp_path / "n.csv").read_text().splitlines()) == 2 + 1 + n
+
+
+def test_an_experiment_that_decides_nothing_is_not_praised():
+    assert "not enough to decide" in expectation(PLAN | {"evidence": 4.0})
+    assert "not enough" not in expectation(PLAN)
+
+
+def test_the_terminal_gets_the_way_the_place_the_ledger_and_the_next_run():
+    lines = diagnosis_text(make_diagnosis("ambiguous", ledger=make_ledger(), next_experiment=PLAN)).splitlines()
+    assert lines[0] == "Verdict: ambiguous: elasticity and end_shape (StiffWall, RoundEnds)"
+
+    def line(start):
+        (found,) = [x.strip() for x in lines if x.strip().startswith(start)]
+        return found
+
+    assert line("The way there: base model ").endswith("(reduced chi-square, holdout runs)")
+    assert "→ + StiffWall" in line("The way there")
+    assert "Where the base model is wrong: x, filling, 40 kPa < p < 120 kPa: 71 % of its error in 22 %" in str(lines)
+    assert "the force balance 75 %, the reading of p 25 %" in line("Ledger of the base model:")
+    assert line("Next experiment:").startswith("Next experiment: run run-2, load.m times 1.5; with load.m = 3.000 kg; ")
+    quiet = diagnosis_text(make_diagnosis("none_missing"))
+    assert "Where the base model" not in quiet and "The way there" not in quiet
+
+
+@pytest.mark.parametrize("interpolation", ["previous", "linear"])
+def test_the_file_of_the_next_run_has_steps_where_inputs_are_held(tmp_path, interpolation):
+    write_next_run(tmp_path / "n.csv", PLAN | {"interpolation": interpolation})
+    lines = (tmp_path / "n.csv").read_text().splitlines()
+    assert lines[:3] == ["# run run-2, load.m times 1.5", "# set load.m = 3 kg", "time [s],u_in [A],p_supply [kPa]"]
+    step = ["0.5,0.35,200"] if interpolation == "previous" else []
+    assert lines[3:] == ["0,0.35,200", *step, "0.5,0,200", "10,0,200"]
+
+
+def test_the_residual_map_is_the_mean_residual_where_the_run_was():
+    data = make_data()
+    comparison = make_comparison(data, 10.0)
+    layer = Layer("base model", comparison, "black")
+    mean, x_edges, y_edges = binned_residual(layer, SIGNALS["p"], SIGNALS["p"], SIGNALS["x"])
+    assert mean.shape == (14, 14) and len(x_edges) == len(y_edges) == 15
+    error = np.concatenate([r.residual("p") for r in comparison.runs]) / SIGNALS["p"].sigma
+    model = np.concatenate([r.model["p"] for r in comparison.runs])
+    x = np.concatenate([r.model["x"] for r in comparison.runs])
+    cell = (model >= x_edges[0]) & (model < x_edges[1]) & (x >= y_edges[0]) & (x < y_edges[1])
+    assert cell.any() and mean[0, 0] == pytest.approx(error[cell].mean())
+    assert np.isnan(mean[-1, 0])  # never at a low pressure and a large travel
+
+
+def test_few_samples_make_no_map():
+    few, one = make_data(("fit",), samples=15), make_data(leave_out=("x", "T"))
+    for data in (few, one):
+        layers = (Layer("base model", make_comparison(data, 10.0), "black"),)
+        assert residual_map(layers, list(data.signals.values())) is None
