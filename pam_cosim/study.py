@@ -144,9 +144,10 @@ def diagnose(
     files: Paths = (),
     say: Callable[[str], None] = lambda text: None,
     workers: int | None = None,
+    explain: bool = True,
 ) -> Diagnosis:
-    """Finds the effect that ``model`` (default: the bench of the data set) lacks."""
-    return _diagnose(data, model, files=_paths(files), say=say, workers=workers)
+    """Finds the effect that ``model`` (default: the bench of the data set) lacks; see ``diagnosis.diagnose``."""
+    return _diagnose(data, model, files=_paths(files), say=say, workers=workers, explain=explain)
 
 
 def effects(files: Paths = ()) -> list[EffectClass]:

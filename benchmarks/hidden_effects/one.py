@@ -49,7 +49,7 @@ def solve(which: str, number: int, folder: Path, workers: int) -> dict[str, Any]
 def _diagnosis(folder: Path, description: Mapping[str, Any], workers: int) -> dict[str, Any]:
     from pam_cosim import study  # here, so that a broken installation is a result as well
 
-    found = study.diagnose(study.read(folder), workers=workers)
+    found = study.diagnose(study.read(folder), workers=workers, explain=False)
     verdict = found.verdict
     sigma = {name: found.data.signals[name].sigma or math.nan for name in SIGNALS}
     final = found.final.comparison
@@ -82,7 +82,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--set", dest="which", choices=SEEDS, required=True)
     parser.add_argument("--number", type=int, required=True)
-    parser.add_argument("--workers", type=int, default=1)
+    parser.add_argument("--workers", type=int, default=0)
     parser.add_argument("--keep", type=Path, help="folder in which the data set stays")
     options = parser.parse_args(arguments)
     with redirect_stdout(sys.stderr), tempfile.TemporaryDirectory() as scratch:

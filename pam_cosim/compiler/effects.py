@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
 from pam_cosim.compiler.catalogue import ClassTree
@@ -55,14 +56,15 @@ def unknown_terms(tree: ClassTree) -> list[EffectClass]:
     return [e for e in _declared(tree) if e.family == UNKNOWN]
 
 
-def _declared(tree: ClassTree) -> list[EffectClass]:
+@lru_cache(maxsize=8)
+def _declared(tree: ClassTree) -> tuple[EffectClass, ...]:
     found = [_effect(tree, name) for name in tree.subtypes(EFFECT) if not tree.classes[name].partial]
     names: dict[str, EffectClass] = {}
     for effect in found:
         if effect.name in names:
             raise ModelError(f"there are two effects named {effect.name}", effect.file)
         names[effect.name] = effect
-    return sorted(found, key=lambda e: (e.family, e.name))
+    return tuple(sorted(found, key=lambda e: (e.family, e.name)))
 
 
 def _effect(tree: ClassTree, name: str) -> EffectClass:

@@ -122,6 +122,7 @@ def diagnose(
     files: Sequence[Path] = (),
     say: Callable[[str], None] = lambda text: None,
     workers: int | None = None,
+    explain: bool = True,
 ) -> Diagnosis:
     """Refits the base model, tries every effect that fits it, adds what pays, and judges.
 
@@ -130,7 +131,8 @@ def diagnose(
         model: the base model; default the bench of the data set.
         files: further Modelica files, whose effects are tried too.
         say: told what happens, line by line.
-        workers: number of processes.
+        workers: number of processes; 0: this one alone.
+        explain: whether to keep a ledger and to describe what no effect explains; the verdict is the same.
 
     Raises:
         InputError: the model cannot be compiled, or lacks a parameter that is to be fitted.
@@ -151,9 +153,9 @@ def diagnose(
     verdict = judge(base, path, [c for c, _ in others])
     present = path[-1].fit or base if path else base
     added = [c.effect for c in path]
-    ledger = ledger_of(search, (), base) if verdict.kind != "none_missing" else None
+    ledger = ledger_of(search, (), base) if explain and verdict.kind != "none_missing" else None
     learned = None
-    if verdict.kind == "unknown":
+    if explain and verdict.kind == "unknown":
         learned = learned_term(search, ledger_of(search, added, present) if added else ledger, added, present)
     balance = _balance(base, [c for c in tried if len(c.effects) == 1])
     return Diagnosis(
@@ -231,8 +233,9 @@ def _steps(present: Fit, found: Sequence[Candidate]) -> list[Candidate]:
     """Effects worth adding, the leading one first, one of each family."""
     order = [leading(found), *found] if any(c.fit for c in found) else []
     best: dict[str, Candidate] = {}
+    repeats = _structured(present)
     for c in order:
-        if _step(present, c):
+        if _step(present, c, repeats):
             best.setdefault(c.family, c)
     return list(best.values())
 
@@ -246,13 +249,13 @@ def _told(c: Candidate) -> str:
     return f"{' + '.join(c.effects)} ({c.family}): rms error {describe_fit(c.fit)}"
 
 
-def _step(present: Fit, best: Candidate) -> bool:
-    """Whether an effect is worth adding: to what other runs foretell, or because it takes away all there is."""
+def _step(present: Fit, best: Candidate, repeats: bool) -> bool:
+    """Whether an effect is worth adding: what is left ``repeats`` in other runs, or it takes away all there is."""
     if best.fit is None:
         return False
     if convincing(present, best) and clears(present, best.fit):
         return True
-    return _structured(present) and promising(present, best)
+    return repeats and promising(present, best)
 
 
 def _structured(found: Fit) -> bool:

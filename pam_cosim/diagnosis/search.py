@@ -107,7 +107,7 @@ class Search:
         assert composition is not None
         return run_tasks(
             run_trial, [Trial(last, tuple(effects), composition, self.data, start, self.files)], crashed,
-            lambda c: self.say(told(c)), 1,
+            lambda c: self.say(told(c)), 0 if self.workers == 0 else 1,
         )[0]  # fmt: skip
 
     def _run(self, trials: Sequence[Trial]) -> list[Candidate]:

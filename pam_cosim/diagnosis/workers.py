@@ -35,8 +35,14 @@ def run_tasks(
         tasks: what to run it on.
         on_crash: makes the result of a task whose process died.
         done: called with each result as it comes.
-        workers: number of processes; default the processors at hand.
+        workers: number of processes; default the processors at hand. 0: this process alone, which a crash ends.
     """
+    if workers == 0:
+        alone = []
+        for task in tasks:
+            alone.append(function(task))
+            done(alone[-1])
+        return alone
     results: dict[int, Result] = {}
     waiting = list(range(len(tasks)))
     count = min(workers or processors(), max(len(tasks), 1))
