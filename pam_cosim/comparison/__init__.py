@@ -5,6 +5,7 @@ from pam_cosim.comparison.outliers import outliers, without_outliers
 from pam_cosim.comparison.residuals import RunComparison, simulate_run, start_time
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.comparison.where import Rule, where
+from pam_cosim.comparison.whiteness import lag_one
 
 __all__ = [
     "Comparison",
@@ -13,6 +14,7 @@ __all__ = [
     "SignalScore",
     "chi2_reduced",
     "compare",
+    "lag_one",
     "outliers",
     "score",
     "simulate_run",

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.comparison.residuals import RunComparison
+from pam_cosim.comparison.whiteness import lag_one
 from pam_cosim.measurement import Signal
 
 Array = NDArray[np.float64]
@@ -27,6 +28,8 @@ class SignalScore:
         chi2_reduced: mean square of the difference in noise standard deviations; NaN without a known noise.
         noise_rmse: the noise's standard deviation, the lowest rmse a model can honestly reach.
         samples: how many samples were compared.
+        autocorrelation: of neighbouring differences, about zero; ``whiteness``: the same in standard deviations of
+            white noise. Above four the differences are not white: a wrong model, or an instrument that drifts.
     """
 
     rmse: float
@@ -39,6 +42,8 @@ class SignalScore:
     chi2_reduced: float
     noise_rmse: float
     samples: int
+    autocorrelation: float = float("nan")
+    whiteness: float = float("nan")
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON; a number that does not exist is None."""
@@ -63,6 +68,7 @@ def score_signal(runs: Sequence[RunComparison], signal: Signal) -> SignalScore |
     rmse = float(np.sqrt(np.mean(e**2)))
     span = float(np.ptp(y))
     worst = int(np.argmax(np.abs(e)))
+    correlation, whiteness = lag_one(error)
     sigma = signal.sigma if signal.sigma is not None else np.nan
     return SignalScore(
         rmse=rmse,
@@ -75,6 +81,8 @@ def score_signal(runs: Sequence[RunComparison], signal: Signal) -> SignalScore |
         chi2_reduced=float(np.mean((e / sigma) ** 2)),
         noise_rmse=float(sigma),
         samples=len(e),
+        autocorrelation=correlation,
+        whiteness=whiteness,
     )
 
 

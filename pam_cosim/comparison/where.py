@@ -47,8 +47,9 @@ class _Samples:
 def where(runs: Sequence[RunComparison], signals: Mapping[str, Signal], outputs: Mapping[str, Variable]) -> list[Rule]:
     """Finds for each signal the few rules that hold most of its error in the least time.
 
-    Conditions are the phase (an output that rises, rests or falls), bands of the modelled outputs, and early,
-    middle or late in the run; a rule joins a phase with one more.
+    Conditions are the phase (filling, holding, venting), bands of the modelled outputs, whether a length grows, rests
+    or shrinks and how fast, early, middle or late in the run, the run, and what differs between runs, such as the
+    load; a rule joins a phase with one more.
     """
     rules: list[Rule] = []
     for name, signal in signals.items():
@@ -84,7 +85,39 @@ def _collect(runs: Sequence[RunComparison], signal: Signal, outputs: Mapping[str
     times = [("early", late < 1 / 3), ("middle", (late >= 1 / 3) & (late < 2 / 3)), ("late", late >= 2 / 3)]
     names = np.concatenate([np.full(int(k.sum()), i) for i, k in enumerate(kept)])
     by_run = [(f"in {r.run.name}", names == i) for i, r in enumerate(parts)] if len(parts) > 1 else []
-    return _Samples(excess, [phases, bands + times + by_run])
+    moving = [m for n, v in outputs.items() if v.unit == "m" for m in _moving(n, joined([_speed(r, n) for r in parts]))]
+    return _Samples(excess, [phases, bands + moving + times + by_run + _by_parameter(parts, names)])
+
+
+def _speed(r: RunComparison, output: str) -> Array:
+    return _slope(r.run.time, r.model[output])
+
+
+def _moving(name: str, speed: Array) -> list[tuple[str, Mask]]:
+    """Direction, and fast or slow by the typical speed of what moves."""
+    limit = 0.02 * float(np.max(np.abs(speed), initial=0.0))
+    if not limit > 0:
+        return []
+    fast = float(np.median(np.abs(speed[np.abs(speed) > limit])))
+    return [
+        (f"{name} grows fast", speed > fast),
+        (f"{name} grows slowly", (speed > limit) & (speed <= fast)),
+        (f"{name} rests", np.abs(speed) <= limit),
+        (f"{name} shrinks slowly", (speed < -limit) & (speed >= -fast)),
+        (f"{name} shrinks fast", speed < -fast),
+    ]
+
+
+def _by_parameter(parts: Sequence[RunComparison], names: Array) -> list[tuple[str, Mask]]:
+    """One condition for each value of a parameter that several runs share and others do not."""
+    found: list[tuple[str, Mask]] = []
+    for parameter in parts[0].run.parameters:
+        values = np.array([r.run.parameters.get(parameter, np.nan) for r in parts])
+        for value in np.unique(values):
+            members = np.flatnonzero(values == value)
+            if 1 < len(members) < len(parts):
+                found.append((f"{parameter} = {value:.4g}", np.isin(names, members)))
+    return found
 
 
 def _slope(time: Array, values: Array) -> Array:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import nnls
 
-from pam_cosim.comparison import RunComparison
+from pam_cosim.comparison import RunComparison, lag_one
 from pam_cosim.measurement import Signal
 
 Array = NDArray[np.float64]
@@ -78,7 +78,7 @@ def structure(series: Sequence[Array], stated: Sequence[bool] | None = None) -> 
     steps = float(sum(np.sum(np.diff(e) ** 2) for e in series))
     pairs = sum(max(len(e) - 1, 0) for e in series)
     noise = steps / (2 * pairs) if pairs else float("nan")
-    score = _whiteness(series)
+    _, score = lag_one(series)
     level = noise if stated is None else _level(series, stated)
     return Structure(chi2, samples, noise, score, _correlation_time(series), level)
 
@@ -119,18 +119,6 @@ def red_noise(series: Sequence[Array]) -> float:
         if miss < best:
             best, variance = miss, float(weights[0])
     return max(float(variance), 0.0)
-
-
-def _whiteness(series: Sequence[Array]) -> float:
-    """Sum over series of the lag-one correlation about zero, in standard deviations of white noise."""
-    weighted, variance = 0.0, 0.0
-    for e in series:
-        power = float(np.sum(e**2))
-        if len(e) > 2 and power > 0:
-            n = len(e) - 1
-            weighted += n * float(np.sum(e[1:] * e[:-1])) / power
-            variance += n
-    return weighted / np.sqrt(variance) if variance else 0.0
 
 
 def _correlation_time(series: Sequence[Array]) -> float:
