@@ -74,10 +74,7 @@ class _Draft:
 
     def _redeclare(self, effect: EffectClass, slot: Slot) -> None:
         self.filled.add((slot.path, slot.name))
-        text = f"redeclare model {slot.name} = {effect.qualified_name}"
-        for name in reversed(slot.path.split(".") if slot.path else []):
-            text = f"{name}({text})"
-        self.redeclarations.append((slot.path, text))
+        self.redeclarations.append((slot.path, f"redeclare model {slot.name} = {effect.qualified_name}"))
         users = [p for p in self.structure.parts if _parent(p.path) == slot.path and _uses(p, slot)]
         own = [f"{p.path}.{name}" for p in users for name in effect.parameters]
         self.parameters[effect.name] = (*self.parameters.get(effect.name, ()), *own)
@@ -168,12 +165,23 @@ def qualified(tree: ClassTree, model: str) -> str:
     return bench if bench in tree.classes else model
 
 
+def _nested(redeclarations: Sequence[tuple[str, str]]) -> list[str]:
+    """Modifications of the model, each component once: Modelica forbids to modify one twice (3.6, section 7.2.5)."""
+    own = [text for path, text in redeclarations if not path]
+    inner: dict[str, list[tuple[str, str]]] = {}
+    for path, text in redeclarations:
+        if path:
+            first, _, rest = path.partition(".")
+            inner.setdefault(first, []).append((rest, text))
+    return own + [f"{name}({', '.join(_nested(parts))})" for name, parts in inner.items()]
+
+
 def _text(name: str, structure: Structure, draft: _Draft, effects: Sequence[EffectClass]) -> str:
     base = structure.model
     lacks = "; ".join(e.description for e in effects).replace('"', "'")
     lines = [f'model {name} "{base.rpartition(".")[2]}, and: {lacks}"']
     if draft.redeclarations:
-        changes = ",\n    ".join(text for _, text in draft.redeclarations)
+        changes = ",\n    ".join(_nested(draft.redeclarations))
         lines.append(f"  extends {base}(\n    {changes});")
     else:
         lines.append(f"  extends {base};")

@@ -4,7 +4,7 @@ import shutil
 
 import pytest
 
-from pam_cosim.compiler import compile_model, flat_hash, read_library, read_structure
+from pam_cosim.compiler import compile_model, compose, flat_hash, read_library, read_structure
 from pam_cosim.compiler.expression_parser import ExpressionParser
 from pam_cosim.compiler.lexer import tokenise
 from pam_cosim.compiler.printing import expression_text
@@ -99,3 +99,11 @@ def test_printed_expression_reads_the_same(text):
     source = Source("text", text)
     printed = expression_text(ExpressionParser(source, tokenise(source)).expression())
     assert printed == text
+
+
+def test_each_component_is_modified_once():
+    """Two effects that redeclare parts of one component share its modification; Modelica forbids a second one."""
+    composition = compose(read_library(), "Isotonic", ["ValveDelay", "UnequalAreas", "EnergyGas"])
+    assert composition is not None
+    assert composition.text.count("valve(") == composition.text.count("muscle(") == 1
+    assert "Drive = PneumaticMuscle.Effects.ValveDelay, redeclare model Area" in composition.text
