@@ -47,7 +47,7 @@ def _checked(*outputs: Path | None) -> None:
 
 def _saved(path: Path | None) -> None:
     if path is not None:
-        _console.print(f"written: {path}", style="dim")
+        _console.print(f"written: {path}", style="dim", markup=False, soft_wrap=True)
 
 
 @app.command()
@@ -252,7 +252,7 @@ def _write_advice(found: Diagnosis, following: Path | None, learned: Path | None
 
 def _teller(status: Any) -> Callable[[str], None]:
     def say(text: str) -> None:
-        _console.print(text)
+        _console.print(text, markup=False, soft_wrap=True)
         status.update("trying effects")
 
     return say

@@ -5,6 +5,7 @@ from __future__ import annotations
 # SI unit -> (unit people read, factor, offset): only where the SI unit itself is awkward to read.
 _READABLE: dict[str, tuple[str, float, float]] = {
     "Pa": ("kPa", 1e-3, 0.0),
+    "Pa/s": ("kPa/s", 1e-3, 0.0),
     "m": ("mm", 1e3, 0.0),
     "m2": ("mm²", 1e6, 0.0),
     "m3": ("L", 1e3, 0.0),

@@ -33,6 +33,7 @@ from pam_cosim.reporting.wording import (
 )  # fmt: skip
 
 _MOST_BARS = 20
+_MOST_ROWS = 12
 Row = dict[str, str]
 
 
@@ -41,6 +42,7 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
     signals = list(diagnosis.data.signals.values())
     layers = layers_of(diagnosis)
     fitted = [c for c in diagnosis.candidates if c.fit is not None]
+    shown = [i < _MOST_ROWS or _added(diagnosis, c) for i, c in enumerate(fitted)]
     palette = colours([*diagnosis.balance, *(c.balance for c in diagnosis.candidates)])
     rules = diagnosis.base.comparison.where
     return render(
@@ -61,7 +63,8 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
         where=where_picture(rules) if rules else None,
         rules=rule_rows(diagnosis.base.comparison),
         ranking=_ranking_picture(diagnosis, fitted, palette),
-        candidates=[_candidate_row(diagnosis, c) for c in fitted],
+        candidates=[_candidate_row(diagnosis, c) for c, s in zip(fitted, shown, strict=True) if s],
+        others=[_candidate_row(diagnosis, c) for c, s in zip(fitted, shown, strict=True) if not s],
         failed=[
             {"effect": " + ".join(c.effects), "family": words(c.family), "reason": c.failure or "no reason was given"}
             for c in diagnosis.candidates

@@ -22,7 +22,7 @@ def ledger_part(diagnosis: Diagnosis) -> dict[str, Any] | None:
         "picture": _picture(ledger),
         "sentence": ledger_sentence(ledger),
         "rows": [_row(e) for e in ledger.entries],
-        "meanings": [f"{words(e.balance).capitalize()}: {e.meaning}" for e in ledger.entries if e.meaning],
+        "meanings": [_sign(e) for e in ledger.entries if e.meaning],
         "readings": [_reading(r) for r in ledger.readings],
         "notes": [*_disagreement(diagnosis, ledger), *ledger.notes],
     }
@@ -71,6 +71,10 @@ def _row(entry: Entry) -> dict[str, str]:
         "outside": percent(entry.outside) if there else NOTHING,
         "note": "; ".join(t for t in (entry.note, same) if t),
     }
+
+
+def _sign(entry: Entry) -> str:
+    return f"{words(entry.balance).capitalize()}: {entry.meaning[:1].lower()}{entry.meaning[1:]}"
 
 
 def _reading(r: Reading) -> dict[str, str]:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cache
-from math import pi, sin
 from pathlib import Path
 from tempfile import mkdtemp
 
@@ -19,36 +17,11 @@ from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit, complete_noise
 from pam_cosim.ledger import Ledger, keep_ledger
 from pam_cosim.measurement import DataSet
-from tests.reference.effects import Effect, effect_of
+from tests.reference.effects import effect_of
 from tests.systems.rig import write_light_data
+from tests.systems.unlisted import UNLISTED
 
-
-@dataclass(frozen=True)
-class Ripple(Effect):
-    """A force that goes up and down along the travel."""
-
-    family = "ripple"
-    form = "sine"
-    amplitude: float = 6.0  # N
-    length: float = 0.03  # m
-
-    def force(self, q: object, x: float, v: float, p_gauge: float) -> float:
-        return self.amplitude * sin(2 * pi * x / self.length) if x > 0 else 0.0
-
-
-@dataclass(frozen=True)
-class Coupled(Effect):
-    """A force that grows with the pressure and with the square of the travel."""
-
-    family = "coupled"
-    form = "quadratic"
-    c: float = 8e-4  # N/Pa at 70 mm
-
-    def force(self, q: object, x: float, v: float, p_gauge: float) -> float:
-        return self.c * p_gauge * (x / 0.07) ** 2
-
-
-HIDDEN = {"ripple": Ripple(), "coupled": Coupled(), "exponential": effect_of("elasticity:exponential")}
+HIDDEN = {**UNLISTED, "exponential": effect_of("elasticity:exponential")}
 
 
 @cache

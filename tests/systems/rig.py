@@ -1,18 +1,25 @@
-"""Data of the independent rig, short enough for tests that run on every change."""
+"""Data of the independent rig, short enough for tests that run on every change.
+
+python -m tests.systems.rig --effect elasticity:linear --seed 1 OUT_FOLDER
+"""
 
 from __future__ import annotations
 
+import argparse
+import csv
+import sys
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
-from tests.reference.effects import Effect
+from tests.reference.effects import Effect, effect_of
 from tests.reference.muscle import simulate_muscle
 from tests.reference.plan import Run
 from tests.reference.rig import TRUTH, Measurement, Noise, write_data_set
 from tests.reference.schedule import Phase
+from tests.systems.unlisted import UNLISTED
 
 DURATION, RATE = 4.0, 50.0  # s, Hz
 
@@ -36,13 +43,14 @@ PLAN = (
 """One run to fit and one to judge: filling fast and slow, holding at three levels, venting in parts."""
 
 
-def measure_light(effects: Sequence[Effect] = (), seed: int = 0) -> list[Measurement]:
-    """Both runs with the rig's usual noise."""
-    times = np.arange(round(DURATION * RATE) + 1) / RATE
+def measure_light(effects: Sequence[Effect] = (), seed: int = 0, further: Sequence[Run] = ()) -> list[Measurement]:
+    """Both runs, and those asked for further, with the rig's usual noise."""
     rng = np.random.default_rng([seed, 7])
     sigma = Noise().as_dict()
     measured = []
-    for run in PLAN:
+    for run in (*PLAN, *further):
+        duration = DURATION if run in PLAN else sum(phase.duration for phase in run.phases)
+        times = np.arange(round(duration * RATE) + 1) / RATE
         found = simulate_muscle(replace(TRUTH, load=run.load), run.p_supply, run.schedule, times, effects)
         clean = {"p": found.p, "x": found.x, "T": found.temperature}
         noisy = {name: y + sigma[name] * rng.standard_normal(len(y)) for name, y in clean.items()}
@@ -50,7 +58,43 @@ def measure_light(effects: Sequence[Effect] = (), seed: int = 0) -> list[Measure
     return measured
 
 
-def write_light_data(folder: Path, effects: Sequence[Effect] = (), seed: int = 0) -> Path:
+def write_light_data(folder: Path, effects: Sequence[Effect] = (), seed: int = 0, further: Sequence[Run] = ()) -> Path:
     """A data set of the Isotonic bench."""
-    write_data_set(folder, measure_light(effects, seed))
+    write_data_set(folder, measure_light(effects, seed, further))
     return folder
+
+
+def planned(file: Path, load: float) -> Run:
+    """The run that ``pam-cosim diagnose --next`` wrote, from one supply, with steps of the currents."""
+    with open(file, newline="") as lines:
+        rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    times, u_in, u_out = (np.array([float(r[c]) for r in rows]) for c in ("time [s]", "u_in [A]", "u_out [A]"))
+    phases = [
+        Phase(float(later - at), u_in=float(a), u_out=float(b))
+        for at, later, a, b in zip(times[:-1], times[1:], u_in[:-1], u_out[:-1], strict=True)
+        if later > at
+    ]
+    return Run(load, float(rows[0]["p_supply [kPa]"]) * 1e3, tuple(phases))
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Command line; returns the exit status."""
+    parser = argparse.ArgumentParser(prog="python -m tests.systems.rig", description=__doc__)
+    parser.add_argument("folder", type=Path, help="data set to write")
+    shown = f"FAMILY:FORM as in tests.reference.rig --list; {' or '.join(UNLISTED)}, which no catalogue holds"
+    parser.add_argument("--effect", action="append", default=[], help=shown)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--further", type=Path, help="a run to make as well, from 'pam-cosim diagnose --next'")
+    parser.add_argument("--load", type=float, default=2.27, help="of the further run [kg]")
+    options = parser.parse_args(arguments)
+    try:
+        effects = [UNLISTED.get(text) or effect_of(text) for text in options.effect]
+    except ValueError as error:
+        parser.error(str(error))
+    further = [planned(options.further, options.load)] if options.further else []
+    write_light_data(options.folder, effects, options.seed, further)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

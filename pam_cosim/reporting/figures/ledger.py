@@ -11,12 +11,13 @@ from pam_cosim.quantities import readable_factor, readable_unit
 from pam_cosim.reporting.style import BALANCE, BAND, INK, SOFT, message, new_figure
 
 _PLANES = (("x", "p_gauge"), ("T_excess", "p_gauge"), ("p_rate", "p_gauge"))
+_SMALL = 0.005  # share of a balance that nothing is said to be missing in
 _AXES = ("x", "T_excess", "p_gauge", "v")  # what a term is drawn against first
 
 
 def ledger_figure(ledger: Ledger) -> Figure:
     """Above, the share of each balance. Below, a row a balance: in time, against its variables, and on a plane."""
-    rows = [e for e in ledger.entries if e.courses]
+    rows = telling(ledger)
     figure = new_figure(11.0, 1.4 + 2.3 * max(len(rows), 1))
     grid = figure.add_gridspec(1 + max(len(rows), 1), 4, height_ratios=[0.55] + [1.0] * max(len(rows), 1))
     draw_shares(figure.add_subplot(grid[0, :]), ledger)
@@ -33,6 +34,12 @@ def ledger_figure(ledger: Ledger) -> Figure:
     if not rows:
         message(figure.add_subplot(grid[1, :]), "the model has no place for a missing term")
     return figure
+
+
+def telling(ledger: Ledger) -> list[Entry]:
+    """Entries that have a course and a part in the error; all that have a course where none has a part."""
+    drawn = [e for e in ledger.entries if e.courses]
+    return [e for e in drawn if e.balance in ledger.failing or e.share >= _SMALL] or drawn
 
 
 def draw_shares(axes: Axes, ledger: Ledger) -> None:

@@ -1,0 +1,36 @@
+"""Effects that the catalogue does not hold, to see what a diagnosis makes of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi, sin
+
+from tests.reference.effects import Effect
+
+
+@dataclass(frozen=True)
+class Ripple(Effect):
+    """A force that goes up and down along the travel."""
+
+    family = "ripple"
+    form = "sine"
+    amplitude: float = 6.0  # N
+    length: float = 0.03  # m
+
+    def force(self, q: object, x: float, v: float, p_gauge: float) -> float:
+        return self.amplitude * sin(2 * pi * x / self.length) if x > 0 else 0.0
+
+
+@dataclass(frozen=True)
+class Coupled(Effect):
+    """A force that grows with the pressure and with the square of the travel."""
+
+    family = "coupled"
+    form = "quadratic"
+    c: float = 8e-4  # N/Pa at 70 mm
+
+    def force(self, q: object, x: float, v: float, p_gauge: float) -> float:
+        return self.c * p_gauge * (x / 0.07) ** 2
+
+
+UNLISTED: dict[str, Effect] = {"ripple": Ripple(), "coupled": Coupled()}
