@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from pam_cosim.ledger import Course, Entry, Ledger
-from pam_cosim.reporting.figures.ledger import ledger_figure
+from pam_cosim.reporting.figures.ledger import ledger_figure, telling
 from pam_cosim.reporting.style import drawing, png
 
 
@@ -41,3 +43,14 @@ def test_model_without_place_for_a_term() -> None:
     with drawing():
         texts = [t.get_text() for a in ledger_figure(_ledger(places=False)).axes for t in a.texts]
     assert "the model has no place for a missing term" in texts
+
+
+def test_balances_without_a_part_in_the_error_are_not_drawn() -> None:
+    ledger = _ledger()
+    force = ledger.entries[0]
+    mass = replace(force, balance="mass", share=0.0)
+    assert [e.balance for e in telling(replace(ledger, entries=(force, mass)))] == ["force"]
+    failing = replace(ledger, entries=(force, mass), failing=("mass",))
+    assert [e.balance for e in telling(failing)] == ["force", "mass"]
+    quiet = replace(ledger, entries=(replace(force, share=0.0), mass), failing=())
+    assert [e.balance for e in telling(quiet)] == ["force", "mass"]

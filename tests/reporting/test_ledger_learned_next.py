@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -168,3 +170,14 @@ def test_few_samples_make_no_map():
     for data in (few, one):
         layers = (Layer("base model", make_comparison(data, 10.0), "black"),)
         assert residual_map(layers, list(data.signals.values())) is None
+
+
+def test_a_long_ranking_is_folded_but_never_what_was_added():
+    diagnosis = make_diagnosis("identified")
+    best, rival = diagnosis.candidates[:2]
+    many = tuple(replace(rival, effect=f"Other{i:02}", effects=(f"Other{i:02}",)) for i in range(15))
+    html = diagnosis_report(replace(diagnosis, candidates=(*many, best)))
+    before, _, folded = html.partition("3 more, with less evidence")
+    assert folded and 'class="name">StiffWall' in before and 'class="name">StiffWall' not in folded
+    assert 'class="name">Other11' in before and 'class="name">Other12' in folded
+    checked(html)
