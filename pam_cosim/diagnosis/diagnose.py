@@ -9,11 +9,12 @@ from pathlib import Path
 from pam_cosim.comparison import without_outliers
 from pam_cosim.compiler import effect_classes, read_library
 from pam_cosim.diagnosis.candidate import Candidate, role_summary
-from pam_cosim.diagnosis.evidence import clears, coherent, convincing, foretold, leading, promising, rank, structured
+from pam_cosim.diagnosis.evidence import rank
 from pam_cosim.diagnosis.explanation import learned_term, ledger_of
 from pam_cosim.diagnosis.learning import LearnedTerm
 from pam_cosim.diagnosis.missing_term import missing_term
 from pam_cosim.diagnosis.next_experiment import Plan, told_apart
+from pam_cosim.diagnosis.path import find_path
 from pam_cosim.diagnosis.search import Search, describe_fit
 from pam_cosim.diagnosis.verdict import Verdict, explained, judge, rivals
 from pam_cosim.errors import InputError
@@ -23,9 +24,6 @@ from pam_cosim.ledger import Ledger
 from pam_cosim.measurement import DataSet
 from pam_cosim.quantities import readable
 from pam_cosim.simulation import Simulator
-
-_MOST_EFFECTS = 3
-_FIRST = 3  # effects that the search for a second one starts from
 
 
 @dataclass(frozen=True)
@@ -145,7 +143,7 @@ def diagnose(
     tree = read_library(files=sources)
     data, base, outliers = _base(complete_noise(data), name, files, say)
     search = Search(tree, name, effect_classes(tree), data, sources, say, workers)
-    path, tried = _add_effects(search, base)
+    path, tried = find_path(search, base)
     others: list[Plan] = []
     if path:
         last = [c for c in tried if c.effects[:-1] == path[-1].effects[:-1]]
@@ -187,109 +185,6 @@ def _base(
             base = fit(simulator, data)
     say(f"base model refitted: rms error {describe_fit(base)}, chi2 {base.comparison.chi2_reduced('fit'):.4g}")
     return data, base, outliers
-
-
-def _add_effects(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidate]]:
-    """The effects that are needed, in the order in which they were found, and all that were tried."""
-    missing = any(coherent(s) for s in base.structure.values())
-    tried = search.round((), base, deep=missing)
-    first = _steps(base, tried) if missing else []
-    path = [first[0]] if first else []
-    if first and _unsolved(first[0]):
-        path = _second(search, base, first, tried)
-    while 1 < len(path) < _MOST_EFFECTS and (last := path[-1]).fit is not None and _unsolved(last):
-        found = search.round(last.effects, last.fit, tried)
-        tried += found
-        steps = _steps(last.fit, found)
-        if not steps:
-            break
-        path.append(steps[0])
-        search.say(f"added {_told(steps[0])}")
-    path = _needed(search, base, path, tried)
-    return (path, tried) if path and convincing(base, rank(base, [path[-1]])[0]) else ([], tried)
-
-
-def _second(search: Search, base: Fit, first: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
-    """The best first effect with the best second one: of two that are missing, neither need be the best alone."""
-    singles = list(tried)
-    pairs: list[Candidate] = []
-    for one in first[:_FIRST]:
-        assert one.fit is not None
-        search.say(f"with {_told(one)}")
-        found = search.round(one.effects, one.fit, singles)
-        tried += found
-        pairs += _steps(one.fit, found)[:1]
-        if pairs and not _unsolved(pairs[-1]):
-            break
-    if not pairs:
-        return [first[0]]
-    best = rank(base, pairs)[0]
-    chosen = next(p for p in pairs if p.effects == best.effects)
-    search.say(f"added {_told(chosen)}")
-    return [next(c for c in first if c.effects == chosen.effects[:1]), chosen]
-
-
-def _steps(present: Fit, found: Sequence[Candidate]) -> list[Candidate]:
-    """Effects worth adding, the leading one first, one of each family."""
-    order = [leading(found), *found] if any(c.fit for c in found) else []
-    best: dict[str, Candidate] = {}
-    repeats = _structured(present)
-    for c in order:
-        if _step(present, c, repeats):
-            best.setdefault(c.family, c)
-    return list(best.values())
-
-
-def _unsolved(c: Candidate) -> bool:
-    return c.fit is not None and _structured(c.fit)
-
-
-def _told(c: Candidate) -> str:
-    assert c.fit is not None
-    return f"{' + '.join(c.effects)} ({c.family}): rms error {describe_fit(c.fit)}"
-
-
-def _step(present: Fit, best: Candidate, repeats: bool) -> bool:
-    """Whether an effect is worth adding: what is left ``repeats`` in other runs, or it takes away all there is."""
-    if best.fit is None:
-        return False
-    if convincing(present, best) and clears(present, best.fit):
-        return True
-    return repeats and promising(present, best)
-
-
-def _structured(found: Fit) -> bool:
-    repeated = foretold(found)
-    return any(structured(s, repeated) for s in found.structure.values())
-
-
-def _needed(search: Search, base: Fit, path: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
-    """The path without effects that those added later made superfluous."""
-    path = list(path)
-    for i in reversed(range(len(path) - 1)):
-        rest = [*path[:i], *path[i + 1 :]]
-        full = path[-1].fit
-        assert full is not None
-        without = _refitted(search, [c.effect for c in rest], full, base, tried)
-        last = without[-1].fit
-        if last is not None and not convincing(last, rank(last, [path[-1]])[0]):
-            search.say(f"{path[i].effect} is not needed any more")
-            path = without
-    return path
-
-
-def _refitted(search: Search, effects: Sequence[str], full: Fit, base: Fit, tried: list[Candidate]) -> list[Candidate]:
-    """The chain of models that adds these effects one after another, fitted from the values of a fuller model."""
-    chain: list[Candidate] = []
-    for k in range(1, len(effects) + 1):
-        names = tuple(effects[:k])
-        known = next((c for c in tried if c.effects == names and c.fit is not None), None)
-        if known is None:
-            before = chain[-1].fit if chain and chain[-1].fit else base
-            known = rank(before, [search.with_effects(names, full.values)])[0]
-            tried.append(known)
-        chain.append(known)
-    return chain
 
 
 def _balance(base: Fit, candidates: Sequence[Candidate]) -> dict[str, float]:

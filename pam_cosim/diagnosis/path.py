@@ -1,0 +1,125 @@
+"""Which effects a model needs: added one after another, the superfluous ones removed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.diagnosis.evidence import (
+    clears,
+    coherent,
+    convincing,
+    foretold,
+    leading,
+    promising,
+    rank,
+    structured,
+)
+from pam_cosim.diagnosis.search import Search, describe_fit
+from pam_cosim.fitting import Fit
+
+_MOST_EFFECTS = 3
+_FIRST = 3  # effects that the search for a second one starts from
+
+
+def find_path(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidate]]:
+    """The effects that are needed, in the order in which they were found, and all that were tried."""
+    missing = any(coherent(s) for s in base.structure.values())
+    tried = search.round((), base, deep=missing)
+    first = _steps(base, tried) if missing else []
+    path = [first[0]] if first else []
+    if first and _unsolved(first[0]):
+        path = _second(search, base, first, tried)
+    while 1 < len(path) < _MOST_EFFECTS and (last := path[-1]).fit is not None and _unsolved(last):
+        found = search.round(last.effects, last.fit, tried)
+        tried += found
+        steps = _steps(last.fit, found)
+        if not steps:
+            break
+        path.append(steps[0])
+        search.say(f"added {_told(steps[0])}")
+    path = _needed(search, base, path, tried)
+    return (path, tried) if path and convincing(base, rank(base, [path[-1]])[0]) else ([], tried)
+
+
+def _second(search: Search, base: Fit, first: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
+    """The best first effect with the best second one: of two that are missing, neither need be the best alone."""
+    singles = list(tried)
+    pairs: list[Candidate] = []
+    for one in first[:_FIRST]:
+        assert one.fit is not None
+        search.say(f"with {_told(one)}")
+        found = search.round(one.effects, one.fit, singles)
+        tried += found
+        pairs += _steps(one.fit, found)[:1]
+        if pairs and not _unsolved(pairs[-1]):
+            break
+    if not pairs:
+        return [first[0]]
+    best = rank(base, pairs)[0]
+    chosen = next(p for p in pairs if p.effects == best.effects)
+    search.say(f"added {_told(chosen)}")
+    return [next(c for c in first if c.effects == chosen.effects[:1]), chosen]
+
+
+def _steps(present: Fit, found: Sequence[Candidate]) -> list[Candidate]:
+    """Effects worth adding, the leading one first, one of each family."""
+    order = [leading(found), *found] if any(c.fit for c in found) else []
+    best: dict[str, Candidate] = {}
+    repeats = _structured(present)
+    for c in order:
+        if _step(present, c, repeats):
+            best.setdefault(c.family, c)
+    return list(best.values())
+
+
+def _unsolved(c: Candidate) -> bool:
+    return c.fit is not None and _structured(c.fit)
+
+
+def _told(c: Candidate) -> str:
+    assert c.fit is not None
+    return f"{' + '.join(c.effects)} ({c.family}): rms error {describe_fit(c.fit)}"
+
+
+def _step(present: Fit, best: Candidate, repeats: bool) -> bool:
+    """Whether an effect is worth adding: what is left ``repeats`` in other runs, or it takes away all there is."""
+    if best.fit is None:
+        return False
+    if convincing(present, best) and clears(present, best.fit):
+        return True
+    return repeats and promising(present, best)
+
+
+def _structured(found: Fit) -> bool:
+    repeated = foretold(found)
+    return any(structured(s, repeated) for s in found.structure.values())
+
+
+def _needed(search: Search, base: Fit, path: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
+    """The path without effects that those added later made superfluous."""
+    path = list(path)
+    for i in reversed(range(len(path) - 1)):
+        rest = [*path[:i], *path[i + 1 :]]
+        full = path[-1].fit
+        assert full is not None
+        without = _refitted(search, [c.effect for c in rest], full, base, tried)
+        last = without[-1].fit
+        if last is not None and not convincing(last, rank(last, [path[-1]])[0]):
+            search.say(f"{path[i].effect} is not needed any more")
+            path = without
+    return path
+
+
+def _refitted(search: Search, effects: Sequence[str], full: Fit, base: Fit, tried: list[Candidate]) -> list[Candidate]:
+    """The chain of models that adds these effects one after another, fitted from the values of a fuller model."""
+    chain: list[Candidate] = []
+    for k in range(1, len(effects) + 1):
+        names = tuple(effects[:k])
+        known = next((c for c in tried if c.effects == names and c.fit is not None), None)
+        if known is None:
+            before = chain[-1].fit if chain and chain[-1].fit else base
+            known = rank(before, [search.with_effects(names, full.values)])[0]
+            tried.append(known)
+        chain.append(known)
+    return chain
