@@ -13,6 +13,7 @@ SIGNIFICANT = 10.0  # difference of the criterion that counts as very strong (Ka
 _WHITE_SCORE = 4.0
 _WHITE_SCORE_OF_FEW = 3.0  # the score of n samples cannot exceed sqrt(n)
 _EXCESS = 0.05
+_SLIGHT_EXCESS = 0.01
 _LARGE_EXCESS = 0.5
 _FORETOLD = 0.02
 _DENSE = 100
@@ -50,8 +51,8 @@ def structured(s: Structure, repeated: Systematic | None = None) -> bool:
 
 
 def coherent(s: Structure) -> bool:
-    """Whether residuals are correlated and larger than noise, be it a drift of the instruments."""
-    return structured(s)
+    """Whether residuals are correlated and larger than noise, if ever so slightly, be it a drift of the instruments."""
+    return structured(s) or (s.samples >= _DENSE and _correlated(s) and s.excess > _SLIGHT_EXCESS)
 
 
 def leaves_structure(s: Structure, repeated: Systematic | None = None) -> bool:

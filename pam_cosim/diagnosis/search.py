@@ -73,7 +73,7 @@ class Search:
             raise SimulationFailure(f"no effect could be tried; {found[0].effect}: {found[0].failure}")
         if not deep:
             return rank(present, found)
-        leading = self._deep(simple, found)
+        leading = self._deep(trials, found)
         if not any(c.fit is not None and at_noise(c.fit) for c in leading):
             seen = {c.effect for c in [*found, *leading]}
             families = _leading_families([*found, *leading], _MORE_FAMILIES)
@@ -89,15 +89,23 @@ class Search:
     def _deep(
         self, trials: Sequence[Trial], found: Sequence[Candidate], among: Sequence[Candidate] = ()
     ) -> list[Candidate]:
-        """Fits the promising ones of ``found`` (that are so ``among`` more) to the end, and all of their families."""
-        near = worth_refitting(among or found)
-        names = {c.effect for c in found}
-        chosen = [c for c in near if c.effect in names]
-        values = {c.effect: c.fit.values for c in chosen if c.fit is not None}
-        families = _leading_families(near, _LEADING_FAMILIES)
-        known = names | {c.effect for c in among}
+        """Fits the promising ones of ``found`` (that are so ``among`` more) to the end.
+
+        The other members of a leading family are fitted too, but richer ones only where a simple one came near: what
+        bends in every direction must not stand in for a family that does not fit.
+        """
+        every = [*found, *among]
+        near, chosen = _near(every), worth_refitting(every)
+        names, known = {c.effect for c in found}, {c.effect for c in every}
+        values = {c.effect: c.fit.values for c in chosen if c.fit is not None and c.effect in names}
         again = [replace(t, start=values[t.effect.name]) for t in trials if t.effect.name in values]
-        others = [t for t in trials if t.effect.name not in known and t.effect.family in families]
+        plain = {t.effect.name for t in _simple(trials)}
+        families, rich = _leading_families(chosen, _LEADING_FAMILIES), _leading_families(near, _LEADING_FAMILIES)
+        others = [
+            t
+            for t in trials
+            if t.effect.name not in known and t.effect.family in (families if t.effect.name in plain else rich)
+        ]
         return self._run([*again, *others])
 
     def with_effects(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate:
@@ -143,16 +151,26 @@ def describe_fit(found: Fit) -> str:
 
 
 def worth_refitting(candidates: Sequence[Candidate]) -> list[Candidate]:
-    """Those that came near the best in a few steps, best first."""
-    fitted = [(c.fit.structure["fit"], c) for c in candidates if c.fit is not None]
-    if not fitted:
+    """Those that came near the best in a few steps, and at least a few, best first."""
+    near = _near(candidates)
+    return near[:_MOST_REFITS] if len(near) >= _FEWEST_REFITS else _by_error(candidates)[:_FEWEST_REFITS]
+
+
+def _by_error(candidates: Sequence[Candidate]) -> list[Candidate]:
+    fitted = [(c.fit.structure["fit"].chi2, c.effect, c) for c in candidates if c.fit is not None]
+    return [c for _, _, c in sorted(fitted, key=lambda entry: entry[:2])]
+
+
+def _near(candidates: Sequence[Candidate]) -> list[Candidate]:
+    """Those whose error beyond the noise a few more steps may still bring down to that of the best; best first."""
+    ordered = _by_error(candidates)
+    found = [(c.fit.structure["fit"], c) for c in ordered if c.fit is not None]
+    if not found:
         return []
-    fitted.sort(key=lambda pair: (pair[0].chi2, pair[1].effect))
-    floor = min(max(s.level, 0.0) for s, _ in fitted) * fitted[0][0].samples
-    least = max(fitted[0][0].chi2 - floor, 0.0)
-    limit = floor + _FAR * least + _ROOM * fitted[0][0].samples
-    near = [c for s, c in fitted if s.chi2 <= limit]
-    return [c for _, c in fitted][:_FEWEST_REFITS] if len(near) < _FEWEST_REFITS else near[:_MOST_REFITS]
+    samples = found[0][0].samples
+    floor = min(max(s.level, 0.0) for s, _ in found) * samples
+    limit = floor + _FAR * max(found[0][0].chi2 - floor, 0.0) + _ROOM * samples
+    return [c for s, c in found if s.chi2 <= limit]
 
 
 def _leading_families(candidates: Sequence[Candidate], count: int) -> list[str]:
