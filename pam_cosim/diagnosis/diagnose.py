@@ -108,8 +108,6 @@ class Diagnosis:
             left = candidate.fit.structure["holdout" if candidate.fit.structure["holdout"].samples else "fit"]
             lines.append(f"  What is missing, described (not explained): {term}")
             lines.append(f"  with it the chi-square is {left.chi2_reduced:.3g}")
-        if self.ledger is not None and self.ledger.failing:
-            lines.append(f"  The base model fails in the balance of {' and '.join(self.ledger.failing)}")
         return "\n".join(lines)
 
 

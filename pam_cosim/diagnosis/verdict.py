@@ -99,7 +99,15 @@ def judge(base: Fit, path: Sequence[Candidate], others: Sequence[Candidate]) -> 
         )
     loud = last.fit.structure["fit"].chi2_reduced
     noise = f"; the noise is {loud**0.5:.2g} times the stated one" if loud > 1.5 else ""
-    return Verdict("identified", families, effects, f"{text}; what remains is noise{noise}.")
+    return Verdict("identified", families, effects, f"{text}; what remains is noise{noise}.{_caution(last.fit)}")
+
+
+def _caution(found: Fit) -> str:
+    """A fit that ends at a bound says that the model may stand in for something else."""
+    names = [n for n, e in found.parameters.items() if e.at_bound]
+    if not names:
+        return ""
+    return f" Caution: {', '.join(names)} ended at a bound; the model may stand in for something else."
 
 
 def explained(before: Fit, after: Fit) -> float:
