@@ -29,7 +29,7 @@ def _data() -> DataSet:
 
 def _objective(simulator: Simulator) -> Objective:
     data = _data()
-    return Objective(simulator, data, data.runs, _FREE)
+    return Objective(simulator, data, data.runs, _FREE, tolerance=1e-8)
 
 
 def test_exact_and_difference_agree() -> None:
