@@ -44,10 +44,10 @@ def structured(s: Structure, repeated: Systematic | None = None) -> bool:
     """
     if not s.samples:
         return False
-    coherent = _correlated(s) and s.excess > _EXCESS
+    visible = _correlated(s) and s.excess > _EXCESS
     if s.samples >= _DENSE:
-        return coherent and _comes_again(s, repeated)
-    return coherent or s.chi2_reduced > 1 + 4 * math.sqrt(2 / s.samples)
+        return visible and _comes_again(s, repeated)
+    return visible or s.chi2_reduced > 1 + 4 * math.sqrt(2 / s.samples)
 
 
 def coherent(s: Structure) -> bool:

@@ -113,10 +113,7 @@ class Search:
         last = next(e for e in self.shelf if e.name == effects[-1])
         composition = compose(self.tree, self.model, tuple(effects), files=self.files)
         assert composition is not None
-        return run_tasks(
-            run_trial, [Trial(last, tuple(effects), composition, self.data, start, self.files)], crashed,
-            lambda c: self.say(told(c)), 0 if self.workers == 0 else 1,
-        )[0]  # fmt: skip
+        return self._run([Trial(last, tuple(effects), composition, self.data, start, self.files)])[0]
 
     def _run(self, trials: Sequence[Trial]) -> list[Candidate]:
         return run_tasks(run_trial, trials, crashed, lambda c: self.say(told(c)), self.workers)
@@ -174,8 +171,7 @@ def _near(candidates: Sequence[Candidate]) -> list[Candidate]:
 
 
 def _leading_families(candidates: Sequence[Candidate], count: int) -> list[str]:
-    fitted = [(c.fit.structure["fit"].chi2, c.effect, c.family) for c in candidates if c.fit is not None]
-    return list(dict.fromkeys(family for _, _, family in sorted(fitted)))[:count]
+    return list(dict.fromkeys(c.family for c in _by_error(candidates)))[:count]
 
 
 def at_noise(found: Fit) -> bool:

@@ -44,10 +44,14 @@ class Objective:
         self.fixed = dict(fixed or {})
         self.evaluations = 0
         self.failures: list[str] = []
-        self._latest: tuple[bytes, Array, Array] | None = None
+        self._latest: tuple[bytes, Array] | None = None  # where, and the exact Jacobian there
         self._signals = [
             [s for s, signal in data.signals.items() if signal.fitted and run.sample_count(s)] for run in self.runs
         ]
+        self._outputs = [
+            [*names, *self._slopes(run, names)] for run, names in zip(self.runs, self._signals, strict=True)
+        ]
+        self._exact = self._told_parameters()
         chosen = TOLERANCE if all(self._exact) else _DIFFERENCE_TOLERANCE
         self.tolerance = chosen if tolerance is None else tolerance
         self.size = sum(run.sample_count(s) for run, names in zip(self.runs, self._signals, strict=True) for s in names)
@@ -70,8 +74,8 @@ class Objective:
         """
         values = self.values(z)
         return [
-            simulate_run(self.simulator, self.data, run, values, self.tolerance, [*names, *self._slopes(run, names)])
-            for run, names in zip(self.runs, self._signals, strict=True)
+            simulate_run(self.simulator, self.data, run, values, self.tolerance, outputs)
+            for run, outputs in zip(self.runs, self._outputs, strict=True)
         ]
 
     def _slopes(self, run: Run, signals: Sequence[str]) -> list[str]:
@@ -80,8 +84,7 @@ class Objective:
         moved = [f.name for f in self.free if f.name not in run.parameters]
         return [n for s in signals for f in moved if (n := sensitivity_name(s, f)) in known]
 
-    @property
-    def _exact(self) -> list[bool]:
+    def _told_parameters(self) -> list[bool]:
         """For each free parameter, whether the model tells its sensitivities."""
         known = self.simulator.interface.sensitivities
         return [all(sensitivity_name(s, f.name) in known for names in self._signals for s in names) for f in self.free]
@@ -93,7 +96,7 @@ class Objective:
             runs = self.simulate(z)
             residuals = self._weighted(runs)
             if any(self._exact) and np.all(np.isfinite(residuals)):
-                self._latest = (z.tobytes(), residuals, self._exact_jacobian(z, runs))
+                self._latest = (z.tobytes(), self._exact_jacobian(z, runs))
             return residuals
         except SimulationFailure as failure:
             if len(self.failures) < 10:
@@ -146,7 +149,7 @@ class Objective:
         if self._latest is None or self._latest[0] != z.tobytes():
             self.residuals(z)
         latest = self._latest
-        return latest[2] if latest is not None and latest[0] == z.tobytes() else None
+        return latest[1] if latest is not None and latest[0] == z.tobytes() else None
 
     def _difference(self, z: Array, at: Array, i: int) -> Array:
         """One column by a difference, stepping inwards from a bound.
