@@ -16,7 +16,7 @@ are refused with an error.
 
 from pam_cosim.compiler.catalogue import ClassTree, read_library
 from pam_cosim.compiler.compile import compile_model
-from pam_cosim.compiler.compose import Composition, compose, qualified
+from pam_cosim.compiler.compose import Composition, compose, compose_on, qualified
 from pam_cosim.compiler.effects import EffectClass, effect_classes, unknown_terms
 from pam_cosim.compiler.hashing import flat_hash
 from pam_cosim.compiler.ode import Delay, Ode
@@ -32,6 +32,7 @@ __all__ = [
     "Structure",
     "compile_model",
     "compose",
+    "compose_on",
     "effect_classes",
     "flat_hash",
     "qualified",

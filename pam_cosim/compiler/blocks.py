@@ -39,12 +39,11 @@ def _solve_block(
     equations: Sequence[Residual], names: Sequence[str], symbols: Mapping[str, ca.SX], solved: dict[str, ca.SX]
 ) -> None:
     """Solve one block for its unknowns; what earlier blocks gave is put in first."""
-    system = ca.vertcat(*[equation.expression for equation in equations])
-    known = [symbol.name() for symbol in ca.symvar(system) if symbol.name() in solved]
+    system = _column([equation.expression for equation in equations])
+    known = [name for symbol in ca.symvar(system) if (name := symbol.name()) in solved]
     if known:
-        old = ca.vertcat(*[symbols[name] for name in known])
-        system = ca.substitute(system, old, ca.vertcat(*[solved[name] for name in known]))
-    variables = ca.vertcat(*[symbols[name] for name in names])
+        system = ca.substitute(system, _column([symbols[n] for n in known]), _column([solved[n] for n in known]))
+    variables = _column([symbols[name] for name in names])
     matrix = ca.jacobian(system, variables)
     if ca.depends_on(matrix, variables):
         raise ModelError(_nonlinear(equations, names))
@@ -54,6 +53,11 @@ def _solve_block(
     result = -offset / matrix if len(names) == 1 else _linear(matrix, -offset)
     for i, name in enumerate(names):
         solved[name] = ca.simplify(result[i]) if result[i].is_constant() else result[i]
+
+
+def _column(items: Sequence[ca.SX]) -> ca.SX:
+    """Stacked; most blocks have one equation, and nothing to stack."""
+    return items[0] if len(items) == 1 else ca.vertcat(*items)
 
 
 def _linear(matrix: ca.SX, right: ca.SX) -> ca.SX:

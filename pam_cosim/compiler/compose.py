@@ -145,7 +145,13 @@ def compose(
         InputError: an unknown effect.
         ModelError: the model cannot be found or put together.
     """
-    structure = read_structure(qualified(tree, model), files=files)
+    return compose_on(tree, read_structure(qualified(tree, model), files=files), effects, name)
+
+
+def compose_on(
+    tree: ClassTree, structure: Structure, effects: Sequence[str], name: str | None = None
+) -> Composition | None:
+    """As :func:`compose`, on a model whose structure is known already; who tries many effects reads it once."""
     draft = _Draft(structure, tree)
     known = {e.name: e for e in [*effect_classes(tree), *unknown_terms(tree)]}
     known |= {e.qualified_name: e for e in known.values()}

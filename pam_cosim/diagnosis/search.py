@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 
-from pam_cosim.compiler import ClassTree, EffectClass, compose
+from pam_cosim.compiler import ClassTree, EffectClass, Structure, compose_on, qualified, read_structure
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.evidence import rank
 from pam_cosim.diagnosis.trial import Trial, crashed, run_trial
@@ -49,6 +50,11 @@ class Search:
     files: tuple[Path, ...] = ()
     say: Callable[[str], None] = lambda text: None
     workers: int | None = None
+
+    @cached_property
+    def structure(self) -> Structure:
+        """Parts and replaceable classes of the base model."""
+        return read_structure(qualified(self.tree, self.model), files=self.files)
 
     def round(
         self, added: Sequence[str], present: Fit, known: Sequence[Candidate] = (), deep: bool = True
@@ -111,7 +117,7 @@ class Search:
     def with_effects(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate:
         """The model with just these effects, fitted to the end; the last of them counts as the one that is tried."""
         last = next(e for e in self.shelf if e.name == effects[-1])
-        composition = compose(self.tree, self.model, tuple(effects), files=self.files)
+        composition = compose_on(self.tree, self.structure, tuple(effects))
         assert composition is not None
         return self._run([Trial(last, tuple(effects), composition, self.data, start, self.files)])[0]
 
@@ -125,7 +131,7 @@ class Search:
             if effect.family in taken:
                 continue
             names = (*added, effect.name)
-            composition = compose(self.tree, self.model, names, files=self.files)
+            composition = compose_on(self.tree, self.structure, names)
             if composition is not None:
                 trials.append(Trial(effect, names, composition, self.data, start, self.files))
         return trials

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import itertools
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -27,6 +28,7 @@ Progress = Callable[[int, float], None]
 _MOST_EVALUATIONS = 60
 _RESCUE_STARTS = 32
 _WHITE_SCORE = 4.0
+_OFF_BOUND = 1e-6  # of the range: a descent cannot start at a bound
 _NOISE_LEVEL = 1.2  # mean square of residuals, in noise variances, that needs no second start
 
 
@@ -174,20 +176,26 @@ def _start_points(free: Sequence[Free], starts: Sequence[Mapping[str, float]]) -
 def _solve(
     objective: Objective, points: list[Array], progress: Progress | None, most_evaluations: int, follow: int
 ) -> tuple[Array, Array]:
-    scored = [(_cost(objective.residuals(z)), i) for i, z in enumerate(points)]
-    usable = sorted((c, i) for c, i in scored if np.isfinite(c))
-    if not usable:
-        points = [_rescue(objective)]
-        usable = [(0.0, 0)]
     best: tuple[float, Array, Array] | None = None
-    for _, i in usable[:follow]:
-        found = _descend(objective, points[i], progress, most_evaluations)
+    for start in itertools.islice(_starts(objective, points), follow):
+        found = _descend(objective, start, progress, most_evaluations)
         if best is None or found[0] < best[0]:
             best = found
         if best[0] <= _NOISE_LEVEL * objective.size:
             break  # nothing is left that another start could find
-    assert best is not None
+    if best is None:
+        best = _descend(objective, _rescue(objective), progress, most_evaluations)
     return best[1], best[2]
+
+
+def _starts(objective: Objective, points: Sequence[Array]) -> Iterator[Array]:
+    """The points at which every run can be simulated, off the bounds, the best first as far as a glance tells."""
+    low, high = objective.bounds
+    inner = [np.clip(z, low + _OFF_BOUND * (high - low), high - _OFF_BOUND * (high - low)) for z in points]
+    scored = [(objective.glance(z) if len(inner) > 1 else 0.0, i) for i, z in enumerate(inner)]
+    for score, i in sorted(scored):
+        if np.isfinite(score) and np.isfinite(_cost(objective.residuals(inner[i]))):
+            yield inner[i]
 
 
 def _cost(residuals: Array) -> float:
@@ -209,30 +217,23 @@ def _rescue(objective: Objective) -> Array:
 def _descend(
     objective: Objective, start: Array, progress: Progress | None, most_evaluations: int
 ) -> tuple[float, Array, Array]:
-    low, high = objective.bounds
-    latest: dict[bytes, Array] = {}
-
     def residuals(z: Array) -> Array:
         e = objective.residuals(z)
-        latest.clear()
-        latest[z.tobytes()] = e
         if progress is not None and np.all(np.isfinite(e)):
             progress(objective.evaluations, _cost(e) / max(len(e), 1))
         return e
 
     def jacobian(z: Array) -> Array:
-        at = latest.get(z.tobytes())
-        return objective.jacobian(z, objective.residuals(z) if at is None else at)
+        return objective.jacobian(z, objective.residuals(z))
 
     if not len(start):
         e = objective.residuals(start)
         return _cost(e), start, np.zeros((len(e), 0))
-    inner = np.clip(start, low + 1e-6 * (high - low), high - 1e-6 * (high - low))
     found: Any = least_squares(
         residuals,
-        inner,
+        start,
         jacobian,
-        bounds=(low, high),
+        bounds=objective.bounds,
         method="trf",
         ftol=1e-6,
         xtol=1e-7,

@@ -19,6 +19,7 @@ Array = NDArray[np.float64]
 TOLERANCE = 1e-6  # of the solver: its error must be far below the noise
 _DIFFERENCE_TOLERANCE = 1e-7  # and far below a finite difference, where one is needed
 _STEP = 1e-3
+_MOST_FAILURES = 10
 
 
 class Objective:
@@ -44,7 +45,7 @@ class Objective:
         self.fixed = dict(fixed or {})
         self.evaluations = 0
         self.failures: list[str] = []
-        self._latest: tuple[bytes, Array] | None = None  # where, and the exact Jacobian there
+        self._latest: tuple[bytes, Array, Array | None] | None = None  # where, residuals, exact Jacobian there
         self._signals = [
             [s for s, signal in data.signals.items() if signal.fitted and run.sample_count(s)] for run in self.runs
         ]
@@ -66,16 +67,11 @@ class Objective:
         """Search coordinates to parameters by name, with the fixed ones [SI]."""
         return self.fixed | {f.name: f.to_value(float(c)) for f, c in zip(self.free, z, strict=True)}
 
-    def simulate(self, z: Array) -> list[RunComparison]:
-        """All runs at ``z``, with the sensitivities that the model offers.
-
-        Raises:
-            SimulationFailure: a run did not reach its end.
-        """
+    def _simulate(self, z: Array, outputs: Sequence[Sequence[str]], chosen: Sequence[int]) -> list[RunComparison]:
+        """The chosen runs at ``z``. Raises SimulationFailure where one does not reach its end."""
         values = self.values(z)
         return [
-            simulate_run(self.simulator, self.data, run, values, self.tolerance, outputs)
-            for run, outputs in zip(self.runs, self._outputs, strict=True)
+            simulate_run(self.simulator, self.data, self.runs[i], values, self.tolerance, outputs[i]) for i in chosen
         ]
 
     def _slopes(self, run: Run, signals: Sequence[str]) -> list[str]:
@@ -91,28 +87,47 @@ class Objective:
 
     def residuals(self, z: Array) -> Array:
         """(size,) in noise standard deviations; all infinite where a simulation breaks down."""
+        if self._latest is not None and self._latest[0] == z.tobytes():
+            return self._latest[1]
         self.evaluations += 1
+        every = range(len(self.runs))
         try:
-            runs = self.simulate(z)
-            residuals = self._weighted(runs)
-            if any(self._exact) and np.all(np.isfinite(residuals)):
-                self._latest = (z.tobytes(), self._exact_jacobian(z, runs))
-            return residuals
+            runs = self._simulate(z, self._outputs, every)
         except SimulationFailure as failure:
-            if len(self.failures) < 10:
-                self.failures.append(str(failure))
+            self._note(failure)
             return np.full(self.size, np.inf)
+        residuals = self._weighted(runs, every)
+        if np.all(np.isfinite(residuals)):
+            self._latest = (z.tobytes(), residuals, self._exact_jacobian(z, runs) if any(self._exact) else None)
+            return residuals
+        return np.full(self.size, np.inf)
 
-    def _weighted(self, runs: Sequence[RunComparison]) -> Array:
+    def glance(self, z: Array) -> float:
+        """The squared residuals of the first and the last run, which cost little and tell a good start from a bad one.
+
+        Infinite where a simulation breaks down.
+        """
+        chosen = sorted({0, len(self.runs) - 1})
+        try:
+            residuals = self._weighted(self._simulate(z, self._signals, chosen), chosen)
+        except SimulationFailure as failure:
+            self._note(failure)
+            return np.inf
+        return float(residuals @ residuals) if np.all(np.isfinite(residuals)) else np.inf
+
+    def _note(self, failure: SimulationFailure) -> None:
+        if len(self.failures) < _MOST_FAILURES:
+            self.failures.append(str(failure))
+
+    def _weighted(self, runs: Sequence[RunComparison], chosen: Sequence[int]) -> Array:
         parts = []
-        for run, names in zip(runs, self._signals, strict=True):
-            for name in names:
+        for run, i in zip(runs, chosen, strict=True):
+            for name in self._signals[i]:
                 residual = run.residual(name)
                 sigma = self.data.signals[name].sigma
                 assert sigma is not None, "fits need a noise level; see measurement.with_noise"
                 parts.append(residual[np.isfinite(run.run.measurements[name])] / sigma)
-        all_parts = np.concatenate(parts) if parts else np.zeros(0)
-        return all_parts if np.all(np.isfinite(all_parts)) else np.full(self.size, np.inf)
+        return np.concatenate(parts) if parts else np.zeros(0)
 
     def _exact_jacobian(self, z: Array, runs: Sequence[RunComparison]) -> Array:
         """(size, parameters); columns of parameters whose sensitivities the model does not tell are zero."""
@@ -146,10 +161,8 @@ class Objective:
         """The exact Jacobian at ``z``; None where the model has no sensitivities or breaks down."""
         if not any(self._exact):
             return None
-        if self._latest is None or self._latest[0] != z.tobytes():
-            self.residuals(z)
-        latest = self._latest
-        return latest[1] if latest is not None and latest[0] == z.tobytes() else None
+        self.residuals(z)
+        return self._latest[2] if self._latest is not None and self._latest[0] == z.tobytes() else None
 
     def _difference(self, z: Array, at: Array, i: int) -> Array:
         """One column by a difference, stepping inwards from a bound.

@@ -36,6 +36,7 @@ _CORE = (
 _SHELLS = {"2.0": "pam_fmi2.c", "3.0": "pam_fmi3.c"}
 
 _MODEL = "model.c"
+_NO_GUID = "{00000000-0000-0000-0000-000000000000}"
 _DATE = (1980, 1, 1, 0, 0, 0)
 
 
@@ -128,11 +129,12 @@ def _packaging_key() -> str:
 
 def _contents(ode: Ode, names: Sequence[str], fmi: str) -> dict[str, bytes]:
     """Files of the archive by name. The GUID stands for the description and the equations."""
-    draft = _descriptions(ode, "", fmi)
-    sha = digest(draft["modelDescription.xml"], model_source(ode, ""), source_key(runtime(fmi)))
+    draft, source = _descriptions(ode, _NO_GUID, fmi), model_source(ode, _NO_GUID)
+    sha = digest(draft["modelDescription.xml"], source, source_key(runtime(fmi)))
     guid = f"{{{sha[:8]}-{sha[8:12]}-{sha[12:16]}-{sha[16:20]}-{sha[20:32]}}}"
-    source = model_source(ode, guid)
-    return _descriptions(ode, guid, fmi) | _sources(source, fmi) | _binaries(ode, source, names, fmi)
+    source = source.replace(_NO_GUID, guid)
+    described = {name: text.replace(_NO_GUID.encode(), guid.encode()) for name, text in draft.items()}
+    return described | _sources(source, fmi) | _binaries(ode, source, names, fmi)
 
 
 def _descriptions(ode: Ode, guid: str, fmi: str) -> dict[str, bytes]:

@@ -15,6 +15,7 @@ from importlib.metadata import version
 from pathlib import Path
 
 import fmpy
+import ziglang
 
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.cache import cache_dir, cached, digest
@@ -78,6 +79,11 @@ def binary_folder(name: str, names: Sequence[str], fmi: str = "2.0") -> str:
     return "linux64" if name == "aarch64-linux" and "x86_64-linux" not in names else PLATFORMS[name].folder
 
 
+def _zig() -> Path:
+    """The compiler itself: its Python face would cost another interpreter for every model."""
+    return Path(ziglang.__file__).parent / ("zig.exe" if sys.platform == "win32" else "zig")
+
+
 @cache
 def _fmi_headers() -> Path:
     return Path(fmpy.__file__).parent / "c-code"
@@ -124,7 +130,7 @@ def _compile(shipped: Sequence[str], generated: Mapping[str, str], target: Platf
         sources = [str(fmu_runtime() / name) for name in shipped] + sorted(generated)
         pic = [] if target.suffix == ".dll" else ["-fPIC", "-lm"]
         output = f"library{target.suffix}"
-        command = [sys.executable, "-m", "ziglang", "cc", "-target", target.target, *_FLAGS, *pic,
+        command = [str(_zig()), "cc", "-target", target.target, *_FLAGS, *pic,
                    f"-I{fmu_runtime()}", f"-I{_fmi_headers()}", "-o", output, *sources]  # fmt: skip
         zig = str(cache_dir() / "zig")
         environment = os.environ | {"ZIG_GLOBAL_CACHE_DIR": zig, "ZIG_LOCAL_CACHE_DIR": zig}

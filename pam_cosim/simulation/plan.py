@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.errors import InputError
-from pam_cosim.simulation.inputs import Array, Inputs, Pieces, pieces
+from pam_cosim.simulation.inputs import Array, Inputs, Interpolation, Pieces, pieces
 
 Indices = NDArray[np.int64]
 
 # Points closer than this part of the time scale are one.
 _SAME_TIME = 1e-12
+_KEPT = 64  # plans: a fit runs the same few experiments over and over
 
 
 @dataclass(frozen=True)
@@ -55,13 +57,29 @@ def plan(times: Array, start: float, inputs: Inputs | None, sample_ramps: float 
         InputError: times that decrease or come before the start.
     """
     _check(times, start)
-    lines = [] if inputs is None else [pieces(inputs.time, v, inputs.interpolation) for v in inputs.values.values()]
+    if inputs is None:
+        return _laid_out(times.tobytes(), start, b"", (), "linear", sample_ramps)
+    columns = tuple(values.tobytes() for values in inputs.values.values())
+    return _laid_out(times.tobytes(), start, inputs.time.tobytes(), columns, inputs.interpolation, sample_ramps)
+
+
+@lru_cache(_KEPT)
+def _laid_out(
+    time: bytes,
+    start: float,
+    input_time: bytes,
+    columns_of_inputs: tuple[bytes, ...],
+    interpolation: Interpolation,
+    sample_ramps: float | None,
+) -> Plan:
+    """The plan, of the bytes of the arrays."""
+    times, changing = np.frombuffer(time), np.frombuffer(input_time)
+    lines = [pieces(changing, np.frombuffer(values), interpolation) for values in columns_of_inputs]
     end = float(times[-1])
     changes = _changes(lines, start, end)
     if sample_ramps is not None and any(line.slope.any() for line in lines):
-        assert inputs is not None
         grid = np.arange(start, end, sample_ramps)
-        changes = _inside(np.concatenate((changes, inputs.time, grid, times)), start, end)
+        changes = _inside(np.concatenate((changes, changing, grid, times)), start, end)
     points, evaluated, point_of_time = _merge(times, start, changes)
     known = ~np.isnan(evaluated) if lines else np.zeros(points.size, dtype=bool)
     at = evaluated[known]
