@@ -17,7 +17,7 @@ CV = R / (GAMMA - 1)  # J/(kg K)
 
 
 @dataclass(frozen=True)
-class _Tube(LineEffect):
+class Tube(LineEffect):
     """One volume at the valves (mass, energy), a resistance to the muscle."""
 
     family = "supply_line"
@@ -45,7 +45,7 @@ class _Tube(LineEffect):
 
 
 @dataclass(frozen=True)
-class OrificeTube(_Tube):
+class OrificeTube(Tube):
     """A tube whose resistance is an orifice of the given effective area."""
 
     form = "orifice"
@@ -63,7 +63,7 @@ class LongTube(OrificeTube):
 
 
 @dataclass(frozen=True)
-class LaminarTube(_Tube):
+class LaminarTube(Tube):
     """Isothermal laminar flow: G (p_a^2 - p_b^2)/(2 p_atm)."""
 
     form = "laminar"
@@ -74,7 +74,7 @@ class LaminarTube(_Tube):
 
 
 @dataclass(frozen=True)
-class TurbulentTube(_Tube):
+class TurbulentTube(Tube):
     """Rough turbulent flow: c sqrt(p_a^2 - p_b^2), linear below a drop of 0.1 % of the pressure."""
 
     form = "turbulent"
@@ -87,7 +87,7 @@ class TurbulentTube(_Tube):
 
 
 @dataclass(frozen=True)
-class ForchheimerTube(_Tube):
+class ForchheimerTube(Tube):
     """Laminar and inertial resistance in one: p_a^2 - p_b^2 = 2 p_atm m (1 + |m|/m_0)/G."""
 
     form = "forchheimer"

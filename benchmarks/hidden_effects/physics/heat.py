@@ -14,7 +14,7 @@ State = Sequence[float]
 
 
 @dataclass(frozen=True)
-class _EnergyGas(Effect):
+class EnergyGas(Effect):
     """Gas temperature from mass and energy; state: mass. Films inside and outside the wall grow alike."""
 
     family = "gas_energy"
@@ -37,7 +37,7 @@ class _EnergyGas(Effect):
 
 
 @dataclass(frozen=True)
-class StirredGas(_EnergyGas):
+class StirredGas(EnergyGas):
     """The film grows with the flow: h + h_1 (|m_jet|/0.1 g/s)^0.8, where the jet dies away in tau."""
 
     form = "stirred"
@@ -56,7 +56,7 @@ class StirredGas(_EnergyGas):
 
 
 @dataclass(frozen=True)
-class FreeConvectionGas(_EnergyGas):
+class FreeConvectionGas(EnergyGas):
     """The film grows with the temperature difference: h (0.5 + 0.5 (|T - T_atm|/10 K)^(1/3))."""
 
     form = "free_convection"
@@ -66,7 +66,7 @@ class FreeConvectionGas(_EnergyGas):
 
 
 @dataclass(frozen=True)
-class DenseGas(_EnergyGas):
+class DenseGas(EnergyGas):
     """The film grows with the density: h (p/p_atm)^a."""
 
     form = "dense"

@@ -19,12 +19,14 @@ State = Sequence[float]
 
 
 @dataclass(frozen=True)
-class _Strange(Effect):
+class Strange(Effect):
+    """Of no family."""
+
     family = "none_of_these"
 
 
 @dataclass(frozen=True)
-class _Clocked(_Strange):
+class Clocked(Strange):
     """Its own state is the time."""
 
     atol: ClassVar[tuple[float, ...]] = (1e-9,)
@@ -37,7 +39,7 @@ class _Clocked(_Strange):
 
 
 @dataclass(frozen=True)
-class ForceRipple(_Strange):
+class ForceRipple(Strange):
     """A force that is periodic in the position, as of a toothed belt: F sin(2 pi x/pitch)."""
 
     form = "force_ripple"
@@ -49,7 +51,7 @@ class ForceRipple(_Strange):
 
 
 @dataclass(frozen=True)
-class PumpingSupply(_Clocked):
+class PumpingSupply(Clocked):
     """The compressor pumps: the supply's absolute pressure swings by a share, and no instrument sees it."""
 
     form = "pumping_supply"
@@ -62,7 +64,7 @@ class PumpingSupply(_Clocked):
 
 
 @dataclass(frozen=True)
-class DriftingRuler(_Clocked):
+class DriftingRuler(Clocked):
     """The displacement sensor drifts away and comes back within a run."""
 
     form = "drifting_ruler"
@@ -74,7 +76,7 @@ class DriftingRuler(_Clocked):
 
 
 @dataclass(frozen=True)
-class EncoderError(_Strange):
+class EncoderError(Strange):
     """The displacement sensor interpolates badly between its lines."""
 
     form = "encoder_error"
@@ -86,7 +88,7 @@ class EncoderError(_Strange):
 
 
 @dataclass(frozen=True)
-class SensorBacklash(_Strange):
+class SensorBacklash(Strange):
     """The displacement sensor's gear has play: what it shows follows x through a rounded play of +-half a gap."""
 
     form = "sensor_backlash"
@@ -106,7 +108,7 @@ class SensorBacklash(_Strange):
 
 
 @dataclass(frozen=True)
-class SpringLoad(_Strange):
+class SpringLoad(Strange):
     """A part of the load hangs on a spring and swings up and down by itself (states: place and speed of it)."""
 
     form = "swinging_load"
@@ -136,7 +138,7 @@ class SpringLoad(_Strange):
 
 
 @dataclass(frozen=True)
-class SecondWeight(_Strange):
+class SecondWeight(Strange):
     """A second weight lies on the floor and is picked up on the way."""
 
     form = "second_weight"
@@ -149,7 +151,7 @@ class SecondWeight(_Strange):
 
 
 @dataclass(frozen=True)
-class Vibration(_Clocked):
+class Vibration(Clocked):
     """A machine next door shakes the frame."""
 
     form = "vibration"
@@ -162,7 +164,7 @@ class Vibration(_Clocked):
 
 
 @dataclass(frozen=True)
-class StickyValves(_Strange):
+class StickyValves(Strange):
     """The valves never open twice by the same area: each command is met by a factor of its own."""
 
     form = "sticky_valves"
@@ -191,7 +193,7 @@ class StickyValves(_Strange):
 
 
 @dataclass(frozen=True)
-class FilteredRuler(_Strange):
+class FilteredRuler(Strange):
     """The displacement sensor's amplifier filters: its reading lags."""
 
     form = "filtered_ruler"
@@ -209,7 +211,7 @@ class FilteredRuler(_Strange):
 
 
 @dataclass(frozen=True)
-class SnubbedManometer(_Strange):
+class SnubbedManometer(Strange):
     """A snubber in front of the pressure transducer: its reading lags."""
 
     form = "snubbed_manometer"
