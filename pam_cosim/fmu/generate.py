@@ -66,6 +66,7 @@ def model_source(ode: Ode, guid: str) -> str:
     generator = ca.CodeGenerator("model", {"with_header": False})
     for function in functions:
         generator.add(function)
+    generated = _unguarded(_without_helpers(generator.dump()))
     face = ode.interface
     timed = ca.jacobian_sparsity(ode.derivatives, ode.t).nnz() > 0 if ode.states else False
     max_step = face.stop_time / _STEPS_OF_TIMED_MODEL if timed else 0.0
@@ -75,7 +76,7 @@ def model_source(ode: Ode, guid: str) -> str:
     work = [max(f.sz_iw() for f in functions), max(f.sz_w() for f in functions)]
     parts = [
         '#include "pam_model.h"\n#define CASADI_SYMBOL_EXPORT static',
-        _without_helpers(_seldom("pam_jvp", generator.dump()) if ode.sensitivities else generator.dump()),
+        _seldom("pam_jvp", generated) if ode.sensitivities else generated,
         _array("const char *const", "state_names", (json.dumps(s.name) for s in ode.states)),
         _array("const double", "state_nominals", (_nominal(s.nominal) for s in ode.states)),
         _array("const double", "input_starts", (_double(v) for v in inputs)),
@@ -105,6 +106,21 @@ _HELPERS = "|".join(
      "sparsity_in", "sparsity_out", "work", "work_bytes")
 )  # fmt: skip
 _HELPER = re.compile(rf"(?ms)^CASADI_SYMBOL_EXPORT [^\n]*?\w+_(?:{_HELPERS})\([^\n]*(?:}}|\{{\n.*?^}})\n+")
+
+
+_START = re.compile(r"(?m)^(?=/\* pam_\w+:)")
+_ASKED_FOR = re.compile(r"if \(res\[\d+\]!=0\) ")
+_GIVEN = re.compile(r"arg\[\d+\]\? (arg\[\d+\]\[\d+\]) : 0")
+
+
+def _unguarded(source: str) -> str:
+    """Without CasADi's questions whether each argument and result is there at all.
+
+    The runtime gives and takes all of them, but for the delays; a branch at every number makes the functions
+    slower, and the compiler much slower.
+    """
+    parts = _START.split(source)
+    return "".join(p if p.startswith("/* pam_delay:") else _GIVEN.sub(r"\1", _ASKED_FOR.sub("", p)) for p in parts)
 
 
 def _seldom(name: str, source: str) -> str:
