@@ -17,6 +17,7 @@ from pam_cosim.diagnosis.next_experiment import Plan, told_apart
 from pam_cosim.diagnosis.path import find_path
 from pam_cosim.diagnosis.search import Search, describe_fit
 from pam_cosim.diagnosis.verdict import Verdict, explained, judge, rivals
+from pam_cosim.diagnosis.workers import wake
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit, complete_noise, fit
 from pam_cosim.fmu import build_model
@@ -137,6 +138,7 @@ def diagnose(
     name = model or data.model
     if name.endswith(".fmu"):
         raise InputError("effects can be added to a Modelica model only; an FMU can be compared and fitted", name)
+    wake(workers)
     sources = tuple([*files, Path(name)] if name.endswith(".mo") else files)
     tree = read_library(files=sources)
     data, base, outliers = _base(complete_noise(data), name, files, say)

@@ -17,8 +17,6 @@ from pam_cosim.fitting import Fit
 from pam_cosim.measurement import DataSet
 from pam_cosim.quantities import readable
 
-_BRIEF = 6  # evaluations
-_ROUGH = 1e-5  # tolerance of the solver; still far below what tells promising effects from hopeless ones
 _MOST_REFITS = 12
 _FEWEST_REFITS = 4
 _FAR = 5.0  # times the excess error of the best that a few more steps may still take away
@@ -90,7 +88,7 @@ class Search:
         return rank(present, [better.pop(c.effect, c) for c in found] + list(better.values()))
 
     def _brief(self, trials: Sequence[Trial]) -> list[Candidate]:
-        return self._run([replace(t, evaluations=_BRIEF, follow=1, tolerance=_ROUGH) for t in trials])
+        return self._run([t.brief() for t in trials])
 
     def _deep(
         self, trials: Sequence[Trial], found: Sequence[Candidate], among: Sequence[Candidate] = ()

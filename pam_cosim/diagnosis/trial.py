@@ -4,19 +4,22 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from pam_cosim.compiler import Composition, EffectClass
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.fitting import Free, base_parameters, fit
+from pam_cosim.fitting import PRECISION, Free, base_parameters, fit
 from pam_cosim.fmu import build_source
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet
 from pam_cosim.simulation import Simulator
 
 _FEW = 2
+_BRIEF = 6  # evaluations
+_ROUGH = 1e-5  # tolerance of the solver
+_COARSE = 1e-4  # of the chi-square, at which a brief descent ends
 
 
 @dataclass(frozen=True)
@@ -32,6 +35,7 @@ class Trial:
         files: further Modelica files.
         evaluations: of each descent, and from how many starts it is made (``follow``).
         tolerance: of the solver; None: that of a fit.
+        precision: at which a descent ends.
     """
 
     effect: EffectClass
@@ -43,6 +47,11 @@ class Trial:
     evaluations: int = 60
     follow: int = 2
     tolerance: float | None = None
+    precision: float = PRECISION
+
+    def brief(self) -> Trial:
+        """A few steps of the same from one start: enough to tell a promising effect from a hopeless one."""
+        return replace(self, evaluations=_BRIEF, follow=1, tolerance=_ROUGH, precision=_COARSE)
 
     def candidate(self, **found: object) -> Candidate:
         """The result of this trial."""
@@ -78,6 +87,7 @@ def run_trial(trial: Trial) -> Candidate:
                 most_evaluations=trial.evaluations,
                 follow=trial.follow,
                 tolerance=trial.tolerance,
+                precision=trial.precision,
             )
             return trial.candidate(fit=found)
     except (SimulationFailure, InputError) as problem:

@@ -21,6 +21,16 @@ def processors() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
+def wake(workers: int | None = None) -> None:
+    """Starts the processes, so that they have loaded what they need when the first tasks come."""
+    if workers == 0:
+        return
+    count = workers or processors()
+    pool = get_reusable_executor(count, timeout=_IDLE)
+    for _ in range(count):
+        pool.submit(processors)
+
+
 def run_tasks(
     function: Callable[[Task], Result],
     tasks: Sequence[Task],

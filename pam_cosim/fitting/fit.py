@@ -26,6 +26,7 @@ Array = NDArray[np.float64]
 Progress = Callable[[int, float], None]
 
 _MOST_EVALUATIONS = 60
+PRECISION = 1e-6
 _RESCUE_STARTS = 32
 _WHITE_SCORE = 4.0
 _OFF_BOUND = 1e-6  # of the range: a descent cannot start at a bound
@@ -88,6 +89,7 @@ def fit(
     most_evaluations: int = _MOST_EVALUATIONS,
     follow: int = 2,
     tolerance: float | None = None,
+    precision: float = PRECISION,
 ) -> Fit:
     """Fits ``free`` (default: what the data set declares under [fit]) to the fit runs.
 
@@ -103,6 +105,7 @@ def fit(
         follow: how many of all starts are followed, the best first; each further one only where those before did
             not reach the noise.
         tolerance: relative, of the solver; default: tight enough for the noise and for finite differences.
+        precision: a descent ends where a step takes away less than this part of the chi-square.
 
     Raises:
         SimulationFailure: the model breaks down at every start.
@@ -110,7 +113,8 @@ def fit(
     """
     chosen = tuple(base_parameters(data, simulator.interface) if free is None else free)
     objective = Objective(simulator, data, data.fit_runs if runs is None else runs, chosen, fixed, tolerance)
-    z, jacobian = _solve(objective, _start_points(chosen, starts), progress, most_evaluations, follow)
+    descent = _Descent(most_evaluations, precision, progress)
+    z, jacobian = _solve(objective, _start_points(chosen, starts), follow, descent)
     comparison = compare(simulator, data, objective.values(z), objective.tolerance)
     by_role = structures(comparison)
     found = estimates(chosen, z, jacobian, objective.bounds, _spread(by_role["fit"]))
@@ -173,18 +177,25 @@ def _start_points(free: Sequence[Free], starts: Sequence[Mapping[str, float]]) -
     return found
 
 
-def _solve(
-    objective: Objective, points: list[Array], progress: Progress | None, most_evaluations: int, follow: int
-) -> tuple[Array, Array]:
+@dataclass(frozen=True)
+class _Descent:
+    """How a descent goes; see ``fit``."""
+
+    most_evaluations: int
+    precision: float
+    progress: Progress | None
+
+
+def _solve(objective: Objective, points: list[Array], follow: int, how: _Descent) -> tuple[Array, Array]:
     best: tuple[float, Array, Array] | None = None
     for start in itertools.islice(_starts(objective, points), follow):
-        found = _descend(objective, start, progress, most_evaluations)
+        found = _descend(objective, start, how)
         if best is None or found[0] < best[0]:
             best = found
         if best[0] <= _NOISE_LEVEL * objective.size:
             break  # nothing is left that another start could find
     if best is None:
-        best = _descend(objective, _rescue(objective), progress, most_evaluations)
+        best = _descend(objective, _rescue(objective), how)
     return best[1], best[2]
 
 
@@ -214,13 +225,11 @@ def _rescue(objective: Objective) -> Array:
     raise SimulationFailure(f"no start value within the bounds can be simulated: {reason}")
 
 
-def _descend(
-    objective: Objective, start: Array, progress: Progress | None, most_evaluations: int
-) -> tuple[float, Array, Array]:
+def _descend(objective: Objective, start: Array, how: _Descent) -> tuple[float, Array, Array]:
     def residuals(z: Array) -> Array:
         e = objective.residuals(z)
-        if progress is not None and np.all(np.isfinite(e)):
-            progress(objective.evaluations, _cost(e) / max(len(e), 1))
+        if how.progress is not None and np.all(np.isfinite(e)):
+            how.progress(objective.evaluations, _cost(e) / max(len(e), 1))
         return e
 
     def jacobian(z: Array) -> Array:
@@ -235,9 +244,9 @@ def _descend(
         jacobian,
         bounds=objective.bounds,
         method="trf",
-        ftol=1e-6,
+        ftol=how.precision,
         xtol=1e-7,
         gtol=1e-8,
-        max_nfev=most_evaluations,
+        max_nfev=how.most_evaluations,
     )
     return float(2 * found.cost), found.x, found.jac
