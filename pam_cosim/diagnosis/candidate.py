@@ -22,6 +22,7 @@ class Candidate:
         delta_bic: Bayesian information criterion minus that of the model without ``effect``; negative is better.
         probability: weight among all candidates and the model without any, by that criterion.
         equations: the Modelica text of the model.
+        brief: it was fitted in a few steps only, and might still come nearer.
     """
 
     effect: str
@@ -34,6 +35,7 @@ class Candidate:
     delta_bic: float = float("nan")
     probability: float = 0.0
     equations: str = ""
+    brief: bool = False
 
     @property
     def parameters(self) -> dict[str, Estimate]:

@@ -116,7 +116,7 @@ def _refitted(search: Search, effects: Sequence[str], full: Fit, base: Fit, trie
     chain: list[Candidate] = []
     for k in range(1, len(effects) + 1):
         names = tuple(effects[:k])
-        known = next((c for c in tried if c.effects == names and c.fit is not None), None)
+        known = next((c for c in tried if c.effects == names and c.fit is not None and not c.brief), None)
         if known is None:
             before = chain[-1].fit if chain and chain[-1].fit else base
             known = rank(before, [search.with_effects(names, full.values)])[0]

@@ -62,6 +62,7 @@ class Trial:
             effects=self.effects,
             own_parameters=tuple(self.composition.parameters[self.effect.name]),
             equations=self.composition.text,
+            brief=self.evaluations <= _BRIEF,
             **found,  # type: ignore[arg-type]
         )
 
