@@ -251,9 +251,14 @@ def _write_advice(found: Diagnosis, following: Path | None, learned: Path | None
 
 
 def _teller(status: Any) -> Callable[[str], None]:
+    """Prints what happens; the status line shows the last headline, and how many results came since."""
+    headline, count = "", 0
+
     def say(text: str) -> None:
+        nonlocal headline, count
         _console.print(text, markup=False, soft_wrap=True)
-        status.update("trying effects")
+        headline, count = (headline, count + 1) if text.startswith(" ") else (text, 0)
+        status.update(f"{headline}: {count} done" if count else headline)
 
     return say
 

@@ -183,7 +183,7 @@ def _base(
             counts = ", ".join(f"{count} of {name}" for name, count in outliers.items())
             say(f"single samples far off their neighbours are set aside: {counts}")
             base = fit(simulator, data)
-    say(f"base model refitted: rms error {describe_fit(base)}, chi2 {base.comparison.chi2_reduced('fit'):.4g}")
+    say(f"base model refitted: {describe_fit(base)}")
     return data, base, outliers
 
 

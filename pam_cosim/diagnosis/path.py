@@ -79,7 +79,7 @@ def _unsolved(c: Candidate) -> bool:
 
 def _told(c: Candidate) -> str:
     assert c.fit is not None
-    return f"{' + '.join(c.effects)} ({c.family}): rms error {describe_fit(c.fit)}"
+    return f"{' + '.join(c.effects)} ({c.family}): {describe_fit(c.fit)}"
 
 
 def _step(present: Fit, best: Candidate, repeats: bool) -> bool:

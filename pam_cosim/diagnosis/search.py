@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -88,6 +89,8 @@ class Search:
         return rank(present, [better.pop(c.effect, c) for c in found] + list(better.values()))
 
     def _brief(self, trials: Sequence[Trial]) -> list[Candidate]:
+        if trials:
+            self.say(f"trying {len(trials)} effects in a few steps")
         return self._run([t.brief() for t in trials])
 
     def _deep(
@@ -110,6 +113,7 @@ class Search:
             for t in trials
             if t.effect.name not in known and t.effect.family in (families if t.effect.name in plain else rich)
         ]
+        self.say(f"fitting {len(again) + len(others)} promising ones to the end")
         return self._run([*again, *others])
 
     def with_effects(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate:
@@ -139,16 +143,17 @@ def told(c: Candidate) -> str:
     """A candidate in a line."""
     if c.fit is None:
         return f"  {c.effect} ({c.family}): could not be fitted: {c.failure}"
-    return (
-        f"  {c.effect} ({c.family}): rms error {describe_fit(c.fit)}, chi2 {c.fit.comparison.chi2_reduced('fit'):.4g}"
-    )
+    return f"  {c.effect} ({c.family}): {describe_fit(c.fit)}"
 
 
 def describe_fit(found: Fit) -> str:
-    """Root mean square errors of a fit in units a person reads."""
+    """Root mean square errors of a fit in units a person reads, and the reduced chi-square of the runs of each role."""
     scores = found.comparison.scores["fit"]
     signals = found.comparison.data.signals
-    return ", ".join(f"{n} {readable(s.rmse, signals[n].unit)}" for n, s in scores.items())
+    errors = ", ".join(f"{n} {readable(s.rmse, signals[n].unit)}" for n, s in scores.items())
+    text = f"rms error {errors}, chi2 {found.comparison.chi2_reduced('fit'):.4g}"
+    holdout = found.comparison.chi2_reduced("holdout")
+    return text if math.isnan(holdout) else f"{text} (holdout {holdout:.4g})"
 
 
 def worth_refitting(candidates: Sequence[Candidate]) -> list[Candidate]:
