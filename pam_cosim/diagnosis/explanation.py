@@ -8,7 +8,7 @@ from pathlib import Path
 
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.evidence import rank
-from pam_cosim.diagnosis.learning import LearnedTerm, learn, try_learned
+from pam_cosim.diagnosis.learning import LearnedTerm, learn, refitted, try_learned
 from pam_cosim.diagnosis.search import Search
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
@@ -44,5 +44,8 @@ def learned_term(
     if found.fit is None:
         search.say(f"the model with the formula for what is missing could not be fitted: {found.failure}")
         return None
+    entry = ledger.entry(term.balance)
+    assert entry is not None, "the term was learned from it"
+    term = refitted(term, entry, found, search.tree)
     search.say(f"described, not explained: {term}")
     return term, rank(present, [found])[0]

@@ -30,6 +30,7 @@ _MOST_FORMS = 4
 _WORTH = 0.03  # part of the error left in runs that were not asked, by which a further form must lower it
 _LEAST = 0.005  # the same, of the whole term
 _DESCRIBED = 0.3  # mean square of what is left, in variances of the term, that is its uncertainty
+_INTERVAL = 2 * 1.96  # standard deviations in the interval of an estimate
 _BLOCKS = 4  # parts of a single run that take the place of runs
 
 
@@ -156,6 +157,34 @@ def try_learned(
     effect = next(e for e in effect_classes(tree) if e.name == term.name)
     names = (*effects, term.name)
     return run_trial(Trial(effect, names, composition, data, dict(start or {}), tuple(sources)))
+
+
+def refitted(term: LearnedTerm, entry: Entry, found: Candidate, tree: ClassTree) -> LearnedTerm:
+    """The term with the values that ``try_learned`` fitted; where it could not be fitted, as it was learned.
+
+    Args:
+        term: what was learned.
+        entry: of the ledger, that it was learned from.
+        found: the model with it.
+        tree: the Modelica library.
+    """
+    values = {name.rpartition(".")[2]: e for name, e in found.parameters.items()}
+    if not values:
+        return term
+    terms = []
+    for i, t in enumerate(term.terms, 1):
+        shape = t.form.shape
+        if shape is not None and (scale := values.get(f"s_{i}")) is not None:
+            shape = replace(shape, value=scale.value)
+        own = values[f"c_{i}"]
+        deviation = (own.high - own.low) / _INTERVAL if own.determined else t.deviation
+        terms.append(Learned(own.value, deviation, replace(t.form, shape=shape)))
+    return replace(
+        term,
+        terms=tuple(terms),
+        formula=formula_text(entry, terms),
+        modelica_source=modelica_text(tree, term.name, entry, terms, term.score),
+    )
 
 
 # ---- samples ----------------------------------------------------------------------------------------------------
@@ -319,4 +348,4 @@ def _fitted(samples: _Samples, picked: Sequence[Form]) -> _Fitted:
     return _Fitted(tuple(picked), solution[q:], deviation[q:], solution[:q], held, score(asked))
 
 
-__all__ = ["Learned", "LearnedTerm", "Quantity", "learn", "try_learned"]
+__all__ = ["Learned", "LearnedTerm", "Quantity", "learn", "refitted", "try_learned"]
