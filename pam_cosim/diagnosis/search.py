@@ -89,9 +89,7 @@ class Search:
         return rank(present, [better.pop(c.effect, c) for c in found] + list(better.values()))
 
     def _brief(self, trials: Sequence[Trial]) -> list[Candidate]:
-        if trials:
-            self.say(f"trying {len(trials)} effects in a few steps")
-        return self._run([t.brief() for t in trials])
+        return self._run("in a few steps", [t.brief() for t in trials])
 
     def _deep(
         self, trials: Sequence[Trial], found: Sequence[Candidate], among: Sequence[Candidate] = ()
@@ -113,17 +111,19 @@ class Search:
             for t in trials
             if t.effect.name not in known and t.effect.family in (families if t.effect.name in plain else rich)
         ]
-        self.say(f"fitting {len(again) + len(others)} promising ones to the end")
-        return self._run([*again, *others])
+        return self._run("to the end, as they are promising,", [*again, *others])
 
     def with_effects(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate:
         """The model with just these effects, fitted to the end; the last of them counts as the one that is tried."""
         last = next(e for e in self.shelf if e.name == effects[-1])
         composition = compose_on(self.tree, self.structure, tuple(effects))
         assert composition is not None
-        return self._run([Trial(last, tuple(effects), composition, self.data, start, self.files)])[0]
+        trial = Trial(last, tuple(effects), composition, self.data, start, self.files)
+        return self._run("to the end, without another effect,", [trial])[0]
 
-    def _run(self, trials: Sequence[Trial]) -> list[Candidate]:
+    def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:
+        if trials:
+            self.say(f"fitting {how} {len(trials)} effect{'s' if len(trials) > 1 else ''}")
         return run_tasks(run_trial, trials, crashed, lambda c: self.say(told(c)), self.workers)
 
     def _trials(self, added: Sequence[str], start: Mapping[str, float]) -> list[Trial]:
