@@ -7,7 +7,7 @@ model ClosedVessel "A vessel under pressure with everything shut"
   inner Components.Ambient ambient "Surroundings";
   Components.Tank tank(V=1e-4, p_start=7e5, startIsReference=true) "Vessel";
   Manometer manometer "Pressure transducer";
-  Thermometer thermometer(T_start=tank.T_start) "Thermometer";
+  Thermometer thermometer(T_start=tank.T_start, m_flow=tank.port.m_flow) "Thermometer";
 equation
   connect(tank.port, manometer.port);
   connect(tank.port, thermometer.port);

@@ -19,7 +19,7 @@ model Isometric "A muscle whose contraction is imposed, driven by current-driven
   Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs";
   Components.ImposedPosition drive(s_wanted=s) "What moves the load end";
   Manometer manometer "Pressure transducer";
-  Thermometer thermometer(T_start=ambient.T) "Thermometer";
+  Thermometer thermometer(T_start=ambient.T, m_flow=muscle.port.m_flow) "Thermometer";
   Sensors.Pull loadCell "Load cell";
 equation
   connect(supply.port, valve.supply);

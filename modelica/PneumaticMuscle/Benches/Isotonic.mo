@@ -19,7 +19,7 @@ model Isotonic "A muscle that lifts a hanging mass, driven by current-driven val
   Components.Load load(s_start=-load.m*Constants.g/stop.k) "Hanging mass, at rest on the stop";
   Components.Stop stop(L0=muscle.L0) "Full extension";
   Manometer manometer "Pressure transducer";
-  Thermometer thermometer(T_start=ambient.T) "Thermometer";
+  Thermometer thermometer(T_start=ambient.T, m_flow=muscle.port.m_flow) "Thermometer";
   Sensors.Contraction ruler "Displacement transducer";
 equation
   connect(supply.port, valve.supply);

@@ -18,7 +18,7 @@ model SwitchedMuscle "A muscle of imposed contraction that on-off valves fill fr
   Components.Fixed ceiling(s0=muscle.L0) "Where the muscle is fixed";
   Components.ImposedPosition drive(s_wanted=s, tau=1e-3) "What moves the load end";
   Manometer manometer "Pressure transducer";
-  Thermometer thermometer(T_start=ambient.T) "Thermometer";
+  Thermometer thermometer(T_start=ambient.T, m_flow=muscle.port.m_flow) "Thermometer";
 protected
   constant Types.Current u_open = (1e-5 + 2.61e-7)/1.80e-6 "Current at which DP (62) opens 10 mm2";
 equation

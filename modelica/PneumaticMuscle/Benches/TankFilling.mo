@@ -15,7 +15,7 @@ model TankFilling "A tank that is filled and emptied through current-driven valv
   Line line "Line between valves and tank";
   Components.Tank tank "Tank";
   Manometer manometer "Pressure transducer";
-  Thermometer thermometer(T_start=tank.T_start) "Thermometer";
+  Thermometer thermometer(T_start=tank.T_start, m_flow=tank.port.m_flow) "Thermometer";
 equation
   connect(supply.port, valve.supply);
   connect(valve.port, line.port_a);

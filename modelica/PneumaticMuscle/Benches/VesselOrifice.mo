@@ -10,7 +10,7 @@ model VesselOrifice "A vessel that empties or fills through a plain orifice"
   Components.PlainOrifice orifice "Hole";
   Components.Atmosphere atmosphere(p_gauge=p_outside) "Outside";
   Manometer manometer "Pressure transducer";
-  Thermometer thermometer(T_start=tank.T_start) "Thermometer";
+  Thermometer thermometer(T_start=tank.T_start, m_flow=tank.port.m_flow) "Thermometer";
 equation
   connect(tank.port, orifice.port_a);
   connect(orifice.port_b, atmosphere.port);

@@ -1,25 +1,36 @@
 within PneumaticMuscle.Effects;
-model FlexibleDrive "The valves open and close late, by a dead time and by lags that differ"
+model FlexibleDrive "The valves follow late, by a dead time, by lags and at a limited rate, up and down alike or not"
   extends Interfaces.ValveDrive(y(each start=0, each fixed=true));
   extends Interfaces.Effect(final family="valve_dynamics", final balance="mass",
-    final absent="tau_open=1e-4, tau_close=1e-4, dead_time=1e-3");
-  parameter Types.Time tau_open(min=1e-4, max=2, nominal=0.05) = 0.05 "Time constant while the current that is felt rises";
-  parameter Types.Time tau_close(min=1e-4, max=2, nominal=0.05) = 0.03 "Time constant while it falls";
+    final absent="tau=1e-4, slew=1e-4, ratio=1, tau_coil=1e-4, dead_time=1e-3");
+  parameter Types.Time tau(min=1e-4, max=2, nominal=0.05) = 0.03 "Time constant of opening";
+  parameter Types.Time slew(min=1e-4, max=2, nominal=0.05) = 0.01 "Time that 0.35 A take at the greatest rate of opening";
+  parameter Real ratio(unit="1", min=0.05, max=20, nominal=1) = 1 "Both times of closing, by those of opening";
+  parameter Types.Time tau_coil(min=1e-4, max=2, nominal=0.05) = 0.01 "Time constant of the coil before it";
   parameter Types.Time dead_time(min=1e-3, max=2, nominal=0.05) = 0.02 "Dead time";
+  Types.Current c[2](each start=0, each fixed=true) "Currents of the coils";
 protected
-  constant Types.Current u_smooth = 5e-3 "Difference of currents over which the lags change roles";
+  constant Types.Current u_reference = 0.35 "Current to which slew refers";
+  constant Types.Current u_smooth = 5e-3 "Difference of currents over which opening and closing change roles";
   Types.Current d[2] "What the currents that are felt still lack";
+  Real by[2](each unit="1") "Factor on both times: 1 in opening, ratio in closing";
 equation
   for i in 1:2 loop
-    d[i] = delay(if initial() then 0 else u[i], dead_time) - y[i];
-    (0.5*(tau_open + tau_close) + 0.5*(tau_open - tau_close)*d[i]/sqrt(d[i]^2 + u_smooth^2))*der(y[i]) = d[i];
+    tau_coil*der(c[i]) = delay(if initial() then 0 else u[i], dead_time) - c[i];
+    d[i] = c[i] - y[i];
+    by[i] = 0.5*(1 + ratio) + 0.5*(1 - ratio)*d[i]/sqrt(d[i]^2 + u_smooth^2);
+    by[i]*sqrt(tau^2 + (slew*d[i]/u_reference)^2)*der(y[i]) = d[i];
   end for;
   annotation (Documentation(info="<html>
-<p>tau y_dot = u(t - dead_time) - y, with tau_open where the right side is positive and tau_close where it is negative,
-for either valve. Source: data sheets of solenoid and proportional valves state dead time, rise time and fall time;
-first-order lag with dead time is the usual reduction of any sluggish chain (J. G. Ziegler and N. B. Nichols, 1942). A
-second-order lag with a damping ratio above 0.7 is met within 4 % of a step, a slew rate within 9 %. Typical 5 to 100
-ms each. Both valves are shut before the start.</p>
-<p>Fingerprint: as ValveLag and ValveDelay; opening is late by another time than closing.</p>
+<p>tau_coil c_dot = u(t - dead_time) - c, y_dot = d/sqrt(tau^2 + (slew d/0.35 A)^2), d = c - y, for either valve;
+where d is negative, y_dot is divided by ratio. Far from the command the rate is limited to 0.35 A/slew, near to it
+tau is a time constant. Source: data sheets of solenoid and proportional valves state dead time, rise time, fall time
+and slew rate; the inductance of the coil comes before the plunger, whose greatest speed is that of its force against
+the damping of the fluid. One lag, two, a limited rate (also one that is another downwards) and what rounds it are met
+within 1 % of what they change in the readings, second-order lags with a damping ratio above 0.7 within 5 % of a
+step; what overshoots is ValveSecondOrder. Typical 5 to 100 ms each, ratio 0.5 to 2. Both valves are shut before the
+start.</p>
+<p>Fingerprint: as ValveLag and ValveDelay; opening is late by another time than closing, or the later the larger the
+step.</p>
 </html>"));
 end FlexibleDrive;

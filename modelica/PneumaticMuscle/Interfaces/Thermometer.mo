@@ -1,12 +1,14 @@
 within PneumaticMuscle.Interfaces;
 partial model Thermometer "What the instrument makes of the gas temperature"
   GasPort port "Where it sits";
+  input Types.MassFlowRate m_flow = 0 "Gas that flows past it";
   parameter Types.Temperature T_start "Reading at the start";
   Types.Temperature T "Reading";
 equation
   port.m_flow = 0;
   port.H_flow = 0;
   annotation (Documentation(info="<html>
-<p>Takes no gas. Left to the extending class: the equation of T.</p>
+<p>Takes no gas. Left to the extending class: the equation of T. A bench that does not say what flows past the
+instrument means still gas.</p>
 </html>"));
 end Thermometer;
