@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -21,11 +21,12 @@ RUNS = (default_plan()[0], default_plan()[2])  # filled, held, vented; in parts 
 SIGMA = Noise().as_dict()
 
 
-def left_of(law: Effect, effect: str) -> tuple[float, float]:
+def left_of(law: Effect, effect: str, start: Mapping[str, float] | None = None) -> tuple[float, float]:
     """What a model with ``effect`` leaves of a law, and what the base model does, in noise standard deviations.
 
     Root mean square over pressure, contraction and temperature of two runs without noise. The base parameters are
-    the true ones; the effect's own coefficients are free within their bounds.
+    the true ones; the effect's own coefficients are free within their bounds, from ``start`` where it
+    names one.
     """
     target = _measured([law])
     size = float(np.sqrt(np.mean((target - _measured([])) ** 2)))
@@ -33,10 +34,14 @@ def left_of(law: Effect, effect: str) -> tuple[float, float]:
     with Simulator(built(BENCH, effect)) as simulator:
 
         def readings(values: dict[str, float]) -> Array:
-            own = {name: values[name.rpartition(".")[2]] for name in names}
-            return np.concatenate([_simulated(simulator, run, own) for run in RUNS])
+            full = {name: values[name.rpartition(".")[2]] for name in names}
+            return np.concatenate([_simulated(simulator, run, full) for run in RUNS])
 
-        return misses(readings, target, coefficients(simulator.interface, names), np.ones(len(target))), size
+        own = coefficients(simulator.interface, names)
+        for name, value in (start or {}).items():
+            low, high, _, scale = own[name]
+            own[name] = (low, high, value, scale)
+        return misses(readings, target, own, np.ones(len(target))), size
 
 
 def _measured(effects: Sequence[Effect]) -> Array:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import cos, sqrt, tanh
+from math import cos, exp, sinh, sqrt, tanh
 from typing import ClassVar
 
 from tests.reference.effects.base import Effect, Now, Rest
-from tests.reference.flow import P_ATM, T_ATM, G, R
+from tests.reference.flow import GAMMA, P_ATM, T_ATM, G, R
 from tests.reference.schedule import Currents
 
 State = Sequence[float]
@@ -221,3 +221,79 @@ class LateHeat(Effect):
 
     def heat(self, q: State) -> float:
         return q[0]
+
+
+@dataclass(frozen=True)
+class GrowingDamper(Effect):
+    """Friction c v (1 + x/x_0), in extension a share of it."""
+
+    c: float = 120.0  # N s/m
+    x_0: float = 0.02  # m
+    back: float = 1.0
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.c * v * (1 + max(x, 0.0) / self.x_0) * (1.0 if v > 0 else self.back)
+
+
+@dataclass(frozen=True)
+class ThinningCreep(Effect):
+    """A Maxwell element with Eyring's dashpot: q' = (x_0/tau) sinh((x - q)/x_0)."""
+
+    atol: ClassVar[tuple[float, ...]] = (1e-10,)
+    k: float = 400.0  # N/m
+    tau: float = 2.0  # s
+    x_0: float = 0.015  # m
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (rest.x,)
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        return (self.x_0 / self.tau * sinh((now.x - q[0]) / self.x_0),)
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.k * (x - q[0])
+
+
+@dataclass(frozen=True)
+class FallingFriction(Effect):
+    """A Dahl bristle whose force is larger in slow motion, by the share a exp(-(v/v_s)^2)."""
+
+    atol: ClassVar[tuple[float, ...]] = (1e-7,)
+    f_c: float = 8.0  # N
+    travel: float = 3e-4  # m
+    a: float = 0.4
+    v_s: float = 0.015  # m/s
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (0.0,)
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        return ((now.v - abs(now.v) * q[0]) / self.travel,)
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.f_c * q[0] * (1 + self.a * exp(-((v / self.v_s) ** 2)))
+
+
+@dataclass(frozen=True)
+class Chamber(Effect):
+    """A rigid side volume behind an opening; its gas gives ua (T - T_atm) to its wall (states: mass, energy)."""
+
+    atol: ClassVar[tuple[float, ...]] = (1e-12, 1e-7)
+    volume: float = 3e-5  # m3
+    conductance: float = 3e-9  # kg/(s Pa)
+    ua: float = 0.0  # W/K
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return P_ATM * self.volume / (R * T_ATM), P_ATM * self.volume / (GAMMA - 1)
+
+    def exchange(self, q: State, p: float, temperature: float) -> tuple[float, float]:
+        inside, t = self._inside(q)
+        flow = self.conductance * (p - inside)
+        return flow, GAMMA * R / (GAMMA - 1) * flow * (temperature if flow > 0 else t)
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        flow, enthalpy = self.exchange(q, now.p_gauge + P_ATM, now.temperature)
+        return flow, enthalpy - self.ua * (self._inside(q)[1] - T_ATM)
+
+    def _inside(self, q: State) -> tuple[float, float]:
+        return (GAMMA - 1) * q[1] / self.volume, (GAMMA - 1) * q[1] / (R * q[0])
