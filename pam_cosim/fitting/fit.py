@@ -5,15 +5,14 @@ from __future__ import annotations
 import itertools
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import least_squares
 from scipy.stats import qmc
 
 from pam_cosim.comparison import Comparison, compare
 from pam_cosim.errors import SimulationFailure
+from pam_cosim.fitting.descent import Descent, descend
 from pam_cosim.fitting.estimate import Estimate, describe, estimates
 from pam_cosim.fitting.free import Free, base_parameters
 from pam_cosim.fitting.objective import Objective
@@ -29,7 +28,6 @@ _MOST_EVALUATIONS = 60
 PRECISION = 1e-6
 _RESCUE_STARTS = 32
 _WHITE_SCORE = 4.0
-_OFF_BOUND = 1e-6  # of the range: a descent cannot start at a bound
 _NOISE_LEVEL = 1.2  # mean square of residuals, in noise variances, that needs no second start
 
 
@@ -113,14 +111,14 @@ def fit(
     """
     chosen = tuple(base_parameters(data, simulator.interface) if free is None else free)
     objective = Objective(simulator, data, data.fit_runs if runs is None else runs, chosen, fixed, tolerance)
-    descent = _Descent(most_evaluations, precision, progress)
-    z, jacobian = _solve(objective, _start_points(chosen, starts), follow, descent)
-    comparison = compare(simulator, data, objective.values(z), objective.tolerance)
+    how = _How(most_evaluations, precision, progress)
+    found = _solve(objective, _start_points(chosen, starts), follow, how)
+    comparison = compare(simulator, data, objective.values(found.z), objective.tolerance)
     by_role = structures(comparison)
-    found = estimates(chosen, z, jacobian, objective.bounds, _spread(by_role["fit"]))
+    parameters = estimates(chosen, found.z, found.jacobian, objective.bounds, _spread(by_role["fit"]))
     return Fit(
         simulator.interface.model,
-        found,
+        parameters,
         comparison,
         by_role,
         objective.evaluations,
@@ -178,7 +176,7 @@ def _start_points(free: Sequence[Free], starts: Sequence[Mapping[str, float]]) -
 
 
 @dataclass(frozen=True)
-class _Descent:
+class _How:
     """How a descent goes; see ``fit``."""
 
     most_evaluations: int
@@ -186,27 +184,23 @@ class _Descent:
     progress: Progress | None
 
 
-def _solve(objective: Objective, points: list[Array], follow: int, how: _Descent) -> tuple[Array, Array]:
-    best: tuple[float, Array, Array] | None = None
+def _solve(objective: Objective, points: list[Array], follow: int, how: _How) -> Descent:
+    best: Descent | None = None
     for start in itertools.islice(_starts(objective, points), follow):
         found = _descend(objective, start, how)
-        if best is None or found[0] < best[0]:
+        if best is None or found.cost < best.cost:
             best = found
-        if best[0] <= _NOISE_LEVEL * objective.size:
+        if best.cost <= _NOISE_LEVEL * objective.size:
             break  # nothing is left that another start could find
-    if best is None:
-        best = _descend(objective, _rescue(objective), how)
-    return best[1], best[2]
+    return best or _descend(objective, _rescue(objective), how)
 
 
 def _starts(objective: Objective, points: Sequence[Array]) -> Iterator[Array]:
-    """The points at which every run can be simulated, off the bounds, the best first as far as a glance tells."""
-    low, high = objective.bounds
-    inner = [np.clip(z, low + _OFF_BOUND * (high - low), high - _OFF_BOUND * (high - low)) for z in points]
-    scored = [(objective.glance(z) if len(inner) > 1 else 0.0, i) for i, z in enumerate(inner)]
+    """The points at which every run can be simulated, the best first as far as a glance tells."""
+    scored = [(objective.glance(z) if len(points) > 1 else 0.0, i) for i, z in enumerate(points)]
     for score, i in sorted(scored):
-        if np.isfinite(score) and np.isfinite(_cost(objective.residuals(inner[i]))):
-            yield inner[i]
+        if np.isfinite(score) and np.isfinite(_cost(objective.residuals(points[i]))):
+            yield points[i]
 
 
 def _cost(residuals: Array) -> float:
@@ -225,7 +219,7 @@ def _rescue(objective: Objective) -> Array:
     raise SimulationFailure(f"no start value within the bounds can be simulated: {reason}")
 
 
-def _descend(objective: Objective, start: Array, how: _Descent) -> tuple[float, Array, Array]:
+def _descend(objective: Objective, start: Array, how: _How) -> Descent:
     def residuals(z: Array) -> Array:
         e = objective.residuals(z)
         if how.progress is not None and np.all(np.isfinite(e)):
@@ -237,16 +231,5 @@ def _descend(objective: Objective, start: Array, how: _Descent) -> tuple[float, 
 
     if not len(start):
         e = objective.residuals(start)
-        return _cost(e), start, np.zeros((len(e), 0))
-    found: Any = least_squares(
-        residuals,
-        start,
-        jacobian,
-        bounds=objective.bounds,
-        method="trf",
-        ftol=how.precision,
-        xtol=1e-7,
-        gtol=1e-8,
-        max_nfev=how.most_evaluations,
-    )
-    return float(2 * found.cost), found.x, found.jac
+        return Descent(_cost(e), start, np.zeros((len(e), 0)))
+    return descend(residuals, jacobian, start, objective.bounds, how.precision, how.most_evaluations)

@@ -1,0 +1,83 @@
+"""The descent against SciPy's on problems with known answers, at bounds and beside places where nothing is defined."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.optimize import least_squares
+
+from pam_cosim.fitting.descent import descend
+
+Array = NDArray[np.float64]
+
+
+def _rosenbrock(z: Array) -> Array:
+    return np.array([10 * (z[1] - z[0] ** 2), 1 - z[0]])
+
+
+def _its_slopes(z: Array) -> Array:
+    return np.array([[-20 * z[0], 10.0], [-1.0, 0.0]])
+
+
+@pytest.mark.parametrize(
+    ("low", "high"), [((-2.0, -2.0), (2.0, 2.0)), ((-2.0, -2.0), (0.5, 2.0)), ((-1.5, 1.5), (0.0, 3.0))]
+)
+def test_valley_is_followed_to_the_same_end_as_by_scipy(low: tuple[float, float], high: tuple[float, float]) -> None:
+    bounds = np.array(low), np.array(high)
+    start = np.clip([-1.2, 1.0], *bounds)
+    found = descend(_rosenbrock, _its_slopes, start, bounds, 1e-14, 200)
+    inner = np.clip(start, bounds[0] + 1e-9, bounds[1] - 1e-9)
+    theirs = least_squares(_rosenbrock, inner, _its_slopes, bounds=bounds, xtol=1e-15, ftol=1e-15, gtol=1e-15)
+    assert found.z == pytest.approx(theirs.x, abs=1e-5)
+    assert found.cost == pytest.approx(2 * theirs.cost, abs=1e-8)
+    assert np.all(found.z >= bounds[0]) and np.all(found.z <= bounds[1])
+    assert np.array_equal(found.jacobian, _its_slopes(found.z))
+
+
+def test_corner_is_left_and_another_reached_in_a_few_steps() -> None:
+    matrix = np.array([[2.0, 1.0, 0.0], [1.0, 3.0, 1.0], [0.0, 1.0, 4.0], [1.0, 1.0, 1.0]])
+    wanted = matrix @ np.array([2.0, 0.3, -1.0])
+    bounds = np.zeros(3), np.ones(3)
+    asked = []
+
+    def residuals(z: Array) -> Array:
+        asked.append(z)
+        return np.asarray(matrix @ z - wanted)
+
+    found = descend(residuals, lambda z: matrix, np.array([0.0, 1.0, 1.0]), bounds, 1e-10, 50)
+    assert found.z[0] == 1.0 and found.z[2] == 0.0
+    assert matrix[:, 1] @ (matrix @ found.z - wanted) == pytest.approx(0.0, abs=1e-4)
+    assert len(asked) < 12
+
+
+def test_where_the_model_breaks_down_no_step_ends() -> None:
+    def residuals(z: Array) -> Array:
+        return np.full(2, np.inf) if z[0] > 1 else np.array([z[0] - 1.0, 0.1 * z[0]])
+
+    found = descend(
+        residuals, lambda z: np.array([[1.0], [0.1]]), np.zeros(1), (np.zeros(1), np.full(1, 9.0)), 1e-10, 50
+    )
+    assert found.z[0] == pytest.approx(1 / 1.01, abs=1e-4)
+    # nor from a place whose best step leads out of what can be simulated
+    cliff = descend(
+        lambda z: np.full(1, np.inf) if z[0] > 1 else np.array([z[0] - 5.0]),
+        lambda z: np.ones((1, 1)), np.zeros(1), (np.zeros(1), np.full(1, 9.0)), 1e-10, 100,
+    )  # fmt: skip
+    assert 0.9 < cliff.z[0] <= 1.0
+
+
+def test_parameter_without_effect_stays_and_evaluations_are_counted() -> None:
+    asked = []
+
+    def residuals(z: Array) -> Array:
+        asked.append(z)
+        return np.array([np.expm1(z[0]), 0.1])
+
+    slopes = lambda z: np.array([[np.exp(z[0]), 0.0], [0.0, 0.0]])  # noqa: E731
+    bounds = np.full(2, -5.0), np.full(2, 5.0)
+    found = descend(residuals, slopes, np.array([3.0, 2.0]), bounds, 1e-12, 40)
+    assert found.z[0] == pytest.approx(0.0, abs=1e-5) and found.z[1] == pytest.approx(2.0)
+    asked.clear()
+    descend(residuals, slopes, np.array([3.0, 2.0]), bounds, 1e-12, 4)
+    assert len(asked) == 4
