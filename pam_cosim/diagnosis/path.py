@@ -30,7 +30,11 @@ def find_path(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidat
     path = [first[0]] if first else []
     if first and _unsolved(first[0]):
         path = _second(search, base, first, tried)
-    while 1 < len(path) < _MOST_EFFECTS and (last := path[-1]).fit is not None and _unsolved(last):
+    while 1 < len(path) < _MOST_EFFECTS and _unsolved(path[-1]):
+        path = _enriched(search, base, path, tried)
+        last = path[-1]
+        if last.fit is None or not _unsolved(last):
+            break
         found = search.round(last.effects, last.fit, tried)
         tried += found
         steps = _steps(last.fit, found)
@@ -38,7 +42,7 @@ def find_path(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidat
             break
         path.append(steps[0])
         search.say(f"added {_told(steps[0])}")
-    path = _needed(search, base, path, tried)
+    path = _merged(search, base, _needed(search, base, path, tried), tried)
     return (path, tried) if path and convincing(base, rank(base, [path[-1]])[0]) else ([], tried)
 
 
@@ -108,6 +112,37 @@ def _needed(search: Search, base: Fit, path: Sequence[Candidate], tried: list[Ca
         if last is not None and not convincing(last, rank(last, [path[-1]])[0]):
             search.say(f"{path[i].effect} is not needed any more")
             path = without
+    return path
+
+
+def _enriched(search: Search, base: Fit, path: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
+    """The path with one of its effects in a richer form, where that is better beyond chance."""
+    present = path[-1].fit
+    assert present is not None
+    found = search.richer([c.effect for c in path], present.values)
+    tried += found
+    better = [c for c in rank(present, found) if convincing(present, c)]
+    if not better or better[0].fit is None:
+        return list(path)
+    search.say(f"in a richer form: {_told(better[0])}")
+    return _refitted(search, better[0].effects, better[0].fit, base, tried)
+
+
+def _merged(search: Search, base: Fit, path: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
+    """The path with fewer effects, where a richer member of one's family does what two of them did."""
+    path = list(path)
+    while len(path) > 1:
+        full = path[-1]
+        assert full.fit is not None
+        found = search.fewer([c.effect for c in path], full.fit.values)
+        tried += found
+        enough = [c for c in found if c.fit is not None and not convincing(c.fit, rank(c.fit, [full])[0])]
+        if not enough:
+            break
+        best = rank(base, enough)[0]
+        assert best.fit is not None
+        search.say(f"fewer effects do as well: {_told(best)}")
+        path = _refitted(search, best.effects, best.fit, base, tried)
     return path
 
 

@@ -115,11 +115,26 @@ class Search:
 
     def with_effects(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate:
         """The model with just these effects, fitted to the end; the last of them counts as the one that is tried."""
-        last = next(e for e in self.shelf if e.name == effects[-1])
-        composition = compose_on(self.tree, self.structure, tuple(effects))
-        assert composition is not None
-        trial = Trial(last, tuple(effects), composition, self.data, start, self.files)
-        return self._run("to the end, without another effect,", [trial])[0]
+        return self._varied("to the end, without another effect,", [effects], start)[0]
+
+    def richer(self, effects: Sequence[str], start: Mapping[str, float]) -> list[Candidate]:
+        """Models with one of these effects in a richer form of its family, fitted to the end."""
+        return self._varied("to the end, in a richer form,", _richer(effects, self.shelf), start)
+
+    def fewer(self, effects: Sequence[str], start: Mapping[str, float]) -> list[Candidate]:
+        """Models with one of these effects less and another in a richer form of its family, fitted to the end."""
+        less = [_richer([e for e in effects if e != left], self.shelf) for left in reversed(effects)]
+        alike = {frozenset(names): names for some in less for names in some}
+        return self._varied("to the end, with one effect less,", list(alike.values()), start)
+
+    def _varied(self, how: str, chosen: Sequence[Sequence[str]], start: Mapping[str, float]) -> list[Candidate]:
+        trials = []
+        for names in chosen:
+            composition = compose_on(self.tree, self.structure, names)
+            if composition is not None:
+                last = next(e for e in self.shelf if e.name == names[-1])
+                trials.append(Trial(last, tuple(names), composition, self.data, start, self.files))
+        return self._run(how, trials)
 
     def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:
         if trials:
@@ -137,6 +152,17 @@ class Search:
             if composition is not None:
                 trials.append(Trial(effect, names, composition, self.data, start, self.files))
         return trials
+
+
+def _richer(effects: Sequence[str], shelf: Sequence[EffectClass]) -> list[tuple[str, ...]]:
+    """The effects with one of them in a form of its family that has more parameters; that one stands last."""
+    own = {e.name: e for e in shelf}
+    return [
+        (*(e for e in effects if e != changed), other.name)
+        for changed in reversed(effects)
+        for other in shelf
+        if other.family == own[changed].family and len(other.parameters) > len(own[changed].parameters)
+    ]
 
 
 def told(c: Candidate) -> str:
