@@ -208,7 +208,8 @@ SLEEVES: dict[str, tuple[float, Array]] = {
     "constant factor": (0.01, cylinder(E) * 1.1),
     "factor by strain": (0.02, cylinder(E) * (1 - 0.5 * E)),
     "factor by pressure": (0.01, cylinder(E) * (1 - 0.1 * np.exp(-P / 1e5))),
-    "factor by inverse pressure": (0.08, cylinder(E) * (1 - 3e3 / (P + 3e4))),
+    "ends that close with pressure": (0.01, cylinder((1 + 0.15 * (1 - P / 3e5)) * E)),
+    "factor by inverse pressure": (0.065, cylinder(E) * (1 - 3e3 / (P + 3e4))),
     "caps that contract with the power 1.5": (0.02, cylinder(E) - 0.3 * E**1.5),
 }
 
