@@ -103,7 +103,9 @@ class Search:
         near, chosen = _near(every), worth_refitting(every)
         names, known = {c.effect for c in found}, {c.effect for c in every}
         values = {c.effect: c.fit.values for c in chosen if c.fit is not None and c.effect in names}
-        again = [replace(t, start=values[t.effect.name]) for t in trials if t.effect.name in values]
+        again = [
+            replace(t, found=values[t.effect.name], follow=t.follow + 1) for t in trials if t.effect.name in values
+        ]
         plain = {t.effect.name for t in _simple(trials)}
         families, rich = _leading_families(chosen, _LEADING_FAMILIES), _leading_families(near, _LEADING_FAMILIES)
         others = [

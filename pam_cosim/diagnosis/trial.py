@@ -36,6 +36,7 @@ class Trial:
         evaluations: of each descent, and from how many starts it is made (``follow``).
         tolerance: of the solver; None: that of a fit.
         precision: at which a descent ends.
+        found: where a brief trial ended: another start.
     """
 
     effect: EffectClass
@@ -48,6 +49,7 @@ class Trial:
     follow: int = 2
     tolerance: float | None = None
     precision: float = PRECISION
+    found: Mapping[str, float] = field(default_factory=dict)
 
     def brief(self) -> Trial:
         """A few steps of the same from one start: enough to tell a promising effect from a hopeless one."""
@@ -117,7 +119,7 @@ def free_parameters(trial: Trial, interface: Interface) -> tuple[tuple[Free, ...
             if effect == trial.effect.name:
                 spread.append([(name, s) for s in _orders(parameter)])
     moved = [_from(f, trial.start) for f in free]
-    return tuple(moved), _combined(spread)
+    return tuple(moved), [dict(trial.found)] * bool(trial.found) + _combined(spread)
 
 
 def _combined(spread: Sequence[Sequence[tuple[str, float]]]) -> list[dict[str, float]]:
