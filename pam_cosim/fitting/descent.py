@@ -19,8 +19,10 @@ from scipy.optimize import lsq_linear
 Array = NDArray[np.float64]
 
 _FIRST_DAMPING = 1e-3  # of the squared size of each column
+_FIRST_REACH = 1.0  # of a step in any coordinate: a factor of e, or the typical size of the parameter
 _ACCEPTED = 1e-4  # of the gain that was foretold, that a step must bring
 _TRUSTED = 0.25  # of it, from which on a small gain means that little is left to gain
+_RELIABLE = 0.5  # of it, from which on a step may reach further
 _STEP = 1e-7  # relative step that counts as none
 _TINY = 1e-300  # lsq_linear wants the bounds apart
 
@@ -60,11 +62,12 @@ def descend(
     """
     low, high = bounds
     z, e, slopes = start, residuals(start), jacobian(start)
-    cost, damping, patience = float(e @ e), _FIRST_DAMPING, 2.0
+    cost, damping, patience, reach = float(e @ e), _FIRST_DAMPING, 2.0, _FIRST_REACH
     size = np.zeros(len(z))
     for _ in range(most_evaluations - 1):
         size = np.maximum(size, np.linalg.norm(slopes, axis=0))
-        step, foretold = _step(e, slopes, np.where(size > 0, size, 1.0), damping, low - z, high - z)
+        room = np.maximum(low - z, -reach), np.minimum(high - z, reach)
+        step, foretold = _step(e, slopes, np.where(size > 0, size, 1.0), damping, room)
         if foretold <= 0 or np.all(np.abs(step) <= _STEP * (_STEP + np.abs(z))):
             break
         moved = np.clip(z + step, low, high)
@@ -74,23 +77,25 @@ def descend(
         if not quality > _ACCEPTED:  # an infinite residual is no gain either
             damping *= patience
             patience *= 2
+            reach = float(np.max(np.abs(step))) / 2
             continue
         little = gain < precision * cost and quality > _TRUSTED
         z, e, cost, slopes = moved, new, cost - gain, jacobian(moved)
         damping, patience = damping * max(1 / 3, 1 - (2 * quality - 1) ** 3), 2.0
+        reach *= 2 if quality > _RELIABLE else 1
         if little:
             break
     return Descent(cost, z, slopes)
 
 
-def _step(e: Array, slopes: Array, size: Array, damping: float, low: Array, high: Array) -> tuple[Array, float]:
+def _step(e: Array, slopes: Array, size: Array, damping: float, room: tuple[Array, Array]) -> tuple[Array, float]:
     """The damped step within the bounds, and by how much it lowers the cost of the linearised residuals."""
     n = len(size)
     triangle = np.asarray(np.linalg.qr(np.column_stack([slopes, e]), mode="r"))
     within, right = triangle[:n, :n], triangle[:n, n]
     rows = np.vstack([within / size, np.sqrt(damping) * np.eye(n)])
-    room = np.minimum(low * size, -_TINY), np.maximum(high * size, _TINY)
-    found = lsq_linear(rows, np.concatenate([-right, np.zeros(n)]), room, method="bvls")
+    apart = np.minimum(room[0] * size, -_TINY), np.maximum(room[1] * size, _TINY)
+    found = lsq_linear(rows, np.concatenate([-right, np.zeros(n)]), apart, method="bvls")
     step: Array = found.x / size
     change = within @ step
     return step, -float(2 * right @ change + change @ change)
