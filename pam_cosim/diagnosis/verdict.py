@@ -103,11 +103,13 @@ def judge(base: Fit, path: Sequence[Candidate], others: Sequence[Candidate]) -> 
 
 
 def _caution(found: Fit) -> str:
-    """A fit that ends at a bound says that the model may stand in for something else."""
+    """What keeps an explanation from being beyond doubt: no run that checks it, or a fit that ends at a bound."""
+    checked = found.structure["holdout"].samples
+    text = "" if checked else " No run was held out: nothing but what was fitted speaks for it."
     names = [n for n, e in found.parameters.items() if e.at_bound]
-    if not names:
-        return ""
-    return f" Caution: {', '.join(names)} ended at a bound; the model may stand in for something else."
+    if names:
+        text += f" Caution: {', '.join(names)} ended at a bound; the model may stand in for something else."
+    return text
 
 
 def explained(before: Fit, after: Fit) -> float:
