@@ -55,8 +55,8 @@ def run_tasks(
         return alone
     results: dict[int, Result] = {}
     waiting = list(range(len(tasks)))
-    count = min(workers or processors(), max(len(tasks), 1))
-    suspects = _attempt(function, tasks, waiting, results, done, count)
+    # as many as ever, also for fewer tasks: a pool that shrinks has to start anew what it ended
+    suspects = _attempt(function, tasks, waiting, results, done, workers or processors())
     for i in suspects:  # a broken pool does not say who broke it: try those one by one
         if _attempt(function, tasks, [i], results, done, 1):
             results[i] = on_crash(tasks[i])
