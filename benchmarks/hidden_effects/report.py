@@ -239,7 +239,7 @@ def draw_hit_rate(results: Sequence[Result], file: Path) -> None:
     axes.axvline(_VISIBLE, color="0.6", linestyle=":")
     axes.set(xscale="log", ylim=(-0.03, 1.03), ylabel="right verdicts",
              xlabel="size of the effect that no base parameter makes up for, in noise standard deviations")  # fmt: skip
-    figure.legend(loc="outside upper center", ncols=3, frameon=False)
+    figure.legend(loc="outside upper center", ncols=2, frameon=False)
     figure.savefig(file, dpi=150)
     plt.close(figure)
 
