@@ -117,26 +117,17 @@ class Search:
 
     def with_effects(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate:
         """The model with just these effects, fitted to the end; the last of them counts as the one that is tried."""
-        return self._varied("to the end, without another effect,", [effects], start)[0]
+        return self._run("to the end, without another effect,", self._composed([effects], start))[0]
 
     def richer(self, effects: Sequence[str], start: Mapping[str, float]) -> list[Candidate]:
         """Models with one of these effects in a richer form of its family, fitted to the end."""
-        return self._varied("to the end, in a richer form,", _richer(effects, self.shelf), start)
+        return self._run("to the end, in a richer form,", self._composed(_richer(effects, self.shelf), start))
 
     def fewer(self, effects: Sequence[str], start: Mapping[str, float]) -> list[Candidate]:
         """Models with one of these effects less and another in a richer form of its family, fitted to the end."""
         less = [_richer([e for e in effects if e != left], self.shelf) for left in reversed(effects)]
         alike = {frozenset(names): names for some in less for names in some}
-        return self._varied("to the end, with one effect less,", list(alike.values()), start)
-
-    def _varied(self, how: str, chosen: Sequence[Sequence[str]], start: Mapping[str, float]) -> list[Candidate]:
-        trials = []
-        for names in chosen:
-            composition = compose_on(self.tree, self.structure, names)
-            if composition is not None:
-                last = next(e for e in self.shelf if e.name == names[-1])
-                trials.append(Trial(last, tuple(names), composition, self.data, start, self.files))
-        return self._run(how, trials)
+        return self._run("to the end, with one effect less,", self._composed(list(alike.values()), start))
 
     def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:
         if trials:
@@ -145,14 +136,16 @@ class Search:
 
     def _trials(self, added: Sequence[str], start: Mapping[str, float]) -> list[Trial]:
         taken = {e.family for e in self.shelf if e.name in added}
+        return self._composed([(*added, e.name) for e in self.shelf if e.family not in taken], start)
+
+    def _composed(self, chosen: Sequence[Sequence[str]], start: Mapping[str, float]) -> list[Trial]:
+        """Trials of the last effect of each list, for those that find a place in the model."""
+        own = {e.name: e for e in self.shelf}
         trials = []
-        for effect in self.shelf:
-            if effect.family in taken:
-                continue
-            names = (*added, effect.name)
+        for names in chosen:
             composition = compose_on(self.tree, self.structure, names)
             if composition is not None:
-                trials.append(Trial(effect, names, composition, self.data, start, self.files))
+                trials.append(Trial(own[names[-1]], tuple(names), composition, self.data, start, self.files))
         return trials
 
 

@@ -63,11 +63,10 @@ def descend(
     low, high = bounds
     z, e, slopes = start, residuals(start), jacobian(start)
     cost, damping, patience, reach = float(e @ e), _FIRST_DAMPING, 2.0, _FIRST_REACH
-    size = np.zeros(len(z))
+    size, triangle = np.linalg.norm(slopes, axis=0), _triangle(slopes, e)
     for _ in range(most_evaluations - 1):
-        size = np.maximum(size, np.linalg.norm(slopes, axis=0))
         room = np.maximum(low - z, -reach), np.minimum(high - z, reach)
-        step, foretold = _step(e, slopes, np.where(size > 0, size, 1.0), damping, room)
+        step, foretold = _step(triangle, np.where(size > 0, size, 1.0), damping, room)
         if foretold <= 0 or np.all(np.abs(step) <= _STEP * (_STEP + np.abs(z))):
             break
         moved = np.clip(z + step, low, high)
@@ -80,7 +79,8 @@ def descend(
             reach = float(np.max(np.abs(step))) / 2
             continue
         little = gain < precision * cost and quality > _TRUSTED
-        z, e, cost, slopes = moved, new, cost - gain, jacobian(moved)
+        z, cost, slopes = moved, cost - gain, jacobian(moved)
+        size, triangle = np.maximum(size, np.linalg.norm(slopes, axis=0)), _triangle(slopes, new)
         damping, patience = damping * max(1 / 3, 1 - (2 * quality - 1) ** 3), 2.0
         reach *= 2 if quality > _RELIABLE else 1
         if little:
@@ -88,10 +88,14 @@ def descend(
     return Descent(cost, z, slopes)
 
 
-def _step(e: Array, slopes: Array, size: Array, damping: float, room: tuple[Array, Array]) -> tuple[Array, float]:
+def _triangle(slopes: Array, e: Array) -> Array:
+    """The linearised residuals e + slopes s as few rows: the triangular factor of the slopes beside the residuals."""
+    return np.asarray(np.linalg.qr(np.column_stack([slopes, e]), mode="r"))
+
+
+def _step(triangle: Array, size: Array, damping: float, room: tuple[Array, Array]) -> tuple[Array, float]:
     """The damped step within the bounds, and by how much it lowers the cost of the linearised residuals."""
     n = len(size)
-    triangle = np.asarray(np.linalg.qr(np.column_stack([slopes, e]), mode="r"))
     within, right = triangle[:n, :n], triangle[:n, n]
     rows = np.vstack([within / size, np.sqrt(damping) * np.eye(n)])
     apart = np.minimum(room[0] * size, -_TINY), np.maximum(room[1] * size, _TINY)
