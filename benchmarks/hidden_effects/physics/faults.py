@@ -18,7 +18,7 @@ from tests.reference.schedule import SampledSchedule, Schedule
 State = Sequence[float]
 
 
-def _with_edges(schedule: Schedule, instants: Sequence[float]) -> Schedule:
+def with_edges(schedule: Schedule, instants: Sequence[float]) -> Schedule:
     """The same currents with switches at further instants, so that the integrator does not step over them."""
     starts = tuple(sorted({*schedule.starts, *instants}))
     if isinstance(schedule, SampledSchedule):
@@ -36,7 +36,7 @@ class Nudge(Clocked):
     duration: float = 0.6  # s
 
     def drive(self, schedule: Schedule) -> Schedule:
-        return _with_edges(schedule, (self.start, self.start + self.duration))
+        return with_edges(schedule, (self.start, self.start + self.duration))
 
     def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
         share = (q[0] - self.start) / self.duration
@@ -55,7 +55,7 @@ class SecondConsumer(Clocked):
 
     def drive(self, schedule: Schedule) -> Schedule:
         begins = [self.first + k * self.period for k in range(12)]
-        return _with_edges(schedule, [*begins, *(t + self.on * self.period for t in begins)])
+        return with_edges(schedule, [*begins, *(t + self.on * self.period for t in begins)])
 
     def supply(self, q: State, p: float) -> float:
         place = (q[0] - self.first) / self.period
