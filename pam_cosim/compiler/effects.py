@@ -25,6 +25,7 @@ class EffectClass:
         parameters: its own public parameters that have both a minimum and a maximum: those that a diagnosis fits.
         component_name: name that its instance takes.
         file: where it is written.
+        general: it says whatever its family can, and waits until the others of the family leave something.
     """
 
     name: str
@@ -36,6 +37,7 @@ class EffectClass:
     parameters: tuple[str, ...]
     component_name: str
     file: Path
+    general: bool = False
 
 
 def effect_classes(tree: ClassTree) -> list[EffectClass]:
@@ -94,6 +96,7 @@ def _effect(tree: ClassTree, name: str) -> EffectClass:
         parameters=tuple(own),
         component_name=_component_name(short, info.annotations.get("defaultComponentName", "")),
         file=Path(info.file),
+        general=bool(tree.constant(name, "general")),
     )
 
 

@@ -27,6 +27,8 @@ def find_path(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidat
     missing = any(coherent(s) for s in base.structure.values())
     tried = search.round((), base, deep=missing)
     first = _steps(base, tried) if missing else []
+    if missing and (not first or _unsolved(first[0])):
+        first = _generalized(search, base, first, tried)
     path = [first[0]] if first else []
     if first and _unsolved(first[0]):
         path = _second(search, base, first, tried)
@@ -44,6 +46,22 @@ def find_path(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidat
         search.say(f"added {_told(steps[0])}")
     path = _merged(search, base, _needed(search, base, path, tried), tried)
     return (path, tried) if path and convincing(base, rank(base, [path[-1]])[0]) else ([], tried)
+
+
+def _generalized(search: Search, base: Fit, first: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
+    """The first effects, led by the general member of a family where that leaves nothing or where there are none."""
+    found = rank(base, search.general(base, tried))
+    tried += found
+    steps = _steps(base, found)
+    if not first and not steps:
+        found = search.last_resort(base, tried)
+        tried += found
+        steps = _steps(base, found)
+    solved = [c for c in steps if not _unsolved(c)]
+    if solved:
+        search.say(f"in general form: {_told(solved[0])}")
+        return solved
+    return list(first) or steps
 
 
 def _second(search: Search, base: Fit, first: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
@@ -107,7 +125,7 @@ def _needed(search: Search, base: Fit, path: Sequence[Candidate], tried: list[Ca
         rest = [*path[:i], *path[i + 1 :]]
         full = path[-1].fit
         assert full is not None
-        without = _refitted(search, [c.effect for c in rest], full, base, tried)
+        without = _refitted(search, [c.effect for c in rest], full, base, tried, again=True)
         last = without[-1].fit
         if last is not None and not convincing(last, rank(last, [path[-1]])[0]):
             search.say(f"{path[i].effect} is not needed any more")
@@ -146,15 +164,33 @@ def _merged(search: Search, base: Fit, path: Sequence[Candidate], tried: list[Ca
     return path
 
 
-def _refitted(search: Search, effects: Sequence[str], full: Fit, base: Fit, tried: list[Candidate]) -> list[Candidate]:
-    """The chain of models that adds these effects one after another, fitted from the values of a fuller model."""
+def _refitted(
+    search: Search, effects: Sequence[str], full: Fit, base: Fit, tried: list[Candidate], again: bool = False
+) -> list[Candidate]:
+    """The chain of models that adds these effects one after another, fitted from the values of a fuller model.
+
+    Models that were fitted before are taken as they are; the last one is fitted ``again``, since it may have stopped
+    short of its best.
+    """
     chain: list[Candidate] = []
     for k in range(1, len(effects) + 1):
         names = tuple(effects[:k])
+        before = chain[-1].fit if chain and chain[-1].fit else base
         known = next((c for c in tried if c.effects == names and c.fit is not None and not c.brief), None)
-        if known is None:
-            before = chain[-1].fit if chain and chain[-1].fit else base
-            known = rank(before, [search.with_effects(names, full.values)])[0]
-            tried.append(known)
+        if known is None or (again and k == len(effects)):
+            fresh = rank(before, [search.with_effects(names, full.values)])[0]
+            known = _lower(tried, known, fresh)
         chain.append(known)
     return chain
+
+
+def _lower(tried: list[Candidate], known: Candidate | None, fresh: Candidate) -> Candidate:
+    """That of two fits of the same model which is nearer to the data; the other one leaves ``tried``."""
+    if known is None:
+        tried.append(fresh)
+        return fresh
+    assert known.fit is not None
+    if fresh.fit is None or fresh.fit.structure["fit"].chi2 >= known.fit.structure["fit"].chi2:
+        return known
+    tried[tried.index(known)] = fresh
+    return fresh

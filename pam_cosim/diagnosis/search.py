@@ -123,6 +123,31 @@ class Search:
         """Models with one of these effects in a richer form of its family, fitted to the end."""
         return self._run("to the end, in a richer form,", self._composed(_richer(effects, self.shelf), start))
 
+    def general(self, present: Fit, known: Sequence[Candidate]) -> list[Candidate]:
+        """Models with one effect, the general member of each leading family, fitted to the end.
+
+        Args:
+            present: the model without effects, fitted.
+            known: candidates with one effect each; where the best of a family stands is one of the starts.
+        """
+        best = {c.family: c for c in reversed(_by_error(known))}
+        leading = _leading_families(known, _LEADING_FAMILIES)
+        own = [e for e in self.shelf if e.general and e.family in leading]
+        trials = [
+            replace(t, found=stands.fit.values, follow=t.follow + 1)
+            for t in self._composed([(e.name,) for e in own], present.values)
+            if (stands := best[t.effect.family]).fit is not None
+        ]
+        return self._run("to the end, in the general form of its family,", trials)
+
+    def last_resort(self, present: Fit, known: Sequence[Candidate]) -> list[Candidate]:
+        """Models with one effect, the general member of each other family, the promising ones fitted to the end."""
+        seen = {c.effect for c in known}
+        trials = self._composed([(e.name,) for e in self.shelf if e.general and e.name not in seen], present.values)
+        found = self._brief(trials)
+        better = {c.effect: c for c in self._deep(trials, found)}
+        return rank(present, [better.get(c.effect, c) for c in found])
+
     def fewer(self, effects: Sequence[str], start: Mapping[str, float]) -> list[Candidate]:
         """Models with one of these effects less and another in a richer form of its family, fitted to the end."""
         less = [_richer([e for e in effects if e != left], self.shelf) for left in reversed(effects)]
@@ -136,7 +161,8 @@ class Search:
 
     def _trials(self, added: Sequence[str], start: Mapping[str, float]) -> list[Trial]:
         taken = {e.family for e in self.shelf if e.name in added}
-        return self._composed([(*added, e.name) for e in self.shelf if e.family not in taken], start)
+        listed = [e for e in self.shelf if not e.general]
+        return self._composed([(*added, e.name) for e in listed if e.family not in taken], start)
 
     def _composed(self, chosen: Sequence[Sequence[str]], start: Mapping[str, float]) -> list[Trial]:
         """Trials of the last effect of each list, for those that find a place in the model."""

@@ -3,11 +3,14 @@ partial model Effect "What every effect says of itself"
   constant String family "Family of the effect, an identifier such as elasticity";
   constant String balance "Balance in which it acts: force, mass, energy or sensor";
   constant String absent = "" "Parameter values at which the effect vanishes, such as k=0; empty where there are none";
+  constant Boolean general = false "It says whatever its family can, and is tried only where the family's other members leave something";
   annotation (Documentation(info="<html>
 <p>A class that extends this one is part of the catalogue. Its own public parameters that have both a minimum
 and a maximum are estimated when the effect is tried on a measurement, starting from their values.</p>
 <p><code>absent</code> lists, as one would write a modification, parameter values with which the model is the base
 model again, exactly or in the limit: zero for a strength, one for a factor, a bound for a time constant. A law that
 takes the place of another and never equals it leaves it empty.</p>
+<p><code>general</code> marks the one member of a family that bends in every direction the family has. It has many
+parameters, so it stays on the shelf until another member of its family leads and leaves structure.</p>
 </html>"));
 end Effect;
