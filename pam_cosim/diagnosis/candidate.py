@@ -23,6 +23,7 @@ class Candidate:
         probability: weight among all candidates and the model without any, by that criterion.
         equations: the Modelica text of the model.
         brief: it was fitted in a few steps only, and might still come nearer.
+        general: the effect says whatever its family can.
     """
 
     effect: str
@@ -36,6 +37,7 @@ class Candidate:
     probability: float = 0.0
     equations: str = ""
     brief: bool = False
+    general: bool = False
 
     @property
     def parameters(self) -> dict[str, Estimate]:

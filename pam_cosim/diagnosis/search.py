@@ -25,6 +25,7 @@ _ROOM = 0.02  # of the noise's variance, on top of that
 _LEADING_FAMILIES = 3
 _MORE_FAMILIES = 5
 _SIMPLE = 2  # parameters
+_HEATS = 8
 _AT_NOISE = 0.1  # excess, in noise variances
 
 
@@ -134,7 +135,7 @@ class Search:
         leading = _leading_families(known, _LEADING_FAMILIES)
         own = [e for e in self.shelf if e.general and e.family in leading]
         trials = [
-            replace(t, found=stands.fit.values, follow=t.follow + 1)
+            replace(t, found=stands.fit.values, follow=t.follow + 1, heats=_HEATS)
             for t in self._composed([(e.name,) for e in own], present.values)
             if (stands := best[t.effect.family]).fit is not None
         ]

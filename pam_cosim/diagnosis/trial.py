@@ -33,7 +33,7 @@ class Trial:
         data: the measurement, with noise levels.
         start: values to start from, by name [SI].
         files: further Modelica files.
-        evaluations: of each descent, and from how many starts it is made (``follow``).
+        evaluations: of each descent, and from how many starts it is made (``follow``), after ``heats`` of a few steps.
         tolerance: of the solver; None: that of a fit.
         precision: at which a descent ends.
         found: where a brief trial ended: another start.
@@ -47,13 +47,14 @@ class Trial:
     files: tuple[Path, ...] = ()
     evaluations: int = 60
     follow: int = 2
+    heats: int = 0
     tolerance: float | None = None
     precision: float = PRECISION
     found: Mapping[str, float] = field(default_factory=dict)
 
     def brief(self) -> Trial:
         """A few steps of the same from one start: enough to tell a promising effect from a hopeless one."""
-        return replace(self, evaluations=_BRIEF, follow=1, tolerance=_ROUGH, precision=_COARSE)
+        return replace(self, evaluations=_BRIEF, follow=1, heats=0, tolerance=_ROUGH, precision=_COARSE)
 
     def candidate(self, **found: object) -> Candidate:
         """The result of this trial."""
@@ -65,6 +66,7 @@ class Trial:
             own_parameters=tuple(self.composition.parameters[self.effect.name]),
             equations=self.composition.text,
             brief=self.evaluations <= _BRIEF,
+            general=self.effect.general,
             **found,  # type: ignore[arg-type]
         )
 
@@ -89,6 +91,7 @@ def run_trial(trial: Trial) -> Candidate:
                 starts=starts,
                 most_evaluations=trial.evaluations,
                 follow=trial.follow,
+                heats=trial.heats,
                 tolerance=trial.tolerance,
                 precision=trial.precision,
             )
@@ -103,7 +106,8 @@ def free_parameters(trial: Trial, interface: Interface) -> tuple[tuple[Free, ...
     """Base parameters and those of the effects, and further points to start from.
 
     The strength of an unknown effect is uncertain by orders of magnitude: each parameter of the tried effect is
-    started at its stated value, and at ten times more and less; in all combinations where they are few.
+    started at its stated value, and at ten times more and less; in all combinations where they are few. An effect that
+    says whatever its family can has many valleys: it is started in combinations of two, and a hundred times off.
     """
     free = list(base_parameters(trial.data, interface))
     known = {f.name for f in free}
@@ -117,20 +121,24 @@ def free_parameters(trial: Trial, interface: Interface) -> tuple[tuple[Free, ...
             parameter = Free(name, v.min, v.max, v.start, v.unit, v.nominal)
             free.append(parameter)
             if effect == trial.effect.name:
-                spread.append([(name, s) for s in _orders(parameter)])
+                spread.append([(name, s) for s in _orders(parameter, 2 if trial.effect.general else 1)])
     moved = [_from(f, trial.start) for f in free]
-    return tuple(moved), [dict(trial.found)] * bool(trial.found) + _combined(spread)
+    return tuple(moved), [dict(trial.found)] * bool(trial.found) + _combined(spread, trial.effect.general)
 
 
-def _combined(spread: Sequence[Sequence[tuple[str, float]]]) -> list[dict[str, float]]:
-    """All combinations of a few parameters' values, or one at a time of many."""
-    if len(spread) <= _FEW:
+def _combined(spread: Sequence[Sequence[tuple[str, float]]], pairs: bool) -> list[dict[str, float]]:
+    """All combinations of a few parameters' values, or one at a time of many, or two."""
+    if not pairs and len(spread) <= _FEW:
         return [dict(point) for point in itertools.product(*spread)] if spread else []
-    return [{name: value} for values in spread for name, value in values]
+    single = [{name: value} for values in spread for name, value in values]
+    if not pairs:
+        return single
+    some = [dict(two) for a, b in itertools.combinations(spread, 2) for two in itertools.product(a[1:3], b[1:3])]
+    return single + some
 
 
-def _orders(free: Free) -> Sequence[float]:
-    values = [free.start, free.start / 10, free.start * 10]
+def _orders(free: Free, decades: int) -> Sequence[float]:
+    values = [free.start * 10.0**k for n in range(decades + 1) for k in (-n, n)]
     return list(dict.fromkeys(min(max(v, free.low), free.high) for v in values))
 
 

@@ -99,7 +99,20 @@ def judge(base: Fit, path: Sequence[Candidate], others: Sequence[Candidate]) -> 
         )
     loud = last.fit.structure["fit"].chi2_reduced
     noise = f"; the noise is {loud**0.5:.2g} times the stated one" if loud > 1.5 else ""
-    return Verdict("identified", families, effects, f"{text}; what remains is noise{noise}.{_caution(last.fit)}")
+    return Verdict(
+        "identified", families, effects, f"{text}; what remains is noise{noise}.{_open(path)}{_caution(last.fit)}"
+    )
+
+
+def _open(path: Sequence[Candidate]) -> str:
+    """What an effect that says whatever its family can leaves open."""
+    names = [c.effect for c in path if c.general]
+    if not names:
+        return ""
+    says, kind = ("say", "their families") if len(names) > 1 else ("says", "its family")
+    return (
+        f" {' and '.join(names)} {says} whatever {kind} can: the family is what was found, no listed law fits as well."
+    )
 
 
 def _caution(found: Fit) -> str:

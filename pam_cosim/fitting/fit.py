@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +25,7 @@ Array = NDArray[np.float64]
 Progress = Callable[[int, float], None]
 
 _MOST_EVALUATIONS = 60
+_HEAT = 8  # evaluations
 PRECISION = 1e-6
 _RESCUE_STARTS = 32
 _WHITE_SCORE = 4.0
@@ -86,6 +87,7 @@ def fit(
     progress: Progress | None = None,
     most_evaluations: int = _MOST_EVALUATIONS,
     follow: int = 2,
+    heats: int = 0,
     tolerance: float | None = None,
     precision: float = PRECISION,
 ) -> Fit:
@@ -102,6 +104,7 @@ def fit(
         most_evaluations: of each descent.
         follow: how many of all starts are followed, the best first; each further one only where those before did
             not reach the noise.
+        heats: how many of all starts make a few steps first, so that those are followed which came farthest; 0: none.
         tolerance: relative, of the solver; default: tight enough for the noise and for finite differences.
         precision: a descent ends where a step takes away less than this part of the chi-square.
 
@@ -111,8 +114,8 @@ def fit(
     """
     chosen = tuple(base_parameters(data, simulator.interface) if free is None else free)
     objective = Objective(simulator, data, data.fit_runs if runs is None else runs, chosen, fixed, tolerance)
-    how = _How(most_evaluations, precision, progress)
-    found = _solve(objective, _start_points(chosen, starts), follow, how)
+    how = _How(most_evaluations, precision, progress, follow, heats)
+    found = _solve(objective, _start_points(chosen, starts), how)
     comparison = compare(simulator, data, objective.values(found.z), objective.tolerance)
     by_role = structures(comparison)
     parameters = estimates(chosen, found.z, found.jacobian, objective.bounds, _spread(by_role["fit"]))
@@ -182,11 +185,16 @@ class _How:
     most_evaluations: int
     precision: float
     progress: Progress | None
+    follow: int
+    heats: int
 
 
-def _solve(objective: Objective, points: list[Array], follow: int, how: _How) -> Descent:
+def _solve(objective: Objective, points: list[Array], how: _How) -> Descent:
     best: Descent | None = None
-    for start in itertools.islice(_starts(objective, points), follow):
+    starts = _starts(objective, points)
+    if how.heats > how.follow:
+        starts = _winners(objective, starts, how)
+    for start in itertools.islice(starts, how.follow):
         found = _descend(objective, start, how)
         if best is None or found.cost < best.cost:
             best = found
@@ -201,6 +209,13 @@ def _starts(objective: Objective, points: Sequence[Array]) -> Iterator[Array]:
     for score, i in sorted(scored):
         if np.isfinite(score) and np.isfinite(_cost(objective.residuals(points[i]))):
             yield points[i]
+
+
+def _winners(objective: Objective, starts: Iterator[Array], how: _How) -> Iterator[Array]:
+    """Where a few steps from the best starts lead, the lowest first: a glance does not tell one valley from another."""
+    few = replace(how, most_evaluations=_HEAT)
+    ends = [_descend(objective, start, few) for start in itertools.islice(starts, how.heats)]
+    yield from (d.z for d in sorted(ends, key=lambda d: d.cost))
 
 
 def _cost(residuals: Array) -> float:

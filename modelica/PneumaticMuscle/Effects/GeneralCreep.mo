@@ -25,7 +25,7 @@ equation
 <p>f = sum of k_i (y - q_i), tau_i q_i_dot = (y - q_i) (1 + thinning (y - q_i)^2/(10 mm)^2), tau_i = tau spread^(i-1), y
 = x exp(a s + b s^2), s = 8 x/L0 - 1. Source: Y. C. Fung's quasi-linear viscoelasticity (<i>Biomechanics</i>, 1981),
 where the load that a spring of any law would carry relaxes by one reduced function of time; that function as in
-FlexibleCreep, of which this is the case a = b = 0.</p>
+FlexibleCreep, of which this is the case a = b = 0. Typical as there, a 0 to 1.</p>
 <p>Fingerprint: as FlexibleCreep, larger (or smaller) at large contraction than in proportion.</p>
 </html>"));
 end GeneralCreep;

@@ -31,7 +31,7 @@ equation
   annotation (Documentation(info="<html>
 <p>As FlexibleDrive to z, then y_ddot + 2 zeta omega y_dot + omega^2 y = omega^2 (direct c + (1 - direct) z) for either
 valve. Source: see FlexibleDrive and ValveSecondOrder, one behind the other; the share that comes at once is what of the
-magnetic force iron, rubber or hysteresis does not hold back. Both valves are shut before the start.</p>
+magnetic force iron, rubber or hysteresis does not hold back. Both valves are shut before the start. Typical as there, direct 0 to 0.5.</p>
 <p>Fingerprint: as FlexibleDrive; a quick beginning with a long tail, or an overshoot.</p>
 </html>"));
 end GeneralDrive;

@@ -29,7 +29,7 @@ equation
 <p>f = (F_0 + F_p (p_gauge/100 kPa)^n) (1 + 8 x/L0)^growth r (1 + side r) (1 + rise exp(-(v/v_slow)^2)), r = share r_1 +
 (1 - share) r_2, d_i r_i_dot = v - |v| r_i |r_i|, d_1 = first d, d_2 = d. Source: FlexibleDryFriction, see there, with
 free exponents of pressure and contraction, a free Stribeck speed, and another force in extension than in
-contraction.</p>
+contraction. Typical as there, v_slow 2 to 50 mm/s, n 0.5 to 2.</p>
 <p>Fingerprint: as FlexibleDryFriction.</p>
 </html>"));
 end GeneralDryFriction;

@@ -15,7 +15,7 @@ equation
   p = offset + p_reference*q*(gain + q*(bend + q*(c + d*q)));
   annotation (Documentation(info="<html>
 <p>p = offset + 100 kPa (gain q + bend q^2 + c q^3 + d q^4), q = p_gauge/100 kPa. Source: zero, span and linearity error
-of a transducer's data sheet, the last as a polynomial.</p>
+of a transducer's data sheet, the last as a polynomial. Typical as FlexibleGauge.</p>
 <p>Fingerprint: as FlexibleGauge.</p>
 </html>"));
 end GeneralGauge;

@@ -22,7 +22,7 @@ equation
 <p>m_flow = G 100 kPa u |u|^(a + b ln|u|) (p_up/p_atm)^c exp(side sgn u), u = (p_a^2 - p_b^2)/(2 p_atm 100 kPa),
 <code>Components.CurvedTube</code>. Source: the power laws of tubes (a = 0 laminar, Hagen and Poiseuille; -3/7 Blasius; -1/2
 rough tubes and orifices), with one more term in the logarithm of the drop; a check valve beside a throttle makes the two
-ways differ.</p>
+ways differ. The isentropic orifice, choked or not, is met within 4 %. Typical G 1e-9 to 1e-8 kg/(s.Pa), a -0.5 to 0, side -0.5 to 0.5.</p>
 <p>Fingerprint: as FlexibleLine, or filling and venting are held back unequally.</p>
 </html>"));
 end GeneralLine;

@@ -23,7 +23,7 @@ equation
   annotation (defaultComponentName="damper", Documentation(info="<html>
 <p>f = c v exp(a l + b l^2 + d l^3) (1 - share + share q^n) (1 + 8 x/L0)^growth (1 + side sgn v), l = ln(|v|/0.1 m/s), q
 = p_gauge/100 kPa: it dissipates, whatever the coefficients are. Source: FlexibleRateFriction and UnevenFriction, see
-there, in one law, with one more term in the logarithm of speed and a free exponent of the pressure.</p>
+there, in one law, with one more term in the logarithm of speed and a free exponent of the pressure. Typical c 20 to 1000 N.s/m, n 0.5 to 1, the others as there.</p>
 <p>Fingerprint: as those.</p>
 </html>"));
 end GeneralRateFriction;

@@ -25,7 +25,7 @@ equation
   annotation (Documentation(info="<html>
 <p>tau T_dot = ((p/p_atm)^n + b (1 + side sgn m_flow) (|m_flow|/0.1 g/s)^n_m) (T_gas - T) - loss (T - T_atm) - stem (T -
 T_stem), tau_stem T_stem_dot = T_gas - T_stem. Source: FlexibleThermocouple and ThermocoupleStem, see there, in one heat
-balance, with a free exponent of the flow.</p>
+balance, with a free exponent of the flow. Typical as there.</p>
 <p>Fingerprint: as those.</p>
 </html>"));
 end GeneralThermocouple;

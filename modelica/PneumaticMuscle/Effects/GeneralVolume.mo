@@ -29,7 +29,7 @@ equation
 <p>As SideVolume, with V = V_0 + V_p q exp(bend q/sqrt(1 + q^2/25)), q the gauge pressure in it by 100 kPa, and the work
 p dV of its growth; m_flow = G 100 kPa u |u|^a (p_up/p_atm)^c, u = (p^2 - p_s^2)/(2 p_atm 100 kPa). Source: the balances DP (43), (53) and (59); a hose or a bellows stretches in proportion to pressure
 at first, and less (bend below 0) or more as it goes on; the
-opening is a power law, as in GeneralLine.</p>
+opening is a power law, as in GeneralLine. Typical as SideVolume, V_p a tenth of V_0 for a rubber hose.</p>
 <p>Fingerprint: as SideVolume, slower towards the end of filling.</p>
 </html>"));
 end GeneralVolume;
