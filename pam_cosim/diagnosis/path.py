@@ -15,7 +15,7 @@ from pam_cosim.diagnosis.evidence import (
     rank,
     structured,
 )
-from pam_cosim.diagnosis.search import Search, describe_fit
+from pam_cosim.diagnosis.search import Search, at_noise, describe_fit
 from pam_cosim.fitting import Fit
 
 _MOST_EFFECTS = 3
@@ -29,6 +29,8 @@ def find_path(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidat
     first = _steps(base, tried) if missing else []
     if missing and (not first or _unsolved(first[0])):
         first = _generalized(search, base, first, tried)
+    elif first and not (first[0].fit and at_noise(first[0].fit)):
+        first = _outdone(search, base, first, tried)
     path = [first[0]] if first else []
     if first and _unsolved(first[0]):
         path = _second(search, base, first, tried)
@@ -49,19 +51,33 @@ def find_path(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidat
 
 
 def _generalized(search: Search, base: Fit, first: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
-    """The first effects, led by the general member of a family where that leaves nothing or where there are none."""
+    """The first effects, or general members of families where one of them leaves nothing or where there are no others.
+
+    Those of the leading families are fitted first, those of all others where that is of no avail.
+    """
     found = rank(base, search.general(base, tried))
+    if not any(c.fit is not None and not _unsolved(c) for c in found):
+        found = rank(base, [*found, *search.last_resort(base, [*tried, *found])])
     tried += found
     steps = _steps(base, found)
-    if not first and not steps:
-        found = search.last_resort(base, tried)
-        tried += found
-        steps = _steps(base, found)
     solved = [c for c in steps if not _unsolved(c)]
     if solved:
         search.say(f"in general form: {_told(solved[0])}")
         return solved
     return list(first) or steps
+
+
+def _outdone(search: Search, base: Fit, first: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
+    """The first effects, led by the general member of a family where that is better beyond chance.
+
+    For a remainder above the noise that does not come again in other runs: a drift as a rule, but not always.
+    """
+    present = first[0].fit
+    assert present is not None
+    found = rank(base, search.general(base, tried))
+    tried += found
+    better = {c.effects for c in rank(present, found) if convincing(present, c)}
+    return [*(c for c in found if c.effects in better), *first]
 
 
 def _second(search: Search, base: Fit, first: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:

@@ -144,7 +144,8 @@ class Search:
     def last_resort(self, present: Fit, known: Sequence[Candidate]) -> list[Candidate]:
         """Models with one effect, the general member of each other family, the promising ones fitted to the end."""
         seen = {c.effect for c in known}
-        trials = self._composed([(e.name,) for e in self.shelf if e.general and e.name not in seen], present.values)
+        own = [(e.name,) for e in self.shelf if e.general and e.name not in seen]
+        trials = [replace(t, heats=_HEATS) for t in self._composed(own, present.values)]
         found = self._brief(trials)
         better = {c.effect: c for c in self._deep(trials, found)}
         return rank(present, [better.get(c.effect, c) for c in found])

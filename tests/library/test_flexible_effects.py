@@ -324,8 +324,8 @@ EACH, OTHER = np.concatenate([PA, PB]), np.concatenate([PB, PA])
 V2, P2 = (a.ravel() for a in np.meshgrid(np.linspace(2e-3, 0.2, 15), np.linspace(0.0, 2e5, 15)))
 ONE_WAY = (EACH**2 - OTHER**2) * np.where(EACH > OTHER, 1.0, 0.4)
 GENERAL: dict[str, tuple[str, float, Array, Array | None]] = {
-    "slack of 20 mm": ("bladder", 0.05, 200 * np.maximum(X - 0.02, 0), None),
-    "slack of 30 mm": ("bladder", 0.06, 200 * np.maximum(X - 0.03, 0), None),
+    "slack of 20 mm": ("bladder", 0.03, 200 * np.maximum(X - 0.02, 0), None),
+    "slack of 30 mm": ("bladder", 0.04, 200 * np.maximum(X - 0.03, 0), None),
     "locking at 80 mm": ("bladder", 0.01, 50 * X / (1 - (X / 0.08) ** 2), None),
     "leak pressed shut": ("leak", 0.01, 1e-10 * GAUGE * np.exp(-GAUGE / 5e4), None),
     "leak that stretching opens": ("leak", 0.01, 1e-11 * GAUGE * np.exp(STRETCH / 0.03), None),
