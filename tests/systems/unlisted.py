@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import pi, sin, sqrt
+from math import pi, sin
 
 from tests.reference.effects import Effect
 
@@ -33,19 +33,4 @@ class Coupled(Effect):
         return self.c * p_gauge * (x / 0.07) ** 2
 
 
-@dataclass(frozen=True)
-class Catching(Effect):
-    """A soft spring beside the muscle, and a stiff one that catches it at 30 mm: a spring, but of no listed form."""
-
-    family = "elasticity"
-    form = "catching"
-    soft: float = 150.0  # N/m
-    stiff: float = 1500.0  # N/m
-    x_0: float = 0.03  # m
-
-    def force(self, q: object, x: float, v: float, p_gauge: float) -> float:
-        beyond = x - self.x_0
-        return self.soft * x + self.stiff * 0.5 * (beyond + sqrt(beyond * beyond + 2e-5))
-
-
-UNLISTED: dict[str, Effect] = {"ripple": Ripple(), "coupled": Coupled(), "catching": Catching()}
+UNLISTED: dict[str, Effect] = {"ripple": Ripple(), "coupled": Coupled()}
