@@ -26,6 +26,7 @@ _LEADING_FAMILIES = 3
 _MORE_FAMILIES = 5
 _SIMPLE = 2  # parameters
 _HEATS = 8
+_PATIENCE = 40  # evaluations of each descent of a general member
 _AT_NOISE = 0.1  # excess, in noise variances
 
 
@@ -135,7 +136,7 @@ class Search:
         leading = _leading_families(known, _LEADING_FAMILIES)
         own = [e for e in self.shelf if e.general and e.family in leading]
         trials = [
-            replace(t, found=stands.fit.values, follow=t.follow + 1, heats=_HEATS)
+            replace(t, found=stands.fit.values, heats=_HEATS, evaluations=_PATIENCE)
             for t in self._composed([(e.name,) for e in own], present.values)
             if (stands := best[t.effect.family]).fit is not None
         ]
@@ -145,7 +146,7 @@ class Search:
         """Models with one effect, the general member of each other family, the promising ones fitted to the end."""
         seen = {c.effect for c in known}
         own = [(e.name,) for e in self.shelf if e.general and e.name not in seen]
-        trials = [replace(t, heats=_HEATS) for t in self._composed(own, present.values)]
+        trials = [replace(t, heats=_HEATS, evaluations=_PATIENCE) for t in self._composed(own, present.values)]
         found = self._brief(trials)
         better = {c.effect: c for c in self._deep(trials, found)}
         return rank(present, [better.get(c.effect, c) for c in found])
