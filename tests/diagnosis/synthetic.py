@@ -35,7 +35,8 @@ def fitted(
     comparison = SimpleNamespace(
         runs=(),
         data=SimpleNamespace(signals=signals),
-        scores={"all": {n: SimpleNamespace(rmse=v) for n, v in (shown or {}).items()}},
+        scores={"all": {n: SimpleNamespace(rmse=v) for n, v in (shown or {}).items()}, "fit": {}},
+        chi2_reduced=lambda role: {"fit": chi2}.get(role, float("nan")),
     )
     structure = {
         "fit": statistics(chi2, score, time),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from pam_cosim.diagnosis.evidence import rank
@@ -27,6 +29,13 @@ def test_identified() -> None:
     verdict = judge(BASE, [GOOD], [])
     assert (verdict.kind, verdict.families, verdict.effects) == ("identified", ("leak",), ("Leak",))
     assert "100.0 %" in verdict.reason
+
+
+def test_a_general_member_leaves_the_form_open() -> None:
+    verdict = judge(BASE, [replace(GOOD, general=True)], [])
+    assert verdict.kind == "identified" and verdict.families == ("leak",)
+    assert "no listed law fits as well" in verdict.reason
+    assert "no listed law" not in judge(BASE, [GOOD], []).reason
 
 
 def test_several_effects_in_the_order_in_which_they_were_added() -> None:

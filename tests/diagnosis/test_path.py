@@ -1,0 +1,82 @@
+"""When general members of families are tried, and what becomes of them; the fits are written down."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from pam_cosim.compiler import effect_classes, read_library
+from pam_cosim.diagnosis import Candidate
+from pam_cosim.diagnosis.path import find_path
+from pam_cosim.diagnosis.search import Search
+from pam_cosim.diagnosis.trial import Trial
+from pam_cosim.fitting import Fit
+from tests.diagnosis.synthetic import fitted
+
+TREE = read_library()
+MODEL = "PneumaticMuscle.Benches.Isotonic"
+BASE = fitted(100.0, holdout=100.0, score=50.0)
+USELESS = fitted(99.0, holdout=99.0, score=50.0)
+NEAR = fitted(3.0, holdout=3.0, score=30.0, parameters=4)
+NOISE = fitted(1.0, holdout=1.0, parameters=6)
+
+
+@dataclass(frozen=True)
+class Told(Search):
+    """A search whose fits are known: by the effects in the model, else of no use."""
+
+    fits: Mapping[tuple[str, ...], Fit] = field(default_factory=dict)
+    tried: list[str] = field(default_factory=list)
+
+    def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:
+        self.tried.extend(t.effect.name for t in trials)
+        return [replace(t.candidate(fit=self.fits.get(t.effects, USELESS)), own_parameters=()) for t in trials]
+
+
+def search(fits: Mapping[str, Fit]) -> Told:
+    named = {tuple(names.split(" + ")): fit for names, fit in fits.items()}
+    return Told(TREE, MODEL, effect_classes(TREE), None, fits=named)  # type: ignore[arg-type]
+
+
+def found(searched: Told, base: Fit = BASE) -> list[str]:
+    path, _ = find_path(searched, base)
+    return list(path[-1].effects) if path else []
+
+
+def generals(searched: Told) -> set[str]:
+    return {name for name in searched.tried if name.startswith("General")}
+
+
+def test_general_members_wait_where_a_simple_one_leaves_noise() -> None:
+    simple = search({"OrificeLeak": NOISE, "GeneralLeak": NOISE})
+    assert found(simple) == ["OrificeLeak"]
+    assert not generals(simple)
+
+
+def test_nothing_is_tried_with_them_where_nothing_is_missing() -> None:
+    nothing = search({})
+    assert found(nothing, fitted(1.0, holdout=1.0)) == []
+    assert not generals(nothing)
+
+
+def test_the_general_member_of_the_leading_family_comes_before_a_second_effect() -> None:
+    led = search({"OrificeLeak": NEAR, "FlexibleLeak": NEAR, "GeneralLeak": NOISE})
+    assert found(led) == ["GeneralLeak"]
+    assert "GeneralLeak" in generals(led) and len(generals(led)) <= 3
+
+
+def test_the_general_members_of_all_families_are_the_last_resort() -> None:
+    lost = search({"GeneralCreep": NOISE})
+    assert found(lost) == ["GeneralCreep"]
+    assert generals(lost) == {e.name for e in effect_classes(TREE) if e.general}
+
+
+def test_two_effects_where_no_general_member_leaves_noise() -> None:
+    two = search({"OrificeLeak": NEAR, "GeneralLeak": NEAR, "OrificeLeak + LinearBladder": NOISE})
+    assert found(two) == ["OrificeLeak", "LinearBladder"]
+
+
+def test_a_general_member_outdoes_what_leaves_a_remainder_that_does_not_come_again() -> None:
+    drifting = fitted(1.3, holdout=1.3, parameters=3)  # above the noise, but not correlated
+    outdone = search({"OrificeLeak": drifting, "GeneralLeak": NOISE})
+    assert found(outdone) == ["GeneralLeak"]
