@@ -19,7 +19,8 @@ from pam_cosim.diagnosis.search import Search, at_noise, describe_fit
 from pam_cosim.fitting import Fit
 
 _MOST_EFFECTS = 3
-_FIRST = 3  # effects that the search for a second one starts from
+_FIRST = 2  # effects that the search for a second one starts from
+_REST = 0.2  # of the excess, that may be left to a better form of the same effect
 
 
 def find_path(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidate]]:
@@ -27,13 +28,15 @@ def find_path(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidat
     missing = any(coherent(s) for s in base.structure.values())
     tried = search.round((), base, deep=missing)
     first = _steps(base, tried) if missing else []
-    if missing and (not first or _unsolved(first[0])):
+    if missing and (not first or (_unsolved(first[0]) and _nearly(base, first[0]))):
         first = _generalized(search, base, first, tried)
-    elif first and not (first[0].fit and at_noise(first[0].fit)):
+    elif first and not _unsolved(first[0]) and first[0].fit and not at_noise(first[0].fit):
         first = _outdone(search, base, first, tried)
     path = [first[0]] if first else []
     if first and _unsolved(first[0]):
         path = _second(search, base, first, tried)
+        if len(path) == 1 and not _nearly(base, first[0]):
+            path = _generalized(search, base, first, tried)[:1]
     while 1 < len(path) < _MOST_EFFECTS and _unsolved(path[-1]):
         path = _enriched(search, base, path, tried)
         last = path[-1]
@@ -50,21 +53,27 @@ def find_path(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidat
     return (path, tried) if path and convincing(base, rank(base, [path[-1]])[0]) else ([], tried)
 
 
-def _generalized(search: Search, base: Fit, first: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
-    """The first effects, or general members of families where one of them leaves nothing or where there are no others.
+def _nearly(base: Fit, c: Candidate) -> bool:
+    """Whether an effect takes away so much that a better form of it may do the rest, rather than a second effect."""
+    assert c.fit is not None
+    before, after = base.structure["fit"], c.fit.structure["fit"]
+    return after.excess < _REST * before.excess
 
-    Those of the leading families are fitted first, those of all others where that is of no avail.
+
+def _generalized(search: Search, base: Fit, first: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
+    """The first effects, or general members of families where one of them leaves nothing.
+
+    Those of the leading families are fitted; where no effect helps at all, those of all others too.
     """
     found = rank(base, search.general(base, tried))
-    if not any(c.fit is not None and not _unsolved(c) for c in found):
+    if not first and not any(c.fit is not None and not _unsolved(c) for c in found):
         found = rank(base, [*found, *search.last_resort(base, [*tried, *found])])
     tried += found
-    steps = _steps(base, found)
-    solved = [c for c in steps if not _unsolved(c)]
-    if solved:
-        search.say(f"in general form: {_told(solved[0])}")
-        return solved
-    return list(first) or steps
+    solved = [c for c in _steps(base, found) if not _unsolved(c)]
+    if not solved:
+        return list(first)
+    search.say(f"in general form: {_told(solved[0])}")
+    return solved
 
 
 def _outdone(search: Search, base: Fit, first: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:

@@ -27,6 +27,7 @@ _MORE_FAMILIES = 5
 _SIMPLE = 2  # parameters
 _HEATS = 8
 _PATIENCE = 40  # evaluations of each descent of a general member
+_CREEP = 1e-4  # of the chi-square, below which its steps are not worth the time
 _AT_NOISE = 0.1  # excess, in noise variances
 
 
@@ -136,7 +137,7 @@ class Search:
         leading = _leading_families(known, _LEADING_FAMILIES)
         own = [e for e in self.shelf if e.general and e.family in leading]
         trials = [
-            replace(t, found=stands.fit.values, heats=_HEATS, evaluations=_PATIENCE)
+            replace(_patient(t), found=stands.fit.values)
             for t in self._composed([(e.name,) for e in own], present.values)
             if (stands := best[t.effect.family]).fit is not None
         ]
@@ -146,7 +147,7 @@ class Search:
         """Models with one effect, the general member of each other family, the promising ones fitted to the end."""
         seen = {c.effect for c in known}
         own = [(e.name,) for e in self.shelf if e.general and e.name not in seen]
-        trials = [replace(t, heats=_HEATS, evaluations=_PATIENCE) for t in self._composed(own, present.values)]
+        trials = [_patient(t) for t in self._composed(own, present.values)]
         found = self._brief(trials)
         better = {c.effect: c for c in self._deep(trials, found)}
         return rank(present, [better.get(c.effect, c) for c in found])
@@ -176,6 +177,11 @@ class Search:
             if composition is not None:
                 trials.append(Trial(own[names[-1]], tuple(names), composition, self.data, start, self.files))
         return trials
+
+
+def _patient(trial: Trial) -> Trial:
+    """A trial of a general member: from many starts, but not creeping along a valley that leads nowhere."""
+    return replace(trial, heats=_HEATS, evaluations=_PATIENCE, precision=_CREEP)
 
 
 def _richer(effects: Sequence[str], shelf: Sequence[EffectClass]) -> list[tuple[str, ...]]:
