@@ -34,6 +34,9 @@ def learned_term(
         return None
     try:
         term = learn(ledger, tree=search.tree)
+        if not term.terms:
+            search.say(f"no formula could be found for what is missing: nothing explains the {term.balance} term")
+            return None
         with tempfile.TemporaryDirectory(prefix="pam-cosim-") as folder:
             found = try_learned(
                 term, search.data, Path(folder), search.model, effects=effects, start=present.values, files=search.files
