@@ -49,11 +49,13 @@ def rivals(best: Candidate, ranked: Sequence[Candidate]) -> list[Candidate]:
     """Candidates of other families that the data hardly distinguish from the best, one of each family.
 
     Neither the evidence of the fitted samples, nor the holdout runs, nor signals that were compared but not fitted
-    may tell them apart.
+    may tell them apart. What says whatever its family can is a rival only of its like, not of a law.
     """
     found: dict[str, Candidate] = {}
     for c in ranked:
         if c.fit is None or c.family == best.family or c.delta_bic - best.delta_bic > SIGNIFICANT:
+            continue
+        if c.general and not best.general:
             continue
         assert best.fit is not None
         if not _refuted(c.fit, best.fit):

@@ -87,6 +87,13 @@ def test_rivals_are_close_and_of_other_families() -> None:
     assert _rivals(close, far, sister, candidate("Broken", None)) == ["Offset"]
 
 
+def test_a_general_member_is_no_rival_of_a_law() -> None:
+    ranked = rank(BASE, [GOOD, replace(candidate("Any", fitted(1.0, holdout=1.0), "line"), general=True)])
+    anything, law = sorted(ranked, key=lambda c: not c.general)
+    assert rivals(law, ranked) == []
+    assert rivals(anything, ranked) == [law]
+
+
 def test_one_rival_of_a_family() -> None:
     a, b = (candidate(n, fitted(c, holdout=1.0), "offset") for n, c in (("Worse", 1.004), ("Better", 1.002)))
     assert _rivals(a, b) == ["Better"]
