@@ -66,7 +66,7 @@ def _comes_again(s: Structure, repeated: Systematic | None) -> bool:
     return repeated.variance > _FORETOLD * max(1.0, s.level) and repeated.score > 1.0
 
 
-def _scale(fits: Sequence[Fit]) -> tuple[float, float]:
+def scale(fits: Sequence[Fit]) -> tuple[float, float]:
     """Noise variance and samples per independent sample, both as the best model leaves them."""
     best = min((f.structure["fit"] for f in fits), key=lambda s: s.chi2)
     time = best.correlation_time if _correlated(best) else 1.0
@@ -84,7 +84,7 @@ def rank(base: Fit, candidates: Sequence[Candidate]) -> list[Candidate]:
     fitted = [c for c in candidates if c.fit is not None]
     if not fitted:
         return list(candidates)
-    variance, time = _scale([base, *(c.fit for c in fitted if c.fit is not None)])
+    variance, time = scale([base, *(c.fit for c in fitted if c.fit is not None)])
     start = bic(base, variance, time)
     # an effect pays for every parameter it brings, also for those that have done their work at one end of their range
     price = math.log(max(base.structure["fit"].samples / time, 2.0))

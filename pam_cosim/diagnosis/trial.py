@@ -9,6 +9,7 @@ from pathlib import Path
 
 from pam_cosim.compiler import Composition, EffectClass
 from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.diagnosis.pruning import pruned
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fitting import PRECISION, Free, base_parameters, fit
 from pam_cosim.fmu import build_source
@@ -95,6 +96,9 @@ def run_trial(trial: Trial) -> Candidate:
                 tolerance=trial.tolerance,
                 precision=trial.precision,
             )
+            if trial.effect.general and trial.evaluations > _BRIEF:
+                names = trial.composition.parameters[trial.effect.name]
+                found = pruned(simulator, trial.data, moved, names, found, trial.precision)
             return trial.candidate(fit=found)
     except (SimulationFailure, InputError) as problem:
         return trial.candidate(fit=None, failure=str(problem))

@@ -22,7 +22,11 @@ from tests.reference.effects import effect_of
 from tests.systems.rig import write_light_data
 from tests.systems.unlisted import UNLISTED
 
-HIDDEN = {**UNLISTED, "exponential": effect_of("elasticity:exponential")}
+HIDDEN = {
+    "ripple": UNLISTED["ripple"],
+    "coupled": UNLISTED["coupled"],
+    "exponential": effect_of("elasticity:exponential"),
+}
 
 
 @cache

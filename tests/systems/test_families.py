@@ -16,6 +16,7 @@ from tests.reference.effects import effect_of
 from tests.reference.schedule import Phase, Schedule
 from tests.reference.tank import Vessel, simulate_vessel, valve_ports
 from tests.systems.rig import write_light_data
+from tests.systems.unlisted import UNLISTED
 
 _FILM = 2 / (1 / 20.0 - 0.254e-3 / 0.14)  # two films and the wall make 20 W/(m2 K)
 
@@ -48,6 +49,18 @@ def test_hidden_effect_is_found(tmp_path: Path, workers: int | None, hidden: str
     assert estimate.low <= true <= estimate.high, (parameter, str(estimate))
     assert estimate.high - estimate.low < 0.1 * true
     assert sum(found.balance.values()) == pytest.approx(1.0)
+
+
+def test_family_is_found_where_its_form_is_not_listed(tmp_path: Path, workers: int | None) -> None:
+    found = study.diagnose(
+        study.read(write_light_data(tmp_path / "d", [UNLISTED["pressed_lip"]], seed=1)), workers=workers
+    )
+    assert (found.verdict.kind, found.verdict.families) == ("identified", ("leak",)), found.verdict
+    assert found.path[-1].general and "no listed law fits as well" in found.verdict.reason
+    assert found.base.comparison.chi2_reduced("holdout") > 100
+    assert 0.9 < found.final.comparison.chi2_reduced("holdout") < 1.1
+    held = [e for e in found.path[-1].parameters.values() if e.value == 0]
+    assert held and not any(e.determined for e in held)
 
 
 @pytest.mark.parametrize("seed", range(3))

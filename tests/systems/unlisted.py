@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import pi, sin
+from math import exp, pi, sin
 
 from tests.reference.effects import Effect
+from tests.reference.flow import P_ATM
 
 
 @dataclass(frozen=True)
@@ -33,4 +34,18 @@ class Coupled(Effect):
         return self.c * p_gauge * (x / 0.07) ** 2
 
 
-UNLISTED: dict[str, Effect] = {"ripple": Ripple(), "coupled": Coupled()}
+@dataclass(frozen=True)
+class PressedLip(Effect):
+    """A leak past a lip that the pressure presses shut, so that most is lost at 40 kPa: a leak of no listed form."""
+
+    family = "leak"
+    form = "pressed_lip"
+    conductance: float = 8e-10  # kg/(s.Pa), without pressure
+    p_0: float = 4e4  # Pa
+
+    def leak(self, p: float, temperature: float) -> float:
+        gauge = p - P_ATM
+        return self.conductance * gauge * exp(-max(gauge, 0.0) / self.p_0)
+
+
+UNLISTED: dict[str, Effect] = {"ripple": Ripple(), "coupled": Coupled(), "pressed_lip": PressedLip()}

@@ -1,0 +1,62 @@
+"""Coefficients that a fit does not need are held at zero, so that they do not bend where nobody measured."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+from pam_cosim.diagnosis.evidence import scale
+from pam_cosim.fitting import Estimate, Fit, Free, fit
+from pam_cosim.measurement import DataSet
+from pam_cosim.simulation import Simulator
+
+_EVALUATIONS = 20
+_NEAR = 0.5  # excess, in noise variances, beyond which a model is not the last one anyway
+
+
+def pruned(
+    simulator: Simulator, data: DataSet, free: Sequence[Free], own: Sequence[str], found: Fit, precision: float
+) -> Fit:
+    """The fit without those of its ``own`` coefficients whose interval holds zero and that the evidence does not miss.
+
+    One after another, the least certain first; backward elimination by the Bayesian information criterion. What is
+    held stays among the parameters, as zero and not determined.
+
+    Args:
+        simulator: the model.
+        data: the measurement.
+        free: all parameters that were fitted.
+        own: names of those that may be held.
+        found: the fit with all of them.
+        precision: at which a descent ends.
+    """
+    level = max(1.0, found.structure["fit"].level)
+    if found.structure["fit"].excess > _NEAR * level:
+        return found
+    price = _price(found)
+    held: dict[str, Estimate] = {}
+    needed: set[str] = set()
+    best = found
+    while name := _idle(best, [n for n in own if n not in needed and n not in held]):
+        left = [replace(f, start=best.values[f.name]) for f in free if f.name != name and f.name not in held]
+        zeros = dict.fromkeys([*held, name], 0.0)
+        less = fit(simulator, data, left, fixed=zeros, most_evaluations=_EVALUATIONS, follow=1, precision=precision)
+        if less.structure["fit"].chi2 - best.structure["fit"].chi2 > price:
+            needed.add(name)
+            continue
+        held[name] = replace(best.parameters[name], value=0.0, at_bound=False, determined=False)
+        best = less
+    return replace(best, parameters={f.name: (best.parameters | held)[f.name] for f in free})
+
+
+def _price(found: Fit) -> float:
+    """What a parameter must take from the chi-square to be worth having."""
+    variance, time = scale([found])
+    return variance * time * math.log(max(found.structure["fit"].samples / time, 2.0))
+
+
+def _idle(found: Fit, names: Sequence[str]) -> str:
+    """The coefficient that is least distinct from zero, if its interval holds zero; else nothing."""
+    some = [(n, e) for n in names if (e := found.parameters[n]).low <= 0 <= e.high and e.high > e.low]
+    return min((abs(e.value) / (e.high - e.low), n) for n, e in some)[1] if some else ""
