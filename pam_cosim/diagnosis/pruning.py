@@ -45,7 +45,7 @@ def pruned(
         if less.structure["fit"].chi2 - best.structure["fit"].chi2 > price:
             needed.add(name)
             continue
-        held[name] = replace(best.parameters[name], value=0.0, at_bound=False, determined=False)
+        held[name] = replace(best.parameters[name], value=0.0, at_bound=False, determined=False, held=True)
         best = less
     return replace(best, parameters={f.name: (best.parameters | held)[f.name] for f in free})
 

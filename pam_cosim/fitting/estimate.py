@@ -26,6 +26,7 @@ class Estimate:
         unit: SI unit.
         at_bound: the fit ended at a bound, so the interval is one-sided at best.
         determined: the data say something about it.
+        held: it was held at this value, since the fit is as good with it there.
     """
 
     value: float
@@ -34,6 +35,7 @@ class Estimate:
     unit: str = ""
     at_bound: bool = False
     determined: bool = True
+    held: bool = False
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON."""
@@ -44,10 +46,13 @@ class Estimate:
             "unit": self.unit,
             "at_bound": self.at_bound,
             "determined": self.determined,
+            "held": self.held,
         }
 
     def __str__(self) -> str:
         text = f"{self.value:.4g} ({self.low:.4g} to {self.high:.4g}) {'' if self.unit == '1' else self.unit}".rstrip()
+        if self.held:
+            return f"{self.value:.4g}, held there: these data do not need it"
         notes = ["at its bound"] * self.at_bound + ["not determined by these data"] * (not self.determined)
         return ", ".join([text, *notes])
 

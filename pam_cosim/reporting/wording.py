@@ -92,7 +92,7 @@ def remark(estimate: Estimate) -> str:
     """What a reader must know before using the value; "" when there is nothing to say."""
     remarks = []
     if not estimate.determined:
-        remarks.append("not determined by these data")
+        remarks.append("held there, not needed" if estimate.held else "not determined by these data")
     if estimate.at_bound:
         remarks.append("at its bound")
     return ", ".join(remarks)
