@@ -97,10 +97,14 @@ def _young(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[floa
     return lambda s: force.YoungTube(unit * s, muscle.length, muscle.diameter, muscle.t_wall, muscle.turns)
 
 
+def _rubber_tube(muscle: MuscleParameters) -> tuple[float, float, float, float]:
+    """What a ``mechanics.BraidedTube`` is made of."""
+    return (muscle.length, muscle.diameter, muscle.t_wall, muscle.turns)
+
+
 def _gent(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
     limit, unit = _spread(rng, 2.5, 8.0), 2.4e5 * 0.254e-3 / muscle.t_wall
-    shape = (muscle.length, muscle.diameter, muscle.t_wall, muscle.turns)
-    return lambda s: mechanics.GentTube(unit * s, limit, *shape)
+    return lambda s: mechanics.GentTube(*_rubber_tube(muscle), unit * s, limit)
 
 
 def _cubic(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
@@ -218,7 +222,7 @@ def _stem(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float
 
 def _ogden(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
     unit = 2.4e5 * 0.254e-3 / muscle.t_wall
-    return lambda s: rubber.OgdenTube(unit * s, muscle.length, muscle.diameter, muscle.t_wall, muscle.turns)
+    return lambda s: rubber.OgdenTube(*_rubber_tube(muscle), unit * s)
 
 
 def _slack_cord(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:

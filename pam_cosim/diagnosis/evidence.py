@@ -76,7 +76,12 @@ def scale(fits: Sequence[Fit]) -> tuple[float, float]:
 def bic(fit: Fit, variance: float, time: float) -> float:
     """Bayesian information criterion with the effective number of samples."""
     s = fit.structure["fit"]
-    return s.chi2 / (variance * time) + fit.freedom * math.log(max(s.samples / time, 2.0))
+    return s.chi2 / (variance * time) + fit.freedom * price(fit, time)
+
+
+def price(fit: Fit, time: float) -> float:
+    """What a parameter costs in the criterion."""
+    return math.log(max(fit.structure["fit"].samples / time, 2.0))
 
 
 def rank(base: Fit, candidates: Sequence[Candidate]) -> list[Candidate]:
@@ -87,9 +92,9 @@ def rank(base: Fit, candidates: Sequence[Candidate]) -> list[Candidate]:
     variance, time = scale([base, *(c.fit for c in fitted if c.fit is not None)])
     start = bic(base, variance, time)
     # an effect pays for every parameter it brings, also for those that have done their work at one end of their range
-    price = math.log(max(base.structure["fit"].samples / time, 2.0))
+    cost = price(base, time)
     scored = [
-        replace(c, delta_bic=bic(c.fit, variance, time) + price * _lost(c) - start) for c in fitted if c.fit is not None
+        replace(c, delta_bic=bic(c.fit, variance, time) + cost * _lost(c) - start) for c in fitted if c.fit is not None
     ]
     lowest = min(0.0, *(c.delta_bic for c in scored))
     weights = {c.effects: math.exp(-(c.delta_bic - lowest) / 2) for c in scored}

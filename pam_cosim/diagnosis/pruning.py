@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-from pam_cosim.diagnosis.evidence import scale
+from pam_cosim.diagnosis.evidence import price, scale
 from pam_cosim.fitting import Estimate, Fit, Free, fit
 from pam_cosim.measurement import DataSet
 from pam_cosim.simulation import Simulator
@@ -34,7 +33,8 @@ def pruned(
     level = max(1.0, found.structure["fit"].level)
     if found.structure["fit"].excess > _NEAR * level:
         return found
-    price = _price(found)
+    variance, time = scale([found])
+    worth = variance * time * price(found, time)  # chi-square that a parameter must take away
     held: dict[str, Estimate] = {}
     needed: set[str] = set()
     best = found
@@ -42,18 +42,12 @@ def pruned(
         left = [replace(f, start=best.values[f.name]) for f in free if f.name != name and f.name not in held]
         zeros = dict.fromkeys([*held, name], 0.0)
         less = fit(simulator, data, left, fixed=zeros, most_evaluations=_EVALUATIONS, follow=1, precision=precision)
-        if less.structure["fit"].chi2 - best.structure["fit"].chi2 > price:
+        if less.structure["fit"].chi2 - best.structure["fit"].chi2 > worth:
             needed.add(name)
             continue
         held[name] = replace(best.parameters[name], value=0.0, at_bound=False, determined=False, held=True)
         best = less
     return replace(best, parameters={f.name: (best.parameters | held)[f.name] for f in free})
-
-
-def _price(found: Fit) -> float:
-    """What a parameter must take from the chi-square to be worth having."""
-    variance, time = scale([found])
-    return variance * time * math.log(max(found.structure["fit"].samples / time, 2.0))
 
 
 def _idle(found: Fit, names: Sequence[str]) -> str:

@@ -50,9 +50,9 @@ class Estimate:
         }
 
     def __str__(self) -> str:
-        text = f"{self.value:.4g} ({self.low:.4g} to {self.high:.4g}) {'' if self.unit == '1' else self.unit}".rstrip()
         if self.held:
             return f"{self.value:.4g}, held there: these data do not need it"
+        text = f"{self.value:.4g} ({self.low:.4g} to {self.high:.4g}) {'' if self.unit == '1' else self.unit}".rstrip()
         notes = ["at its bound"] * self.at_bound + ["not determined by these data"] * (not self.determined)
         return ", ".join([text, *notes])
 

@@ -13,7 +13,27 @@ State = Sequence[float]
 
 
 @dataclass(frozen=True)
-class GentTube(Effect):
+class BraidedTube(Effect):
+    """A thin tube of rubber that follows the braid; left to define: its law."""
+
+    length: float = 0.24  # m
+    diameter: float = 0.02  # m
+    thickness: float = 0.254e-3  # m
+    turns: float = 2.0
+
+    @property
+    def tangent(self) -> float:
+        """Square of length by turned girth: the hoop stretch squared is 1 + tangent (1 - axial stretch squared)."""
+        return (self.length / (self.turns * pi * self.diameter)) ** 2
+
+    @property
+    def wall(self) -> float:
+        """Volume of the rubber [m3]."""
+        return pi * self.diameter * self.thickness * self.length
+
+
+@dataclass(frozen=True)
+class GentTube(BraidedTube):
     """A thin tube of Gent's rubber that follows the braid: W = -mu J/2 ln(1 - (I1 - 3)/J), by virtual work.
 
     Its chains have a finite length, so that it locks at I1 = 3 + J; finite here up to 0.95 J.
@@ -24,20 +44,14 @@ class GentTube(Effect):
     form = "gent"
     mu: float = 2.4e5  # Pa
     limit: float = 5.0  # J
-    length: float = 0.24  # m
-    diameter: float = 0.02  # m
-    thickness: float = 0.254e-3  # m
-    turns: float = 2.0
 
     def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
-        a = 1 - x / self.length
-        tangent = (self.length / (self.turns * pi * self.diameter)) ** 2
+        a, tangent = 1 - x / self.length, self.tangent
         s, s_a = 1 + tangent * (1 - a * a), -2 * tangent * a  # hoop stretch squared, and its slope
         invariant = a * a + s + 1 / (a * a * s)
         slope = 2 * a + s_a - 2 / (a**3 * s) - s_a / (a * s) ** 2
-        wall = pi * self.diameter * self.thickness * self.length
         used = min((invariant - 3) / self.limit, 0.95)
-        return -wall / self.length * self.mu / 2 * slope / (1 - used)
+        return -self.wall / self.length * self.mu / 2 * slope / (1 - used)
 
 
 @dataclass(frozen=True)

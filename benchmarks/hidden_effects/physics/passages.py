@@ -8,6 +8,7 @@ from math import pi, sqrt
 from typing import ClassVar
 
 from benchmarks.hidden_effects.physics.gas import CP, CV, Tube
+from benchmarks.hidden_effects.physics.pneumatics import StretchedLeak
 from tests.reference.effects.base import Effect, Now, Rest
 from tests.reference.flow import P_ATM, T_ATM, R
 
@@ -99,29 +100,20 @@ class WideningGap(Effect):
 
 
 @dataclass(frozen=True)
-class PulledCrimp(Effect):
+class PulledCrimp(StretchedLeak):
     """A crimped end that leaks as the bladder is pulled out of it: G p_gauge F/F_0 with the muscle's pull F.
 
     State: the contraction. Reasoned: the pull takes away some of the crimp's contact pressure.
     """
 
-    family = "leak"
     form = "pulled_crimp"
-    atol: ClassVar[tuple[float, ...]] = (1e-8,)
     conductance: float = 2e-11  # kg/(s Pa)
     length: float = 0.24  # m
     fibre_squared: float = 0.0734  # m2
     turns: float = 2.0
     f_0: float = 100.0  # N
 
-    def initial(self, rest: Rest) -> tuple[float, ...]:
-        return (rest.x,)
-
-    def rates(self, q: State, now: Now) -> tuple[float, ...]:
-        return (now.v,)
-
-    def exchange(self, q: State, p: float, temperature: float) -> tuple[float, float]:
-        gauge, length = p - P_ATM, self.length - q[0]
+    def flow(self, x: float, gauge: float) -> float:
+        length = self.length - x
         pull = gauge * (3 * length * length - self.fibre_squared) / (4 * pi * self.turns**2)
-        flow = self.conductance * gauge * max(pull, 0.0) / self.f_0
-        return flow, CP * flow * (temperature if flow > 0 else T_ATM)
+        return self.conductance * gauge * max(pull, 0.0) / self.f_0

@@ -144,17 +144,11 @@ class LipSeal(Effect):
 
 
 @dataclass(frozen=True)
-class StretchedPores(Effect):
-    """Pores of the bladder that open as it is stretched: laminar, G p_gauge exp(x/x_0). State: the contraction.
-
-    A pore's conductance goes as the fourth power of its width (Poiseuille), and contraction stretches the hoops.
-    """
+class StretchedLeak(Effect):
+    """A leak that depends on the contraction, its state; left to define: the flow."""
 
     family = "leak"
-    form = "stretched_pores"
     atol: ClassVar[tuple[float, ...]] = (1e-8,)
-    conductance: float = 6e-12  # kg/(s Pa)
-    x_0: float = 0.02  # m
 
     def initial(self, rest: Rest) -> tuple[float, ...]:
         return (rest.x,)
@@ -163,5 +157,24 @@ class StretchedPores(Effect):
         return (now.v,)
 
     def exchange(self, q: State, p: float, temperature: float) -> tuple[float, float]:
-        flow = self.conductance * (p - P_ATM) * exp(min(q[0] / self.x_0, 8.0))
+        flow = self.flow(q[0], p - P_ATM)
         return flow, CP * flow * (temperature if flow > 0 else T_ATM)
+
+    def flow(self, x: float, gauge: float) -> float:
+        """Mass flow [kg/s] to the surroundings, by contraction [m] and gauge pressure [Pa]."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True)
+class StretchedPores(StretchedLeak):
+    """Pores of the bladder that open as it is stretched: laminar, G p_gauge exp(x/x_0). State: the contraction.
+
+    A pore's conductance goes as the fourth power of its width (Poiseuille), and contraction stretches the hoops.
+    """
+
+    form = "stretched_pores"
+    conductance: float = 6e-12  # kg/(s Pa)
+    x_0: float = 0.02  # m
+
+    def flow(self, x: float, gauge: float) -> float:
+        return self.conductance * gauge * exp(min(x / self.x_0, 8.0))

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import pi, sqrt
+from math import sqrt
 from typing import ClassVar
 
+from benchmarks.hidden_effects.physics.mechanics import BraidedTube
 from tests.reference.effects.base import Effect, Now, Rest
 
 State = Sequence[float]
@@ -15,7 +16,7 @@ _TRELOAR_MODULUS = sum(mu * alpha for mu, alpha in _TRELOAR) / 2  # Pa
 
 
 @dataclass(frozen=True)
-class OgdenTube(Effect):
+class OgdenTube(BraidedTube):
     """A thin tube of Ogden's rubber that follows the braid: W = sum mu/alpha (a^alpha + c^alpha + (a c)^-alpha - 3).
 
     Axial stretch a, hoop stretch c; Ogden's three terms for Treloar's rubber, times one factor; by virtual work.
@@ -25,14 +26,9 @@ class OgdenTube(Effect):
     family = "elasticity"
     form = "ogden"
     modulus: float = 2.4e5  # Pa, shear modulus at rest
-    length: float = 0.24  # m
-    diameter: float = 0.02  # m
-    thickness: float = 0.254e-3  # m
-    turns: float = 2.0
 
     def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
-        a = 1 - x / self.length
-        tangent = (self.length / (self.turns * pi * self.diameter)) ** 2
+        a, tangent = 1 - x / self.length, self.tangent
         c = sqrt(1 + tangent * (1 - a * a))
         c_a = -tangent * a / c
         thinner = c + a * c_a  # slope of a c
@@ -40,8 +36,7 @@ class OgdenTube(Effect):
             mu * (a ** (alpha - 1) + c ** (alpha - 1) * c_a - (a * c) ** (-alpha - 1) * thinner)
             for mu, alpha in _TRELOAR
         )
-        wall = pi * self.diameter * self.thickness * self.length
-        return -wall / self.length * self.modulus / _TRELOAR_MODULUS * slope
+        return -self.wall / self.length * self.modulus / _TRELOAR_MODULUS * slope
 
 
 @dataclass(frozen=True)
