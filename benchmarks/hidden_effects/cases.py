@@ -29,7 +29,7 @@ from tests.reference.effects.base import Effect  # noqa: E402
 from tests.reference.muscle import MuscleParameters  # noqa: E402
 
 Random = np.random.Generator
-SEEDS = {"tuning": 4711, "score": 567712}
+SEEDS = {"tuning": 4711, "score": 830519}
 GROUPS = {"catalogue": 30, "new_form": 12, "pair": 6, "null": 7, "none_of_these": 5}
 PERIOD = sum(GROUPS.values())
 CLASSES = ((0.3, 1.0), (1.0, 3.0), (3.0, 10.0), (10.0, 30.0), (30.0, 80.0))

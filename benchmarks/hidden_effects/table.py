@@ -18,7 +18,10 @@ import numpy as np
 
 from benchmarks.hidden_effects.physics import (
     attachments,
+    boundary_layers,
+    conduits,
     disturbances,
+    elastomers,
     faults,
     films,
     force,
@@ -26,11 +29,16 @@ from benchmarks.hidden_effects.physics import (
     heat,
     instruments,
     mechanics,
+    mishaps,
     passages,
     pneumatics,
+    probes,
     rubber,
     rubbing,
+    sliding,
+    spools,
     strange,
+    terminations,
     thermal,
     valves,
 )
@@ -300,6 +308,42 @@ def _sticky(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[flo
     return lambda s: strange.StickyValves(0.15 * s, start)
 
 
+def _yeoh(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    r2, r3, unit = rng.uniform(0.03, 0.1), _spread(rng, 0.003, 0.02), 1.2e5 * 0.254e-3 / muscle.t_wall
+    return lambda s: elastomers.YeohTube(*_rubber_tube(muscle), unit * s, r2, r3)
+
+
+def _viscous_bladder(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    wall = np.pi * muscle.diameter * muscle.t_wall * muscle.length
+    unit = 1e5 * 0.254e-3 / muscle.t_wall
+    return lambda s: sliding.ViscousBladder(unit * s, wall, muscle.length, muscle.fibre_squared)
+
+
+def _rounded_tips(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    return lambda s: terminations.RoundedTips(0.8 * s, muscle.length, muscle.fibre_squared, muscle.turns)
+
+
+def _cut(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    return lambda s: conduits.CutBladder(3e-9 * s, muscle.length, muscle.fibre_squared)
+
+
+def _moving_contact(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    v_0 = _spread(rng, 0.02, 0.2)
+    crossing = muscle.crossing_area * muscle.mu_d * muscle.k_f
+    return lambda s: boundary_layers.MovingContact(s, v_0, crossing, muscle.mu_fb * muscle.fibre_area)
+
+
+def _long_wire(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    """Both the lag and the square of the decay length go with the square of the wire's thickness."""
+    k = _spread(rng, 0.3, 1.5)
+    return lambda s: probes.LongWire(0.15 * s, min(k * s, 6.0))
+
+
+def _heat_lamp(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    period, on, first = _spread(rng, 2.0, 5.0), rng.uniform(0.25, 0.6), rng.uniform(0.2, 1.5)
+    return lambda s: mishaps.HeatLamp(0.8 * s, period, on, first)
+
+
 T, S, BOTH = ("tuning",), ("score",), SETS
 f, g, h, n = force, gas, heat, strange
 m, u, w, k = mechanics, pneumatics, thermal, faults
@@ -315,8 +359,11 @@ FORMS: tuple[Form, ...] = (
     Form("elasticity", "arctan", T, False, _plain(f.ArctanSpring, "f0", 10.0, x0=(0.01, 0.04))),
     Form("elasticity", "logarithmic", T, False, _plain(f.LogSpring, "f0", 8.0, x0=(0.005, 0.03))),
     Form("elasticity", "gent", T, False, _gent),
-    Form("elasticity", "ogden", S, False, _ogden),
-    Form("elasticity", "slack_cord", S, False, _slack_cord),
+    Form("elasticity", "ogden", T, False, _ogden),
+    Form("elasticity", "slack_cord", T, False, _slack_cord),
+    Form("elasticity", "yeoh", S, False, _yeoh),
+    Form("elasticity", "side_spring", S, False,
+         _plain(elastomers.SideSpring, "k", 3000.0, d=(0.05, 0.12), unstretched=(0.8, 0.97))),
     Form("dry_friction", "coulomb", T, True, _plain(known_force.Coulomb, "f_c", 8.0, width=(1e-4, 2e-3))),
     Form("dry_friction", "dahl", S, True, lambda rng, m: _dahl(rng)),
     Form("dry_friction", "maxwell_slip", S, True, _plain(f.MaxwellSlip, "f_c", 8.0, travel=(5e-4, 4e-3))),
@@ -327,9 +374,12 @@ FORMS: tuple[Form, ...] = (
     Form("dry_friction", "pressed", T, False, _plain(f.PressedFriction, "c", 4e-5, p_0=(3e4, 1e5), width=(2e-4, 1e-3))),
     Form("dry_friction", "bouc_wen", T, False,
          _plain(m.BoucWen, "f_c", 8.0, travel=(5e-4, 4e-3), n=(1.2, 3.0), g=(0.5, 0.9))),
-    Form("dry_friction", "capstan", S, False, _capstan, high=8.0),
-    Form("dry_friction", "ageing", S, False,
+    Form("dry_friction", "capstan", T, False, _capstan, high=8.0),
+    Form("dry_friction", "ageing", T, False,
          _plain(rubbing.AgeingContact, "f_c", 6.0, b=(0.05, 0.15), d=(5e-4, 2e-3), width=(2e-4, 1e-3))),
+    Form("dry_friction", "elasto_plastic", S, False,
+         _plain(sliding.ElastoPlastic, "f_c", 8.0, travel=(3e-4, 3e-3), breakaway=(0.3, 0.8))),
+    Form("dry_friction", "wiper", S, False, _plain(sliding.Wiper, "f_c", 8.0, a=(0.15, 0.6), width=(2e-4, 1e-3))),
     Form("rate_friction", "viscous", T, True, _plain(known_force.Viscous, "c", 300.0)),
     Form("rate_friction", "power", T, True, _plain(known_force.PowerViscous, "c", 60.0, a=(0.45, 0.8))),
     Form("rate_friction", "pressure", S, True, _plain(known_force.PressureViscous, "c", 3e-3)),
@@ -339,34 +389,45 @@ FORMS: tuple[Form, ...] = (
     Form("rate_friction", "one_sided", T, False, _plain(f.OneSidedViscous, "c", 300.0, share=(0.1, 0.5))),
     Form("rate_friction", "film", T, False, _plain(m.FilmFriction, "c", 0.25)),
     Form("rate_friction", "orifice_damper", T, False, _plain(m.OrificeDamper, "c", 100.0, v_0=(0.005, 0.04))),
-    Form("rate_friction", "eddy_brake", S, False, _plain(rubbing.EddyBrake, "c", 300.0, v_k=(0.04, 0.15))),
-    Form("rate_friction", "sheared_matrix", S, False, _sheared_matrix),
+    Form("rate_friction", "eddy_brake", T, False, _plain(rubbing.EddyBrake, "c", 300.0, v_k=(0.04, 0.15))),
+    Form("rate_friction", "sheared_matrix", T, False, _sheared_matrix),
+    Form("rate_friction", "thixotropic", S, False,
+         _plain(sliding.ThixotropicGrease, "c", 400.0, r=(0.2, 0.5), d=(5e-3, 3e-2), tau=(1.0, 6.0))),
+    Form("rate_friction", "viscous_bladder", S, False, _viscous_bladder),
     Form("creep", "maxwell", T, True, _plain(known_force.Creep, "k", 400.0, tau=(0.5, 4.0))),
     Form("creep", "prony", S, True, _plain(f.Prony, "k", 250.0, ratio=(0.3, 2.0), tau=(0.3, 1.5))),
     Form("creep", "eyring", T, False, _plain(f.EyringCreep, "k", 400.0, tau=(1.0, 5.0), x_0=(0.008, 0.03))),
     Form("creep", "fractional", T, False, _plain(f.FractionalCreep, "k", 150.0, a=(0.1, 0.5))),
     Form("creep", "fung", T, False, _plain(m.FungCreep, "k", 200.0, tau=(0.5, 4.0), x_0=(0.02, 0.06))),
-    Form("creep", "power_flow", S, False,
+    Form("creep", "power_flow", T, False,
          _plain(rubber.FlowingRubber, "k", 400.0, tau=(0.5, 3.0), x_0=(0.008, 0.03), m=(2.0, 4.0))),
-    Form("creep", "slow_recovery", S, False, _plain(rubber.SlowRecovery, "k", 400.0, tau=(0.4, 2.0), r=(2.5, 8.0))),
+    Form("creep", "slow_recovery", T, False, _plain(rubber.SlowRecovery, "k", 400.0, tau=(0.4, 2.0), r=(2.5, 8.0))),
+    Form("creep", "strain_hardening", S, False,
+         _plain(elastomers.HardeningCreep, "k", 400.0, tau=(0.1, 0.6), x_0=(3e-3, 1e-2), m=(1.0, 3.0))),
+    Form("creep", "time_temperature", S, False, _plain(elastomers.WarmCreep, "k", 400.0, tau=(0.5, 4.0))),
     Form("end_shape", "tondu", T, True, _excess(known_force.TonduEnds, "k", 0.06), high=8.0),
     Form("end_shape", "kang", S, True, _plain(known_force.KangEnds, "c1", 0.2, p0=(5e4, 3e5)), high=15.0),
     Form("end_shape", "kerscher", S, True, _kerscher, high=6.0),
     Form("end_shape", "bulging", T, False, _bulging, high=4.0),
     Form("end_shape", "spread", T, False, _plain(f.SpreadEnds, "c", 0.15, p_0=(2e5, 4e5)), high=8.0),
     Form("end_shape", "loose_bladder", T, False, _plain(m.LooseBladder, "c", 0.08, p_0=(2e4, 1e5)), high=11.0),
-    Form("end_shape", "conical", S, False, _conical, high=8.0),
-    Form("end_shape", "bent_fibres", S, False,
+    Form("end_shape", "conical", T, False, _conical, high=8.0),
+    Form("end_shape", "bent_fibres", T, False,
          _plain(attachments.BentFibres, "c", 0.15, p_0=(1e4, 6e4)), high=10.0),
+    Form("end_shape", "rounded_tips", S, False, _rounded_tips, high=3.5),
+    Form("end_shape", "unfolding", S, False,
+         _plain(terminations.UnfoldingEnds, "c", 0.15, p_0=(3e4, 1e5)), high=6.0),
     Form("moving_mass", "hanging", T, True, _plain(known_force.HangingMass, "m", 0.5)),
     Form("moving_mass", "balanced", S, True, _plain(f.BalancedMass, "m", 3.0)),
     Form("moving_mass", "counterweight", T, False, _plain(f.Counterweight, "m", 1.5, w=(0.15, 0.4))),
     Form("moving_mass", "lever", T, False, _plain(f.Lever, "m", 2.0, x_0=(0.03, 0.1))),
     Form("moving_mass", "rocker", T, False, _rocker),
     Form("moving_mass", "slipping_flywheel", T, False, _plain(m.SlippingFlywheel, "m", 4.0, tau=(0.01, 0.08))),
-    Form("moving_mass", "belted_flywheel", S, False,
+    Form("moving_mass", "belted_flywheel", T, False,
          _plain(attachments.BeltedFlywheel, "m", 3.0, frequency=(8.0, 20.0), damping=(0.1, 0.4))),
-    Form("moving_mass", "winding_drum", S, False, _plain(attachments.WindingDrum, "m", 4.0, x_0=(0.05, 0.2))),
+    Form("moving_mass", "winding_drum", T, False, _plain(attachments.WindingDrum, "m", 4.0, x_0=(0.05, 0.2))),
+    Form("moving_mass", "side_sled", S, False,
+         _plain(terminations.SideSled, "m", 6.0, a=(0.02, 0.08), d=(0.05, 0.15))),
     Form("valve_dynamics", "lag", T, True, _plain(known_valve.ValveLag, "tau", 0.05)),
     Form("valve_dynamics", "dead_time", S, True, _plain(known_valve.ValveDeadTime, "dead_time", 0.05), high=8.0),
     Form("valve_dynamics", "second_order", S, True, lambda rng, m: _second_order(rng)),
@@ -374,8 +435,11 @@ FORMS: tuple[Form, ...] = (
     Form("valve_dynamics", "rate_limit", T, False, _plain(g.SlowRateValve, "time_per_amp", 0.3)),
     Form("valve_dynamics", "delayed_lag", T, False, _plain(g.DelayedLagValve, "tau", 0.03), high=15.0),
     Form("valve_dynamics", "eddy_currents", T, False, _plain(u.EddyValve, "tau", 0.1, at_once=(0.3, 0.7)), high=8.0),
-    Form("valve_dynamics", "saturating_coil", S, False, _plain(valves.SaturatingCoil, "tau", 0.1, u_s=(0.1, 0.3))),
-    Form("valve_dynamics", "pilot_stage", S, False, _plain(valves.PilotStage, "time", 0.04)),
+    Form("valve_dynamics", "saturating_coil", T, False, _plain(valves.SaturatingCoil, "tau", 0.1, u_s=(0.1, 0.3))),
+    Form("valve_dynamics", "pilot_stage", T, False, _plain(valves.PilotStage, "time", 0.04)),
+    Form("valve_dynamics", "held_command", S, False,
+         _plain(spools.HeldCommand, "cycle", 0.05, first=(0.2, 0.9)), 0.2, 6.0),
+    Form("valve_dynamics", "three_lags", S, False, _plain(spools.ThreeLags, "tau", 0.02)),
     Form("valve_area", "back_pressure", T, True, _plain(known_valve.BackPressure, "beta", 0.15), high=5.5),
     Form("valve_area", "current_offset", S, True, _plain(g.CurrentOffset, "u_0", 0.01), high=5.0, signed=True),
     Form("valve_area", "unequal", S, True, _excess(g.UnequalAreas, "r", 0.1), high=6.0, signed=True),
@@ -383,8 +447,10 @@ FORMS: tuple[Form, ...] = (
     Form("valve_area", "curved", T, False, _plain(g.CurvedArea, "c", 0.2), high=6.0, signed=True),
     Form("valve_area", "pressed", T, False, _plain(g.PressedArea, "beta", 0.08), high=10.0),
     Form("valve_area", "critical_ratio", T, False, _plain(u.CriticalRatio, "less", 0.05), high=10.0),
-    Form("valve_area", "sharp_edge", S, False, _plain(valves.SharpEdge, "s", 0.4), high=5.0),
-    Form("valve_area", "silencer", S, False, _silencer),
+    Form("valve_area", "sharp_edge", T, False, _plain(valves.SharpEdge, "s", 0.4), high=5.0),
+    Form("valve_area", "silencer", T, False, _silencer),
+    Form("valve_area", "round_port", S, False, _plain(spools.RoundPort, "share", 0.3), high=3.3),
+    Form("valve_area", "narrow_slot", S, False, _plain(spools.NarrowSlot, "transition", 3e-8), high=20.0),
     Form("supply_line", "long", T, True, _tube(g.LongTube, "area", 5e-7, (2e-6, 1.5e-5)), 0.1, 20.0),
     Form("supply_line", "orifice", S, True, _tube(g.OrificeTube, "area", 5e-7, None), 0.1, 20.0),
     Form("supply_line", "laminar", S, True, _tube(g.LaminarTube, "conductance", 4e-9, None), 0.02, 15.0),
@@ -395,15 +461,21 @@ FORMS: tuple[Form, ...] = (
     Form("supply_line", "blasius", T, False, _tube(u.BlasiusTube, "c", 2e-10, (1e-6, 8e-6)), 0.1, 10.0),
     Form("supply_line", "one_way", T, False,
          _tube(u.OneWayTube, "conductance", 6e-9, (1e-6, 8e-6), share=(0.2, 0.6)), 0.05, 12.0),
-    Form("supply_line", "choked", S, False,
+    Form("supply_line", "choked", T, False,
          _tube(passages.ChokedTube, "conductance", 1e-9, (1e-6, 8e-6), b=(0.05, 0.35)), 0.1, 20.0),
-    Form("supply_line", "kinked", S, False,
+    Form("supply_line", "kinked", T, False,
          _tube(passages.KinkedHose, "conductance", 4e-9, (1e-6, 8e-6), p_0=(5e4, 2e5)), 0.05, 15.0),
+    Form("supply_line", "inertial", S, False,
+         _tube(conduits.InertialLine, "conductance", 4e-9, (2e-6, 1.5e-5), inertance=(5e4, 3e5)), 0.05, 15.0),
     Form("dead_volume", "constant", BOTH, True, _plain(known_gas.DeadVolume, "volume", 1.5e-5)),
     Form("dead_volume", "isothermal", T, False, _plain(g.CoolChamber, "volume", 1.5e-5)),
     Form("dead_volume", "throttled", T, False, _plain(g.SideChamber, "volume", 1.5e-5, conductance=(2e-9, 1e-8))),
     Form("dead_volume", "hose", T, False, _plain(u.Hose, "volume", 1.5e-5, expansion=(2e-6, 8e-6))),
-    Form("dead_volume", "dead_end", S, False, _plain(passages.DeadEnd, "volume", 1.5e-5, tau=(0.1, 1.0))),
+    Form("dead_volume", "dead_end", T, False, _plain(passages.DeadEnd, "volume", 1.5e-5, tau=(0.1, 1.0))),
+    Form("dead_volume", "orifice_chamber", S, False,
+         _plain(conduits.OrificeChamber, "volume", 1.5e-5, area=(1e-7, 1e-6))),
+    Form("dead_volume", "capillary_stub", S, False,
+         _plain(conduits.CapillaryStub, "volume", 1.5e-5, conductance=(5e-10, 1e-8))),
     Form("leak", "orifice", T, True, _plain(known_gas.OrificeLeak, "diameter", 1e-4), 0.01, 6.0),
     Form("leak", "laminar", S, True, _plain(known_gas.LaminarLeak, "conductance", 2e-11), 1e-4, 40.0),
     Form("leak", "turbulent", T, False, _plain(g.TurbulentLeak, "c", 6e-9)),
@@ -411,17 +483,22 @@ FORMS: tuple[Form, ...] = (
     Form("leak", "lifting", T, False, _plain(g.LiftingLeak, "conductance", 4e-11, p_0=(3e4, 9e4))),
     Form("leak", "lip_seal", T, False, _plain(u.LipSeal, "conductance", 2e-10, p_0=(3e4, 1e5))),
     Form("leak", "stretched_pores", T, False, _plain(u.StretchedPores, "conductance", 6e-12, x_0=(0.012, 0.05))),
-    Form("leak", "widening_gap", S, False,
+    Form("leak", "widening_gap", T, False,
          _plain(passages.WideningGap, "conductance", 6e-12, p_0=(1e5, 4e5)), 1e-4, 40.0),
-    Form("leak", "pulled_crimp", S, False, _pulled_crimp, 1e-4, 40.0),
+    Form("leak", "pulled_crimp", T, False, _pulled_crimp, 1e-4, 40.0),
+    Form("leak", "cut", S, False, _cut, 1e-3, 40.0),
+    Form("leak", "labyrinth", S, False, _plain(conduits.Labyrinth, "area", 1e-8, n=(3.0, 12.0)), 1e-3, 40.0),
     _gas_form("film", T, True, known_heat.GasEnergy, h=(8.0, 60.0)),
     _gas_form("convective", S, True, h.StirredGas, h=(4.0, 10.0), h_1=(10.0, 100.0)),
     _gas_form("free_convection", T, False, h.FreeConvectionGas, h=(8.0, 60.0)),
     _gas_form("dense", T, False, h.DenseGas, h=(6.0, 30.0), a=(0.4, 0.9)),
     Form("gas_energy", "conductive", T, False, _conductive, 1.0, 1.0),
     _gas_form("woschni", T, False, w.WoschniGas, h=(4.0, 20.0), w_0=(0.01, 0.1)),
-    _gas_form("renewed_film", S, False, films.RenewedFilm, h=(5.0, 20.0), tau=(0.5, 3.0), m_0=(1e-5, 1e-4)),
-    _gas_form("enclosed_convection", S, False, films.EnclosedConvection, h=(5.0, 25.0)),
+    _gas_form("renewed_film", T, False, films.RenewedFilm, h=(5.0, 20.0), tau=(0.5, 3.0), m_0=(1e-5, 1e-4)),
+    _gas_form("enclosed_convection", T, False, films.EnclosedConvection, h=(5.0, 25.0)),
+    _gas_form("turbulence", S, False, boundary_layers.DecayingTurbulence,
+              h=(4.0, 12.0), h_1=(5.0, 30.0), eddy=(0.01, 0.04)),
+    _gas_form("gas_spring", S, False, boundary_layers.GasSpring, h=(6.0, 40.0), c=(0.4, 2.5), tau=(0.1, 1.0)),
     Form("wall_heat", "lumped", T, True, _fraction(known_heat.WarmWall, 0.4, g_out=(0.005, 0.04)), 0.01, 20.0),
     Form("wall_heat", "storage", S, True, _storage, 0.01, 20.0),
     Form("wall_heat", "free_convection", T, False,
@@ -430,22 +507,30 @@ FORMS: tuple[Form, ...] = (
          _fraction(h.TwoLayerWall, 0.3, ratio=(1.0, 5.0), between=(0.03, 0.2), g_out=(0.005, 0.04)), 0.01, 20.0),
     Form("wall_heat", "diffusion", T, False,
          _fraction(w.ThickWall, 0.8, tau=(3.0, 20.0), g_out=(0.005, 0.04)), 0.01, 20.0),
-    Form("wall_heat", "pressed_layers", S, False,
+    Form("wall_heat", "pressed_layers", T, False,
          _fraction(films.PressedLayers, 0.3, ratio=(1.0, 4.0), between=(0.05, 0.3), g_out=(0.005, 0.04)), 0.01, 20.0),
+    Form("wall_heat", "fanned", S, False,
+         _fraction(boundary_layers.FannedWall, 0.4, g_out=(0.005, 0.04), v_0=(0.01, 0.06)), 0.01, 20.0),
+    Form("wall_heat", "metal_ends", S, False,
+         _fraction(boundary_layers.MetalEnds, 0.4, ratio=(3.0, 20.0), g_out=(0.005, 0.04), g_end=(0.01, 0.1)),
+         0.01, 20.0),
     Form("friction_heat", "fibre", T, True, _plain(h.FibreHeat, "share", 1.0), high=1.0),
     Form("friction_heat", "share", S, True, _plain(known_heat.FrictionHeat, "share", 1.0), high=1.0),
     Form("friction_heat", "late", T, False, _late_heat, high=1.0),
     Form("friction_heat", "contraction", T, False, _plain(h.RisingHeat, "share", 1.0), high=1.0),
     Form("friction_heat", "bladder", T, False, _plain(w.BladderHeat, "share", 1.0), high=1.0),
-    Form("friction_heat", "soaked", S, False, _soaked, high=1.0),
+    Form("friction_heat", "soaked", T, False, _soaked, high=1.0),
+    Form("friction_heat", "moving_contact", S, False, _moving_contact, high=1.0),
     Form("thermocouple_lag", "first_order", T, True, _plain(known_sensor.ThermocoupleLag, "tau", 0.15)),
     Form("thermocouple_lag", "sheath", S, True, _plain(h.Sheath, "tau", 0.15, r=(0.1, 0.8))),
     Form("thermocouple_lag", "blown", T, False, _plain(h.BlownThermocouple, "tau", 0.3, m_0=(1e-5, 1e-4))),
     Form("thermocouple_lag", "two_parts", T, False, _plain(h.TwoPartThermocouple, "tau", 0.1, share=(0.3, 0.7))),
     Form("thermocouple_lag", "dense_air", T, False, _plain(w.DenseAirThermocouple, "tau", 0.3, a=(0.3, 0.6))),
     Form("thermocouple_lag", "stem", T, False, _stem),
-    Form("thermocouple_lag", "potted", S, False, _plain(instruments.PottedBead, "tau", 1.0)),
-    Form("thermocouple_lag", "buoyant", S, False, _plain(instruments.BuoyantBead, "tau", 0.25, a=(0.2, 1.0))),
+    Form("thermocouple_lag", "potted", T, False, _plain(instruments.PottedBead, "tau", 1.0)),
+    Form("thermocouple_lag", "buoyant", T, False, _plain(instruments.BuoyantBead, "tau", 0.25, a=(0.2, 1.0))),
+    Form("thermocouple_lag", "three_poles", S, False, _plain(probes.ThreePoles, "tau", 0.06)),
+    Form("thermocouple_lag", "long_wire", S, False, _long_wire),
     Form("pressure_offset", "constant", T, True,
          _plain(known_sensor.PressureOffset, "offset", 3e3), high=15.0, signed=True),
     Form("pressure_offset", "gain", S, True, _excess(known_sensor.PressureGain, "gain", 0.03), high=10.0, signed=True),
@@ -454,8 +539,10 @@ FORMS: tuple[Form, ...] = (
          _plain(h.SaturatingPressure, "offset", 5e3, p_0=(8e4, 3e5)), signed=True),
     Form("pressure_offset", "curved", T, False, _curved_pressure, high=10.0, signed=True),
     Form("pressure_offset", "stiffening", T, False, _plain(w.StiffeningDiaphragm, "c", 0.05)),
-    Form("pressure_offset", "bowed", S, False,
+    Form("pressure_offset", "bowed", T, False,
          _plain(instruments.BowedManometer, "bow", 3e3, p_fs=(2.5e5, 5e5)), high=10.0, signed=True),
+    Form("pressure_offset", "bridge", S, False,
+         _plain(probes.UnbalancedBridge, "c", 0.04, p_fs=(2.5e5, 5e5)), high=8.0, signed=True),
 )  # fmt: skip
 """Forms of the sixteen families."""
 
@@ -480,15 +567,23 @@ STRANGE: tuple[Form, ...] = (
     Form("none_of_these", "mains_hum", T, False, _swing(k.MainsHum, "size", 3e3, (0.15, 0.6)), high=8.0),
     Form("none_of_these", "cross_talk", T, False, _plain(k.CrossTalk, "size", 4e-3), signed=True),
     Form("none_of_these", "clock_skew", T, False, _plain(k.ClockSkew, "skew", 0.01), high=6.0, signed=True),
-    Form("none_of_these", "loose_contact", S, False,
+    Form("none_of_these", "loose_contact", T, False,
          _plain(disturbances.LooseContact, "off", 0.08, period=(0.9, 2.0), first=(0.2, 0.8)), high=8.0),
-    Form("none_of_these", "slipped_ruler", S, False,
+    Form("none_of_these", "slipped_ruler", T, False,
          _plain(disturbances.SlippedRuler, "size", 1e-3, at=(1.5, 4.0)), signed=True),
-    Form("none_of_these", "oblique_string", S, False,
+    Form("none_of_these", "oblique_string", T, False,
          _plain(disturbances.ObliqueString, "d", 0.08, a=(0.15, 0.4)), high=5.0),
-    Form("none_of_these", "warm_coils", S, False, _plain(disturbances.WarmCoils, "size", 2.0, tau=(0.8, 4.0))),
-    Form("none_of_these", "restless_start", S, False, _restless, high=6.0),
-    Form("none_of_these", "empty_bottle", S, False, _plain(disturbances.EmptyBottle, "share", 0.15), high=4.0),
+    Form("none_of_these", "warm_coils", T, False, _plain(disturbances.WarmCoils, "size", 2.0, tau=(0.8, 4.0))),
+    Form("none_of_these", "restless_start", T, False, _restless, high=6.0),
+    Form("none_of_these", "empty_bottle", T, False, _plain(disturbances.EmptyBottle, "share", 0.15), high=4.0),
+    Form("none_of_these", "heat_lamp", S, False, _heat_lamp, high=8.0),
+    Form("none_of_these", "buffer_tank", S, False, _plain(mishaps.BufferTank, "per_kilogram", 200.0, tau=(1.0, 6.0))),
+    Form("none_of_these", "sagging_excitation", S, False,
+         _plain(mishaps.SaggingExcitation, "share", 0.02), high=10.0, signed=True),
+    Form("none_of_these", "holding_magnet", S, False, _plain(mishaps.HoldingMagnet, "size", 12.0, d=(5e-4, 3e-3))),
+    Form("none_of_these", "own_clock", S, False, _plain(mishaps.OwnClock, "skew", 0.01), high=6.0, signed=True),
+    Form("none_of_these", "self_heating", S, False,
+         _plain(mishaps.SelfHeating, "size", 2.0, m_0=(1e-5, 1e-4))),
 )  # fmt: skip
 """Effects in no family."""
 
