@@ -148,7 +148,7 @@ def diagnose(
     if path:
         last = [c for c in tried if c.effects[:-1] == path[-1].effects[:-1]]
         others = told_apart(data, path[-1], rivals(path[-1], last), sources)
-    verdict = judge(base, path, [c for c, _ in others])
+    verdict = judge(base, path, [c for c, _ in others], tried)
     present = path[-1].fit or base if path else base
     added = [c.effect for c in path]
     ledger = ledger_of(search, (), base) if explain and verdict.kind != "none_missing" else None

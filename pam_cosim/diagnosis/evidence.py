@@ -19,6 +19,8 @@ _FORETOLD = 0.02
 _DENSE = 100
 _CLEARED = 0.4  # of the excess, that may be left
 _STEP = 0.9  # of the squared error, that a step must leave behind it at most
+_REMAINDER = 0.05  # of the excess, that may be left by the one family that is missing in a form that nobody listed
+_APART = 3.0  # times that excess, that every other family must leave
 
 
 def _correlated(s: Structure) -> bool:
@@ -137,6 +139,33 @@ def clears(base: Fit, fit: Fit) -> bool:
     before = sum(base.structure[r].excess * base.structure[r].samples for r in roles)
     after = sum(fit.structure[r].excess * fit.structure[r].samples for r in roles)
     return after < _CLEARED * before and _better(base, fit)
+
+
+def alone(base: Fit, singles: Sequence[Candidate]) -> Candidate | None:
+    """The effect that takes away nearly all that exceeds the noise, where no other family comes near; else None.
+
+    In the fitted runs and in the others. What is left has structure then, and still the family is beyond doubt: what
+    belongs to no family, other families do not imitate that well.
+
+    Args:
+        base: the model without effects, fitted.
+        singles: models with one effect each.
+    """
+    ranked = [c for c in rank(base, singles) if c.fit is not None]
+    left: dict[str, float] = {}
+    for c in ranked:
+        assert c.fit is not None
+        left[c.family] = min(left.get(c.family, math.inf), c.fit.structure["fit"].excess)
+    family = min(left, key=lambda f: left[f], default="")
+    if any(excess < _APART * left[family] for other, excess in left.items() if other != family):
+        return None
+    own = (c for c in ranked if c.family == family)
+    return next((c for c in own if c.fit and _carries(base, c.fit) and convincing(base, c)), None)
+
+
+def _carries(base: Fit, fit: Fit) -> bool:
+    both = [(base.structure[r], fit.structure[r]) for r in ("fit", "holdout") if base.structure[r].samples]
+    return all(after.excess <= _REMAINDER * before.excess for before, after in both)
 
 
 def promising(base: Fit, candidate: Candidate) -> bool:

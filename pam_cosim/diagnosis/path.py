@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.evidence import (
+    alone,
     clears,
     coherent,
     convincing,
@@ -20,13 +22,14 @@ from pam_cosim.fitting import Fit
 
 _MOST_EFFECTS = 3
 _FIRST = 2  # effects that the search for a second one starts from
+_MUCH = 0.6  # of what one effect beyond doubt leaves, that a second one may leave after a few steps
 _REST = 0.2  # of the excess, that may be left to a better form of the same effect
 
 
 def find_path(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidate]]:
     """The effects that are needed, in the order in which they were found, and all that were tried."""
     missing = any(coherent(s) for s in base.structure.values())
-    tried = search.round((), base, deep=missing)
+    tried = search.round((), base, below=math.inf if missing else 0.0)
     first = _steps(base, tried) if missing else []
     if missing and (not first or (_unsolved(first[0]) and _nearly(base, first[0]))):
         first = _generalized(search, base, first, tried)
@@ -37,6 +40,7 @@ def find_path(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidat
         path = _second(search, base, first, tried)
         if len(path) == 1 and not _nearly(base, first[0]):
             path = _generalized(search, base, first, tried)[:1]
+        path = _lone(search, base, path, tried)
     while 1 < len(path) < _MOST_EFFECTS and _unsolved(path[-1]):
         path = _enriched(search, base, path, tried)
         last = path[-1]
@@ -90,23 +94,49 @@ def _outdone(search: Search, base: Fit, first: Sequence[Candidate], tried: list[
 
 
 def _second(search: Search, base: Fit, first: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
-    """The best first effect with the best second one: of two that are missing, neither need be the best alone."""
+    """The best first effect with the best second one: of two that are missing, neither need be the best alone.
+
+    One that is beyond doubt by itself is the only first one, and need not leave much undone then.
+    """
     singles = list(tried)
+    one = alone(base, singles)
+    starts = [_plain(one, singles)] if one else first[:_FIRST]
     pairs: list[Candidate] = []
-    for one in first[:_FIRST]:
-        assert one.fit is not None
-        search.say(f"with {_told(one)}")
-        found = search.round(one.effects, one.fit, singles)
+    for start in starts:
+        assert start.fit is not None
+        search.say(f"with {_told(start)}")
+        below = _MUCH * start.fit.structure["fit"].excess if one else math.inf
+        found = search.round(start.effects, start.fit, singles, below=below)
         tried += found
-        pairs += _steps(one.fit, found)[:1]
+        pairs += _steps(start.fit, found)[:1]
         if pairs and not _unsolved(pairs[-1]):
             break
     if not pairs:
-        return [first[0]]
+        return [starts[0]]
     best = rank(base, pairs)[0]
     chosen = next(p for p in pairs if p.effects == best.effects)
     search.say(f"added {_told(chosen)}")
-    return [next(c for c in first if c.effects == chosen.effects[:1]), chosen]
+    return [next(c for c in starts if c.effects == chosen.effects[:1]), chosen]
+
+
+def _plain(one: Candidate, singles: Sequence[Candidate]) -> Candidate:
+    """The best law of the same family, where a general member does not take away most of what that leaves."""
+    laws = [c for c in singles if c.family == one.family and c.fit is not None and not c.general]
+    law = min(laws, key=lambda c: c.fit.structure["fit"].excess if c.fit else math.inf, default=one)
+    return law if one.general and law.fit is not None and not _nearly(law.fit, one) else one
+
+
+def _lone(search: Search, base: Fit, path: list[Candidate], tried: Sequence[Candidate]) -> list[Candidate]:
+    """The path, or the one effect beyond doubt where a second one does not take away most of what that leaves."""
+    last, one = path[-1], alone(base, _singles(tried))
+    if one is None or not _unsolved(last) or (len(path) > 1 and path[0].fit and _nearly(path[0].fit, last)):
+        return path
+    search.say(f"no second effect explains what is left by {_told(one)}")
+    return [one]
+
+
+def _singles(tried: Sequence[Candidate]) -> list[Candidate]:
+    return [c for c in tried if len(c.effects) == 1]
 
 
 def _steps(present: Fit, found: Sequence[Candidate]) -> list[Candidate]:

@@ -59,7 +59,7 @@ class Search:
         return read_structure(qualified(self.tree, self.model), files=self.files)
 
     def round(
-        self, added: Sequence[str], present: Fit, known: Sequence[Candidate] = (), deep: bool = True
+        self, added: Sequence[str], present: Fit, known: Sequence[Candidate] = (), below: float = math.inf
     ) -> list[Candidate]:
         """Tries one more effect on top of those that were added; best first.
 
@@ -68,7 +68,7 @@ class Search:
             present: the model with them, fitted.
             known: candidates of an earlier round, best first. The best of each family stands for it then, until it
                 proves promising.
-            deep: whether the promising ones are fitted to the end.
+            below: excess that one of them must undercut in a few steps, for the promising ones to be fitted to the end.
 
         Raises:
             SimulationFailure: no effect could be tried at all.
@@ -79,7 +79,7 @@ class Search:
         found = self._brief(first)
         if found and all(c.fit is None for c in found):
             raise SimulationFailure(f"no effect could be tried; {found[0].effect}: {found[0].failure}")
-        if not deep:
+        if not any(c.fit is not None and c.fit.structure["fit"].excess < below for c in found):
             return rank(present, found)
         leading = self._deep(trials, found)
         if not any(c.fit is not None and at_noise(c.fit) for c in leading):

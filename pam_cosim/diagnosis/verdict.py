@@ -8,7 +8,7 @@ from math import prod
 from typing import Literal
 
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.evidence import SIGNIFICANT, foretold, leaves_structure, structured
+from pam_cosim.diagnosis.evidence import SIGNIFICANT, alone, foretold, leaves_structure, structured
 from pam_cosim.fitting import Fit
 
 Kind = Literal["none_missing", "identified", "ambiguous", "unknown"]
@@ -42,6 +42,10 @@ class Verdict:
         }
 
 
+_REST = (
+    "and no other family comes near. What remains has structure that no second effect explains: the family is what "
+    "was found, in a form that no listed law has, or something smaller is missing besides."
+)
 _FAR = 2.0  # times the error of the best on signals that nobody fitted
 
 
@@ -76,8 +80,10 @@ def _refuted(rival: Fit, best: Fit) -> bool:
     return bool(ratios) and prod(ratios) ** (1 / len(ratios)) > _FAR
 
 
-def judge(base: Fit, path: Sequence[Candidate], others: Sequence[Candidate]) -> Verdict:
-    """Turns the effects that were added (``path``) and the rivals of the last one into a verdict."""
+def judge(
+    base: Fit, path: Sequence[Candidate], others: Sequence[Candidate], tried: Sequence[Candidate] = ()
+) -> Verdict:
+    """Turns the effects that were added (``path``), the rivals of the last one and all that were tried into a verdict."""
     if not path:
         repeated = foretold(base)
         if any(structured(base.structure[r], repeated) for r in _ROLES):
@@ -96,6 +102,9 @@ def judge(base: Fit, path: Sequence[Candidate], others: Sequence[Candidate]) -> 
     text = f"{' + '.join(effects)} removes {100 * share:.1f} % of the squared error beyond the noise"
     repeated = foretold(last.fit)
     if any(leaves_structure(last.fit.structure[r], repeated) for r in _ROLES):
+        one = alone(base, [c for c in tried if len(c.effects) == 1])
+        if one is not None and one.effects == last.effects:
+            return Verdict("identified", families, effects, f"{text}, {_REST}{_caution(last.fit)}")
         return Verdict(
             "unknown", families, effects, f"{text}, but what remains has structure: something else is missing."
         )

@@ -80,3 +80,23 @@ def test_a_general_member_outdoes_what_leaves_a_remainder_that_does_not_come_aga
     drifting = fitted(1.3, holdout=1.3, parameters=3)  # above the noise, but not correlated
     outdone = search({"OrificeLeak": drifting, "GeneralLeak": NOISE})
     assert found(outdone) == ["GeneralLeak"]
+
+
+PARTLY = fitted(2.0, holdout=2.0, score=30.0, parameters=6)
+MOSTLY = fitted(1.3, holdout=1.3, score=30.0, parameters=6)
+
+
+def test_one_effect_that_takes_away_nearly_all_stays_alone_where_no_second_one_does_the_rest() -> None:
+    assert found(search({"OrificeLeak": NEAR})) == ["OrificeLeak"]
+    assert found(search({"OrificeLeak": NEAR, "OrificeLeak + LinearBladder": PARTLY})) == ["OrificeLeak"]
+
+
+def test_a_second_effect_stays_that_takes_away_most_of_what_is_left() -> None:
+    two = search({"OrificeLeak": NEAR, "OrificeLeak + LinearBladder": MOSTLY})
+    assert found(two) == ["OrificeLeak", "LinearBladder"]
+
+
+def test_no_effect_is_beyond_doubt_where_another_family_comes_near() -> None:
+    near = fitted(4.0, holdout=4.0, score=30.0, parameters=4)
+    two = search({"OrificeLeak": NEAR, "LaminarLine": near, "OrificeLeak + LinearBladder": PARTLY})
+    assert found(two) == ["OrificeLeak", "LinearBladder"]

@@ -13,6 +13,7 @@ model GeneralArea "The effective area is any smooth function of pressure ratio, 
   parameter Real b_u(unit="1", min=-1.5, max=1.5, nominal=0.1) = 0 "What it gains with the current, per 0.35 A beyond 0.35 A";
   parameter Real b_v(unit="1", min=-2, max=2, nominal=0.1) = 0 "What it gains with the square of that";
   parameter Real b_e(unit="1", min=-0.7, max=0.7, nominal=0.1) = 0 "What the exhaust gains and the inlet loses";
+  parameter Real b_f(unit="1", min=-0.7, max=0.7, nominal=0.1) = 0 "What the exhaust gains and the inlet loses with the current, per 0.35 A beyond 0.35 A";
   parameter Types.Current u_p(min=-0.02, max=0.1, nominal=0.01) = 0 "Current that a pressure drop of 100 kPa takes to hold the plunger";
 protected
   constant Real z_smooth = 3e-4 "Relative pressure drop over which the sides change roles";
@@ -35,7 +36,7 @@ equation
       + b_6*Functions.smoothMax(r[i] - 0.6, r_smooth) + b_8*Functions.smoothMax(r[i] - 0.8, r_smooth);
     gain[i] = (b_u + b_v*(u[i]/u_reference - 1))*(u[i]/u_reference - 1);
     A[i] = C_A*Functions.openingArea(u[i] - u_p*drop[i])*exp(gain[i] - loss[i] - b_p*drop[i] + b_s*(high[i] - 2)
-      + (if i == 1 then -b_e else b_e));
+      + (if i == 1 then -1 else 1)*(b_e + b_f*(u[i]/u_reference - 1)));
   end for;
   annotation (Documentation(info="<html>
 <p>As FlexibleArea, where the logarithm of the area is a smooth chain of straight lines in the pressure ratio r, with

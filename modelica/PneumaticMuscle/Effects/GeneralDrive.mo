@@ -6,6 +6,7 @@ model GeneralDrive "The valves follow by a dead time, lags, a limited rate, an o
   parameter Types.Time tau(min=1e-4, max=2, nominal=0.05) = 0.03 "Time constant of opening";
   parameter Types.Time slew(min=1e-4, max=2, nominal=0.05) = 0.01 "Time that 0.35 A take at the greatest rate of opening";
   parameter Real ratio(unit="1", min=0.05, max=20, nominal=1) = 1 "Both times of closing, by those of opening";
+  parameter Real bend(unit="1", min=-2, max=2, nominal=0.3) = 0 "What the logarithm of tau loses with the current that follows, per 0.35 A beyond 0.35 A";
   parameter Real direct(unit="1", min=0, max=0.9, nominal=0.3) = 0.1 "Share that does not wait for them";
   parameter Types.Time tau_coil(min=1e-4, max=2, nominal=0.05) = 0.01 "Time constant of the coil before it";
   parameter Types.Time dead_time(min=1e-3, max=2, nominal=0.05) = 0.01 "Dead time";
@@ -24,12 +25,12 @@ equation
     tau_coil*der(c[i]) = delay(if initial() then 0 else u[i], dead_time) - c[i];
     d[i] = c[i] - z[i];
     by[i] = 0.5*(1 + ratio) + 0.5*(1 - ratio)*d[i]/sqrt(d[i]^2 + u_smooth^2);
-    by[i]*sqrt(tau^2 + (slew*d[i]/u_reference)^2)*der(z[i]) = d[i];
+    by[i]*sqrt((tau*exp(bend*(1 - z[i]/u_reference)))^2 + (slew*d[i]/u_reference)^2)*der(z[i]) = d[i];
     der(y[i]) = w[i];
     der(w[i]) = omega^2*(direct*c[i] + (1 - direct)*z[i] - y[i]) - 2*zeta*omega*w[i];
   end for;
   annotation (Documentation(info="<html>
-<p>As FlexibleDrive to z, then y_ddot + 2 zeta omega y_dot + omega^2 y = omega^2 (direct c + (1 - direct) z) for either
+<p>As FlexibleDrive to z, with tau exp(bend (1 - z/0.35 A)), then y_ddot + 2 zeta omega y_dot + omega^2 y = omega^2 (direct c + (1 - direct) z) for either
 valve. Source: see FlexibleDrive and ValveSecondOrder, one behind the other; the share that comes at once is what of the
 magnetic force iron, rubber or hysteresis does not hold back. Both valves are shut before the start. Typical as there, direct 0 to 0.5.</p>
 <p>Fingerprint: as FlexibleDrive; a quick beginning with a long tail, or an overshoot.</p>
