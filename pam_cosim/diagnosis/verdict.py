@@ -83,7 +83,7 @@ def _refuted(rival: Fit, best: Fit) -> bool:
 def judge(
     base: Fit, path: Sequence[Candidate], others: Sequence[Candidate], tried: Sequence[Candidate] = ()
 ) -> Verdict:
-    """Turns the effects that were added (``path``), the rivals of the last one and all that were tried into a verdict."""
+    """Turns the effects that were added (``path``), rivals of the last one and all that were tried into a verdict."""
     if not path:
         repeated = foretold(base)
         if any(structured(base.structure[r], repeated) for r in _ROLES):

@@ -13,7 +13,7 @@ from scipy.signal import lsim
 from pam_cosim.compiler import EffectClass
 from pam_cosim.interface import Interface
 from tests.library.rig_spans import left_of
-from tests.library.shelf import built, effects, homes, run
+from tests.library.shelf import base, built, effects, homes, noise, run
 from tests.library.spans import DRIVE, HARNESS, Law, course_misses
 from tests.library.unlisted import (
     Arm,
@@ -353,6 +353,39 @@ GENERAL: dict[str, tuple[str, float, Array, Array | None]] = {
 def test_general_member_spans_more(name: str) -> None:
     family, bound, target, of = GENERAL[name]
     assert general(family).misses(target, of=of) < bound
+
+
+# With these values it is a flexible member, or the law beside it; to a tenth of the noise, as some can only be small.
+CONTAINED: dict[tuple[str, str], tuple[dict[str, float], dict[str, float]]] = {
+    ("GeneralWall", "FlexibleWall"): ({"C": 0.5, "G": 0.05, "r": 2.0, "K": 0.2, "n": 0.25}, {"s": 1.0}),
+    ("GeneralFrictionHeat", "FlexibleFrictionHeat"): (
+        {"share_f": 0.8, "share_b": 0.6, "back_f": 0.5, "back_b": -0.5}, {"tau": 1e-3, "r": 0.01},
+    ),
+    ("GeneralCreep", "FlexibleCreep"): ({"k_1": 400.0, "k_2": 200.0, "k_3": 100.0, "tau": 0.2}, {}),
+    ("GeneralThermocouple", "FlexibleThermocouple"): (
+        {"tau": 0.5, "n": 0.3, "b": 2.0, "loss": 0.05}, {"stem": 0.0, "r": 1e-3},
+    ),
+    ("GeneralThermocouple", "ThermocoupleSheath"): (
+        {"tau": 0.5, "r": 0.4}, {"n": 0.0, "b": 0.0, "loss": 0.0, "stem": 0.0},
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("pair", CONTAINED, ids=lambda pair: " in ".join(reversed(pair)))
+def test_general_member_contains_the_others(pair: tuple[str, str]) -> None:
+    own, rest = CONTAINED[pair]
+    bench = "PneumaticMuscle.Benches.Isotonic"
+    both = []
+    for name in pair:
+        composition = homes(name)[bench]
+        chosen = own | rest
+        named = {n: chosen[k] for n in composition.parameters[name] if (k := n.rpartition(".")[2]) in chosen}
+        both.append(run(built(bench, name), named))
+    (one, interface), (other, _) = both
+    without, _ = base(bench)
+    for name in one:
+        assert one[name] == pytest.approx(other[name], abs=0.1 * noise(interface.outputs[name])), name
+    assert any(np.max(np.abs(one[n] - without[n])) > noise(interface.outputs[n]) for n in one)
 
 
 # Creep: the force after a step of 10 mm.
