@@ -9,8 +9,8 @@ model GeneralDryFriction "Dry friction of any smooth dependence on pressure, con
   parameter Real first(unit="1", min=0.03, max=0.6, nominal=0.1) = 0.1 "Travel of that part by the other's";
   parameter Real rise(unit="1", min=-0.7, max=2, nominal=0.3) = 0 "What slow motion adds, by that of fast motion";
   parameter Types.Velocity v_slow(min=5e-4, max=0.2, nominal=0.01) = 0.01 "Speed that is slow in this sense";
-  parameter Real growth(unit="1", min=-2, max=2, nominal=0.3) = 0 "Relative growth per eighth of the length";
-  parameter Real bow(unit="1", min=-1, max=0.5, nominal=0.1) = 0 "Half of the change of that growth";
+  parameter Real growth(unit="1", min=-1.5, max=1.2, nominal=0.3) = 0 "Relative growth per eighth of the length";
+  parameter Real bow(unit="1", min=-0.8, max=0.25, nominal=0.1) = 0 "Half of the change of that growth";
   parameter Real side(unit="1", min=-1, max=1, nominal=0.3) = 0 "What contraction gains and extension loses, by it";
   Real r[2](each start=0, each fixed=true, each unit="1", each nominal=1) "Shares of their forces that both parts carry";
 protected
