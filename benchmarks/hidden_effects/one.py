@@ -54,8 +54,7 @@ def _diagnosis(folder: Path, description: Mapping[str, Any], workers: int) -> di
     sigma = {name: found.data.signals[name].sigma or math.nan for name in SIGNALS}
     final = found.final.comparison
     return {
-        "verdict": {"kind": verdict.kind, "families": list(verdict.families), "effects": list(verdict.effects)},
-        "reason": verdict.reason,
+        "verdict": verdict.as_dict(),
         "sigma": sigma,
         "chi2": {
             role: {

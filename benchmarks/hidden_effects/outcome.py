@@ -53,6 +53,11 @@ def claims_effect(result: Result) -> bool:
     return "error" not in result and bool(result["diagnosis"]["verdict"]["families"])
 
 
+def leaves_remainder(result: Result) -> bool:
+    """Whether a family is identified by a verdict which says itself that what remains has structure."""
+    return "error" not in result and bool(result["diagnosis"]["verdict"].get("remainder"))
+
+
 def excess(result: Result) -> float | None:
     """Holdout chi-square of the final model over that of the truth's own noise, minus one; None without a verdict."""
     if "error" in result:

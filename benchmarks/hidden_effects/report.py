@@ -24,7 +24,14 @@ import numpy as np  # noqa: E402
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from benchmarks.hidden_effects.outcome import OUTCOMES, claims_effect, excess, judged, size  # noqa: E402
+from benchmarks.hidden_effects.outcome import (  # noqa: E402
+    OUTCOMES,
+    claims_effect,
+    excess,
+    judged,
+    leaves_remainder,
+    size,
+)
 from benchmarks.hidden_effects.score import default_file, read_results  # noqa: E402
 from benchmarks.hidden_effects.table import FAMILIES  # noqa: E402
 
@@ -95,6 +102,9 @@ GOALS = (
          lambda r: _group("catalogue")(r) and (_visible(r) or _no_size(r)), lambda r: judged(r) == "right"),
     Goal("... with a form that the catalogue lacks", 0.95,
          lambda r: _group("new_form")(r) and (_visible(r) or _no_size(r)), lambda r: judged(r) == "right"),
+    Goal("... and with a verdict that leaves only noise, not just the form open", 0.95,
+         lambda r: _group("new_form")(r) and (_visible(r) or _no_size(r)),
+         lambda r: judged(r) == "right" and not leaves_remainder(r)),
     Goal("nothing hidden: no effect claimed", 0.98,
          _group("null"), lambda r: "error" not in r and not claims_effect(r)),
     Goal("an effect in no family: unknown or ambiguous", 0.90, _group("none_of_these"), lambda r: judged(r) == "right"),

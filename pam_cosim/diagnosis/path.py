@@ -189,16 +189,19 @@ def _needed(search: Search, base: Fit, path: Sequence[Candidate], tried: list[Ca
 
 
 def _enriched(search: Search, base: Fit, path: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
-    """The path with one of its effects in a richer form, where that is better beyond chance."""
-    present = path[-1].fit
-    assert present is not None
-    found = search.richer([c.effect for c in path], present.values)
-    tried += found
-    better = [c for c in rank(present, found) if convincing(present, c)]
-    if not better or better[0].fit is None:
-        return list(path)
-    search.say(f"in a richer form: {_told(better[0])}")
-    return _refitted(search, better[0].effects, better[0].fit, base, tried)
+    """The path with one of its effects in another form, where that is better beyond chance; general ones come last."""
+    path = list(path)
+    for general in (False, True):
+        last = path[-1]
+        if last.fit is None or not _unsolved(last):
+            break
+        found = search.exchanged([c.effect for c in path], last.fit.values, general)
+        tried += found
+        better = [c for c in rank(last.fit, found) if convincing(last.fit, c)]
+        if better and better[0].fit is not None:
+            search.say(f"in another form: {_told(better[0])}")
+            path = _refitted(search, better[0].effects, better[0].fit, base, tried)
+    return path
 
 
 def _merged(search: Search, base: Fit, path: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
@@ -207,7 +210,7 @@ def _merged(search: Search, base: Fit, path: Sequence[Candidate], tried: list[Ca
     while len(path) > 1:
         full = path[-1]
         assert full.fit is not None
-        found = search.fewer([c.effect for c in path], full.fit.values)
+        found = search.fewer([c.effect for c in path], full.fit.values, _REST * base.structure["fit"].excess)
         tried += found
         enough = [c for c in found if c.fit is not None and not convincing(c.fit, rank(c.fit, [full])[0])]
         if not enough:

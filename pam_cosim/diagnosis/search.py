@@ -122,9 +122,16 @@ class Search:
         """The model with just these effects, fitted to the end; the last of them counts as the one that is tried."""
         return self._run("to the end, without another effect,", self._composed([effects], start))[0]
 
-    def richer(self, effects: Sequence[str], start: Mapping[str, float]) -> list[Candidate]:
-        """Models with one of these effects in a richer form of its family, fitted to the end."""
-        return self._run("to the end, in a richer form,", self._composed(_richer(effects, self.shelf), start))
+    def exchanged(self, effects: Sequence[str], start: Mapping[str, float], general: bool) -> list[Candidate]:
+        """Models with one of these effects replaced by another of its family, fitted to the end.
+
+        Args:
+            effects: names of the effects in the model.
+            start: values to start from.
+            general: whether by the general member, or by the others.
+        """
+        trials = self._composed(_exchanged(effects, self.shelf, lambda own, other: other.general is general), start)
+        return self._run("to the end, with another form of an effect,", [_started(t) if general else t for t in trials])
 
     def general(self, present: Fit, known: Sequence[Candidate]) -> list[Candidate]:
         """Models with one effect, the general member of each leading family, fitted to the end.
@@ -152,11 +159,17 @@ class Search:
         better = {c.effect: c for c in self._deep(trials, found)}
         return rank(present, [better.get(c.effect, c) for c in found])
 
-    def fewer(self, effects: Sequence[str], start: Mapping[str, float]) -> list[Candidate]:
-        """Models with one of these effects less and another in a richer form of its family, fitted to the end."""
-        less = [_richer([e for e in effects if e != left], self.shelf) for left in reversed(effects)]
+    def fewer(self, effects: Sequence[str], start: Mapping[str, float], below: float) -> list[Candidate]:
+        """Models with one of these effects less and another in a richer form of its family.
+
+        Those whose excess is ``below`` that after a few steps are fitted to the end and returned.
+        """
+        less = [_exchanged([e for e in effects if e != left], self.shelf, _richer) for left in reversed(effects)]
         alike = {frozenset(names): names for some in less for names in some}
-        return self._run("to the end, with one effect less,", self._composed(list(alike.values()), start))
+        trials = self._composed(list(alike.values()), start)
+        few = {c.effects: c.fit for c in self._brief(trials) if c.fit and c.fit.structure["fit"].excess < below}
+        chosen = [replace(_started(t), found=few[t.effects].values) for t in trials if t.effects in few]
+        return self._run("to the end, with one effect less,", chosen)
 
     def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:
         if trials:
@@ -184,15 +197,27 @@ def _patient(trial: Trial) -> Trial:
     return replace(trial, heats=_HEATS, evaluations=_PATIENCE, precision=_CREEP)
 
 
-def _richer(effects: Sequence[str], shelf: Sequence[EffectClass]) -> list[tuple[str, ...]]:
-    """The effects with one of them in a form of its family that has more parameters; that one stands last."""
+def _started(trial: Trial) -> Trial:
+    """A trial that starts from a fitted model: the best start is followed, and no other."""
+    followed = replace(trial, follow=1)
+    return replace(followed, evaluations=_PATIENCE, precision=_CREEP) if trial.effect.general else followed
+
+
+def _exchanged(
+    effects: Sequence[str], shelf: Sequence[EffectClass], fits: Callable[[EffectClass, EffectClass], bool]
+) -> list[tuple[str, ...]]:
+    """The effects with one of them replaced by another of its family that ``fits``; that one stands last."""
     own = {e.name: e for e in shelf}
     return [
         (*(e for e in effects if e != changed), other.name)
         for changed in reversed(effects)
         for other in shelf
-        if other.family == own[changed].family and len(other.parameters) > len(own[changed].parameters)
+        if other.family == own[changed].family and other.name != changed and fits(own[changed], other)
     ]
+
+
+def _richer(own: EffectClass, other: EffectClass) -> bool:
+    return len(other.parameters) > len(own.parameters)
 
 
 def told(c: Candidate) -> str:

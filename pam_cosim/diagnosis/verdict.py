@@ -25,12 +25,14 @@ class Verdict:
             the data cannot tell apart are all listed.
         effects: the effect classes, likewise.
         reason: the verdict in a sentence or two.
+        remainder: a family is identified, and still what remains has structure: its form is not listed.
     """
 
     kind: Kind
     families: tuple[str, ...]
     effects: tuple[str, ...]
     reason: str
+    remainder: bool = False
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON."""
@@ -39,6 +41,7 @@ class Verdict:
             "families": list(self.families),
             "effects": list(self.effects),
             "reason": self.reason,
+            "remainder": self.remainder,
         }
 
 
@@ -104,7 +107,7 @@ def judge(
     if any(leaves_structure(last.fit.structure[r], repeated) for r in _ROLES):
         one = alone(base, [c for c in tried if len(c.effects) == 1])
         if one is not None and one.effects == last.effects:
-            return Verdict("identified", families, effects, f"{text}, {_REST}{_caution(last.fit)}")
+            return Verdict("identified", families, effects, f"{text}, {_REST}{_caution(last.fit)}", remainder=True)
         return Verdict(
             "unknown", families, effects, f"{text}, but what remains has structure: something else is missing."
         )

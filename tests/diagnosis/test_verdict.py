@@ -73,7 +73,8 @@ def test_the_one_family_that_takes_away_nearly_all_is_identified_and_its_form_le
     far, near = (candidate("Lag", fitted(chi2, holdout=2.0, score=30.0), "valve") for chi2 in (5.0, 1.5))
     verdict = judge(BASE, [one], [], [one, far])
     assert (verdict.kind, verdict.families) == ("identified", ("leak",))
-    assert "no listed law" in verdict.reason and "structure" in verdict.reason
+    assert "no listed law" in verdict.reason and verdict.remainder
+    assert not judge(BASE, [GOOD], [], [GOOD]).remainder
     assert judge(BASE, [one], [], [one, far, near]).kind == "unknown"
 
 
