@@ -23,6 +23,7 @@ _FEWEST_REFITS = 4
 _FAR = 5.0  # times the excess error of the best that a few more steps may still take away
 _ROOM = 0.02  # of the noise's variance, on top of that
 _LEADING_FAMILIES = 3
+_MOST_RESORTS = 6
 _MORE_FAMILIES = 5
 _SIMPLE = 2  # parameters
 _HEATS = 8
@@ -151,12 +152,14 @@ class Search:
         return self._run("to the end, in the general form of its family,", trials)
 
     def last_resort(self, present: Fit, known: Sequence[Candidate]) -> list[Candidate]:
-        """Models with one effect, the general member of each other family, the promising ones fitted to the end."""
+        """Models with one effect, the general member of each other family, the leading ones fitted to the end."""
         seen = {c.effect for c in known}
         own = [(e.name,) for e in self.shelf if e.general and e.name not in seen]
         trials = [_patient(t) for t in self._composed(own, present.values)]
         found = self._brief(trials)
-        better = {c.effect: c for c in self._deep(trials, found)}
+        leading = {c.effect: c.fit.values for c in _by_error(found)[:_MOST_RESORTS] if c.fit is not None}
+        chosen = [replace(t, found=leading[t.effect.name]) for t in trials if t.effect.name in leading]
+        better = {c.effect: c for c in self._run("to the end, in the general form of any family,", chosen)}
         return rank(present, [better.get(c.effect, c) for c in found])
 
     def fewer(self, effects: Sequence[str], start: Mapping[str, float], below: float) -> list[Candidate]:
