@@ -26,10 +26,10 @@ class Told(Search):
     """A search whose fits are known: by the effects in the model, else of no use."""
 
     fits: Mapping[tuple[str, ...], Fit] = field(default_factory=dict)
-    tried: list[str] = field(default_factory=list)
+    tried: list[tuple[str, ...]] = field(default_factory=list)
 
     def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:
-        self.tried.extend(t.effect.name for t in trials)
+        self.tried.extend(t.effects for t in trials)
         return [replace(t.candidate(fit=self.fits.get(t.effects, USELESS)), own_parameters=()) for t in trials]
 
 
@@ -44,7 +44,7 @@ def found(searched: Told, base: Fit = BASE) -> list[str]:
 
 
 def generals(searched: Told) -> set[str]:
-    return {name for name in searched.tried if name.startswith("General")}
+    return {names[-1] for names in searched.tried if names[-1].startswith("General")}
 
 
 def test_general_members_wait_where_a_simple_one_leaves_noise() -> None:
@@ -100,3 +100,20 @@ def test_no_effect_is_beyond_doubt_where_another_family_comes_near() -> None:
     near = fitted(4.0, holdout=4.0, score=30.0, parameters=4)
     two = search({"OrificeLeak": NEAR, "LaminarLine": near, "OrificeLeak + LinearBladder": PARTLY})
     assert found(two) == ["OrificeLeak", "LinearBladder"]
+
+
+def test_an_effect_of_a_pair_gives_way_to_another_form_of_its_family_a_listed_one_first() -> None:
+    half = fitted(50.0, holdout=50.0, score=50.0, parameters=3)
+    fits = {"MaxwellSlipFriction": half, "MaxwellSlipFriction + ValveDelay": fitted(7.0, holdout=7.0, score=30.0)}
+    listed = search({**fits, "ValveDelay + CoulombFriction": NOISE})
+    assert found(listed) == ["ValveDelay", "CoulombFriction"]
+    assert ("ValveDelay", "GeneralDryFriction") not in listed.tried
+    assert found(search({**fits, "ValveDelay + GeneralDryFriction": NOISE})) == ["ValveDelay", "GeneralDryFriction"]
+
+
+def test_a_second_effect_is_added_to_the_law_unless_the_general_member_does_much_better() -> None:
+    little, much = (fitted(c, holdout=c, score=30.0, parameters=8) for c in (2.9, 1.3))
+    law = search({"OrificeLeak": NEAR, "GeneralLeak": little, "OrificeLeak + LinearBladder": NOISE})
+    assert found(law) == ["OrificeLeak", "LinearBladder"]
+    general = search({"OrificeLeak": NEAR, "GeneralLeak": much, "GeneralLeak + LinearBladder": NOISE})
+    assert found(general) == ["GeneralLeak", "LinearBladder"]
