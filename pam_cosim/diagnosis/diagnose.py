@@ -41,9 +41,9 @@ class Diagnosis:
         verdict: the answer.
         outliers: how many single samples were set aside, by signal.
         next_experiment: for an ambiguous verdict, the run that would decide.
-        missing_term: for an unknown verdict, a description of what is left.
+        missing_term: for a verdict that leaves structure, a description of it.
         ledger: which balances of the base model fail, with the missing terms as signals; None where nothing does.
-        learned: for an unknown verdict, a formula for what is missing and the model with it: a description, no cause.
+        learned: likewise, a formula for what is missing and the model with it: a description, no cause.
     """
 
     data: DataSet
@@ -152,8 +152,8 @@ def diagnose(
     present = path[-1].fit or base if path else base
     added = [c.effect for c in path]
     ledger = ledger_of(search, (), base) if explain and verdict.kind != "none_missing" else None
-    learned = None
-    if explain and verdict.kind == "unknown":
+    learned, unexplained = None, verdict.kind == "unknown" or verdict.remainder
+    if explain and unexplained:
         learned = learned_term(search, ledger_of(search, added, present) if added else ledger, added, present)
     balance = _balance(base, [c for c in tried if len(c.effects) == 1])
     return Diagnosis(
@@ -166,7 +166,7 @@ def diagnose(
         verdict=verdict,
         outliers=outliers,
         next_experiment=others[0][1] if others else None,
-        missing_term=missing_term(present, balance) if verdict.kind == "unknown" else None,
+        missing_term=missing_term(present, balance) if unexplained else None,
         ledger=ledger,
         learned=learned,
     )

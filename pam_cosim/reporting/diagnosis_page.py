@@ -55,7 +55,7 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
         error=error_sentence(diagnosis),
         compared=compared_sentence(diagnosis),
         reason=diagnosis.verdict.reason,
-        meaning=meaning(diagnosis.verdict.kind),
+        meaning=meaning(diagnosis.verdict),
         summary=_summary(diagnosis),
         ladder=ladder_picture(rungs_of(diagnosis), signals),
         curves=curve_pictures(layers),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pam_cosim.diagnosis import Diagnosis
+from pam_cosim.diagnosis import Diagnosis, Verdict
 from pam_cosim.reporting.wording import listed, quantity, words
 
 _NAMES = {
@@ -33,6 +33,12 @@ _MEANING = {
         "The description of what is left says where to look."
     ),
 }
+_FORM_OPEN = (
+    "One family stands out: its effect removes nearly all of the error, and no effect of another family comes close. "
+    "What remains has structure all the same, and no second effect explains it: either the family acts at your rig in a "
+    "form that no listed law has, or something smaller is missing besides. Look for the family at the rig; use the "
+    "fitted parameters as a description within the tested range."
+)
 
 
 def kind_name(kind: str) -> str:
@@ -40,9 +46,9 @@ def kind_name(kind: str) -> str:
     return _NAMES[kind]
 
 
-def meaning(kind: str) -> str:
-    """What a kind of verdict says and does not say."""
-    return _MEANING[kind]
+def meaning(verdict: Verdict) -> str:
+    """What a verdict says and does not say."""
+    return _FORM_OPEN if verdict.remainder else _MEANING[verdict.kind]
 
 
 def headline(diagnosis: Diagnosis) -> str:
@@ -53,7 +59,8 @@ def headline(diagnosis: Diagnosis) -> str:
     if verdict.kind == "none_missing":
         return "These data show no missing effect: what the model leaves is noise."
     if verdict.kind == "identified":
-        return f"The model lacks {families} ({' + '.join(verdict.effects)})."
+        form = ", in a form that is open" if verdict.remainder else ""
+        return f"The model lacks {families} ({' + '.join(verdict.effects)}){form}."
     if verdict.kind == "ambiguous":
         return f"An effect is missing, but these data cannot tell {families} apart."
     if verdict.families:

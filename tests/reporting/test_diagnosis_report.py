@@ -163,3 +163,10 @@ def test_nothing_tried_and_nothing_free():
     diagnosis = replace(diagnosis, base=replace(diagnosis.base, parameters={}, failures=()))
     text = checked(diagnosis_report(diagnosis)).text
     assert "No effect could be fitted." in text and "No parameter was free." in text
+
+
+def test_a_family_whose_form_is_open_is_not_said_to_leave_noise() -> None:
+    plain = make_diagnosis("identified")
+    assert "what remains is noise" in checked(diagnosis_report(plain)).text
+    text = checked(diagnosis_report(replace(plain, verdict=replace(plain.verdict, remainder=True)))).text
+    assert "what remains is noise" not in text and "in a form that is open" in text
