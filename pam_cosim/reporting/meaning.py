@@ -35,8 +35,8 @@ _MEANING = {
 }
 _FORM_OPEN = (
     "One family stands out: its effect removes nearly all of the error, and no effect of another family comes close. "
-    "What remains has structure all the same, and no second effect explains it: either the family acts at your rig in a "
-    "form that no listed law has, or something smaller is missing besides. Look for the family at the rig; use the "
+    "What remains has structure all the same, and no second effect explains it: either the family acts at your rig in "
+    "a form that no listed law has, or something smaller is missing besides. Look for the family at the rig; use the "
     "fitted parameters as a description within the tested range."
 )
 
