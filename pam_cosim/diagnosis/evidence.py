@@ -14,12 +14,12 @@ _WHITE_SCORE = 4.0
 _WHITE_SCORE_OF_FEW = 3.0  # the score of n samples cannot exceed sqrt(n)
 _EXCESS = 0.05
 _SLIGHT_EXCESS = 0.01
-_LARGE_EXCESS = 0.5
+_LARGE_EXCESS = 0.3  # in noise variances: more than a wander of half a standard deviation
 _FORETOLD = 0.02
 _DENSE = 100
 _CLEARED = 0.4  # of the excess, that may be left
 _STEP = 0.9  # of the squared error, that a step must leave behind it at most
-_REMAINDER = 0.05  # of the excess, that may be left by the one family that is missing in a form that nobody listed
+_REMAINDER = 0.02  # of the excess, that may be left by the one family that is missing in a form that nobody listed
 _APART = 3.0  # times that excess, that every other family must leave
 
 
