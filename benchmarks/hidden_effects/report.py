@@ -66,7 +66,7 @@ def rate(hits: int, count: int) -> str:
     if not count:
         return "no case"
     low, high = wilson(hits, count)
-    return f"{100 * hits / count:.0f} % ({100 * low:.0f} to {100 * high:.0f}; {hits} of {count})"
+    return f"{100 * hits / count:.3g} % ({100 * low:.0f} to {100 * high:.0f}; {hits} of {count})"
 
 
 @dataclass(frozen=True)

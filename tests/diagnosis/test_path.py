@@ -17,7 +17,7 @@ TREE = read_library()
 MODEL = "PneumaticMuscle.Benches.Isotonic"
 BASE = fitted(100.0, holdout=100.0, score=50.0)
 USELESS = fitted(99.0, holdout=99.0, score=50.0)
-NEAR = fitted(3.0, holdout=3.0, score=30.0, parameters=4)
+NEAR = fitted(2.5, holdout=2.5, score=30.0, parameters=4)
 NOISE = fitted(1.0, holdout=1.0, parameters=6)
 
 
@@ -83,7 +83,7 @@ def test_a_general_member_outdoes_what_leaves_a_remainder_that_does_not_come_aga
 
 
 PARTLY = fitted(2.0, holdout=2.0, score=30.0, parameters=6)
-MOSTLY = fitted(1.3, holdout=1.3, score=30.0, parameters=6)
+MOSTLY = fitted(1.25, holdout=1.25, score=30.0, parameters=6)
 
 
 def test_one_effect_that_takes_away_nearly_all_stays_alone_where_no_second_one_does_the_rest() -> None:
@@ -112,7 +112,7 @@ def test_an_effect_of_a_pair_gives_way_to_another_form_of_its_family_a_listed_on
 
 
 def test_a_second_effect_is_added_to_the_law_unless_the_general_member_does_much_better() -> None:
-    little, much = (fitted(c, holdout=c, score=30.0, parameters=8) for c in (2.9, 1.3))
+    little, much = (fitted(c, holdout=c, score=30.0, parameters=8) for c in (2.4, 1.25))
     law = search({"OrificeLeak": NEAR, "GeneralLeak": little, "OrificeLeak + LinearBladder": NOISE})
     assert found(law) == ["OrificeLeak", "LinearBladder"]
     general = search({"OrificeLeak": NEAR, "GeneralLeak": much, "GeneralLeak + LinearBladder": NOISE})
