@@ -19,6 +19,7 @@ _FORETOLD = 0.02
 _DENSE = 100
 _CLEARED = 0.4  # of the excess, that may be left
 _STEP = 0.9  # of the squared error, that a step must leave behind it at most
+_AS_GOOD = 1.25  # times the squared error of held-out runs, that a model with fewer effects may leave
 _REMAINDER = 0.02  # of the excess, that may be left by the one family that is missing in a form that nobody listed
 _APART = 3.0  # times that excess, that every other family must leave
 
@@ -128,6 +129,15 @@ def leading(ranked: Sequence[Candidate]) -> Candidate:
 def convincing(base: Fit, candidate: Candidate) -> bool:
     """Whether a candidate is better beyond chance, on runs that were fitted and on runs that were not."""
     return candidate.fit is not None and candidate.delta_bic < -SIGNIFICANT and _better(base, candidate.fit)
+
+
+def as_good(fewer: Fit, full: Candidate) -> bool:
+    """Whether a model with fewer effects does as well as a fuller one: by the evidence, and on runs not fitted."""
+    if full.fit is None:
+        return True
+    a, b = fewer.structure["holdout"], full.fit.structure["holdout"]
+    worse = bool(b.samples) and a.chi2 > _AS_GOOD * b.chi2
+    return not worse and not convincing(fewer, rank(fewer, [full])[0])
 
 
 def clears(base: Fit, fit: Fit) -> bool:

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.evidence import (
     alone,
+    as_good,
     clears,
     coherent,
     convincing,
@@ -182,7 +183,7 @@ def _needed(search: Search, base: Fit, path: Sequence[Candidate], tried: list[Ca
         assert full is not None
         without = _refitted(search, [c.effect for c in rest], full, base, tried, again=True)
         last = without[-1].fit
-        if last is not None and not convincing(last, rank(last, [path[-1]])[0]):
+        if last is not None and as_good(last, path[-1]):
             search.say(f"{path[i].effect} is not needed any more")
             path = without
     return path
@@ -212,7 +213,7 @@ def _merged(search: Search, base: Fit, path: Sequence[Candidate], tried: list[Ca
         assert full.fit is not None
         found = search.fewer([c.effect for c in path], full.fit.values, _REST * base.structure["fit"].excess)
         tried += found
-        enough = [c for c in found if c.fit is not None and not convincing(c.fit, rank(c.fit, [full])[0])]
+        enough = [c for c in found if c.fit is not None and as_good(c.fit, full)]
         if not enough:
             break
         best = rank(base, enough)[0]

@@ -6,7 +6,16 @@ import math
 
 import pytest
 
-from pam_cosim.diagnosis.evidence import bic, convincing, degenerate, leading, leaves_structure, rank, structured
+from pam_cosim.diagnosis.evidence import (
+    as_good,
+    bic,
+    convincing,
+    degenerate,
+    leading,
+    leaves_structure,
+    rank,
+    structured,
+)
 from pam_cosim.fitting import Estimate
 from tests.diagnosis.synthetic import EMPTY, KNOWN, LOST, candidate, fitted, statistics
 
@@ -121,3 +130,10 @@ def test_leftovers_count_from_a_fifth_of_the_noise() -> None:
     assert leaves_structure(statistics(1.3, 10.0))
     assert not leaves_structure(statistics(1.15, 10.0))
     assert not leaves_structure(statistics(1.3, 3.0))
+
+
+def test_fewer_effects_do_as_well_only_where_held_out_runs_agree() -> None:
+    full = candidate("Two", fitted(1.0, holdout=1.0, parameters=4))
+    assert as_good(fitted(1.001, holdout=1.1), full)
+    assert not as_good(fitted(1.001, holdout=1.5), full)
+    assert not as_good(fitted(1.5, holdout=1.1), full)
