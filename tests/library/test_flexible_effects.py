@@ -36,7 +36,7 @@ from tests.reference.effects.base import Effect
 
 BESIDE = ("RealGas", "SideVolume", "ThermocoupleStem", "UnevenFriction")
 FLEXIBLE = [e for e in effects() if e.name.startswith("Flexible") or e.name in BESIDE or e.general]
-MOST_CORNERS = 32
+MOST_CORNERS = 16
 P_ATM, T_ATM = 101325.0, 293.15
 Array = np.ndarray
 Form = Callable[[Array], Array]
