@@ -290,7 +290,7 @@ def _swinging_load(rng: np.random.Generator, muscle: MuscleParameters) -> Callab
 def _second_consumer(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
     period, on = _spread(rng, 1.5, 4.0), rng.uniform(0.25, 0.6)
     first = rng.uniform(0.0, 1.0)
-    return lambda s: faults.SecondConsumer(0.06 * s, period, on, first)
+    return lambda s: faults.SecondConsumer(period, on, first, 0.06 * s)
 
 
 def _second_weight(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
@@ -341,7 +341,7 @@ def _long_wire(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[
 
 def _heat_lamp(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
     period, on, first = _spread(rng, 2.0, 5.0), rng.uniform(0.25, 0.6), rng.uniform(0.2, 1.5)
-    return lambda s: mishaps.HeatLamp(0.8 * s, period, on, first)
+    return lambda s: mishaps.HeatLamp(period, on, first, 0.8 * s)
 
 
 T, S, BOTH = ("tuning",), ("score",), SETS

@@ -151,7 +151,7 @@ def clears(base: Fit, fit: Fit) -> bool:
     return after < _CLEARED * before and _better(base, fit)
 
 
-def alone(base: Fit, singles: Sequence[Candidate]) -> Candidate | None:
+def alone(base: Fit, tried: Sequence[Candidate]) -> Candidate | None:
     """The effect that takes away nearly all that exceeds the noise, where no other family comes near; else None.
 
     In the fitted runs and in the others. What is left has structure then, and still the family is beyond doubt: what
@@ -159,9 +159,9 @@ def alone(base: Fit, singles: Sequence[Candidate]) -> Candidate | None:
 
     Args:
         base: the model without effects, fitted.
-        singles: models with one effect each.
+        tried: models with one effect each; others are passed over.
     """
-    ranked = [c for c in rank(base, singles) if c.fit is not None]
+    ranked = [c for c in rank(base, [c for c in tried if len(c.effects) == 1]) if c.fit is not None]
     left: dict[str, float] = {}
     for c in ranked:
         assert c.fit is not None

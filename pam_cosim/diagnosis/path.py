@@ -129,15 +129,11 @@ def _plain(one: Candidate, singles: Sequence[Candidate]) -> Candidate:
 
 def _lone(search: Search, base: Fit, path: list[Candidate], tried: Sequence[Candidate]) -> list[Candidate]:
     """The path, or the one effect beyond doubt where a second one does not take away most of what that leaves."""
-    last, one = path[-1], alone(base, _singles(tried))
+    last, one = path[-1], alone(base, tried)
     if one is None or not _unsolved(last) or (len(path) > 1 and path[0].fit and _nearly(path[0].fit, last)):
         return path
     search.say(f"no second effect explains what is left by {_told(one)}")
     return [one]
-
-
-def _singles(tried: Sequence[Candidate]) -> list[Candidate]:
-    return [c for c in tried if len(c.effects) == 1]
 
 
 def _steps(present: Fit, found: Sequence[Candidate]) -> list[Candidate]:

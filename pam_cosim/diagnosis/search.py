@@ -106,10 +106,8 @@ class Search:
         every = [*found, *among]
         near, chosen = _near(every), worth_refitting(every)
         names, known = {c.effect for c in found}, {c.effect for c in every}
-        values = {c.effect: c.fit.values for c in chosen if c.fit is not None and c.effect in names}
-        again = [
-            replace(t, found=values[t.effect.name], follow=t.follow + 1) for t in trials if t.effect.name in values
-        ]
+        own = _onwards(trials, [c for c in chosen if c.effect in names])
+        again = [replace(t, follow=t.follow + 1) for t in own]
         plain = {t.effect.name for t in _simple(trials)}
         families, rich = _leading_families(chosen, _LEADING_FAMILIES), _leading_families(near, _LEADING_FAMILIES)
         others = [
@@ -157,8 +155,7 @@ class Search:
         own = [(e.name,) for e in self.shelf if e.general and e.name not in seen]
         trials = [_patient(t) for t in self._composed(own, present.values)]
         found = self._brief(trials)
-        leading = {c.effect: c.fit.values for c in _by_error(found)[:_MOST_RESORTS] if c.fit is not None}
-        chosen = [replace(t, found=leading[t.effect.name]) for t in trials if t.effect.name in leading]
+        chosen = _onwards(trials, _by_error(found)[:_MOST_RESORTS])
         better = {c.effect: c for c in self._run("to the end, in the general form of any family,", chosen)}
         return rank(present, [better.get(c.effect, c) for c in found])
 
@@ -170,9 +167,8 @@ class Search:
         less = [_exchanged([e for e in effects if e != left], self.shelf, _richer) for left in reversed(effects)]
         alike = {frozenset(names): names for some in less for names in some}
         trials = self._composed(list(alike.values()), start)
-        few = {c.effects: c.fit for c in self._brief(trials) if c.fit and c.fit.structure["fit"].excess < below}
-        chosen = [replace(_started(t), found=few[t.effects].values) for t in trials if t.effects in few]
-        return self._run("to the end, with one effect less,", chosen)
+        near = [c for c in self._brief(trials) if c.fit and c.fit.structure["fit"].excess < below]
+        return self._run("to the end, with one effect less,", [_started(t) for t in _onwards(trials, near)])
 
     def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:
         if trials:
@@ -198,6 +194,12 @@ class Search:
 def _patient(trial: Trial) -> Trial:
     """A trial of a general member: from many starts, but not creeping along a valley that leads nowhere."""
     return replace(trial, heats=_HEATS, evaluations=_PATIENCE, precision=_CREEP)
+
+
+def _onwards(trials: Sequence[Trial], found: Sequence[Candidate]) -> list[Trial]:
+    """Those of the trials that gave these candidates, with one more start: where the candidate stands."""
+    values = {c.effects: c.fit.values for c in found if c.fit is not None}
+    return [replace(t, found=values[t.effects]) for t in trials if t.effects in values]
 
 
 def _started(trial: Trial) -> Trial:

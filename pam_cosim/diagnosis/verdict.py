@@ -105,7 +105,7 @@ def judge(
     text = f"{' + '.join(effects)} removes {100 * share:.1f} % of the squared error beyond the noise"
     repeated = foretold(last.fit)
     if any(leaves_structure(last.fit.structure[r], repeated) for r in _ROLES):
-        one = alone(base, [c for c in tried if len(c.effects) == 1])
+        one = alone(base, tried)
         if one is not None and one.effects == last.effects:
             return Verdict("identified", families, effects, f"{text}, {_REST}{_caution(last.fit)}", remainder=True)
         return Verdict(

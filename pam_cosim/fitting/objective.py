@@ -108,19 +108,13 @@ class Objective:
         Infinite where a simulation breaks down.
         """
         chosen = sorted({0, len(self.runs) - 1})
-        try:
-            residuals = self._weighted(self._simulate(z, self._signals, chosen), chosen)
-        except SimulationFailure as failure:
-            self._note(failure)
-            return np.inf
+        residuals = self._without_slopes(z, chosen)
         return float(residuals @ residuals) if np.all(np.isfinite(residuals)) else np.inf
 
-    def _without_slopes(self, z: Array) -> Array:
-        """Residuals at a point that is not gone to; what is known of the present one stays."""
-        self.evaluations += 1
-        every = range(len(self.runs))
+    def _without_slopes(self, z: Array, chosen: Sequence[int]) -> Array:
+        """Residuals of the chosen runs, infinite where one breaks down; what is known of the present point stays."""
         try:
-            return self._weighted(self._simulate(z, self._signals, every), every)
+            return self._weighted(self._simulate(z, self._signals, chosen), chosen)
         except SimulationFailure as failure:
             self._note(failure)
             return np.full(self.size, np.inf)
@@ -188,7 +182,8 @@ class Objective:
             moved[i] = min(max(z[i] + h, low[i]), high[i])
             if moved[i] == z[i]:
                 continue
-            shifted = self._without_slopes(moved)
+            self.evaluations += 1
+            shifted = self._without_slopes(moved, range(len(self.runs)))
             if np.all(np.isfinite(shifted)):
                 column: Array = (shifted - at) / (moved[i] - z[i])
                 return column

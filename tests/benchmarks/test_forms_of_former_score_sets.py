@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from math import exp, log, pi, sqrt
 
 import numpy as np
@@ -19,28 +18,11 @@ from benchmarks.hidden_effects.physics import (
     rubbing,
     valves,
 )
-from tests.reference.effects.base import Effect, Now, Rest
+from tests.benchmarks.rig_states import REST, held, now_at
 from tests.reference.effects.force import Creep, MooneyRivlin
 from tests.reference.flow import GAMMA, P_ATM, T_ATM, R
 from tests.reference.muscle import MuscleParameters
 from tests.reference.schedule import Phase, Schedule
-
-REST = Rest(0.0, 1e-4, T_ATM, (0.0, 0.0))
-
-
-def _now(
-    x: float = 0.0, v: float = 0.0, p_gauge: float = 0.0, temperature: float = T_ATM, u: float = 0.0,
-    flow: float = 0.0, heat: float = 0.0,
-) -> Now:  # fmt: skip
-    return Now(x, v, p_gauge, temperature, (u, 0.0), flow, heat)
-
-
-def _held(effect: Effect, now: Now, seconds: float, start: Sequence[float] | None = None) -> np.ndarray:
-    """Own states after so long in the same state of the rig."""
-    y = effect.initial(REST) if start is None else start
-    return solve_ivp(lambda t, q: effect.rates(q, now), (0.0, seconds), y, method="LSODA", rtol=1e-9, atol=1e-12).y[
-        :, -1
-    ]
 
 
 def test_little_stretched_ogden_rubber_is_neo_hookean_and_strays_further_on():
@@ -58,7 +40,7 @@ def test_slack_cord_pulls_only_when_taut():
 
 def test_flowing_rubber_of_first_power_and_even_recovery_are_maxwell():
     known = Creep(400.0, 1.5)
-    q, stretched = [0.02], _now(x=0.05)
+    q, stretched = [0.02], now_at(x=0.05)
     for own in (rubber.FlowingRubber(400.0, 1.5, m=1.0), rubber.SlowRecovery(400.0, 1.5, r=1.0)):
         assert own.rates(q, stretched) == pytest.approx(known.rates(q, stretched))
         assert own.force(q, 0.05, 0.0, 0.0) == known.force(q, 0.05, 0.0, 0.0)
@@ -67,14 +49,14 @@ def test_flowing_rubber_of_first_power_and_even_recovery_are_maxwell():
 def test_flowing_rubber_has_a_power_of_time_as_its_tail():
     own = rubber.FlowingRubber(tau=0.01, x_0=0.01, m=3.0)
     # e' = -e^3/(tau x_0^2) from a large stretch: e^2 = tau x_0^2/(2 t)
-    left = 0.1 - _held(own, _now(x=0.1), 0.02)[0]
+    left = 0.1 - held(own, now_at(x=0.1), 0.02)[0]
     assert left == pytest.approx(0.01 * sqrt(0.01 / (2 * 0.02)), rel=0.05)
 
 
 def test_slow_recovery_takes_r_times_as_long():
     own = rubber.SlowRecovery(tau=1.0, r=4.0)
-    assert _held(own, _now(x=0.05), 1.0)[0] == pytest.approx(0.05 * (1 - exp(-1)), rel=1e-6)
-    assert _held(own, _now(x=0.0), 4.0, [0.05])[0] == pytest.approx(0.05 * exp(-1), rel=1e-6)
+    assert held(own, now_at(x=0.05), 1.0)[0] == pytest.approx(0.05 * (1 - exp(-1)), rel=1e-6)
+    assert held(own, now_at(x=0.0), 4.0, [0.05])[0] == pytest.approx(0.05 * exp(-1), rel=1e-6)
 
 
 def test_capstan_tensions_differ_by_eulers_factor():
@@ -88,9 +70,9 @@ def test_capstan_tensions_differ_by_eulers_factor():
 
 def test_contact_is_as_old_as_its_sliding_takes():
     own = rubbing.AgeingContact(8.0, 0.1, 1e-3)
-    age = _held(own, _now(v=0.02), 2.0)
+    age = held(own, now_at(v=0.02), 2.0)
     assert age[0] == pytest.approx(1e-3 / 0.02, rel=1e-6)
-    assert _held(own, _now(), 3.0)[0] == pytest.approx(8.0)
+    assert held(own, now_at(), 3.0)[0] == pytest.approx(8.0)
     assert own.force([8.0], 0.0, 0.02, 0.0) > own.force(age, 0.0, 0.02, 0.0) > 8.0
 
 
@@ -125,7 +107,7 @@ def test_belted_flywheel_is_a_mass_for_slow_movements():
     own = attachments.BeltedFlywheel(3.0, 12.0, 0.3)
 
     def rates(t: float, q: np.ndarray) -> tuple[float, ...]:
-        return own.rates(q, _now(x=0.1 * t * t, v=0.2 * t))
+        return own.rates(q, now_at(x=0.1 * t * t, v=0.2 * t))
 
     q = solve_ivp(rates, (0.0, 1.0), [0.0, 0.0], rtol=1e-9, atol=1e-12).y[:, -1]
     assert own.force(q, 0.1, 0.2, 0.0) == pytest.approx(3.0 * 0.2, rel=1e-3)
@@ -146,7 +128,7 @@ def test_winding_drum_keeps_its_energy():
 def test_a_coil_that_does_not_saturate_is_a_lag_and_one_that_does_is_quicker():
     def reached(u_s: float) -> float:
         own = valves.SaturatingCoil(0.1, u_s)
-        return own.current(_held(own, _now(u=0.35), 0.1), (0.35, 0.0))[0]
+        return own.current(held(own, now_at(u=0.35), 0.1), (0.35, 0.0))[0]
 
     assert reached(1e6) == pytest.approx(0.35 * (1 - exp(-1)), rel=1e-6)
     assert reached(0.1) > 0.3
@@ -154,8 +136,8 @@ def test_a_coil_that_does_not_saturate_is_a_lag_and_one_that_does_is_quicker():
 
 def test_pilot_stage_arrives_after_twice_its_time():
     own = valves.PilotStage(0.05, 0.35)
-    assert _held(own, _now(u=0.35), 0.05)[0] == pytest.approx(0.35 * 3 / 4, rel=1e-2)
-    assert _held(own, _now(u=0.35), 0.11)[0] == pytest.approx(0.35, rel=2e-3)
+    assert held(own, now_at(u=0.35), 0.05)[0] == pytest.approx(0.35 * 3 / 4, rel=1e-2)
+    assert held(own, now_at(u=0.35), 0.11)[0] == pytest.approx(0.35, rel=2e-3)
 
 
 def test_sharp_edge_goes_from_perrys_first_to_his_last_coefficient():
@@ -192,7 +174,7 @@ def test_kink_opens_with_pressure():
 @pytest.mark.parametrize(("tau", "warmer"), [(1e6, GAMMA), (1e-3, 1.0)])
 def test_dead_end_takes_gas_by_enthalpy_without_walls_and_at_their_temperature_with(tau, warmer):
     own = passages.DeadEnd(1e-5, tau)
-    mass, energy = _held(own, _now(p_gauge=1e5), 3.0)
+    mass, energy = held(own, now_at(p_gauge=1e5), 3.0)
     p = (GAMMA - 1) * energy / own.volume
     assert p == pytest.approx(P_ATM + 1e5, rel=1e-4)
     # without walls what came in brought its enthalpy, gamma times its energy
@@ -216,7 +198,7 @@ def test_film_is_that_of_still_gas_at_rest_and_goes_with_the_root_of_renewal():
     own = films.RenewedFilm(h=10.0, wall=0.0, tau=1.0, m_0=3e-5)
     still = own.film_now(own.initial(REST), 0.0, P_ATM, T_ATM)
     assert still == pytest.approx(5.0)
-    flowing = own.film_now(_held(own, _now(flow=9e-5), 8.0), 0.0, P_ATM, T_ATM)
+    flowing = own.film_now(held(own, now_at(flow=9e-5), 8.0), 0.0, P_ATM, T_ATM)
     assert flowing == pytest.approx(still * sqrt(1 + 3.0), rel=1e-3)
 
 
@@ -230,7 +212,7 @@ def test_pressed_layers_keep_their_heat_and_touch_better_under_pressure():
     own = films.PressedLayers(0.3, 2.0, 0.1, 0.0)
     apart = []
     for p in (0.0, 1e5):
-        bladder, braid = _held(own, _now(p_gauge=p, heat=-0.5), 4.0) - T_ATM
+        bladder, braid = held(own, now_at(p_gauge=p, heat=-0.5), 4.0) - T_ATM
         assert 0.3 * bladder + 0.6 * braid == pytest.approx(0.5 * 4.0)
         apart.append(bladder - braid)
     assert apart[0] > 2 * apart[1]
@@ -239,20 +221,20 @@ def test_pressed_layers_keep_their_heat_and_touch_better_under_pressure():
 def test_all_rubbed_heat_arrives_in_either_direction():
     own = films.SoakedHeat(0.5, 0.2, 2e-3, 2e-4)
     for v in (0.05, -0.05):
-        heat = own.heat(_held(own, _now(v=v, p_gauge=1e5), 4.0))
+        heat = own.heat(held(own, now_at(v=v, p_gauge=1e5), 4.0))
         assert heat == pytest.approx(0.5 * 1e5 * (2e-3 * 0.05**2 + 2e-4 * 0.05), rel=1e-6)
 
 
 def test_potted_bead_comes_a_sixth_of_its_diffusion_time_late():
     own = instruments.PottedBead(1.2)
     q = solve_ivp(
-        lambda t, q: own.rates(q, _now(temperature=T_ATM + 10 * t)), (0.0, 3.0), own.initial(REST), rtol=1e-9
+        lambda t, q: own.rates(q, now_at(temperature=T_ATM + 10 * t)), (0.0, 3.0), own.initial(REST), rtol=1e-9
     ).y[:, -1]
     assert own.reading(q, T_ATM) == pytest.approx(T_ATM + 10 * (3.0 - 1.2 / 6), abs=0.1)
 
 
 def test_bead_without_buoyancy_is_a_lag():
-    q, now = [T_ATM], _now(temperature=T_ATM + 10.0)
+    q, now = [T_ATM], now_at(temperature=T_ATM + 10.0)
     assert instruments.BuoyantBead(0.3, 0.0).rates(q, now)[0] == pytest.approx(10.0 / 0.3)
     assert instruments.BuoyantBead(0.3, 0.5).rates(q, now)[0] == pytest.approx(1.5 * 10.0 / 0.3, rel=1e-5)
 
@@ -278,7 +260,7 @@ def test_readings_and_forces_from_outside():
     assert aslant.position_shown((), 0.0) == 0.0
     assert aslant.position_shown((), 1e-6) == pytest.approx(0.8e-6, rel=1e-4)  # the cosine of its angle
     coils = disturbances.WarmCoils(2.0, 1.0)
-    assert coils.reading(_held(coils, _now(u=0.35), 20.0), T_ATM) == pytest.approx(T_ATM - 2.0)
+    assert coils.reading(held(coils, now_at(u=0.35), 20.0), T_ATM) == pytest.approx(T_ATM - 2.0)
     ringing = disturbances.RestlessStart(8.0, 3.0, 1.0, 0.0)
     assert log(ringing.force([0.0], 0.0, 0.0, 0.0) / ringing.force([3.0], 0.0, 0.0, 0.0)) == pytest.approx(1.0)
     assert disturbances.EmptyBottle(0.2).supply([5.0], 3e5) == pytest.approx(2.7e5)

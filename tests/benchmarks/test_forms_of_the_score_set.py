@@ -25,31 +25,15 @@ from benchmarks.hidden_effects.physics import (
 )
 from benchmarks.hidden_effects.physics.heat import EnergyGas, TwoLayerWall
 from benchmarks.hidden_effects.sizes import Ruler, calibrated
-from tests.reference.effects.base import Effect, Now, Rest
+from tests.benchmarks.rig_states import REST, held, now_at
 from tests.reference.effects.force import Coulomb, Creep, MooneyRivlin
 from tests.reference.effects.heat import WarmWall
 from tests.reference.flow import GAMMA, P_ATM, T_ATM, R, mass_flow
 from tests.reference.muscle import MuscleParameters
 from tests.reference.schedule import Phase, SampledSchedule, Schedule
 
-REST = Rest(0.0, 1e-4, T_ATM, (0.0, 0.0))
 OWN = {"elastomers", "sliding", "terminations", "spools", "conduits", "boundary_layers", "probes", "mishaps"}
 NEW = [form for form in (*table.FORMS, *table.STRANGE) if form.sets == ("score",) and not form.catalogue]
-
-
-def _now(
-    x: float = 0.0, v: float = 0.0, p_gauge: float = 0.0, temperature: float = T_ATM, u: float = 0.0,
-    flow: float = 0.0, heat: float = 0.0,
-) -> Now:  # fmt: skip
-    return Now(x, v, p_gauge, temperature, (u, 0.0), flow, heat)
-
-
-def _held(effect: Effect, now: Now, seconds: float, start: Sequence[float] | None = None) -> np.ndarray:
-    """Own states after so long in the same state of the rig."""
-    y = effect.initial(REST) if start is None else start
-    return solve_ivp(lambda t, q: effect.rates(q, now), (0.0, seconds), y, method="LSODA", rtol=1e-9, atol=1e-12).y[
-        :, -1
-    ]
 
 
 def test_score_set_takes_what_the_catalogue_lacks_from_its_own_files():
@@ -119,7 +103,7 @@ def test_work_on_the_side_spring_is_that_of_its_stretching():
 
 
 def test_creep_without_hardening_or_warmth_is_maxwell():
-    known, q, stretched = Creep(400.0, 1.5), [0.02], _now(x=0.05)
+    known, q, stretched = Creep(400.0, 1.5), [0.02], now_at(x=0.05)
     for own in (elastomers.HardeningCreep(400.0, 1.5, m=0.0), elastomers.WarmCreep(400.0, 1.5)):
         assert own.rates(q, stretched) == pytest.approx(known.rates(q, stretched))
         assert own.force(q, 0.05, 0.0, 0.0) == known.force(q, 0.05, 0.0, 0.0)
@@ -128,25 +112,25 @@ def test_creep_without_hardening_or_warmth_is_maxwell():
 def test_hardened_dashpot_flows_by_a_root_of_time_at_first():
     # q' = e x_0/(tau q) with e near 0.1: q^2 = 2 e x_0 t/tau
     own = elastomers.HardeningCreep(tau=0.3, x_0=1e-6, m=1.0)
-    assert _held(own, _now(x=0.1), 10.0)[0] == pytest.approx(sqrt(2 * 0.1 * 1e-6 * 10.0 / 0.3), rel=0.05)
+    assert held(own, now_at(x=0.1), 10.0)[0] == pytest.approx(sqrt(2 * 0.1 * 1e-6 * 10.0 / 0.3), rel=0.05)
 
 
 def test_time_and_temperature_shift_as_williams_landel_and_ferry_say():
     own = elastomers.WarmCreep(tau=1.0)
     # the universal constants about the glass transition, 90 K lower
     expected = 10 ** (17.44 * 110.0 / (51.6 + 110.0) - 17.44 * 90.0 / (51.6 + 90.0))
-    rates = [own.rates([0.0], _now(x=0.01, temperature=t))[0] for t in (T_ATM, T_ATM + 40.0, T_ATM - 40.0)]
+    rates = [own.rates([0.0], now_at(x=0.01, temperature=t))[0] for t in (T_ATM, T_ATM + 40.0, T_ATM - 40.0)]
     assert rates[1] / rates[0] == pytest.approx(expected, rel=0.02)
     assert rates[2] < rates[0]
 
 
 def test_contact_comes_back_below_its_breakaway_and_slides_beyond():
     own = sliding.ElastoPlastic(8.0, 1e-3, 0.6)
-    there = _held(own, _now(v=0.001), 0.5)
+    there = held(own, now_at(v=0.001), 0.5)
     assert there[0] == pytest.approx(0.5)
-    assert _held(own, _now(v=-0.001), 0.5, there)[0] == pytest.approx(0.0, abs=1e-9)
+    assert held(own, now_at(v=-0.001), 0.5, there)[0] == pytest.approx(0.0, abs=1e-9)
     for v in (0.02, -0.02):
-        assert own.force(_held(own, _now(v=v), 2.0), 0.0, v, 0.0) == pytest.approx(8.0 * np.sign(v), rel=1e-3)
+        assert own.force(held(own, now_at(v=v), 2.0), 0.0, v, 0.0) == pytest.approx(8.0 * np.sign(v), rel=1e-3)
 
 
 def test_wiper_drags_by_its_mean_and_alike_without_a_lip():
@@ -159,11 +143,11 @@ def test_wiper_drags_by_its_mean_and_alike_without_a_lip():
 
 def test_grease_breaks_down_with_shear_and_sets_again():
     own = sliding.ThixotropicGrease(400.0, 0.3, 0.01, 2.0)
-    sheared = _held(own, _now(v=0.05), 10.0)
+    sheared = held(own, now_at(v=0.05), 10.0)
     assert sheared[0] == pytest.approx(1 / (1 + 2.0 * 0.05 / 0.01), rel=1e-6)
     assert own.force([0.0], 0.0, 0.05, 0.0) == pytest.approx(0.3 * 400.0 * 0.05)
     assert own.force([1.0], 0.0, -0.05, 0.0) == pytest.approx(-400.0 * 0.05)
-    assert _held(own, _now(), 2.0, [0.0])[0] == pytest.approx(1 - exp(-1), rel=1e-6)
+    assert held(own, now_at(), 2.0, [0.0])[0] == pytest.approx(1 - exp(-1), rel=1e-6)
 
 
 def test_viscous_bladder_is_the_rate_of_its_stretches():
@@ -219,7 +203,7 @@ def test_command_is_held_for_a_cycle(schedule):
 
 def test_three_lags_answer_as_a_gamma_distribution():
     own = spools.ThreeLags(0.05)
-    q = _held(own, _now(u=0.3), 0.1)
+    q = held(own, now_at(u=0.3), 0.1)
     n = 0.1 / 0.05
     assert own.current(q, (0.3, 0.0)) == pytest.approx((0.3 * (1 - exp(-n) * (1 + n + n * n / 2)), 0.0), rel=1e-6)
 
@@ -247,7 +231,7 @@ def test_steady_line_is_laminar_and_starts_by_its_inertance():
 
 def test_chamber_behind_a_hole_balances_enthalpy():
     own = conduits.OrificeChamber(1e-5, 3e-7)
-    mass, energy = _held(own, _now(p_gauge=1e5), 3.0)
+    mass, energy = held(own, now_at(p_gauge=1e5), 3.0)
     assert (GAMMA - 1) * energy / own.volume == pytest.approx(P_ATM + 1e5, rel=1e-4)
     before = P_ATM * own.volume / (R * T_ATM)
     assert mass - before == pytest.approx(1e5 * own.volume / (R * T_ATM) / GAMMA, rel=1e-4)
@@ -256,12 +240,12 @@ def test_chamber_behind_a_hole_balances_enthalpy():
 
 def test_stub_fills_from_its_mouth_and_in_the_end_alike():
     own = conduits.CapillaryStub(1e-5, 5e-10)
-    early, late = (_held(own, _now(p_gauge=1e5), t) for t in (0.1, 60.0))
+    early, late = (held(own, now_at(p_gauge=1e5), t) for t in (0.1, 60.0))
     assert list(early) == sorted(early, reverse=True)
     assert early[0] > 1.02 * early[2]
     assert late == pytest.approx([(P_ATM + 1e5) * own.volume / 3 / (R * T_ATM)] * 3, rel=1e-6)
     flow = own.exchange(early, P_ATM + 1e5, T_ATM)[0]
-    assert sum(own.rates(early, _now(p_gauge=1e5))) == pytest.approx(flow)
+    assert sum(own.rates(early, now_at(p_gauge=1e5))) == pytest.approx(flow)
 
 
 def test_cut_gapes_with_the_hoop_stress():
@@ -291,15 +275,15 @@ def test_labyrinth_of_many_turns_goes_with_the_root_of_their_number():
 def test_turbulence_decays_as_length_over_time():
     own = boundary_layers.DecayingTurbulence(h=8.0, wall=0.0, h_1=15.0, eddy=0.02, b=2e6)
     assert own.film_now(own.initial(REST), 0.0, P_ATM, T_ATM) == pytest.approx(4.0, abs=0.01)
-    stirred = _held(own, _now(flow=-1e-4), 2.0)
+    stirred = held(own, now_at(flow=-1e-4), 2.0)
     assert stirred[1] == pytest.approx(sqrt(2e6 * 1e-4 * 0.02), rel=1e-6)
-    assert _held(own, _now(), 1.0, list(stirred))[1] == pytest.approx(0.02 / 1.0, rel=0.02)
+    assert held(own, now_at(), 1.0, list(stirred))[1] == pytest.approx(0.02 / 1.0, rel=0.02)
     assert own.film_now([1e-4, 1.0], 0.0, P_ATM, T_ATM) == pytest.approx(11.5, rel=1e-6)
 
 
 def test_gas_spring_in_the_end_only_loses_what_goes_through_the_wall():
     own, plain = boundary_layers.GasSpring(20.0, 1.8e-3, 1.5, 0.3), EnergyGas(20.0, 1.8e-3)
-    q = _held(own, _now(temperature=T_ATM + 20.0), 6.0)
+    q = held(own, now_at(temperature=T_ATM + 20.0), 6.0)
 
     def heat(states: Sequence[float]) -> float:
         film = own.film_now(states, 0.0, P_ATM, T_ATM + 20.0)
@@ -312,20 +296,20 @@ def test_gas_spring_in_the_end_only_loses_what_goes_through_the_wall():
 
 def test_walls_keep_their_heat_and_are_known_ones_at_rest():
     ends = boundary_layers.MetalEnds(0.4, 8.0, 0.0, 0.04)
-    bladder, metal = _held(ends, _now(heat=-0.5), 4.0) - T_ATM
+    bladder, metal = held(ends, now_at(heat=-0.5), 4.0) - T_ATM
     assert 0.4 * bladder + 3.2 * metal == pytest.approx(0.5 * 4.0)
     assert bladder > metal > 0
     layers, warm = TwoLayerWall(0.4, 8.0, 0.04, 0.0), [T_ATM + 5.0, T_ATM + 1.0]
-    assert ends.rates(warm, _now()) == pytest.approx(layers.rates(warm, _now()))
+    assert ends.rates(warm, now_at()) == pytest.approx(layers.rates(warm, now_at()))
     fanned, still = boundary_layers.FannedWall(0.4, 0.02, 0.02), WarmWall(0.4, 0.02)
-    assert fanned.rates(warm[:1], _now()) == pytest.approx(still.rates(warm[:1], _now()), rel=0.03)
-    assert fanned.rates(warm[:1], _now(v=-0.02))[0] == pytest.approx(2 * still.rates(warm[:1], _now())[0], rel=1e-3)
+    assert fanned.rates(warm[:1], now_at()) == pytest.approx(still.rates(warm[:1], now_at()), rel=0.03)
+    assert fanned.rates(warm[:1], now_at(v=-0.02))[0] == pytest.approx(2 * still.rates(warm[:1], now_at())[0], rel=1e-3)
 
 
 def test_contact_that_moves_slowly_gives_all_its_heat():
     def arrived(v: float) -> float:
         own = boundary_layers.MovingContact(0.5, 0.05, 2e-3, 2e-4)
-        return own.heat(_held(own, _now(v=v, p_gauge=1e5), 2.0)) / (1e5 * (2e-3 * v**2 + 2e-4 * abs(v)))
+        return own.heat(held(own, now_at(v=v, p_gauge=1e5), 2.0)) / (1e5 * (2e-3 * v**2 + 2e-4 * abs(v)))
 
     assert arrived(1e-6) == pytest.approx(0.5, rel=0.01)
     assert arrived(0.05) == pytest.approx(0.25, rel=1e-6)
@@ -335,18 +319,18 @@ def test_contact_that_moves_slowly_gives_all_its_heat():
 def test_thermometers_are_late_by_their_times():
     poles = probes.ThreePoles(0.1)
     ramp = solve_ivp(
-        lambda t, q: poles.rates(q, _now(temperature=T_ATM + 10 * t)), (0.0, 4.0), poles.initial(REST), rtol=1e-9
+        lambda t, q: poles.rates(q, now_at(temperature=T_ATM + 10 * t)), (0.0, 4.0), poles.initial(REST), rtol=1e-9
     ).y[:, -1]
     assert poles.reading(ramp, T_ATM) == pytest.approx(T_ATM + 10 * (4.0 - 0.3), abs=0.01)
     lag = probes.LongWire(0.2, 0.0)
-    assert lag.reading(_held(lag, _now(temperature=T_ATM + 10.0), 0.2), T_ATM) == pytest.approx(
+    assert lag.reading(held(lag, now_at(temperature=T_ATM + 10.0), 0.2), T_ATM) == pytest.approx(
         T_ATM + 10 * (1 - exp(-1)), rel=1e-6
     )
 
 
 def test_long_wire_ends_as_a_fin():
     own = probes.LongWire(0.1, 4.0)
-    tip = own.reading(_held(own, _now(temperature=T_ATM + 10.0), 5.0), T_ATM) - T_ATM
+    tip = own.reading(held(own, now_at(temperature=T_ATM + 10.0), 5.0), T_ATM) - T_ATM
     # four pieces of half a decay length each; the tip's middle is half a piece short of the end
     assert tip == pytest.approx(10 * (1 - np.cosh(0.25) / np.cosh(2.0)), rel=0.02)
 
@@ -359,28 +343,28 @@ def test_bridge_is_right_at_small_pressures_and_off_by_its_share_at_full_scale()
 
 
 def test_lamp_goes_on_and_off_at_switches():
-    own = mishaps.HeatLamp(0.5, 2.0, 0.4, 0.5)
+    own = mishaps.HeatLamp(2.0, 0.4, 0.5, 0.5)
     assert {0.5, 1.3, 2.5, 3.3} <= {round(t, 9) for t in own.drive(Schedule.of([Phase(9.0)])).starts}
     assert [own.heat([t]) for t in (0.4, 0.6, 1.2, 1.4, 2.6)] == [0.0, 0.5, 0.5, 0.0, 0.5]
 
 
 def test_tank_loses_what_is_taken_and_recovers():
     own = mishaps.BufferTank(300.0, 1e9)
-    drawn = _held(own, _now(flow=1e-4), 2.0)
+    drawn = held(own, now_at(flow=1e-4), 2.0)
     assert own.supply(drawn, 3e5) == pytest.approx(3e5 * (1 - 300.0 * 2e-4))
-    assert _held(own, _now(flow=-1e-4), 2.0, list(drawn)) == pytest.approx(drawn)
-    assert _held(mishaps.BufferTank(300.0, 3.0), _now(), 3.0, [0.1])[0] == pytest.approx(0.1 * exp(-1), rel=1e-6)
+    assert held(own, now_at(flow=-1e-4), 2.0, list(drawn)) == pytest.approx(drawn)
+    assert held(mishaps.BufferTank(300.0, 3.0), now_at(), 3.0, [0.1])[0] == pytest.approx(0.1 * exp(-1), rel=1e-6)
 
 
 def test_what_the_other_mishaps_show_and_hold():
     sagging = mishaps.SaggingExcitation(0.03)
-    assert sagging.pressure_shown(_held(sagging, _now(u=0.35), 0.2), 1e5) == pytest.approx(0.97e5)
+    assert sagging.pressure_shown(held(sagging, now_at(u=0.35), 0.2), 1e5) == pytest.approx(0.97e5)
     assert sagging.pressure_shown(sagging.initial(REST), 1e5) == 1e5
     magnet = mishaps.HoldingMagnet(8.0, 1e-3)
     assert [magnet.force((), x, 0.0, 0.0) for x in (-1e-4, 1e-3, 1.0)] == pytest.approx([8.0, 2.0, 0.0], abs=1e-4)
     heated = mishaps.SelfHeating(2.0, 3e-5)
     assert heated.reading(heated.initial(REST), T_ATM) == pytest.approx(T_ATM + 2.0)
-    assert heated.reading(_held(heated, _now(flow=-3e-5), 2.0), T_ATM) == pytest.approx(T_ATM + 1.0)
+    assert heated.reading(held(heated, now_at(flow=-3e-5), 2.0), T_ATM) == pytest.approx(T_ATM + 1.0)
 
 
 def test_a_clock_of_its_own_shows_where_the_load_was_or_will_be():
@@ -389,8 +373,8 @@ def test_a_clock_of_its_own_shows_where_the_load_was_or_will_be():
     def place(t: float) -> float:
         return 0.02 * np.sin(2.0 * t)
 
-    q = solve_ivp(lambda t, q: own.rates(q, _now(x=place(t))), (0.0, 3.0), own.initial(REST), rtol=1e-9, atol=1e-12).y[
-        :, -1
-    ]
+    q = solve_ivp(
+        lambda t, q: own.rates(q, now_at(x=place(t))), (0.0, 3.0), own.initial(REST), rtol=1e-9, atol=1e-12
+    ).y[:, -1]
     assert own.position_shown(q, place(3.0)) == pytest.approx(place(3.03), abs=5e-5)
     assert abs(place(3.03) - place(3.0)) > 1e-3

@@ -44,11 +44,9 @@ class Nudge(Clocked):
 
 
 @dataclass(frozen=True)
-class SecondConsumer(Clocked):
-    """A neighbour draws air from the same supply at times: its absolute pressure is lower by a share for a while."""
+class Intermittent(Clocked):
+    """It goes for a share of each period of the clock."""
 
-    form = "second_consumer"
-    share: float = 0.08
     period: float = 2.5  # s
     on: float = 0.4  # share of the period
     first: float = 0.5  # s
@@ -57,9 +55,21 @@ class SecondConsumer(Clocked):
         begins = [self.first + k * self.period for k in range(12)]
         return with_edges(schedule, [*begins, *(t + self.on * self.period for t in begins)])
 
-    def supply(self, q: State, p: float) -> float:
+    def goes(self, q: State) -> bool:
+        """Whether it goes at the time that is its state."""
         place = (q[0] - self.first) / self.period
-        return p * (1 - self.share) if place >= 0 and place % 1 < self.on else p
+        return place >= 0 and place % 1 < self.on
+
+
+@dataclass(frozen=True)
+class SecondConsumer(Intermittent):
+    """A neighbour draws air from the same supply at times: its absolute pressure is lower by a share for a while."""
+
+    form = "second_consumer"
+    share: float = 0.08
+
+    def supply(self, q: State, p: float) -> float:
+        return p * (1 - self.share) if self.goes(q) else p
 
 
 @dataclass(frozen=True)

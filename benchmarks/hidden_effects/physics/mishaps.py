@@ -10,31 +10,23 @@ from dataclasses import dataclass
 from math import sqrt
 from typing import ClassVar
 
-from benchmarks.hidden_effects.physics.faults import with_edges
-from benchmarks.hidden_effects.physics.strange import Clocked, Strange
+from benchmarks.hidden_effects.physics.faults import Intermittent
+from benchmarks.hidden_effects.physics.strange import Strange
 from tests.reference.effects.base import Now, Rest
-from tests.reference.schedule import Schedule
 
 State = Sequence[float]
 
 
 @dataclass(frozen=True)
-class HeatLamp(Clocked):
+class HeatLamp(Intermittent):
     """A lamp or a fan heater beside the rig goes on and off, and a part of its heat reaches the gas."""
 
     form = "heat_lamp"
     power: float = 0.5  # W
     period: float = 3.0  # s
-    on: float = 0.4  # share of the period
-    first: float = 0.5  # s
-
-    def drive(self, schedule: Schedule) -> Schedule:
-        begins = [self.first + k * self.period for k in range(12)]
-        return with_edges(schedule, [*begins, *(t + self.on * self.period for t in begins)])
 
     def heat(self, q: State) -> float:
-        place = (q[0] - self.first) / self.period
-        return self.power if place >= 0 and place % 1 < self.on else 0.0
+        return self.power if self.goes(q) else 0.0
 
 
 @dataclass(frozen=True)
