@@ -9,7 +9,7 @@ from pathlib import Path
 from pam_cosim.comparison import without_outliers
 from pam_cosim.compiler import effect_classes, read_library
 from pam_cosim.diagnosis.candidate import Candidate, role_summary
-from pam_cosim.diagnosis.evidence import rank
+from pam_cosim.diagnosis.evidence import incomplete, rank
 from pam_cosim.diagnosis.explanation import learned_term, ledger_of
 from pam_cosim.diagnosis.learning import LearnedTerm
 from pam_cosim.diagnosis.missing_term import missing_term
@@ -147,7 +147,7 @@ def diagnose(
     others: list[Plan] = []
     if path:
         last = [c for c in tried if c.effects[:-1] == path[-1].effects[:-1]]
-        others = told_apart(data, path[-1], rivals(path[-1], last), sources)
+        others = _others(data, path[-1], rivals(path[-1], last), sources)
     verdict = judge(base, path, [c for c, _ in others], tried)
     present = path[-1].fit or base if path else base
     added = [c.effect for c in path]
@@ -170,6 +170,13 @@ def diagnose(
         ledger=ledger,
         learned=learned,
     )
+
+
+def _others(data: DataSet, best: Candidate, near: Sequence[Candidate], files: Sequence[Path]) -> list[Plan]:
+    """Rivals of the best, with the run that would decide where either may be right: not where both leave structure."""
+    if best.fit is None or incomplete(best.fit):
+        return [(c, None) for c in near]
+    return told_apart(data, best, near, files)
 
 
 def _base(

@@ -63,6 +63,12 @@ def leaves_structure(s: Structure, repeated: Systematic | None = None) -> bool:
     return bool(s.samples) and _correlated(s) and s.excess > 0.2 * max(1.0, s.level) and _comes_again(s, repeated)
 
 
+def incomplete(fit: Fit) -> bool:
+    """Whether a model that explains much leaves structure all the same, in runs that were fitted or in others."""
+    repeated = foretold(fit)
+    return any(leaves_structure(s, repeated) for s in fit.structure.values())
+
+
 def _comes_again(s: Structure, repeated: Systematic | None) -> bool:
     if repeated is None or math.isnan(repeated.variance) or s.excess > _LARGE_EXCESS * max(1.0, s.level):
         return True

@@ -8,7 +8,7 @@ from math import prod
 from typing import Literal
 
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.evidence import SIGNIFICANT, alone, foretold, leaves_structure, structured
+from pam_cosim.diagnosis.evidence import SIGNIFICANT, alone, foretold, incomplete, structured
 from pam_cosim.fitting import Fit
 
 Kind = Literal["none_missing", "identified", "ambiguous", "unknown"]
@@ -22,7 +22,7 @@ class Verdict:
     Attributes:
         kind: none_missing, identified, ambiguous or unknown.
         families: missing families, in the order in which they were added; for an ambiguous verdict, those that
-            the data cannot tell apart are all listed.
+            the data cannot tell apart are all listed. For an unknown one, those that explain a part, without rivals.
         effects: the effect classes, likewise.
         reason: the verdict in a sentence or two.
         remainder: a family is identified, and still what remains has structure: its form is not listed.
@@ -86,7 +86,11 @@ def _refuted(rival: Fit, best: Fit) -> bool:
 def judge(
     base: Fit, path: Sequence[Candidate], others: Sequence[Candidate], tried: Sequence[Candidate] = ()
 ) -> Verdict:
-    """Turns the effects that were added (``path``), rivals of the last one and all that were tried into a verdict."""
+    """Turns the effects that were added (``path``), rivals of the last one and all that were tried into a verdict.
+
+    What leaves structure is unknown, whatever its rivals: that two families fail alike does not make one of them the
+    answer.
+    """
     if not path:
         repeated = foretold(base)
         if any(structured(base.structure[r], repeated) for r in _ROLES):
@@ -97,20 +101,19 @@ def judge(
     families = tuple(c.family for c in path)
     effects = tuple(c.effect for c in path)
     share = explained(base, last.fit)
+    text = f"{' + '.join(effects)} removes {100 * share:.1f} % of the squared error beyond the noise"
+    names = " and ".join([last.family, *(c.family for c in others)])
+    if incomplete(last.fit):
+        one = alone(base, tried)
+        if one is not None and one.effects == last.effects and not others:
+            return Verdict("identified", families, effects, f"{text}, {_REST}{_caution(last.fit)}", remainder=True)
+        text += ", but what remains has structure: something else is missing."
+        also = f" Nor can these data separate {names}, and none of them is the answer." if others else ""
+        return Verdict("unknown", families, effects, text + also)
     if others:
         families += tuple(c.family for c in others)
         effects += tuple(c.effect for c in others)
-        names = " and ".join([last.family, *(c.family for c in others)])
         return Verdict("ambiguous", families, effects, f"These data cannot separate {names}.")
-    text = f"{' + '.join(effects)} removes {100 * share:.1f} % of the squared error beyond the noise"
-    repeated = foretold(last.fit)
-    if any(leaves_structure(last.fit.structure[r], repeated) for r in _ROLES):
-        one = alone(base, tried)
-        if one is not None and one.effects == last.effects:
-            return Verdict("identified", families, effects, f"{text}, {_REST}{_caution(last.fit)}", remainder=True)
-        return Verdict(
-            "unknown", families, effects, f"{text}, but what remains has structure: something else is missing."
-        )
     loud = last.fit.structure["fit"].chi2_reduced
     noise = f"; the noise is {loud**0.5:.2g} times the stated one" if loud > 1.5 else ""
     return Verdict(

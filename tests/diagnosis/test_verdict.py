@@ -79,6 +79,33 @@ def test_the_one_family_that_takes_away_nearly_all_is_identified_and_its_form_le
     assert judge(LOUD, [one], [], [one, far, near]).kind == "unknown"
 
 
+def test_what_leaves_structure_is_unknown_whatever_its_rivals() -> None:
+    dry = candidate("Dry", fitted(50.0, holdout=49.0, score=30.0), "dry_friction")
+    rate = candidate("Rate", fitted(50.1, holdout=49.0, score=30.0), "rate_friction")
+    verdict = judge(LOUD, [dry], [rate])
+    assert (verdict.kind, verdict.families, verdict.effects) == ("unknown", ("dry_friction",), ("Dry",))
+    assert "separate dry_friction and rate_friction" in verdict.reason and "something else" in verdict.reason
+    second = candidate("Rate", fitted(50.0, holdout=49.0, score=30.0), "rate_friction", before=("Spring",))
+    first = candidate("Spring", fitted(60.0, holdout=60.0, score=30.0), "elasticity")
+    assert judge(LOUD, [first, second], [dry]).families == ("elasticity", "rate_friction")
+
+
+def test_structure_in_the_holdout_runs_alone_makes_rivals_unknown() -> None:
+    dry = candidate("Dry", fitted(1.0, holdout=1.0), "dry_friction")
+    assert dry.fit is not None
+    dry.fit.structure["holdout"] = LOUD.structure["holdout"]
+    rate = candidate("Rate", fitted(1.0, holdout=1.0), "rate_friction")
+    assert judge(LOUD, [dry], [rate]).kind == "unknown"
+
+
+def test_one_family_beyond_doubt_has_no_rival() -> None:
+    one = candidate("Leak", fitted(1.3, holdout=1.3, score=30.0), "leak")
+    near = candidate("Offset", fitted(1.3, holdout=1.3, score=30.0), "offset")
+    assert judge(LOUD, [one], [], [one]).remainder
+    verdict = judge(LOUD, [one], [near], [one])
+    assert (verdict.kind, verdict.remainder) == ("unknown", False)
+
+
 @pytest.mark.parametrize(("fit", "holdout"), [(5.0, 1.3), (1.3, 5.0)])
 def test_it_takes_away_nearly_all_in_runs_of_both_roles(fit: float, holdout: float) -> None:
     one = candidate("Leak", fitted(fit, holdout=holdout, score=30.0), "leak")

@@ -1,4 +1,4 @@
-"""Data that cannot separate families: the diagnosis says so, and which run would."""
+"""Data that cannot separate families: the diagnosis says so, and which run would; unless neither is the answer."""
 
 from __future__ import annotations
 
@@ -8,11 +8,23 @@ import numpy as np
 
 from pam_cosim import study
 from pam_cosim.measurement import DataSet
-from tests.fitting.models import data_set, recording
+from tests.fitting.models import (
+    DIAMETER,
+    KNOWN,
+    P_START,
+    T_START,
+    TRUE_C_D,
+    TRUE_N,
+    VOLUME,
+    data_set,
+    recording,
+)
 from tests.reference.effects import effect_of
+from tests.reference.flow import P_ATM
 from tests.reference.muscle import simulate_muscle
 from tests.reference.rig import TRUTH
 from tests.reference.schedule import Phase, Schedule
+from tests.reference.tank import Vessel, orifice_port, simulate_vessel
 
 
 def _one_hold(seed: int) -> DataSet:
@@ -51,3 +63,30 @@ def test_one_hold_cannot_separate_what_shortens_the_stroke(workers: int | None) 
     assert isinstance(plan["evidence"], float) and plan["evidence"] > 10
     best, other = (next(c for c in found.candidates if c.family == f) for f in verdict.families[:2])
     assert abs(best.delta_bic - other.delta_bic) < 10
+
+
+def _swinging_vessel(seed: int) -> DataSet:
+    """A vessel that takes heat from its wall while it empties, beside a machine that makes its gauge swing by 4 kPa.
+
+    From the pressure alone a gauge that bends says the same as the heat, to the noise; what swings, nobody says.
+    """
+    times = np.linspace(0.0, 20.0, 201)
+    vessel = Vessel(VOLUME, TRUE_N, P_START + P_ATM, T_START)
+    port = orifice_port(DIAMETER, TRUE_C_D, 0.0)
+    found = simulate_vessel(vessel, port, times, P_START, effects=[effect_of("gas_energy:film:h=12")])
+    swing = 4e3 * np.sin(2 * np.pi * times * 9 / 20)
+    p = found.p + swing + 1e3 * np.random.default_rng(seed).standard_normal(len(times))
+    known = {**KNOWN, "orifice.C_d": TRUE_C_D, "tank.n": TRUE_N}
+    run = replace(recording(times, {"p": p}), parameters=known)
+    return data_set("PneumaticMuscle.Benches.VesselOrifice", [run], {"p": 1e3}, parameters=known)
+
+
+def test_what_two_families_leave_alike_is_unknown(workers: int | None) -> None:
+    found = study.diagnose(_swinging_vessel(3), workers=workers, explain=False)
+    verdict = found.verdict
+    best, rival = (next(c for c in found.candidates if c.family == f) for f in ("gas_energy", "pressure_offset"))
+    assert abs(best.delta_bic - rival.delta_bic) < 10  # the data cannot tell them apart
+    assert (verdict.kind, verdict.families, verdict.effects) == ("unknown", (best.family,), (best.effect,)), verdict
+    assert "separate gas_energy and pressure_offset" in verdict.reason
+    assert found.next_experiment is None  # it would decide between two that are wrong
+    assert found.missing_term is not None
