@@ -1,4 +1,4 @@
-"""FMUs of the benches, built once (the cache keeps them), and how many processes a diagnosis may use here."""
+"""The two tiers, FMUs of the benches (the cache keeps them), and how many processes a diagnosis may use here."""
 
 from __future__ import annotations
 
@@ -9,6 +9,18 @@ from pathlib import Path
 import pytest
 
 from pam_cosim import study
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--full", action="store_true", help="also run the tests marked 'full'")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    if config.getoption("--full"):
+        return
+    slow = [item for item in items if item.get_closest_marker("full")]
+    items[:] = [item for item in items if not item.get_closest_marker("full")]
+    config.hook.pytest_deselected(items=slow)
 
 
 @pytest.fixture(scope="session")

@@ -9,7 +9,7 @@ import pytest
 
 from benchmarks.hidden_effects.physics import force, gas, heat
 from pam_cosim.simulation import Simulator
-from tests.library.shelf import NOISE, built, effects, homes, values
+from tests.library.shelf import NOISE, built, effects, on_bench, values
 from tests.library.test_effects_against_rig import BENCH, RUN, TIMES, _drive
 from tests.reference.muscle import simulate_muscle
 from tests.reference.rig import TRUTH
@@ -40,7 +40,7 @@ def test_same_physics_same_curve(name: str) -> None:
     hidden, own = SAME[name]
     effect = next(e for e in effects() if e.name == name)
     assert effect.family == hidden.family
-    parameters = values(effect, homes(name)[BENCH], own)
+    parameters = values(effect, on_bench(name, BENCH), own)
     parameters |= {"valve.C_A": TRUTH.calibration, "muscle.mu_fb": TRUTH.mu_fb, "load.m": RUN.load}
     expected = simulate_muscle(
         replace(TRUTH, load=RUN.load), RUN.p_supply, RUN.schedule, TIMES, [hidden], method="LSODA"

@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from pam_cosim.simulation import Inputs, Simulator
-from tests.library.shelf import built, homes
-from tests.library.spans import BENCH, coefficients, misses
+from tests.library.shelf import BENCH, built, on_bench
+from tests.library.spans import coefficients, misses
 from tests.reference.effects.base import Effect
 from tests.reference.muscle import simulate_muscle
 from tests.reference.plan import Run, default_plan
@@ -30,7 +30,7 @@ def left_of(law: Effect, effect: str, start: Mapping[str, float] | None = None) 
     """
     target = _measured([law])
     size = float(np.sqrt(np.mean((target - _measured([])) ** 2)))
-    names = homes(effect)[BENCH].parameters[effect]
+    names = on_bench(effect, BENCH).parameters[effect]
     with Simulator(built(BENCH, effect)) as simulator:
 
         def readings(values: dict[str, float]) -> Array:

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from functools import cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 
-from pam_cosim.compiler import ClassTree, Composition, EffectClass, compose, effect_classes, read_library
+from pam_cosim.compiler import ClassTree, Composition, EffectClass, compile_model, compose, effect_classes, read_library
 from pam_cosim.errors import ModelError
 from pam_cosim.fmu import build_model, build_source
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.simulation import Inputs, Simulator
 
+BENCH = "PneumaticMuscle.Benches.Isotonic"
 TIMES = np.linspace(0, 10, 501)
 NOISE = {"Pa": 500.0, "m": 2e-4, "K": 0.3, "N": 1.0, "1": 1e-3, "": 1e-3}
 """What an instrument can show, by the unit of its signal."""
@@ -45,22 +47,44 @@ def benches() -> tuple[str, ...]:
 
 
 @cache
+def composed(bench: str, effect: str) -> Composition | None:
+    """The bench with an effect; None where it finds no place."""
+    return compose(tree(), bench, [effect])
+
+
+@cache
+def law_bench(effect: str) -> str:
+    """The one bench on which an effect's law is tested; elsewhere it only has to find its place."""
+    return next(b for b in (BENCH, *benches()) if (c := composed(b, effect)) and not _needs_rate_of_input(c))
+
+
+def on_bench(effect: str, bench: str = "") -> Composition:
+    """The composition on a bench, by default the one on which its law is tested."""
+    composition = composed(bench or law_bench(effect), effect)
+    assert composition is not None
+    return composition
+
+
+@cache
 def homes(effect: str) -> dict[str, Composition]:
-    """The benches in which an effect finds a place.
+    """All benches in which an effect finds a place.
 
     Where a bench imposes a contraction or a pressure without its rate, what depends on the rate has none.
     """
-    found = {bench: compose(tree(), bench, [effect]) for bench in benches()}
-    return {b: c for b, c in found.items() if c is not None and not _needs_rate_of_input(c)}
+    all_composed = {bench: composed(bench, effect) for bench in benches()}
+    return {b: c for b, c in all_composed.items() if c is not None and not _needs_rate_of_input(c)}
 
 
 def _needs_rate_of_input(composition: Composition) -> bool:
-    try:
-        build_source(composition.name, composition.text)
-    except ModelError as problem:
-        if "needs the derivative of its input" in problem.message:
-            return True
-        raise
+    with TemporaryDirectory() as folder:
+        file = Path(folder) / f"{composition.name}.mo"
+        file.write_text(composition.text)
+        try:
+            compile_model(str(file))
+        except ModelError as problem:
+            if "needs the derivative of its input" in problem.message:
+                return True
+            raise
     return False
 
 
@@ -84,7 +108,7 @@ def base(bench: str) -> tuple[Values, Interface]:
 
 @cache
 def built(bench: str, effect: str) -> Path:
-    composition = homes(effect)[bench]
+    composition = on_bench(effect, bench)
     return build_source(composition.name, composition.text)
 
 

@@ -14,9 +14,8 @@ from pam_cosim.fmu import build_source
 from pam_cosim.interface import Interface
 from pam_cosim.simulation import Inputs, Simulator
 from tests.library.ode import Model
-from tests.library.shelf import homes
+from tests.library.shelf import BENCH, on_bench
 
-BENCH = "PneumaticMuscle.Benches.Isotonic"
 Array = np.ndarray
 
 
@@ -32,7 +31,7 @@ class Law:
 
     def __init__(self, effect: str, local: str, at: Mapping[str, Array | float], weight: Array | float = 1.0) -> None:
         self._weight = weight
-        composition = homes(effect)[BENCH]
+        composition = on_bench(effect, BENCH)
         with TemporaryDirectory() as folder:
             model = Model(composition.name, composition.text, Path(folder))
         ode = model.ode

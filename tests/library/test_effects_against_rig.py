@@ -8,13 +8,12 @@ import numpy as np
 import pytest
 
 from pam_cosim.simulation import Inputs, Simulator
-from tests.library.shelf import NOISE, built, effects, homes, values
+from tests.library.shelf import BENCH, NOISE, built, effects, on_bench, values
 from tests.reference.effects import effect_of
 from tests.reference.muscle import simulate_muscle
 from tests.reference.plan import default_plan
 from tests.reference.rig import TRUTH
 
-BENCH = "PneumaticMuscle.Benches.Isotonic"
 TIMES = np.linspace(0, 10, 501)
 RUN = default_plan()[2]  # fills, holds and vents in parts under a small load
 
@@ -51,7 +50,7 @@ def test_same_physics_same_curve(form: str) -> None:
     effect = next(e for e in effects() if e.name == name)
     if name == "EnergyGas":  # the rig's film coefficient is that of the whole wall
         own = {"h": 2 / (1 / own["h"] - TRUTH.t_wall / TRUTH.k_wall)}
-    parameters = values(effect, homes(name)[BENCH], own)
+    parameters = values(effect, on_bench(name, BENCH), own)
     parameters |= {"valve.C_A": TRUTH.calibration, "muscle.mu_fb": TRUTH.mu_fb, "load.m": RUN.load}
     muscle = replace(TRUTH, load=RUN.load)
     expected = simulate_muscle(muscle, RUN.p_supply, RUN.schedule, TIMES, [effect_of(form)])

@@ -13,7 +13,7 @@ from scipy.signal import lsim
 from pam_cosim.compiler import EffectClass
 from pam_cosim.interface import Interface
 from tests.library.rig_spans import left_of
-from tests.library.shelf import base, built, effects, homes, noise, run
+from tests.library.shelf import BENCH, base, built, effects, homes, law_bench, noise, on_bench, run
 from tests.library.spans import DRIVE, HARNESS, Law, course_misses
 from tests.library.unlisted import (
     Arm,
@@ -42,14 +42,27 @@ Array = np.ndarray
 Form = Callable[[Array], Array]
 
 
-@pytest.mark.parametrize("effect", FLEXIBLE, ids=lambda e: e.name)
-def test_runs_at_every_corner_of_its_bounds(effect: EffectClass) -> None:
-    for bench, composition in homes(effect.name).items():
-        fmu = built(bench, effect.name)
-        _, interface = run(fmu, {})
-        for corner in _corners(interface, composition.parameters[effect.name]):
-            outputs, _ = run(fmu, corner)
-            assert all(np.isfinite(y).all() for y in outputs.values()), (bench, corner)
+every_flexible = pytest.mark.parametrize("effect", FLEXIBLE, ids=lambda e: e.name)
+
+
+@every_flexible
+def test_runs_at_the_corners_of_its_bounds(effect: EffectClass) -> None:
+    _run_at_corners(effect, law_bench(effect.name))
+
+
+@pytest.mark.full
+@every_flexible
+def test_runs_at_the_corners_of_its_bounds_on_every_bench(effect: EffectClass) -> None:
+    for bench in homes(effect.name):
+        _run_at_corners(effect, bench)
+
+
+def _run_at_corners(effect: EffectClass, bench: str) -> None:
+    fmu = built(bench, effect.name)
+    _, interface = run(fmu, {})
+    for corner in _corners(interface, on_bench(effect.name, bench).parameters[effect.name]):
+        outputs, _ = run(fmu, corner)
+        assert all(np.isfinite(y).all() for y in outputs.values()), (bench, corner)
 
 
 def _corners(interface: Interface, names: Sequence[str]) -> Iterator[dict[str, float]]:
@@ -374,15 +387,14 @@ CONTAINED: dict[tuple[str, str], tuple[dict[str, float], dict[str, float]]] = {
 @pytest.mark.parametrize("pair", CONTAINED, ids=lambda pair: " in ".join(reversed(pair)))
 def test_general_member_contains_the_others(pair: tuple[str, str]) -> None:
     own, rest = CONTAINED[pair]
-    bench = "PneumaticMuscle.Benches.Isotonic"
     both = []
     for name in pair:
-        composition = homes(name)[bench]
+        composition = on_bench(name, BENCH)
         chosen = own | rest
         named = {n: chosen[k] for n in composition.parameters[name] if (k := n.rpartition(".")[2]) in chosen}
-        both.append(run(built(bench, name), named))
+        both.append(run(built(BENCH, name), named))
     (one, interface), (other, _) = both
-    without, _ = base(bench)
+    without, _ = base(BENCH)
     for name in one:
         assert one[name] == pytest.approx(other[name], abs=0.1 * noise(interface.outputs[name])), name
     assert any(np.max(np.abs(one[n] - without[n])) > noise(interface.outputs[n]) for n in one)

@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from pam_cosim.simulation import Simulator
-from tests.library.shelf import built, effects, homes, values
+from tests.library.shelf import built, effects, on_bench, values
 from tests.reference.flow import GAMMA, P_ATM, T_ATM, R, mass_flow
 
 BENCH = "PneumaticMuscle.Benches.VesselOrifice"
@@ -45,7 +45,7 @@ def by_hand(c: float) -> np.ndarray:
 @pytest.mark.parametrize("c", [0.02, 0.13])
 def test_discharge(c: float) -> None:
     effect = next(e for e in effects() if e.name == "FreeConvectionGas")
-    parameters = values(effect, homes(effect.name)[BENCH], {"c": c})
+    parameters = values(effect, on_bench(effect.name, BENCH), {"c": c})
     known = {"tank.V": VOLUME, "tank.p_start": P_START, "orifice.d": DIAMETER, "orifice.C_d": C_D}
     with Simulator(built(BENCH, effect.name)) as simulator:
         found = simulator.run(TIMES, parameters=parameters | known, tolerance=1e-8).values

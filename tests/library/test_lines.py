@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from pam_cosim.simulation import Inputs, Simulator
-from tests.library.shelf import built, effects, homes, values
+from tests.library.shelf import built, effects, on_bench, values
 from tests.reference.flow import GAMMA, P_ATM, T_ATM, R, mass_flow, valve_area
 
 BENCH = "PneumaticMuscle.Benches.TankFilling"
@@ -62,7 +62,7 @@ def by_hand(volume, flow, isothermal):  # type: ignore[no-untyped-def]
 def test_tank_behind_a_line(name: str) -> None:
     own, volume, flow = LINES[name]
     effect = next(e for e in effects() if e.name == name)
-    parameters = values(effect, homes(name)[BENCH], own)
+    parameters = values(effect, on_bench(name, BENCH), own)
     drive = {
         "u_in": np.array([0.35, 0.0]),
         "u_out": np.array([0.0, 0.35]),
