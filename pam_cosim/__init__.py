@@ -11,7 +11,9 @@ pam.add(diagnosis.verdict.effects, to=data.model, output="Better.mo")
 
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError, ModelError, SimulationFailure
+from pam_cosim.simulation import Inputs, Trajectory
 from pam_cosim.study import (
+    SweepPoint,
     add,
     benches,
     build,
@@ -28,8 +30,11 @@ from pam_cosim.study import (
 __all__ = [
     "Diagnosis",
     "InputError",
+    "Inputs",
     "ModelError",
     "SimulationFailure",
+    "SweepPoint",
+    "Trajectory",
     "add",
     "benches",
     "build",

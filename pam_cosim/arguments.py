@@ -1,4 +1,4 @@
-"""Words of the command line that stand for numbers and inputs."""
+"""Words of the command line that stand for settings and inputs."""
 
 from __future__ import annotations
 
@@ -8,27 +8,47 @@ from pathlib import Path
 import numpy as np
 
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Interface, Variable
-from pam_cosim.measurement import UnitError, quantity, read_recording
-from pam_cosim.measurement.wording import did_you_mean
+from pam_cosim.interface import Interface
+from pam_cosim.measurement import read_recording
+from pam_cosim.settings import settable, value_of
 from pam_cosim.simulation import Inputs
 
 
-def parse_settings(settings: Sequence[str], interface: Interface) -> dict[str, float]:
-    """``NAME=VALUE`` words to parameters [SI]; a value without a unit is in the model's own unit.
+def fmu_files(models: Sequence[str], output: Path) -> list[tuple[str, Path]]:
+    """Each model and the file for its FMU: ``output`` itself if its name ends in ``.fmu``, one in that folder if not.
 
     Raises:
-        InputError: not of that form, an unknown parameter, a value out of range or of another dimension.
+        InputError: several models for one file.
     """
-    values = {}
+    if output.suffix.lower() == ".fmu":
+        if len(models) != 1:
+            raise InputError(f"this is one file, for {len(models)} models; name one model, or a folder", output)
+        return [(models[0], output)]
+    files: dict[Path, str] = {}
+    for model in models:
+        name = Path(model).stem if model.endswith((".mo", ".fmu")) else model.rpartition(".")[2]
+        if files.setdefault(output / f"{name}.fmu", model) != model:
+            raise InputError(f"two models would be written to '{name}.fmu'; build them into two folders", output)
+    return [(model, file) for file, model in files.items()]
+
+
+def parse_settings(settings: Sequence[str], interface: Interface) -> dict[str, float]:
+    """``NAME=VALUE`` words to values [SI]; one without a unit is in the model's own unit.
+
+    Raises:
+        InputError: not of that form, a name twice, and as ``settings.resolve``.
+    """
+    values: dict[str, float] = {}
     for word in settings:
         name, text = _split(word, "NAME=VALUE, such as load.m='5 kg'")
-        values[name] = _value(text, _parameter(name, interface), word)
+        if name in values:
+            raise InputError(f"'{name}' is set twice")
+        values[name] = value_of(text, settable(name, interface))
     return values
 
 
 def parse_variations(words: Sequence[str], interface: Interface) -> dict[str, list[float]]:
-    """``NAME=FROM:TO:N`` or ``NAME=A,B,C`` words to lists of parameter values [SI].
+    """``NAME=FROM:TO:N`` or ``NAME=A,B,C`` words to lists of values [SI].
 
     Raises:
         InputError: as ``parse_settings``.
@@ -36,18 +56,33 @@ def parse_variations(words: Sequence[str], interface: Interface) -> dict[str, li
     found: dict[str, list[float]] = {}
     for word in words:
         name, text = _split(word, "NAME=FROM:TO:N or NAME=A,B,C")
-        variable = _parameter(name, interface)
+        variable = settable(name, interface)
         if name in found:
             raise InputError(f"'{name}' is varied twice")
         if ":" in text:
             parts = text.split(":")
             if len(parts) != 3 or not parts[2].strip().isdigit() or int(parts[2]) < 1:
                 raise InputError(f"'{word}': write FROM:TO:N, such as load.m=1:10:5")
-            low, high = (_value(p, variable, word) for p in parts[:2])
+            low, high = (value_of(p, variable) for p in _alike(parts[:2], word))
             found[name] = [float(v) for v in np.linspace(low, high, int(parts[2]))]
         else:
-            found[name] = [_value(p, variable, word) for p in text.split(",")]
+            found[name] = [value_of(p, variable) for p in _alike(text.split(","), word)]
     return found
+
+
+def _alike(texts: list[str], word: str) -> list[str]:
+    """The same texts; "138, 207 kPa" would be 138 Pa and 207 kPa."""
+    if len({_is_number(text) for text in texts}) > 1:
+        raise InputError(f"'{word}': some of the values have a unit and some have none; write it with each of them")
+    return texts
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
 
 
 def read_inputs(file: Path, interface: Interface) -> Inputs:
@@ -68,27 +103,3 @@ def _split(word: str, form: str) -> tuple[str, str]:
     if not equals or not name.strip() or not text.strip():
         raise InputError(f"'{word}': write {form}")
     return name.strip(), text.strip()
-
-
-def _parameter(name: str, interface: Interface) -> Variable:
-    if name not in interface.parameters:
-        hint = did_you_mean(name, list(interface.parameters))
-        raise InputError(f"{interface.model} has no parameter '{name}'; {hint}")
-    return interface.parameters[name]
-
-
-def _value(text: str, variable: Variable, word: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        try:
-            value = quantity(text, variable.unit)
-        except UnitError as problem:
-            raise InputError(f"'{word}': {problem}") from problem
-    if not np.isfinite(value):
-        raise InputError(f"'{word}': the value must be a finite number")
-    low, high = variable.min, variable.max
-    if (low is not None and value < low) or (high is not None and value > high):
-        unit = "" if variable.unit == "1" else variable.unit
-        raise InputError(f"'{word}': must be between {low} and {high} {unit}".rstrip())
-    return value

@@ -13,7 +13,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.table import Table
 
 from pam_cosim import study
-from pam_cosim.arguments import parse_settings, parse_variations, read_inputs
+from pam_cosim.arguments import fmu_files, parse_settings, parse_variations, read_inputs
 from pam_cosim.comparison import Comparison
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError, SimulationFailure
@@ -27,6 +27,7 @@ app = typer.Typer(
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
+    rich_markup_mode=None,
     help="Compare models of pneumatic muscles with measurements and find the physical effect they lack.",
 )
 _console = Console(stderr=True, highlight=False)
@@ -35,7 +36,10 @@ ModelOption = Annotated[str | None, typer.Option("--model", help="A bench, a Mod
 FilesOption = Annotated[list[Path] | None, typer.Option("--file", help="A further Modelica file, for own effects.")]
 JsonOption = Annotated[Path | None, typer.Option("--json", help="Write the result as JSON, SI units.")]
 ReportOption = Annotated[Path | None, typer.Option("--report", help="Write a self-contained HTML report.")]
-SetOption = Annotated[list[str] | None, typer.Option("--set", help='A parameter: NAME=VALUE, such as load.m="5 kg".')]
+SetOption = Annotated[
+    list[str] | None,
+    typer.Option("--set", help='NAME=VALUE, such as load.m="5 kg": a parameter, or an input held constant.'),
+]
 Data = Annotated[Path, typer.Argument(help="Folder with experiment.toml and CSV files.")]
 
 
@@ -54,7 +58,9 @@ def _saved(path: Path | None) -> None:
 def build(
     models: Annotated[list[str] | None, typer.Argument(help="Models to build; default: every bench.")] = None,
     files: FilesOption = None,
-    output: Annotated[Path, typer.Option("--output", "-o", help="Folder for the FMUs.")] = Path("fmu/build"),
+    output: Annotated[Path, typer.Option("--output", "-o", help="Folder for the FMUs, or NAME.fmu for one.")] = Path(
+        "fmu/build"
+    ),
     platforms: Annotated[
         list[str] | None, typer.Option("--platform", help="native, all, or x86_64-windows ...")
     ] = None,
@@ -65,9 +71,7 @@ def build(
     ] = None,
 ) -> None:
     """Modelica to FMU."""
-    for model in models or study.benches():
-        name = Path(model).stem if model.endswith(".mo") else model.rpartition(".")[2]
-        target = output / f"{name}.fmu"
+    for model, target in fmu_files(models or study.benches(), output):
         made = study.build(
             model,
             target,
@@ -110,21 +114,21 @@ def simulate(
 @app.command()
 def sweep(
     model: Annotated[str, typer.Argument(help="A bench, a Modelica class, a .mo or an .fmu file.")],
-    vary: Annotated[list[str], typer.Option("--vary", help="NAME=FROM:TO:N or NAME=A,B,C.")],
+    vary: Annotated[list[str], typer.Option("--vary", help="NAME=FROM:TO:N or NAME=A,B,C: a parameter, or an input.")],
     output: Annotated[Path, typer.Option("--output", "-o", help="Write all trajectories as one CSV.")],
     settings: SetOption = None,
     inputs: Annotated[Path | None, typer.Option("--input", help="CSV with input columns: name [unit].")] = None,
     stop_time: Annotated[float | None, typer.Option(help="End of each run [s].")] = None,
     files: FilesOption = None,
 ) -> None:
-    """Every combination of varied parameters."""
+    """Every combination of varied parameters and inputs."""
     _checked(output)
     interface = study.describe(model, files or [])
     variations = parse_variations(vary, interface)
     parameters = parse_settings(settings or [], interface)
     course = read_inputs(inputs, interface) if inputs else None
     columns = (TextColumn("sweep"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=_console) as progress:
+    with Progress(*columns, console=_console, disable=not _console.is_terminal) as progress:
         task = progress.add_task("sweep", total=None)
         points = study.sweep(
             model,
@@ -138,7 +142,7 @@ def sweep(
     write_sweep(output, points, interface)
     failed = [p for p in points if p.failure]
     for p in failed:
-        _console.print(f"failed at {p.parameters}: {p.failure}")
+        _console.print(f"failed at {p.parameters}: {p.failure}", markup=False, soft_wrap=True)
     typer.echo(f"{len(points) - len(failed)} of {len(points)} runs done")
     _saved(output)
 

@@ -43,6 +43,12 @@ class Interface:
     tolerance: float = 1e-6
     sensitivities: dict[str, Variable] = field(default_factory=dict)
 
+    @property
+    def settable(self) -> dict[str, Variable]:
+        """What may be given one value for a whole run: parameters, inputs, which are then held, and start values."""
+        starts = {name: v for name, v in (self.locals | self.outputs).items() if v.start is not None}
+        return {**self.parameters, **self.inputs, **starts}
+
 
 def sensitivity_name(output: str, parameter: str) -> str:
     """The variable that is the derivative of an output or state with respect to a parameter."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +21,7 @@ from pam_cosim.fitting import fit as _fit
 from pam_cosim.fmu import build_model, read_interface
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet, read_data_set
+from pam_cosim.settings import Setting, resolve
 from pam_cosim.simulation import Inputs, IsolatedSimulator, Simulator, Trajectory
 
 Paths = Sequence[Path | str]
@@ -88,11 +90,14 @@ def read(folder: Path | str, *, model: str | None = None, files: Paths = ()) -> 
 
 
 def compare(
-    data: DataSet, model: str | None = None, parameters: Mapping[str, float] | None = None, *, files: Paths = ()
+    data: DataSet, model: str | None = None, parameters: Mapping[str, Setting] | None = None, *, files: Paths = ()
 ) -> Comparison:
-    """Simulates every run of ``data`` with ``model`` (default: its bench) and scores the differences."""
+    """Simulates every run of ``data`` with ``model`` (default: its bench) and scores the differences.
+
+    ``parameters`` are further values, as in ``simulate``.
+    """
     with opened(model or data.model, files) as simulator:
-        return _compare(simulator, complete_noise(data), parameters)
+        return _compare(simulator, complete_noise(data), resolve(parameters or {}, simulator.interface))
 
 
 def fit(
@@ -100,7 +105,7 @@ def fit(
     model: str | None = None,
     *,
     method: str = "least-squares",
-    parameters: Mapping[str, float] | None = None,
+    parameters: Mapping[str, Setting] | None = None,
     files: Paths = (),
     progress: Callable[[int, float], None] | None = None,
 ) -> Fit:
@@ -111,7 +116,7 @@ def fit(
         model: default: the bench of the data set.
         method: "least-squares" from the start values; "multi-start": also from points spread over the bounds;
             "particle-swarm": also from the best point of a swarm (Dzahir and Yamamoto 2019).
-        parameters: further values to use [SI].
+        parameters: further values to use, as in ``simulate``.
         files: further Modelica files.
         progress: called with the number of simulations and the reduced chi-square.
 
@@ -125,13 +130,13 @@ def fit(
         free = base_parameters(data, simulator.interface)
         if not free:
             raise InputError("nothing to fit: name the free parameters under [fit]", data.folder / "experiment.toml")
-        data = complete_noise(data)
+        data, fixed = complete_noise(data), resolve(parameters or {}, simulator.interface)
         starts: list[dict[str, float]] = []
         if method == "multi-start":
             starts = spread_starts(free)
         elif method == "particle-swarm":
-            starts = [swarm_start(simulator, data, free, parameters)]
-        return _fit(simulator, data, free, fixed=parameters, starts=starts, progress=progress)
+            starts = [swarm_start(simulator, data, free, fixed)]
+        return _fit(simulator, data, free, fixed=fixed, starts=starts, progress=progress)
 
 
 METHODS = ("least-squares", "multi-start", "particle-swarm")
@@ -174,22 +179,31 @@ def add(names: Sequence[str], to: str, output: Path | str | None = None, *, file
 
 def simulate(
     model: str,
-    parameters: Mapping[str, float] | None = None,
+    parameters: Mapping[str, Setting] | None = None,
     inputs: Inputs | None = None,
     *,
     stop_time: float | None = None,
     interval: float | None = None,
     files: Paths = (),
 ) -> Trajectory:
-    """One run with the model's defaults, ``parameters`` [SI] and ``inputs``.
+    """One run of a model.
+
+    Args:
+        model: a bench, a Modelica class, a ``.mo`` or an ``.fmu`` file.
+        parameters: by name, what differs from the model's defaults: parameters, inputs that are held constant, start
+            values; a number [SI] or a text with a unit such as "207 kPa".
+        inputs: over time.
+        stop_time: [s]; default: the last time of ``inputs``, or the model's own.
+        interval: [s] between outputs; default: the model's own.
+        files: further Modelica files.
 
     Raises:
-        InputError: an unknown model, parameter or input.
+        InputError: an unknown model or name, a value that cannot be used, an input given both ways.
         SimulationFailure: the run did not reach its end.
     """
     with opened(model, files) as simulator:
         times = output_times(simulator.interface, inputs, stop_time, interval)
-        return simulator.run(times, parameters=parameters, inputs=inputs)
+        return simulator.run(times, parameters=resolve(parameters or {}, simulator.interface), inputs=inputs)
 
 
 def output_times(
@@ -206,7 +220,7 @@ def output_times(
 
 @dataclass(frozen=True)
 class SweepPoint:
-    """One simulation of a sweep: its parameters, and its trajectory or what went wrong."""
+    """One simulation of a sweep: what was varied [SI], and its trajectory or what went wrong."""
 
     parameters: dict[str, float]
     trajectory: Trajectory | None
@@ -215,30 +229,45 @@ class SweepPoint:
 
 def sweep(
     model: str,
-    vary: Mapping[str, Iterable[float]],
+    vary: Mapping[str, Iterable[Setting]],
     *,
-    parameters: Mapping[str, float] | None = None,
+    parameters: Mapping[str, Setting] | None = None,
     inputs: Inputs | None = None,
     stop_time: float | None = None,
     files: Paths = (),
     progress: Callable[[int, int], None] | None = None,
 ) -> list[SweepPoint]:
-    """Simulates every combination of the varied parameters; a run that fails is reported and the others go on."""
-    names = list(vary)
-    grid = np.stack(np.meshgrid(*[list(vary[n]) for n in names], indexing="ij"), axis=-1).reshape(-1, len(names))
+    """Simulates every combination of what is varied; a run that fails is reported and the others go on.
+
+    Args:
+        model: as in ``simulate``.
+        vary: values by name of a parameter, an input that is held constant or a start value, as in ``simulate``.
+        parameters, inputs, stop_time, files: of every run, as in ``simulate``.
+        progress: called with the number of runs done and of all runs.
+
+    Raises:
+        InputError: as ``simulate``; a name that is both varied and set.
+    """
     points = []
     with opened(model, files) as simulator:
+        fixed = resolve(parameters or {}, simulator.interface)
+        grid = [resolve(values, simulator.interface) for values in _combinations(vary, fixed)]
         times = output_times(simulator.interface, inputs, stop_time)
-        for i, values in enumerate(grid):
-            varied = {n: float(v) for n, v in zip(names, values, strict=True)}
+        for i, varied in enumerate(grid):
             try:
-                found = simulator.run(times, parameters={**(parameters or {}), **varied}, inputs=inputs)
-                points.append(SweepPoint(varied, found))
+                points.append(SweepPoint(varied, simulator.run(times, parameters=fixed | varied, inputs=inputs)))
             except SimulationFailure as failure:
                 points.append(SweepPoint(varied, None, str(failure)))
             if progress is not None:
                 progress(i + 1, len(grid))
     return points
+
+
+def _combinations(vary: Mapping[str, Iterable[Setting]], fixed: Mapping[str, float]) -> list[dict[str, Setting]]:
+    for name in vary:
+        if name in fixed:
+            raise InputError(f"'{name}' is both set and varied; keep one of them")
+    return [dict(zip(vary, values, strict=True)) for values in product(*vary.values())]
 
 
 def _paths(files: Paths) -> list[Path]:

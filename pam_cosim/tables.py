@@ -21,7 +21,7 @@ def _headed(name: str, unit: str) -> str:
 
 
 def write_sweep(path: Path, points: Sequence[SweepPoint], interface: Interface) -> None:
-    """Writes all trajectories of a sweep below each other: the varied parameters, time, outputs [SI].
+    """Writes all trajectories of a sweep below each other: what was varied, time, outputs [SI].
 
     A run that failed has one row with empty outputs and the reason in the last column.
 
@@ -32,7 +32,7 @@ def write_sweep(path: Path, points: Sequence[SweepPoint], interface: Interface) 
     outputs = list(interface.outputs)
     text = io.StringIO()
     table = csv.writer(text, lineterminator="\n")
-    head = [_headed(n, interface.parameters[n].unit) for n in varied]
+    head = [_headed(n, interface.settable[n].unit) for n in varied]
     table.writerow([*head, "time [s]", *[_headed(n, v.unit) for n, v in interface.outputs.items()], "failure"])
     for point in points:
         values = [repr(point.parameters[n]) for n in varied]

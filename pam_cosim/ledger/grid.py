@@ -74,7 +74,7 @@ def make_grid(
     for r, run in enumerate(runs):
         stated = data.parameters_of(run, values)
         p = np.array([stated.get(n, v) for n, v in defaults.items()])
-        courses = _courses(ode, run)
+        courses = _courses(ode, run, stated)
         t = _node_times(run, courses, spacing)
         if further:
             t = np.union1d(t, further[r])
@@ -97,12 +97,13 @@ def make_grid(
     )  # fmt: skip
 
 
-def _courses(ode: Ode, run: Run) -> list[Pieces]:
+def _courses(ode: Ode, run: Run, stated: Mapping[str, float]) -> list[Pieces]:
+    """Of each input: as recorded, as stated for the whole run, or the model's default."""
     courses = []
     for name, variable in ode.interface.inputs.items():
         values = run.inputs.get(name)
         if values is None:
-            values = np.full(len(run.time), variable.start or 0.0)
+            values = np.full(len(run.time), stated.get(name, variable.start or 0.0))
         courses.append(pieces(run.time, np.asarray(values, float), run.interpolation))
     return courses
 

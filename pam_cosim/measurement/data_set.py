@@ -53,11 +53,12 @@ class Run:
         file: where the run was read from.
         role: "fit", or "holdout": never fitted, only judged.
         interpolation: of the inputs between samples.
-        parameters: known values [SI], those of the data set overlaid by those of this run.
+        parameters: known values [SI], those of the data set overlaid by those of this run; an input among them is
+            constant.
         time: (n,) [s], not decreasing; two rows of equal time are a step.
         inputs: (n,) each [SI], without gaps.
         measurements: (n,) each [SI], NaN where a sample is missing.
-        default_inputs: inputs of the bench the file lacks; they keep the model's default.
+        default_inputs: inputs that are neither recorded nor known; they keep the model's default.
     """
 
     name: str

@@ -15,13 +15,13 @@ from pam_cosim.measurement.wording import did_you_mean, shown
 def known_values(
     document: ExperimentFile, interface: Interface, values: Mapping[str, str | float], *path: str | int
 ) -> dict[str, float]:
-    """The table at ``path`` in the model's units.
+    """The table at ``path`` in the model's units: parameters, and inputs that are constant.
 
     Raises:
         InputError: an unknown name, a unit that does not fit, a value outside the model's range.
     """
     return {
-        name: _value(document, _parameter(document, interface, name, *path), value, *path, name)
+        name: _value(document, _known(document, interface, name, *path), value, *path, name)
         for name, value in values.items()
     }
 
@@ -34,7 +34,7 @@ def free_parameter(
     Raises:
         InputError: as ``known_values``; bounds reversed, start value given twice or outside the bounds.
     """
-    table, parameter = document.content.fit[name], _parameter(document, interface, name, "fit")
+    table, parameter = document.content.fit[name], _parameter(document, interface, name)
     path = ("fit", name)
     low = _value(document, parameter, table.min, *path, "min")
     high = _value(document, parameter, table.max, *path, "max")
@@ -53,11 +53,22 @@ def free_parameter(
     return FreeParameter(name, low, high, start, parameter.unit)
 
 
-def _parameter(document: ExperimentFile, interface: Interface, name: str, *path: str | int) -> Variable:
+def _known(document: ExperimentFile, interface: Interface, name: str, *path: str | int) -> Variable:
+    known = {**interface.parameters, **interface.inputs}
+    if name not in known:
+        message = f"{interface.model} has no parameter or input {shown(name)}; {did_you_mean(name, known)}"
+        raise document.error(message, *path, name)
+    return known[name]
+
+
+def _parameter(document: ExperimentFile, interface: Interface, name: str) -> Variable:
+    if name in interface.inputs:
+        message = f"{shown(name)} is an input of {interface.model}, and only parameters can be fitted"
+        raise document.error(f"{message}; state its value under [parameters]", "fit", name)
     known = interface.parameters
     if name not in known:
         message = f"{interface.model} has no parameter {shown(name)}; {did_you_mean(name, known)}"
-        raise document.error(message, *path, name)
+        raise document.error(message, "fit", name)
     return known[name]
 
 

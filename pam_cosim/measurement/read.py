@@ -142,16 +142,21 @@ def _run(
     own = known_values(document, interface, table.parameters, *path)
     file = file_inside(document, table.file, "runs", index, "file")
     recording = read_recording(file, interface)
+    values = {**known, **own}
+    for name in recording.inputs:
+        if name in values:
+            message = f"{name} is constant here and a column of {shown(table.file)}; keep one of them"
+            raise document.error(message, *(path if name in own else ("parameters",)), name)
     return Run(
         name=_name(table.file),
         file=file,
         role=table.role,
         interpolation=table.interpolation,
-        parameters={**known, **own},
+        parameters=values,
         time=recording.time,
         inputs=recording.inputs,
         measurements=recording.measurements,
-        default_inputs=tuple(name for name in interface.inputs if name not in recording.inputs),
+        default_inputs=tuple(name for name in interface.inputs if name not in recording.inputs and name not in values),
     )
 
 

@@ -51,6 +51,22 @@ class Inputs:
             raise InputError(f"interpolation must be 'linear' or 'previous', not '{self.interpolation}'")
 
 
+def with_held(inputs: Inputs | None, held: Mapping[str, float], start: float) -> Inputs | None:
+    """``inputs`` and those that are ``held`` constant [SI] from ``start`` [s] on.
+
+    Raises:
+        InputError: an input is given both ways.
+    """
+    if not held:
+        return inputs
+    course = inputs or Inputs(np.array([start]), {})
+    for name in held:
+        if name in course.values:
+            raise InputError(f"the input '{name}' is given over time and as a constant; keep one of them")
+    constant = {name: np.full(course.time.shape, value) for name, value in held.items()}
+    return Inputs(course.time, {**course.values, **constant}, course.interpolation)
+
+
 def _first_decrease(time: Array) -> float:
     return float(time[np.argmax(np.diff(time) < 0.0)])
 

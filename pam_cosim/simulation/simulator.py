@@ -22,7 +22,7 @@ from pam_cosim.fmu.read import interface_of, read_description, real_variables
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.simulation.driver import TOO_SLOW, Callbacks, Driver, Outcome
 from pam_cosim.simulation.failure import RunFailure
-from pam_cosim.simulation.inputs import Inputs
+from pam_cosim.simulation.inputs import Inputs, with_held
 from pam_cosim.simulation.plan import plan
 from pam_cosim.simulation.slave import Slave, free_instance, instantiate, load_slave, major_version, takes_slopes
 from pam_cosim.simulation.trajectory import Trajectory
@@ -56,6 +56,7 @@ class Simulator:
         self.path = Path(path)
         self._description = read_description(self.path)
         self.interface: Interface = interface_of(self._description)
+        self._settable = self.interface.settable
         self._references = {v.name: v.valueReference for v in real_variables(self._description)}
         self._units = {
             v.name: v.unit for group in _groups(self.interface) for v in group.values()
@@ -133,8 +134,8 @@ class Simulator:
         Args:
             times: (n,) [s] of the values wanted, never decreasing; a time given twice, where an input steps,
                 yields the values before and after the step.
-            parameters: values by name [SI] that differ from the defaults.
-            inputs: default: the start values, held.
+            parameters: values by name [SI] that differ from the defaults; an input among them is held constant.
+            inputs: over time; default: the start values, held.
             outputs: names of outputs or of any other variable; default: every output,
                 sensitivities among them.
             tolerance: relative, of the solver; default: the model's.
@@ -142,23 +143,25 @@ class Simulator:
             max_seconds: processor time [s] after which the run counts as failed.
 
         Raises:
-            InputError: unknown names, or times out of order.
+            InputError: unknown names, an input given both ways, or times out of order.
             SimulationFailure: (``RunFailure``) the run did not reach its end.
         """
         if self._slave is None:
             raise RuntimeError("the simulator is closed")
         wanted = np.ascontiguousarray(times, dtype=float)
         start = float(wanted[0]) if start_time is None and wanted.size else start_time or 0.0
-        settable = self._settable()
         values = {name: _number(name, value) for name, value in (parameters or {}).items()}
-        input_names = list(inputs.values) if inputs is not None else []
+        self._lookup(values, self._settable, "parameter or input")
+        held = {name: value for name, value in values.items() if name in self.interface.inputs}
+        own = {name: value for name, value in values.items() if name not in held}
+        course = with_held(inputs, held, start)
         names = list(self.interface.outputs | self.interface.sensitivities if outputs is None else outputs)
-        layout = plan(wanted, start, inputs, None if self._slopes else self.interface.interval)
-        parameter_references = self._lookup(values, settable, "parameter")
-        input_references = self._lookup(input_names, self.interface.inputs, "input")
+        layout = plan(wanted, start, course, None if self._slopes else self.interface.interval)
+        parameter_references = self._lookup(own, self._settable, "parameter")
+        input_references = self._lookup(course.values if course else (), self.interface.inputs, "input")
         output_references = self._lookup(names, self._references, "output")
         self._callbacks.take_messages()
-        parameter_values = list(values.values())
+        parameter_values = list(own.values())
 
         def drive() -> Outcome:
             return self._driver.run(
@@ -187,12 +190,6 @@ class Simulator:
         self._slave.dll.pam_get_statistics(ctypes.c_void_p(self._slave.component), numbers)
         return SolverStatistics(*numbers)
 
-    def _settable(self) -> dict[str, Variable]:
-        """Parameters, and variables whose start value may be set."""
-        starts = {name: v for name, v in self.interface.locals.items() if v.start is not None}
-        states = {name: v for name, v in self.interface.outputs.items() if v.start is not None}
-        return {**starts, **states, **self.interface.parameters}
-
     def _lookup(self, names: Iterable[str], known: Mapping[str, object], role: str) -> list[int]:
         references = []
         for name in names:
@@ -202,8 +199,7 @@ class Simulator:
         return references
 
     def _changed(self, values: Mapping[str, float]) -> dict[str, float]:
-        settable = self._settable()
-        return {name: value for name, value in values.items() if value != settable[name].start}
+        return {name: value for name, value in values.items() if value != self._settable[name].start}
 
     def _failure(self, function: str, time: float, values: Mapping[str, float]) -> SimulationFailure:
         messages = self._callbacks.take_messages()

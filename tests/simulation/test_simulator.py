@@ -63,8 +63,8 @@ def test_feedthrough_before_and_after_a_step() -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({"parameters": {"taw": 1.0}}, "no parameter 'taw'; did you mean tau?"),
-        ({"parameters": {"x": 1.0}}, "no parameter 'x'"),
+        ({"parameters": {"taw": 1.0}}, "no parameter or input 'taw'; did you mean tau?"),
+        ({"parameters": {"x": 1.0}}, "no parameter or input 'x'"),
         ({"parameters": {"tau": float("nan")}}, "parameter 'tau' must be a finite number"),
         ({"outputs": ["feeed"]}, "no output 'feeed'; did you mean feed?"),
         ({"inputs": Inputs([0.0], {"v": [0.0]})}, "no input 'v'; there are u"),
@@ -227,7 +227,7 @@ def test_crash_ends_one_run_only(tmp_path: Path) -> None:
         with pytest.raises(RunFailure, match="crashed its process \\(signal SIGABRT\\)"):
             simulator.run(TIMES)
         assert simulator.run(TIMES[:5], parameters={"x_start": 1.0})["y"].tolist() == good["y"].tolist()
-        with pytest.raises(InputError, match="no parameter 'taw'"):
+        with pytest.raises(InputError, match="no parameter or input 'taw'"):
             simulator.run(TIMES, parameters={"taw": 1.0})
 
 

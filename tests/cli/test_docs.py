@@ -1,0 +1,34 @@
+"""The commands and the script of ``docs/runs.md`` run as they stand."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from tests.cli.conftest import ROOT, Outcome
+from tests.cli.test_commands import done
+
+PAGE = (ROOT / "docs" / "runs.md").read_text()
+
+
+def blocks(kind: str) -> list[str]:
+    return re.findall(rf"```{kind}\n(.*?)```", PAGE, re.DOTALL)
+
+
+def test_page_of_runs(command: Callable[..., Outcome], place: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    [course] = blocks("csv")
+    (place / "u.csv").write_text(course)
+    lines = [line for block in blocks("sh") for line in block.splitlines() if line.startswith("pam-cosim ")]
+    assert len(lines) >= 3
+    for line in lines:
+        done(command(*shlex.split(line)[1:]))
+    assert {p.name for p in place.iterdir()} == {"u.csv", "run.csv", "run.png", "sweep.csv"}
+    [script] = blocks("python")
+    capsys.readouterr()
+    exec(compile(script, "docs/runs.md", "exec"), {})
+    said = capsys.readouterr().out.splitlines()
+    assert len(said) == 9 and all("e+05" in line or re.search(r"\d{5}", line) for line in said)

@@ -1,0 +1,236 @@
+"""Inputs held constant are set and varied wherever parameters are; an FMU can be one file; help says what it says."""
+
+from __future__ import annotations
+
+import json
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+import typer
+
+import pam_cosim as pam
+from pam_cosim import study
+from pam_cosim.cli import app
+from tests.cli.conftest import Outcome, everything
+from tests.cli.test_bad_input import refused
+from tests.cli.test_commands import done, rows
+from tests.fmu import models
+
+Command = Callable[..., Outcome]
+BENCH = "TankFilling"
+
+
+def over_time(values: dict[str, float]) -> pam.Inputs:
+    return pam.Inputs([0.0, 60.0], {name: [value, value] for name, value in values.items()})
+
+
+def test_the_sweep_that_a_newcomer_tries(command: Command, place: Path) -> None:
+    words = ["--vary", "u_in=0.2:0.35:4", "--vary", "p_supply=138e3,207e3"]
+    found = done(command("sweep", BENCH, *words, "--stop-time", "5", "-o", "s.csv"))
+    assert "8 of 8 runs done" in found.out
+    lines = rows(place / "s.csv")
+    assert list(lines[0]) == ["u_in [A]", "p_supply [Pa]", "time [s]", "p [Pa]", "T [K]", "failure"]
+    points = dict.fromkeys((float(r["u_in [A]"]), float(r["p_supply [Pa]"])) for r in lines)
+    assert list(points) == [(pytest.approx(u), p) for u in (0.2, 0.25, 0.3, 0.35) for p in (138e3, 207e3)]
+    # each run is the one that inputs over time with the same values give
+    for u, p in [(0.25, 138e3), (0.35, 207e3)]:
+        want = pam.simulate(BENCH, inputs=over_time({"u_in": u, "p_supply": p}), stop_time=5.0)
+        own = [float(r["p [Pa]"]) for r in lines if r["u_in [A]"] == repr(u) and r["p_supply [Pa]"] == repr(p)]
+        assert own == want["p"].tolist()
+
+
+def test_set_with_a_unit(command: Command, place: Path) -> None:
+    found = done(command("simulate", BENCH, "--set", "p_supply=138 kPa", "--set", "tank.V=0.35 l", "-o", "t.csv"))
+    assert "p: from 0 kPa to 138 kPa" in found.out
+    done(command("simulate", BENCH, "--set", "p_supply=138e3", "--set", "tank.V=0.35e-3", "-o", "s.csv"))
+    text, number = (pam.Trajectory.from_csv(place / name)["p"] for name in ("t.csv", "s.csv"))
+    assert text == pytest.approx(number, rel=1e-9)
+
+
+def test_the_same_in_python() -> None:
+    text = pam.simulate(BENCH, {"p_supply": "138 kPa", "u_in": "300 mA"}, stop_time=5.0)
+    number = pam.simulate(BENCH, {"p_supply": 138e3, "u_in": 0.3}, stop_time=5.0)
+    assert text["p"].tolist() == number["p"].tolist()
+    points = pam.sweep(BENCH, {"p_supply": ["138 kPa", 207e3], "tank.n": np.array([1.0, 1.4])},
+                       parameters={"u_in": "300 mA"}, stop_time=5.0)  # fmt: skip
+    assert [p.parameters for p in points] == [
+        {"p_supply": p, "tank.n": n} for p in (pytest.approx(138e3), 207e3) for n in (1.0, 1.4)
+    ]
+    isothermal = pam.simulate(BENCH, {"p_supply": 138e3, "u_in": 0.3, "tank.n": 1.0}, stop_time=5.0)
+    assert points[0].trajectory is not None
+    assert points[0].trajectory["p"].tolist() == isothermal["p"].tolist()
+    assert points[0].trajectory["p"][-1] != number["p"][-1]
+
+
+def test_some_inputs_over_time_and_others_held(command: Command, place: Path) -> None:
+    (place / "u.csv").write_text("time [s],u_in [A]\n0,0\n1,0\n1,0.3\n5,0.3\n")
+    done(command("simulate", BENCH, "--input", "u.csv", "--set", "p_supply=100 kPa", "-o", "t.csv"))
+    run = pam.Trajectory.from_csv(place / "t.csv")
+    assert abs(run["p"][run.time <= 1.0]).max() < 1.0 and 1e3 < run["p"][-1] < 100e3
+    inputs = pam.Inputs([0, 1, 1, 5], {"u_in": [0, 0, 0.3, 0.3], "p_supply": [100e3] * 4})
+    assert run["p"].tolist() == pam.simulate(BENCH, inputs=inputs)["p"].tolist()
+
+
+def test_start_values_are_settings_too(command: Command, place: Path) -> None:
+    """FMUs list the start values of their states."""
+    fmu = models.fmu(models.lag)
+    assert {"x_start", "u"} <= set(pam.describe(str(fmu)).settable)
+    face = pam.describe("Isotonic")
+    [state] = [n for n, v in face.locals.items() if v.start is not None]
+    done(command("simulate", "Isotonic", "--set", f"{state}=10 mm/s", "--stop-time", "0.2", "-o", "t.csv"))
+    done(command("simulate", "Isotonic", "--stop-time", "0.2", "-o", "s.csv"))
+    assert (place / "t.csv").read_text() != (place / "s.csv").read_text()
+
+
+@pytest.mark.parametrize("own", [True, False], ids=["ours", "isolated"])
+def test_an_fmu_takes_them_alike(own: bool) -> None:
+    fmu = models.fmu(models.lag, "3.0")
+    opened = pam.study.Simulator(fmu) if own else pam.study.IsolatedSimulator(fmu)
+    times = np.linspace(0.0, 2.0, 5)
+    with opened as simulator:
+        moved = simulator.run(times, inputs=pam.Inputs([0.0, 2.0], {"u": [0.0, 2.0]}))["y"]
+        held = simulator.run(times, parameters={"u": 2.0}, tolerance=1e-9)["y"]
+        again = simulator.run(times, inputs=pam.Inputs([0.0, 2.0], {"u": [0.0, 2.0]}))["y"]
+    assert held == pytest.approx(2.0 * (1.0 - np.exp(-times / 0.5)), abs=1e-6)
+    assert moved.tolist() == again.tolist()  # nothing of one run is left in the next
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["simulate", BENCH, "--set", "p_suply=1"], ["p_suply", "did you mean 'p_supply'?"]),
+        (["sweep", BENCH, "--vary", "u_inn=1,2", "-o", "s.csv"], ["u_inn", "did you mean 'u_in'?"]),
+        (["simulate", BENCH, "--set", "p_supply=2 kg"], ["p_supply=2 kg", "kPa"]),
+        (["simulate", BENCH, "--set", "p=1"], ["'p' is an output"]),
+        (["simulate", BENCH, "--set", "u_in=0.1", "--set", "u_in=0.2"], ["'u_in' is set twice"]),
+        (["simulate", BENCH, "--set", "u_in=0.1", "--input", "u.csv"], ["'u_in' is given over time and as a constant"]),
+        (["sweep", BENCH, "--vary", "u_in=0.1,0.2", "--input", "u.csv", "-o", "s.csv"],
+         ["'u_in' is given over time and as a constant"]),
+        (["sweep", BENCH, "--vary", "u_in=0.1,0.2", "--set", "u_in=0.3", "-o", "s.csv"], ["both set and varied"]),
+        (["sweep", BENCH, "--vary", "p_supply=138,207 kPa", "-o", "s.csv"], ["p_supply=138,207 kPa", "each of them"]),
+        (["sweep", BENCH, "--vary", "p_supply=138:207 kPa:3", "-o", "s.csv"], ["each of them"]),
+        (["build", "TankFilling", "Isotonic", "-o", "One.fmu"], ["One.fmu", "2 models"]),
+        (["build", "-o", "All.fmu"], ["All.fmu", "models"]),
+        (["build", "TankFilling", "My.TankFilling", "-o", "out"], ["TankFilling.fmu"]),
+    ],
+    ids=lambda v: " ".join(v) if isinstance(v, list) else None,
+)  # fmt: skip
+def test_what_cannot_be_set(command: Command, place: Path, words: list[str], message: list[str]) -> None:
+    (place / "u.csv").write_text("time [s],u_in [A]\n0,0\n5,0.3\n")
+    before = everything(place)
+    refused(command(*words), message)
+    assert everything(place) == before
+
+
+@pytest.mark.parametrize("value", ["much", "1 kg", float("nan"), None])
+def test_values_that_are_none_in_python(value: object) -> None:
+    with pytest.raises(pam.InputError, match="p_supply="):
+        pam.simulate(BENCH, {"p_supply": value})  # type: ignore[dict-item]
+
+
+# --- the same in a data set: an input that was held and not recorded
+
+FILLING = """\
+model = "PneumaticMuscle.Benches.TankFilling"
+[signals.p]
+sigma = "0.5 kPa"
+[parameters]
+"tank.V" = "2.1 l"
+p_supply = "138 kPa"
+[fit]
+"valve.C_A" = {{ min = 0.1, max = 2 }}
+[[runs]]
+file = "one.csv"
+[runs.parameters]
+u_in = "{u_in}"
+"""
+
+
+def filling(folder: Path, columns: dict[str, float], u_in: str = "0.3 A") -> Path:
+    """Ten seconds of filling at 0.3 A from 138 kPa, with the inputs of ``columns`` recorded."""
+    folder.mkdir()
+    run = pam.simulate(BENCH, {"u_in": 0.3, "p_supply": "138 kPa"}, stop_time=10.0, interval=0.5)
+    held = "".join(f",{value}" for value in columns.values())
+    lines = [f"{t},{p / 1e3 + 0.5 * (-1) ** i}{held}" for i, (t, p) in enumerate(zip(run.time, run["p"], strict=True))]
+    units = {"u_in": "A", "p_supply": "kPa"}
+    head = ",".join(["time [s],p [kPa]", *(f"{name} [{units[name]}]" for name in columns)])
+    (folder / "one.csv").write_text("\n".join([head, *lines, ""]))
+    (folder / "experiment.toml").write_text(FILLING.format(u_in=u_in))
+    return folder
+
+
+def test_a_data_set_states_inputs_that_were_held(command: Command, place: Path) -> None:
+    filling(place / "data", {})
+    found = done(command("compare", "data", "--json", "c.json"))
+    content = json.loads((place / "c.json").read_text())
+    assert content["signals"]["p"]["rmse"] == pytest.approx(500.0, rel=0.02), found.out  # the alternating error
+    recorded = filling(place / "recorded", {"u_in": 0.3, "p_supply": 138.0})
+    toml = recorded / "experiment.toml"
+    kept = (line for line in toml.read_text().splitlines() if not line.startswith(("p_supply", "u_in")))
+    toml.write_text("\n".join(kept))
+    one, two = (pam.fit(pam.read(place / name)).parameters["valve.C_A"] for name in ("data", "recorded"))
+    assert (one.value, one.low, one.high) == pytest.approx((two.value, two.low, two.high), rel=1e-6)
+    run = pam.read(place / "data").runs[0]
+    assert run.default_inputs == ("u_out",) and run.parameters["p_supply"] == pytest.approx(138e3)
+
+
+@pytest.mark.parametrize(
+    ("columns", "u_in", "message"),
+    [
+        ({"u_in": 0.3}, "0.3 A", ["experiment.toml:12", "u_in", "one.csv", "keep one of them"]),
+        ({"p_supply": 138.0}, "0.3 A", ["experiment.toml:6", "p_supply", "one.csv", "keep one of them"]),
+        ({}, "0.3 kg", ["experiment.toml:12", "u_in", "kg"]),
+    ],
+)
+def test_a_data_set_that_says_it_twice(
+    command: Command, place: Path, columns: dict[str, float], u_in: str, message: list[str]
+) -> None:
+    filling(place / "data", columns, u_in)
+    refused(command("compare", "data"), message)
+
+
+def test_an_input_cannot_be_fitted(command: Command, place: Path) -> None:
+    toml = filling(place / "data", {}) / "experiment.toml"
+    free = 'u_out = { min = "0 A", max = "1 A" }'
+    toml.write_text(toml.read_text().replace('"valve.C_A" = { min = 0.1, max = 2 }', free))
+    refused(command("fit", "data"), ["experiment.toml:8", "u_out", "input", "[parameters]"])
+
+
+# --- build -o
+
+
+def test_a_name_that_ends_in_fmu_is_a_file(command: Command, place: Path) -> None:
+    found = done(command("build", "VesselOrifice", "-o", "sub/Mine.fmu"))
+    assert found.out.split() == ["sub/Mine.fmu"]
+    assert [p.name for p in (place / "sub").iterdir()] == ["Mine.fmu"] and zipfile.is_zipfile(place / "sub/Mine.fmu")
+    done(command("build", "VesselOrifice", "-o", "sub"))
+    assert sorted(p.name for p in (place / "sub").iterdir()) == ["Mine.fmu", "VesselOrifice.fmu"]
+
+
+# --- help
+
+COMMANDS = typer.main.get_command(app).commands  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_help_says_what_is_declared(command: Command, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "100")
+    said = "".join(done(command(name, "--help")).out.split())
+    declared = [COMMANDS[name].help, *(p.help for p in COMMANDS[name].params)]
+    assert len(declared) > 1
+    for text in declared:
+        assert text and "".join(text.split()) in said, text
+
+
+def test_help_speaks_of_units() -> None:
+    """So that the test above is not one of texts without brackets."""
+    declared = " ".join(p.help or "" for name in ("simulate", "sweep") for p in COMMANDS[name].params)
+    assert "[unit]" in declared and "[s]" in declared
+    assert set(COMMANDS) >= {"build", "simulate", "sweep", "compare", "fit", "diagnose", "add", "effects"}
+
+
+def test_every_exported_name_is_there() -> None:
+    assert all(hasattr(pam, name) for name in pam.__all__) and study.Inputs is pam.Inputs
