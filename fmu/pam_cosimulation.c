@@ -73,13 +73,16 @@ pam_status pam_do_step(pam_instance *c, double now, double step) {
     if (core->state_changed) pam_solver_set_state(&c->solver, core->time, c->x);
     core->state_changed = 0;
     if (pam_solver_inputs(&c->solver, core->time, c->u, c->du)) return discard(c);
+    core->warned = 0;
+    if (c->model->na && pam_accept(c, core->time)) return discard(c); /* the inputs may have changed */
     if (pam_solver_advance(&c->solver, target)) {
-        if (core->solver.t > core->time) move_to(c, core->solver.t);
+        double reached = c->model->na ? core->holds_until : core->solver.t;
+        if (reached > core->time) move_to(c, reached);
         return discard(c);
     }
     move_to(c, target);
-    core->last_step = PAM_OK;
-    return PAM_OK;
+    core->last_step = core->warned ? PAM_WARNING : PAM_OK;
+    return (pam_status)core->last_step;
 }
 
 /* Beside FMI: steps, rejected steps, evaluations of f, Jacobians and restarts since initialization. */

@@ -134,7 +134,7 @@ fmi2Status fmi2NewDiscreteStates(fmi2Component component, fmi2EventInfo *info) {
     ENTER(MODEL_EXCHANGE, EVENT);
     if (!pam_arrays(c, __func__, 1, info, info)) return fmi2Error;
     memset(info, 0, sizeof *info); /* every flag fmi2False, no next event */
-    return fmi2OK;
+    return (fmi2Status)pam_state_holds(c);
 }
 
 fmi2Status fmi2EnterContinuousTimeMode(fmi2Component component) {
@@ -150,7 +150,7 @@ fmi2Status fmi2CompletedIntegratorStep(fmi2Component component, fmi2Boolean no_s
     if (!pam_arrays(c, __func__, 1, enter_event, terminate)) return fmi2Error;
     *enter_event = fmi2False;
     *terminate = fmi2False;
-    return fmi2OK;
+    return (fmi2Status)pam_state_holds(c);
 }
 
 fmi2Status fmi2SetTime(fmi2Component component, fmi2Real time) {

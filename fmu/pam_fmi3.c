@@ -347,7 +347,7 @@ fmi3Status fmi3UpdateDiscreteStates(fmi3Instance instance, fmi3Boolean *need_upd
         *flags[i] = fmi3False;
     }
     *next_event_time = 0.0;
-    return fmi3OK;
+    return (fmi3Status)pam_state_holds(c);
 }
 
 /* --- model exchange ------------------------------------------------------------------------------------- */
@@ -365,7 +365,7 @@ fmi3Status fmi3CompletedIntegratorStep(fmi3Instance instance, fmi3Boolean no_set
     if (!pam_arrays(c, __func__, 1, enter_event, terminate)) return fmi3Error;
     *enter_event = fmi3False;
     *terminate = fmi3False;
-    return fmi3OK;
+    return (fmi3Status)pam_state_holds(c);
 }
 
 fmi3Status fmi3SetTime(fmi3Instance instance, fmi3Float64 time) {

@@ -63,6 +63,14 @@ const double *pam_locals(pam_instance *c) {
     return c->w;
 }
 
+void pam_check_statements(pam_instance *c) {
+    pam_initialise_states(c);
+    find_delayed(c);
+    const double *arg[] = {&c->core.time, c->x, c->u, c->d, c->solver.p};
+    double *res[] = {c->checks, c->checks + c->model->na};
+    c->model->check(arg, res, c->solver.iw, c->solver.w, 0);
+}
+
 /* d(t) = u(t - T): the present input does not count, time and the delay do. */
 static void seed_delayed(pam_instance *c, double st, const double *su, const double *sp) {
     const pam_model *m = c->model;

@@ -50,7 +50,9 @@ typedef struct {
     int initial_known;  /* x holds x0(p) in the initialization phases */
     int last_step;      /* pam_status of the last step */
     int stop_defined;
+    int warned;         /* the model has warned since the last call that could say so */
     double time, start_time, stop_time, tolerance;
+    double holds_until; /* what the model states of itself is known to hold up to this time */
     pam_solver_scalars solver;
 } pam_core;
 
@@ -64,10 +66,12 @@ typedef struct {
     size_t saved_size; /* doubles in saved */
     double *saved;
     double *x, *u, *du, *x_explicit; /* in saved: now; x_explicit: 1 where the user set the start value */
+    double *told;                    /* na, in saved: 1 where a warning was given */
     pam_solver solver;
     double *dx, *y, *w;              /* results at the present time */
     double *d, *dd;                  /* delayed inputs at the present time and their slopes */
     double *seed, *result;           /* nx + nu + np + 1; nx + ny + nw + nx */
+    double *checks;                  /* na + nm: conditions, and numbers in the messages */
     double *seed_d, *rate_d;         /* nd: the seed that follows for delayed inputs; delays along the seed */
     int dx_known, y_known, w_known;
 } pam_instance;
@@ -111,10 +115,23 @@ const double *pam_derivatives(pam_instance *c);
 const double *pam_outputs(pam_instance *c);
 const double *pam_locals(pam_instance *c);
 
+/* Conditions and numbers of what the model states of itself, to checks. */
+void pam_check_statements(pam_instance *c);
+
 /* Derivatives along a seed over (x, u, p, t), to result (dx, y, w); seeds of calculated start values follow
  * from the parameters in the initialization phases.
  */
 void pam_directional(pam_instance *c);
+
+/* --- pam_statements.c: what the model states of itself ------------------------------------------------- */
+
+/* At the present time. PAM_ERROR, after a message, where the model cannot go on, which it then never will;
+ * PAM_WARNING where something was said that was not said before.
+ */
+pam_status pam_state_holds(pam_instance *c);
+
+/* The solver's question, for an instance: up to which time may its solution be used? */
+int pam_accept(void *instance, double t);
 
 /* --- pam_values.c: variables by value reference ------------------------------------------------------- */
 

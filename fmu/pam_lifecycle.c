@@ -24,14 +24,15 @@ static int allocate_arrays(pam_instance *c) {
     const pam_model *m = c->model;
     const pam_host *host = &c->host;
     size_t solver_size = pam_solver_saved_size(m), nx = (size_t)m->nx, nu = (size_t)m->nu, np = (size_t)m->np,
-           nd = (size_t)m->nd;
+           nd = (size_t)m->nd, na = (size_t)m->na;
     size_t results = nx + (size_t)(m->ny + m->nw);
-    c->saved_size = solver_size + 2 * nx + 2 * nu;
+    c->saved_size = solver_size + 2 * nx + 2 * nu + na;
     c->saved = allocate(host, c->saved_size, sizeof(double));
     double *scratch = allocate(host, pam_solver_scratch_size(m), sizeof(double));
     int *pivot = allocate(host, pam_solver_pivots(m), sizeof(int));
     long long *iw = allocate(host, (size_t)m->size_iw, sizeof(long long));
-    c->dx = allocate(host, results + (nx + nu + np + 1) + (results + nx) + 4 * nd, sizeof(double));
+    c->dx = allocate(host, results + (nx + nu + np + 1) + (results + nx) + 4 * nd + na + (size_t)m->nm,
+                     sizeof(double));
     c->solver.past = allocate(host, nd, sizeof *c->solver.past);
     c->solver.memory = host->memory;
     if (c->saved && scratch) pam_solver_bind(&c->solver, m, &c->core.solver, c->saved, scratch, pivot, iw);
@@ -45,6 +46,7 @@ static int allocate_arrays(pam_instance *c) {
     c->x_explicit = c->x + nx;
     c->u = c->x_explicit + nx;
     c->du = c->u + nu;
+    c->told = c->du + nu;
     c->y = c->dx + nx;
     c->w = c->y + m->ny;
     c->seed = c->dx + results;
@@ -53,6 +55,9 @@ static int allocate_arrays(pam_instance *c) {
     c->dd = c->d + nd;
     c->seed_d = c->dd + nd;
     c->rate_d = c->seed_d + nd;
+    c->checks = c->rate_d + nd;
+    c->solver.accept = na ? pam_accept : NULL;
+    c->solver.owner = c;
     return 1;
 }
 
@@ -123,9 +128,11 @@ pam_status pam_exit_initialization(pam_instance *c) {
             c->core.phase = FAILED;
             return pam_log(c, PAM_ERROR, "the start value of '%s' is not a finite number", c->model->state_names[i]);
         }
+    pam_status status = pam_state_holds(c);
+    if (status > PAM_WARNING) return status;
     if (c->kind == MODEL_EXCHANGE) {
         c->core.phase = EVENT;
-        return PAM_OK;
+        return status;
     }
     if (c->model->nx) memcpy(c->solver.x, c->x, sizeof(double) * (size_t)c->model->nx);
     if (pam_solver_begin(&c->solver, c->core.time, c->u, c->du, c->core.tolerance)) {
@@ -135,7 +142,7 @@ pam_status pam_exit_initialization(pam_instance *c) {
     pam_forget(c);
     c->core.state_changed = 0;
     c->core.phase = STEP;
-    return PAM_OK;
+    return status;
 }
 
 pam_status pam_terminate(pam_instance *c) {

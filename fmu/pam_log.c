@@ -17,7 +17,7 @@ static const struct {
 enum { CATEGORY_COUNT = sizeof CATEGORIES / sizeof *CATEGORIES };
 
 pam_status pam_log(const pam_instance *c, pam_status status, const char *format, ...) {
-    char message[1024];
+    char message[PAM_MESSAGE];
     va_list args;
     va_start(args, format);
     vsnprintf(message, sizeof message, format, args);

@@ -15,10 +15,19 @@
  * where it has elements, but for those of ``delay``. */
 typedef int (*pam_function)(const double **arg, double **res, long long *iw, double *w, int mem);
 
+/* A condition that the model states of itself. */
+typedef struct {
+    int is_error, at_start; /* the run ends where it does not hold; it is asked at the start alone */
+    int values;             /* numbers in the message, */
+    const char *const *texts; /* before, between and behind which these stand, */
+    const int *digits;      /* and their significant digits */
+} pam_statement;
+
 typedef struct {
     const char *guid;
     int nx, nu, nd, ny, np, nw;       /* states, inputs, delayed inputs, outputs, parameters, locals */
     int nc, ns;                       /* nx = nc (1 + ns): after nc states their derivatives, state by state */
+    int na, nm;                       /* what the model states of itself, and all numbers in those messages */
     int size_iw, size_w;              /* work space of the generated functions */
     double tolerance;                 /* default relative tolerance */
     double max_step;                  /* [s]; 0: no limit */
@@ -40,6 +49,8 @@ typedef struct {
     pam_function init;                /* (p) -> x0 */
     pam_function init_jvp;            /* (p, sp) -> x0 along the seed sp */
     pam_function delay;               /* (p, sp) -> (delays [s], delays along the seed sp) */
+    pam_function check;               /* (t, x, u, d, p) -> (na: 0 where it does not hold, nm: numbers in the messages) */
+    const pam_statement *statements;
 } pam_model;
 
 extern const pam_model pam_the_model;

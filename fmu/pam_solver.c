@@ -413,16 +413,22 @@ static void leave_step(pam_solver *v) {
     v->s->h = 0.0;
 }
 
+static int refused(pam_solver *v, double t) { return v->accept && v->accept(v->owner, t); }
+
 int pam_solver_advance(pam_solver *v, double t) {
     int budget = PAM_MAX_STEPS_PER_CALL;
     if (v->model->nx == 0) {
+        if (refused(v, t)) return 1;
         v->s->t = t;
         return 0;
     }
     while (v->s->h == 0.0 || v->s->until < t) {
-        if (v->s->h > 0.0) leave_step(v);
+        if (v->s->h > 0.0) {
+            if (refused(v, v->s->until)) return 1;
+            leave_step(v);
+        }
         if (--budget <= 0) return fail_step(v, "the solver needs too many steps", v->s->h_next, 0, 1);
         if (take_step(v, t, &budget)) return 1;
     }
-    return 0;
+    return refused(v, t);
 }

@@ -17,6 +17,8 @@
 #include "pam_model.h"
 #include "pam_sensitivity.h"
 
+enum { PAM_MESSAGE = 1024 };
+
 typedef struct {
     long long steps, rejected, rhs, jacobians, restarts;
 } pam_statistics;
@@ -51,7 +53,11 @@ typedef struct pam_solver {
     double *k, *f, *ft, *stage, *u_stage, *d, *dd, *d_stage, *jac, *lu, *rhs, *w;
     int *pivot;
     long long *iw;
-    char message[512];      /* why pam_solver_advance failed */
+    char message[PAM_MESSAGE]; /* why pam_solver_advance failed */
+    /* Asked for each time up to which the solution is about to be used, in order; 1 with a message: no further.
+     * May be null. The solution is known at all times since the one before. */
+    int (*accept)(void *owner, double t);
+    void *owner;
 } pam_solver;
 
 enum { PAM_MAX_STEPS_PER_CALL = 100000 };

@@ -99,6 +99,8 @@ def simulate(
     parameters = parse_settings(settings or [], interface)
     course = read_inputs(inputs, interface) if inputs else None
     trajectory = study.simulate(model, parameters, course, stop_time=stop_time, files=files or [])
+    for warning in trajectory.warnings:
+        typer.echo(f"pam-cosim: {warning}", err=True)
     if output:
         trajectory.to_csv(output)
     if plot:

@@ -180,12 +180,13 @@ def three_element_shape() -> None:
         source = f"""model Shape{i} extends PneumaticMuscle.Benches.StaticForce(muscle(
           L0=0.24, D0=0.02, alpha_0=0.4823479, redeclare model Braid = PneumaticMuscle.{package}.{braid}));
           end Shape{i};"""
-        force, volume = _shape(f"Shape{i}", source, eps)
+        reach = eps[eps < 0.164] if braid == "ThreeElementShape" else eps  # its assertion ends a run beyond
+        force, volume = _shape(f"Shape{i}", source, reach)
         name = ("cylinder", "two frustums, cylinder: DP (13)", "barrel: DP (9)")[i]
-        a.plot(100 * eps, force, color=COLOURS[i], label=name)
-        b.plot(100 * eps, volume * 1e6, color=COLOURS[i])
-        say(name + ": F at 0, 10, 15 %", *np.interp([0, 0.1, 0.15], eps, force), unit="N")
-        say(name + ": V at 0, 10, 15 %", *np.interp([0, 0.1, 0.15], eps, volume * 1e6), unit="mL")
+        a.plot(100 * reach, force, color=COLOURS[i], label=name)
+        b.plot(100 * reach, volume * 1e6, color=COLOURS[i])
+        say(name + ": F at 0, 10, 15 %", *np.interp([0, 0.1, 0.15], reach, force), unit="N")
+        say(name + ": V at 0, 10, 15 %", *np.interp([0, 0.1, 0.15], reach, volume * 1e6), unit="mL")
     for axes in (a, b):
         axes.axvspan(16.4, 30, color="0.85", zorder=0)
         axes.set(xlabel="contraction ratio [%]")

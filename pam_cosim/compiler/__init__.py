@@ -3,15 +3,15 @@
 The way of a model through the files: ``source``, ``lexer``, ``parser`` (with ``expression_parser`` and
 ``equation_parser``) make the tree of ``syntax``; ``library`` holds all classes, ``scope`` finds them by name;
 ``instantiation`` makes the tree of components (``instance``) under ``modification``; ``evaluation`` (with
-``arithmetic``, ``builtins``, ``functions``) turns expressions into values, ``symbols`` into CasADi symbols;
-``flattening`` and ``connections`` give residual equations; ``index_reduction`` and ``blocks`` (with
+``arithmetic``, ``builtins``, ``functions``, ``assertions``) turns expressions into values, ``symbols`` into CasADi
+symbols; ``flattening`` and ``connections`` give residual equations; ``index_reduction`` and ``blocks`` (with
 ``matching``) solve them; ``delays`` finds the inputs that ``delay`` asks for; ``initialization`` solves at the start;
 ``compile`` puts the ``Ode`` together.
 ``catalogue`` and ``structure`` tell what classes and models consist of; ``effects`` and ``compose`` build on them.
 
 Modelica 3.6 without events: ``when``, discrete variables, ``stream`` and ``expandable`` connectors, external
 functions, operator records, matrix brackets, nonlinear algebraic loops and the ``delay`` of anything but inputs
-are refused with an error.
+are refused with an error. An ``assert`` that does not hold ends a run of the FMU, or warns.
 """
 
 from pam_cosim.compiler.catalogue import ClassTree, read_library

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import casadi as ca
@@ -20,6 +21,34 @@ Value = Any
 
 class ArithmeticProblem(ModelError):
     """An operation that has no result; the evaluator adds the place."""
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A number as ``String`` writes it, with so many significant digits."""
+
+    value: ca.SX
+    digits: int
+
+
+@dataclass(frozen=True)
+class Text:
+    """A String with numbers in it that are known only when the model runs."""
+
+    parts: tuple[str | Shown, ...]
+
+
+def text_of(value: Value) -> Text:
+    """Any String as a ``Text``.
+
+    Raises:
+        ArithmeticProblem: it is no String.
+    """
+    if isinstance(value, Text):
+        return value
+    if not isinstance(value, str):
+        raise ArithmeticProblem("a String is needed: write String(x) for a number")
+    return Text((value,))
 
 
 def is_symbolic(value: Value) -> bool:
@@ -62,6 +91,8 @@ def binary(operator: str, left: Value, right: Value) -> Value:
         raise ArithmeticProblem(f"'{operator}' between an array and a scalar: write '.{operator}'")
     if operator == "+" and isinstance(left, str) and isinstance(right, str):
         return left + right
+    if operator == "+" and (isinstance(left, Text) or isinstance(right, Text)):
+        return Text(text_of(left).parts + text_of(right).parts)
     return each(_SCALAR[operator.lstrip(".")], left, right)
 
 
@@ -104,7 +135,7 @@ def _number(value: Value) -> Value:
 
 
 def _kind(value: Value) -> str:
-    return {bool: "a Boolean", str: "a String"}.get(type(value), f"'{getattr(value, 'name', value)}'")
+    return {bool: "a Boolean", str: "a String", Text: "a String"}.get(type(value), f"'{getattr(value, 'name', value)}'")
 
 
 def _divide(a: Value, b: Value) -> Value:
@@ -165,6 +196,13 @@ def _condition(value: Value) -> Value:
     if isinstance(value, bool) or is_symbolic(value):
         return value
     raise ArithmeticProblem(f"a Boolean is needed, not {value!r}")
+
+
+def only(condition: Value, earlier: Sequence[Value]) -> Value:
+    """Whether a branch is the one taken: its condition holds and none of those before it."""
+    for other in earlier:
+        condition = _and(condition, _not(other))
+    return condition
 
 
 def select(branches: Sequence[tuple[Value, Value]], otherwise: Value) -> Value:

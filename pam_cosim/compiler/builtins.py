@@ -174,7 +174,19 @@ def _integer(evaluator: Evaluator, node: Call, scope: Scope, names: Environment)
 
 
 def _string(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Value:
-    return str(evaluator.evaluate(node.arguments[0], scope, names))
+    if len(node.arguments) != 1 or {name for name, _ in node.named} - {"significantDigits"}:
+        raise ModelError("String() takes one value, and significantDigits")
+    value = evaluator.evaluate(node.arguments[0], scope, names)
+    digits = 6  # Modelica 3.6, section 3.7.1.1
+    for _, option in node.named:
+        digits = evaluator.integer(option, scope, names)
+    if not 1 <= digits <= 17:
+        raise ModelError(f"significantDigits must lie between 1 and 17, not {digits}")
+    if arithmetic.is_symbolic(value):
+        return arithmetic.Text((arithmetic.Shown(value, digits),))
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    return f"{value:.{digits}g}" if isinstance(value, float) else str(getattr(value, "name", value))
 
 
 def _refused(name: str) -> Builtin:

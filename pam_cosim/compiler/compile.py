@@ -10,15 +10,17 @@ from pathlib import Path
 import casadi as ca
 
 from pam_cosim.compiler import metadata
+from pam_cosim.compiler.arithmetic import Shown
+from pam_cosim.compiler.assertions import Assertion
 from pam_cosim.compiler.blocks import solve
-from pam_cosim.compiler.delays import DelayedInputs
+from pam_cosim.compiler.delays import DelayedInputs, put
 from pam_cosim.compiler.flattening import FlatModel, flatten
 from pam_cosim.compiler.index_reduction import System, reduce_index, select_states
 from pam_cosim.compiler.initialization import Start, initial_values
 from pam_cosim.compiler.instance import Instance
 from pam_cosim.compiler.instantiation import Instantiator
 from pam_cosim.compiler.library import Library
-from pam_cosim.compiler.ode import Ode
+from pam_cosim.compiler.ode import Ode, Statement
 from pam_cosim.compiler.scope import Class, Lookup
 from pam_cosim.errors import ModelError
 from pam_cosim.interface import Interface, Variable
@@ -117,6 +119,7 @@ class _Assembly:
             delayed.put_in([self._value(leaf.name) for leaf in outputs]),
             delayed.put_in([value for _, value in local]),
         )
+        statements = tuple(self._statement(assertion, delayed) for assertion in symbols.assertions)
         interface = Interface(
             model=root.ancestors[0].definition.qualified_name,
             inputs={leaf.name: metadata.variable(leaf, constants) for leaf in symbols.inputs},
@@ -141,6 +144,7 @@ class _Assembly:
             delays=tuple(delayed.delays),
             effects=metadata.effects(root),
             libraries=metadata.libraries(root),
+            statements=statements,
         )
 
     # ---- the system of equations --------------------------------------------------------------------------
@@ -167,6 +171,25 @@ class _Assembly:
 
     def _unknown_leaves(self) -> list[Instance]:
         return list(self.flat.symbols.unknowns)
+
+    def _statement(self, assertion: Assertion, delayed: DelayedInputs) -> Statement:
+        """An assertion in terms of states, inputs and parameters."""
+        shown = [part for part in assertion.message.parts if isinstance(part, Shown)]
+        condition, *values = delayed.put_in(
+            [put(e, self.system.variables, self.solved) for e in (assertion.condition, *(s.value for s in shown))]
+        )
+        texts = [""]
+        for part in assertion.message.parts:
+            if isinstance(part, str):
+                texts[-1] += part
+            else:
+                texts.append("")
+        fixed = not (_names(condition) - _names(self.p))
+        digits = [s.digits for s in shown]
+        return Statement(
+            condition, tuple(texts), tuple(zip(values, digits, strict=True)), assertion.is_error,
+            assertion.at_start or fixed,
+        )  # fmt: skip
 
     # ---- results ------------------------------------------------------------------------------------------
 
@@ -218,6 +241,10 @@ class _Assembly:
             if symbol.name() in self.system.variables or symbol.name() in self.system.inputs:
                 raise ModelError(f"the start value of '{name}' depends on the variable '{symbol.name()}'")
         return Start(value, metadata.is_fixed(leaf, self.instantiator.constants), f"start value of '{name}'")
+
+
+def _names(expression: ca.SX) -> set[str]:
+    return {symbol.name() for symbol in ca.symvar(expression)}
 
 
 def _column(values: Sequence[ca.SX]) -> ca.SX:

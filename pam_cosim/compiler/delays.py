@@ -107,10 +107,10 @@ class DelayedInputs:
 
     def _shifted(self, argument: ca.SX, call: DelayCall, time: ca.SX) -> ca.SX:
         """The argument of a call with each input in it delayed (further) by ``time``."""
-        argument = _put(argument, self.symbols, self.solved)
+        argument = put(argument, self.symbols, self.solved)
         inner = [name for name in _names(argument) if name in self.calls]
         results = {name: self._result(self.calls[name]) for name in inner}
-        argument = _put(argument, {name: self.calls[name].symbol for name in inner}, results)
+        argument = put(argument, {name: self.calls[name].symbol for name in inner}, results)
         already = {symbol.name(): delay for symbol, delay in zip(self.delayed, self.delays, strict=True)}
         old, new = {}, {}
         for symbol in ca.symvar(argument):
@@ -125,7 +125,7 @@ class DelayedInputs:
                 message = f"delay() of something other than an input is not supported: it depends on '{name}'"
                 raise call.source.error(message, call.at)
             old[name], new[name] = symbol, self._channel(delay)
-        return _put(argument, old, new)
+        return put(argument, old, new)
 
     def _channel(self, delay: Delay) -> ca.SX:
         """The symbol of an input delayed by a time: one for all calls that ask for the same."""
@@ -147,7 +147,7 @@ def _names(expression: ca.SX) -> list[str]:
     return [symbol.name() for symbol in ca.symvar(expression)]
 
 
-def _put(expression: ca.SX, symbols: Mapping[str, ca.SX], values: Mapping[str, ca.SX]) -> ca.SX:
+def put(expression: ca.SX, symbols: Mapping[str, ca.SX], values: Mapping[str, ca.SX]) -> ca.SX:
     """The expression with values in place of those symbols that have one."""
     names = [name for name in _names(expression) if name in values]
     if not names:

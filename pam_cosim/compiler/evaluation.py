@@ -6,7 +6,8 @@ array, or an ``Instance`` for a record. Branches that constants rule out are nev
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Generator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -41,7 +42,11 @@ if TYPE_CHECKING:
 Value = Any
 Environment = Mapping[str, Value]
 NO_NAMES: Environment = {}
-_STATE_SELECT = ("never", "avoid", "default", "prefer", "always")
+# Enumerations that the language brings (Modelica 3.6, sections 4.4.4.2 and 8.3.7).
+ENUMERATIONS = {
+    "StateSelect": ("never", "avoid", "default", "prefer", "always"),
+    "AssertionLevel": ("warning", "error"),
+}
 
 
 class AbsentComponent(ModelError):
@@ -72,6 +77,7 @@ class Evaluator:
         self._values: dict[Instance, Value] = {}
         self._in_progress: dict[Instance, None] = {}
         self.at_start = False  # what initial() is
+        self.branches: list[Value] = []  # conditions, known at run time only, of the branches being evaluated
 
     # ---- what a subclass changes --------------------------------------------------------------------------
 
@@ -94,6 +100,18 @@ class Evaluator:
     def delay(self, value: Value, start: Value, time: Value, scope: Scope, at: int) -> Value:
         """The value of ``delay(value, time)``, which stands at ``at``; ``start`` is the value at the start."""
         raise ModelError("delay() cannot be used here: a constant is needed")
+
+    def assertion(self, condition: Value, message: arithmetic.Text, is_error: bool, at_start: bool) -> None:
+        """Notes a condition that is not known to hold; where all is known there is none."""
+
+    @contextmanager
+    def branch(self, condition: Value) -> Generator[None]:
+        """What is evaluated in it counts only while a condition holds."""
+        self.branches.append(condition)
+        try:
+            yield
+        finally:
+            self.branches.pop()
 
     # ---- entry points -------------------------------------------------------------------------------------
 
@@ -145,10 +163,12 @@ class Evaluator:
             if instance in self._in_progress:
                 raise ModelError(f"'{instance.name}' depends on itself")
             self._in_progress[instance] = None
+            self.branches, outside = [], self.branches  # the value is kept, and used outside of them too
             try:
                 self._values[instance] = self._find_value(instance)
             finally:
                 del self._in_progress[instance]
+                self.branches = outside
         return self._values[instance]
 
     def _find_value(self, instance: Instance) -> Value:
@@ -232,7 +252,7 @@ class Evaluator:
         found = self.lookup.first(None, name, True)
         if found is not None:
             return ClassValue(found)
-        if name == "StateSelect":
+        if name in ENUMERATIONS:
             return name
         raise ModelError(f"'{node.text}' not found in {scope.definition.qualified_name}")
 
@@ -253,8 +273,9 @@ class Evaluator:
             raise ModelError(f"'{node.text}': {what or instance.name} has no '{name}'")
         if isinstance(found, ClassValue):
             return self._class_member(found.of, name, node)
-        if found == "StateSelect" and name in _STATE_SELECT:
-            return EnumerationLiteral(name, _STATE_SELECT.index(name) + 1)
+        literals = ENUMERATIONS.get(found, ()) if isinstance(found, str) else ()
+        if name in literals:
+            return EnumerationLiteral(name, literals.index(name) + 1)
         raise ModelError(f"'{node.text}': there is no member '{name}'")
 
     def _class_member(self, of: Class, name: str, node: Reference) -> Value:
@@ -342,11 +363,13 @@ class Evaluator:
             value = self.evaluate(condition, scope, names)
             if value is False:
                 continue
-            result = self.evaluate(expression, scope, names)
+            with self.branch(arithmetic.only(value, [condition for condition, _ in chosen])):
+                result = self.evaluate(expression, scope, names)
             if value is True:
                 return arithmetic.select(chosen, result)
             chosen.append((value, result))
-        return arithmetic.select(chosen, self.evaluate(node.otherwise, scope, names))
+        with self.branch(arithmetic.only(True, [condition for condition, _ in chosen])):
+            return arithmetic.select(chosen, self.evaluate(node.otherwise, scope, names))
 
     def _array(self, node: Array, scope: Scope, names: Environment) -> Value:
         if node.iterators:

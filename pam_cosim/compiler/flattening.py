@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import casadi as ca
 
 from pam_cosim.compiler import arithmetic
+from pam_cosim.compiler.assertions import check
 from pam_cosim.compiler.connections import Connections, ConnectionSet
 from pam_cosim.compiler.evaluation import NO_NAMES, Environment, Value
 from pam_cosim.compiler.functions import run
@@ -44,14 +45,6 @@ class Residual:
     place: str
 
 
-@dataclass(frozen=True)
-class Assertion:
-    """A condition that a model states of itself; symbolic, or it would have been decided already."""
-
-    condition: ca.SX
-    message: str
-
-
 @dataclass(repr=False)
 class FlatModel:
     """Symbols and equations of a model without structure."""
@@ -60,7 +53,6 @@ class FlatModel:
     symbols: SymbolTable
     residuals: list[Residual] = field(default_factory=list)
     initial: list[Residual] = field(default_factory=list)
-    assertions: list[Assertion] = field(default_factory=list)
 
 
 def flatten(instantiator: Instantiator, root: Instance) -> FlatModel:
@@ -128,7 +120,7 @@ class _Flattener:
         elif isinstance(equation, If):
             self._if(equation, scope, names, initial)
         elif isinstance(equation, Procedure):
-            self._procedure(equation, scope, names)
+            self._procedure(equation, scope, names, initial)
         else:
             what = equation.what if isinstance(equation, Unsupported) else "this equation"
             raise ModelError(f"'{what}' is not supported: this compiler takes continuous models only")
@@ -174,7 +166,8 @@ class _Flattener:
             value = True if condition is None else self.symbols.evaluate(condition, scope, names)
             if value is False:
                 continue
-            self._equations(body, scope, names, initial)
+            with self.symbols.branch(arithmetic.only(value, [earlier for earlier, _ in branches])):
+                self._equations(body, scope, names, initial)
             branches.append((value, target[before:]))
             del target[before:]
             if value is True:
@@ -190,20 +183,10 @@ class _Flattener:
             values = [(value, residuals[i].expression) for value, residuals in choices]
             target.append(Residual(ca.SX(arithmetic.select(values, residual.expression)), residual.place))
 
-    def _procedure(self, equation: Procedure, scope: Scope, names: Environment) -> None:
-        call = equation.call
-        if call.function.text != "assert":
-            raise ModelError(f"'{call.function.text}' cannot stand alone as an equation")
-        by_name = dict(call.named)
-        arguments = list(call.arguments)
-        condition = arguments[0] if arguments else by_name["condition"]
-        message = arguments[1] if len(arguments) > 1 else by_name["message"]
-        value = self.symbols.evaluate(condition, scope, names)
-        text = str(self.symbols.evaluate(message, scope, names))
-        if value is False:
-            raise ModelError(f"assertion fails: {text}")
-        if value is not True:
-            self.flat.assertions.append(Assertion(value, text))
+    def _procedure(self, equation: Procedure, scope: Scope, names: Environment, initial: bool) -> None:
+        if equation.call.function.text != "assert":
+            raise ModelError(f"'{equation.call.function.text}' cannot stand alone as an equation")
+        check(self.symbols, equation.call, scope, names, initial)
 
     def _algorithm(self, section: Section, scope: Scope, node: Instance) -> None:
         """Statements give each assigned variable the value that it has at the end."""

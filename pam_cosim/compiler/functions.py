@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from pam_cosim.compiler import arithmetic
+from pam_cosim.compiler.assertions import check
 from pam_cosim.compiler.evaluation import Environment, Evaluator, Value
 from pam_cosim.compiler.instance import Instance
 from pam_cosim.compiler.scope import Class, Scope
@@ -138,7 +139,9 @@ def _run_one(evaluator: Evaluator, statement: Equation, scope: Scope, local: dic
             local.pop(name, None)
         local.update(hidden)
     elif isinstance(statement, Procedure):
-        if statement.call.function.text not in ("assert", "print"):
+        if statement.call.function.text == "assert":
+            check(evaluator, statement.call, scope, local)
+        elif statement.call.function.text != "print":
             evaluator.evaluate(statement.call, scope, local)
     else:
         what = statement.what if isinstance(statement, Unsupported) else "this statement"
@@ -195,7 +198,8 @@ def _run_if(evaluator: Evaluator, statement: If, scope: Scope, local: dict[str, 
         if value is False:
             continue
         branch = dict(local)
-        run(evaluator, body, scope, branch)
+        with evaluator.branch(arithmetic.only(value, [earlier for earlier, _ in open_branches])):
+            run(evaluator, body, scope, branch)
         if value is True:
             last = branch
             break

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from pam_cosim.compiler.evaluation import Evaluator
+from pam_cosim.compiler.evaluation import ENUMERATIONS, Evaluator
 from pam_cosim.compiler.instance import Instance
 from pam_cosim.compiler.modification import ATTRIBUTES, NOTHING, Bound, Mod, Redeclaration, bind, merge
 from pam_cosim.compiler.scope import Class, Lookup, Scope
@@ -379,7 +379,7 @@ class Instantiator:
         if found is None:
             if name.text in PRIMITIVES:
                 return _Type(name.text, None, modification)
-            if name.text == "StateSelect":
+            if name.text in ENUMERATIONS:
                 return _Type("enumeration", None, modification)
             raise scope.definition.source.error(
                 f"class '{name.text}' not found in {scope.definition.qualified_name}", name.at

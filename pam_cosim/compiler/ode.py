@@ -23,6 +23,25 @@ class Delay:
 
 
 @dataclass(frozen=True)
+class Statement:
+    """A condition that the model states of itself, and what is said where it does not hold.
+
+    Attributes:
+        condition: 0 where it does not hold; an expression like the outputs.
+        texts: the message's parts, one more than there are values between them.
+        values: the numbers in the message, expressions like the outputs, each with its significant digits.
+        is_error: whether the run ends there; otherwise it is warned once.
+        at_start: whether it is asked at the start alone.
+    """
+
+    condition: ca.SX
+    texts: tuple[str, ...]
+    values: tuple[tuple[ca.SX, int], ...] = ()
+    is_error: bool = True
+    at_start: bool = False
+
+
+@dataclass(frozen=True)
 class Ode:
     """dx/dt = f(t, x, u, d, p), y = h(t, x, u, d, p), x(0) = x0(p).
 
@@ -42,6 +61,7 @@ class Ode:
             state, each by these parameters in order.
         effects: the effects in the model: name of the component, full name of its class.
         libraries: packages that the model is made of, with their versions.
+        statements: what must hold while the model runs.
     """
 
     interface: Interface
@@ -60,6 +80,7 @@ class Ode:
     sensitivities: tuple[str, ...] = ()
     effects: tuple[tuple[str, str], ...] = ()
     libraries: tuple[tuple[str, str], ...] = ()
+    statements: tuple[Statement, ...] = ()
 
     @property
     def core(self) -> int:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import casadi as ca
 
 from pam_cosim.compiler import arithmetic
+from pam_cosim.compiler.arithmetic import Shown, Text
+from pam_cosim.compiler.assertions import Assertion
 from pam_cosim.compiler.delays import DelayCall, check_time, same
 from pam_cosim.compiler.evaluation import Evaluator, Value
 from pam_cosim.compiler.instance import Instance
@@ -26,6 +28,7 @@ class SymbolTable(Evaluator):
         free: free parameters with their symbols; ``defaults`` their values.
         derivatives: ``der(x)`` by the name of x.
         delays: calls of ``delay`` by the name of the symbol that stands for the result.
+        assertions: what the model states of itself.
     """
 
     def __init__(self, instantiator: Instantiator, root: Instance) -> None:
@@ -38,6 +41,7 @@ class SymbolTable(Evaluator):
         self.defaults: dict[Instance, float] = {}
         self.derivatives: dict[str, ca.SX] = {}
         self.delays: dict[str, DelayCall] = {}
+        self.assertions: list[Assertion] = []
         self._by_name: dict[str, Instance] = {}
 
     def variable(self, instance: Instance) -> Value:
@@ -97,6 +101,12 @@ class SymbolTable(Evaluator):
         self.delays[name] = DelayCall(symbol, value, start, time, scope.definition.source, at)
         return symbol
 
+    def assertion(self, condition: Value, message: Text, is_error: bool, at_start: bool) -> None:
+        """Keeps it once, however often a function that makes it is called with the same arguments."""
+        new = Assertion(ca.SX(condition), message, is_error, at_start)
+        if not any(_alike(new, known) for known in self.assertions):
+            self.assertions.append(new)
+
     def instance_of(self, symbol: ca.SX) -> Instance | None:
         """The variable that a symbol stands for."""
         return self._by_name.get(symbol.name())
@@ -130,3 +140,11 @@ class SymbolTable(Evaluator):
         if name not in self.derivatives:
             self.derivatives[name] = ca.SX.sym(f"der({name})")
         return self.derivatives[name]
+
+
+def _alike(a: Assertion, b: Assertion) -> bool:
+    """Whether two assertions say the same in the same case."""
+    texts = [[part if isinstance(part, str) else part.digits for part in one.message.parts] for one in (a, b)]
+    numbers = [[part.value for part in one.message.parts if isinstance(part, Shown)] for one in (a, b)]
+    same_level = (a.is_error, a.at_start, texts[0]) == (b.is_error, b.at_start, texts[1])
+    return same_level and same(a.condition, b.condition) and all(map(same, *numbers))

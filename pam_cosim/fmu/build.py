@@ -12,6 +12,7 @@ from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_bytes
 from pam_cosim.fmu import description2, description3
+from pam_cosim.fmu.c_text import c_string
 from pam_cosim.fmu.cache import cached, digest, make_folder
 from pam_cosim.fmu.compile import (
     PLATFORMS,
@@ -31,7 +32,7 @@ FMI_VERSIONS = ("2.0", "3.0")
 
 _CORE = (
     "pam_cosimulation.c", "pam_exchange.c", "pam_history.c", "pam_instance.c", "pam_lifecycle.c", "pam_log.c",
-    "pam_sensitivity.c", "pam_snapshot.c", "pam_solver.c", "pam_values.c",
+    "pam_sensitivity.c", "pam_snapshot.c", "pam_solver.c", "pam_statements.c", "pam_values.c",
 )  # fmt: skip
 _SHELLS = {"2.0": "pam_fmi2.c", "3.0": "pam_fmi3.c"}
 
@@ -132,8 +133,9 @@ def _contents(ode: Ode, names: Sequence[str], fmi: str) -> dict[str, bytes]:
     draft, source = _descriptions(ode, _NO_GUID, fmi), model_source(ode, _NO_GUID)
     sha = digest(draft["modelDescription.xml"], source, source_key(runtime(fmi)))
     guid = f"{{{sha[:8]}-{sha[8:12]}-{sha[12:16]}-{sha[16:20]}-{sha[20:32]}}}"
-    source = source.replace(_NO_GUID, guid)
-    described = {name: text.replace(_NO_GUID.encode(), guid.encode()) for name, text in draft.items()}
+    # The first place is the right one: both files begin with it.
+    source = source.replace(c_string(_NO_GUID), c_string(guid), 1)
+    described = {name: text.replace(_NO_GUID.encode(), guid.encode(), 1) for name, text in draft.items()}
     return described | _sources(source, fmi) | _binaries(ode, source, names, fmi)
 
 

@@ -22,7 +22,8 @@ from pam_cosim.fmu.cache import cache_dir, cached, digest
 from pam_cosim.resources import fmu_runtime
 
 _FLAGS = ("-std=c99", "-O2", "-shared", "-s", "-w", "-fvisibility=hidden", "-fno-math-errno", "-ffp-contract=off",
-          "-fno-sanitize=undefined")  # fmt: skip
+          "-fno-sanitize=undefined",
+          "-fno-trigraphs")  # fmt: skip
 
 
 class CompilerError(RuntimeError):

@@ -29,8 +29,8 @@ def model_description(ode: Ode, entries: Sequence[Entry], token: str, tool: str)
         "fmiModelDescription",
         {
             "fmiVersion": "3.0",
-            "modelName": face.model,
             "instantiationToken": token,
+            "modelName": face.model,
             **({"description": ode.description} if ode.description else {}),
             "generationTool": tool,
             "variableNamingConvention": "structured",
@@ -38,7 +38,8 @@ def model_description(ode: Ode, entries: Sequence[Entry], token: str, tool: str)
     )
     identifier = {"modelIdentifier": shared.model_identifier(face.model)}
     if not ode.delays:  # nobody tells an FMU for model exchange what its inputs were between two evaluations
-        Xml.SubElement(root, "ModelExchange", {**identifier, **_SHARED})
+        asked = {"needsCompletedIntegratorStep": "true"} if ode.statements else {}
+        Xml.SubElement(root, "ModelExchange", {**identifier, **asked, **_SHARED})
     Xml.SubElement(root, "CoSimulation", {**identifier, **_SHARED, **_CO_SIMULATION})
     shared.units(root, [entry.variable for entry in entries])
     shared.log_categories(root)

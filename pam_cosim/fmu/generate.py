@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 import casadi as ca
 
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import ModelError
+from pam_cosim.fmu.c_text import c_array, c_string
 from pam_cosim.fmu.table import table
 
 # A model whose equations mention time may change without notice: never step over more of the run than this.
@@ -19,6 +19,8 @@ _STEPS_OF_TIMED_MODEL = 100
 
 def model_functions(ode: Ode) -> list[ca.Function]:
     """The functions the runtime calls, with the inputs and outputs listed in ``pam_model.h``.
+
+    The last, ``pam_check``, is there only where the model states something of itself.
 
     Raises:
         ModelError: an expression holds a symbol that is neither time, state, input, delayed input nor parameter.
@@ -36,6 +38,9 @@ def model_functions(ode: Ode) -> list[ca.Function]:
     chosen = ca.vertcat(ca.SX(0, 1), *[p[list(ode.interface.parameters).index(n)] for n in ode.sensitivities])
     total = ca.jtimes(core, ca.vertcat(t, u, d), ca.vertcat(ca.SX(1), du, dd))
     along = [ca.jtimes(e, ca.vertcat(*known), ca.vertcat(*seed)) for e in (f, y, w)]
+    conditions = ca.vertcat(ca.SX(0, 1), *[ca.SX(s.condition) for s in ode.statements])
+    shown = ca.vertcat(ca.SX(0, 1), *[ca.SX(value) for s in ode.statements for value, _ in s.values])
+    check = [_function("pam_check", known, [conditions, shown])] if ode.statements else []
     return [
         _function("pam_rhs", known, [f]),
         _function("pam_out", known, [y]),
@@ -47,6 +52,7 @@ def model_functions(ode: Ode) -> list[ca.Function]:
         _function("pam_init", [p], [x0]),
         _function("pam_init_jvp", [p, sp], [ca.jtimes(x0, p, sp)]),
         _function("pam_delay", [p, sp], [delays, ca.jtimes(delays, p, sp)]),
+        *check,
     ]
 
 
@@ -72,25 +78,38 @@ def model_source(ode: Ode, guid: str) -> str:
     max_step = face.stop_time / _STEPS_OF_TIMED_MODEL if timed else 0.0
     inputs = [entry.start or 0.0 for entry in table(ode) if entry.causality == "input"]
     sizes = [len(ode.states), *(part.numel() for part in (ode.u, ode.d, ode.outputs, ode.p, ode.locals))]
-    sizes += [ode.core, len(ode.sensitivities)]
+    sizes += [ode.core, len(ode.sensitivities), len(ode.statements), sum(len(s.values) for s in ode.statements)]
     work = [max(f.sz_iw() for f in functions), max(f.sz_w() for f in functions)]
     parts = [
+        f"static const char guid[] = {c_string(guid)};",  # first: what a model calls itself may look like one
         '#include "pam_model.h"\n#define CASADI_SYMBOL_EXPORT static',
         _seldom("pam_jvp", generated) if ode.sensitivities else generated,
-        _array("const char *const", "state_names", (json.dumps(s.name) for s in ode.states)),
-        _array("const double", "state_nominals", (_nominal(s.nominal) for s in ode.states)),
-        _array("const double", "input_starts", (_double(v) for v in inputs)),
-        _array("const double", "parameter_starts", (_double(v.start) for v in face.parameters.values())),
-        _array("const int", "delayed_inputs", (str(-1 if d.input is None else d.input) for d in ode.delays)),
-        _array("const int", "direct_inputs", (str(int(direct)) for direct in _direct_inputs(ode))),
+        c_array("const char *const", "state_names", (c_string(s.name) for s in ode.states)),
+        c_array("const double", "state_nominals", (_nominal(s.nominal) for s in ode.states)),
+        c_array("const double", "input_starts", (_double(v) for v in inputs)),
+        c_array("const double", "parameter_starts", (_double(v.start) for v in face.parameters.values())),
+        c_array("const int", "delayed_inputs", (str(-1 if d.input is None else d.input) for d in ode.delays)),
+        c_array("const int", "direct_inputs", (str(int(direct)) for direct in _direct_inputs(ode))),
+        *_statements(ode),
         "const pam_model pam_the_model = {",
-        f"    {json.dumps(guid)}, {', '.join(str(n) for n in sizes + work)},",
+        f"    guid, {', '.join(str(n) for n in sizes + work)},",
         f"    {_double(face.tolerance)}, {_double(max_step)},",
         "    state_names, state_nominals, input_starts, parameter_starts, delayed_inputs, direct_inputs,",
-        f"    {', '.join(f.name() for f in functions)},",
+        f"    {', '.join(f.name() for f in functions)}{'' if ode.statements else ', 0'},",
+        "    statements,",
         "};\n",
     ]
     return "\n".join(parts)
+
+
+def _statements(ode: Ode) -> list[str]:
+    """The table of what must hold, with the parts of its messages."""
+    lines, rows = [], []
+    for i, s in enumerate(ode.statements):
+        lines.append(c_array("const char *const", f"texts_{i}", map(c_string, s.texts)))
+        lines.append(c_array("const int", f"digits_{i}", [str(digits) for _, digits in s.values]))
+        rows.append(f"{{{int(s.is_error)}, {int(s.at_start)}, {len(s.values)}, texts_{i}, digits_{i}}}")
+    return [*lines, c_array("const pam_statement", "statements", rows or ["{0}"])]
 
 
 def _direct_inputs(ode: Ode) -> list[bool]:
@@ -135,11 +154,6 @@ def _seldom(name: str, source: str) -> str:
 def _without_helpers(source: str) -> str:
     """Leaves out what CasADi adds for its own importer and nobody calls here."""
     return _HELPER.sub("", source)
-
-
-def _array(kind: str, name: str, items: Iterable[str]) -> str:
-    text = ", ".join(items)
-    return f"static {kind} {name}[] = {{{text or '0'}}};"
 
 
 def _nominal(value: float | None) -> str:

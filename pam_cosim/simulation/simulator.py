@@ -179,7 +179,8 @@ class Simulator:
         self._check_finite(wanted, names, outcome.values, values)
         columns = np.ascontiguousarray(outcome.values.T)
         units = {name: self._units.get(name, "") for name in names}
-        return Trajectory(wanted.copy(), dict(zip(names, columns, strict=True)), units)
+        warnings = tuple(self._callbacks.take_messages())
+        return Trajectory(wanted.copy(), dict(zip(names, columns, strict=True)), units, warnings)
 
     @property
     def statistics(self) -> SolverStatistics | None:

@@ -28,11 +28,13 @@ class Trajectory:
         time: (n,) [s].
         values: name to (n,) [``units``].
         units: name to unit.
+        warnings: what the model said of this run, such as assertions of level warning that do not hold.
     """
 
     time: Array
     values: Mapping[str, Array]
     units: Mapping[str, str]
+    warnings: tuple[str, ...] = ()
 
     def __getitem__(self, name: str) -> Array:
         return self.values[name]

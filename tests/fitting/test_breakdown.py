@@ -46,6 +46,19 @@ def test_fit_gets_around_the_hole(fragile: Simulator, start: float) -> None:
         assert "not a finite number" in found.failures[0] and "a = " in found.failures[0]
 
 
+@pytest.mark.parametrize("start", [0.01, 5.9, 9.0, 60.0], ids=["far", "at the edge", "beyond", "far beyond"])
+def test_an_assertion_is_a_hole_like_any_other(start: float) -> None:
+    with Simulator(study.build(str(Path(__file__).parent / "Guarded.mo"))) as guarded:
+        with pytest.raises(SimulationFailure, match="at time 0.25 s: too fast at s = 0.19"):
+            guarded.run(TIME, parameters={"a": 6.5})
+        found = fit(guarded, decay(2.0, 0.0, 100.0, start))
+    estimate = found.parameters["a"]
+    assert estimate.low <= 2.0 <= estimate.high
+    assert bool(found.failures) == (start > 5.5)
+    if found.failures:
+        assert "too fast at s = " in found.failures[0] and "a = " in found.failures[0]
+
+
 def test_truth_beside_the_edge(fragile: Simulator) -> None:
     """The step of the derivative falls into the hole: it is taken the other way."""
     found = fit(fragile, decay(5.95, 0.0, 100.0, 5.5))

@@ -27,7 +27,7 @@ equation
 virtual work on that volume, F = -p_gauge dV/dL; the tensions DP (14)-(15) come from a reference that is not given.</p>
 <p>The shape exists only while (D - d)/2 &lt; L_z: up to D = 29 mm, 39 mm of contraction, for DP Table 1, although the
 same table's muscle contracts by 68 mm at 207 kPa. Beyond that L_L is kept off zero, so that every expression stays
-finite, but the results have no meaning: look at <code>margin</code>. The assertion says so in tools that check
-assertions at run time; FMUs of this project do not.</p>
+finite, but the results have no meaning: a run ends where <code>margin</code> is no longer positive, with a message
+that says so.</p>
 </html>"));
 end ThreeElementShape;
