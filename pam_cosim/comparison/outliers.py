@@ -15,30 +15,26 @@ from numpy.typing import NDArray
 from scipy.ndimage import median_filter
 
 from pam_cosim.comparison.residuals import RunComparison
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement import DataSet, Run
 
 Array = NDArray[np.float64]
-
-_WINDOW = 7  # samples; three neighbours on each side outvote a pair of outliers
-_FAR = 6.0  # standard deviations; noise alone does this once in 5e8 samples
-_MEDIAN_TO_SIGMA = 1.4826
-_ALONE = 0.5
-_FEWEST = 50
-_MOST = 0.03  # where more than this share lies far off, it is not a matter of single samples
 
 
 def outliers(residual: Array) -> NDArray[np.bool_]:
     """(n,) which samples are outliers; ``residual`` has NaN where a sample is missing."""
     found = np.zeros(len(residual), dtype=bool)
     kept = np.flatnonzero(np.isfinite(residual))
-    if len(kept) < _FEWEST:
+    if len(kept) < CRITERIA.noise.outlier_fewest:
         return found
     e = residual[kept]
-    off = e - median_filter(e, _WINDOW, mode="nearest")
-    far = np.abs(off) > _FAR * _MEDIAN_TO_SIGMA * float(np.median(np.abs(off)))
+    off = e - median_filter(e, CRITERIA.noise.outlier_window, mode="nearest")
+    far = np.abs(off) > CRITERIA.noise.outlier_far * CRITERIA.noise.median_to_sigma * float(np.median(np.abs(off)))
     beside = np.maximum(np.abs(np.append(off[1:], 0.0)), np.abs(np.insert(off[:-1], 0, 0.0)))
-    far &= beside < _ALONE * np.abs(off)  # a quick change of the signal takes its neighbours along
-    if far.mean() <= _MOST:
+    far &= beside < CRITERIA.noise.outlier_alone * np.abs(
+        off
+    )  # a quick change of the signal takes its neighbours along
+    if far.mean() <= CRITERIA.noise.outlier_most:
         found[kept[far]] = True
     return found
 

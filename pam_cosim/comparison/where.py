@@ -9,16 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.comparison.residuals import RunComparison
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.interface import Variable
 from pam_cosim.measurement import Signal
 from pam_cosim.quantities import readable_factor, readable_unit
 
 Mask = NDArray[np.bool_]
 Array = NDArray[np.float64]
-
-_BANDS = 4
-_LEAST_TIME_SHARE = 0.02
-_RULES_PER_SIGNAL = 3
 
 
 @dataclass(frozen=True)
@@ -78,7 +75,7 @@ def _collect(runs: Sequence[RunComparison], signal: Signal, outputs: Mapping[str
     phases: list[tuple[str, Mask]] = []
     if pressure is not None:
         slope = joined([_slope(r.run.time, r.model[pressure]) for r in parts])
-        limit = 0.02 * float(np.max(np.abs(slope), initial=0.0))
+        limit = CRITERIA.where.still * float(np.max(np.abs(slope), initial=0.0))
         phases = [("filling", slope > limit), ("holding", np.abs(slope) <= limit), ("venting", slope < -limit)]
     bands = [band for n, v in outputs.items() for band in _bands(n, v, joined([r.model[n] for r in parts]))]
     late = joined([_relative_time(r.run.time) for r in parts])
@@ -95,7 +92,7 @@ def _speed(r: RunComparison, output: str) -> Array:
 
 def _moving(name: str, speed: Array) -> list[tuple[str, Mask]]:
     """Direction, and fast or slow by the typical speed of what moves."""
-    limit = 0.02 * float(np.max(np.abs(speed), initial=0.0))
+    limit = CRITERIA.where.still * float(np.max(np.abs(speed), initial=0.0))
     if not limit > 0:
         return []
     fast = float(np.median(np.abs(speed[np.abs(speed) > limit])))
@@ -137,12 +134,14 @@ def _bands(name: str, variable: Variable, values: Array) -> list[tuple[str, Mask
     low, high = float(values.min()), float(values.max())
     if not high > low:
         return []
-    edges = np.linspace(low, high, _BANDS + 1)
+    edges = np.linspace(low, high, CRITERIA.where.bands + 1)
     factor, unit = readable_factor(variable.unit), readable_unit(variable.unit)
     found: list[tuple[str, Mask]] = []
-    for i in range(_BANDS):
-        inside = (values >= edges[i]) & ((values < edges[i + 1]) | (i == _BANDS - 1))
-        first, last = (0.0 if abs(e) < 1e-3 * (high - low) else e for e in (edges[i], edges[i + 1]))
+    for i in range(CRITERIA.where.bands):
+        inside = (values >= edges[i]) & ((values < edges[i + 1]) | (i == CRITERIA.where.bands - 1))
+        first, last = (
+            0.0 if abs(e) < CRITERIA.where.edge_at_zero * (high - low) else e for e in (edges[i], edges[i + 1])
+        )
         text = f"{first * factor:.3g} {unit} < {name} < {last * factor:.3g} {unit}"
         found.append((text.replace("  ", " "), inside))
     return found
@@ -155,17 +154,17 @@ def _rules(signal: str, samples: _Samples) -> list[Rule]:
     left = samples.excess.copy()
     total, count = float(left.sum()), len(left)
     rules: list[Rule] = []
-    for _ in range(_RULES_PER_SIGNAL):
+    for _ in range(CRITERIA.where.rules_per_signal):
         best: tuple[float, str, Mask] | None = None
         for text, mask in candidates:
             time_share = float(mask.sum()) / count
-            if time_share < min(_LEAST_TIME_SHARE, 2 / count):
+            if time_share < min(CRITERIA.where.least_time_share, 2 / count):
                 continue
             gain = float(left[mask].sum()) / total
             value = gain * (gain - time_share)
             if gain > time_share and (best is None or value > best[0]):
                 best = (value, text, mask)
-        if best is None or best[0] < 0.02:
+        if best is None or best[0] < CRITERIA.where.least_value:
             break
         _, text, mask = best
         rules.append(Rule(signal, text, float(samples.excess[mask].sum()) / total, float(mask.sum()) / count))

@@ -6,26 +6,17 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.fitting import Fit, Structure, Systematic, systematic
 
-SIGNIFICANT = 10.0  # difference of the criterion that counts as very strong (Kass and Raftery 1995)
-_WHITE_SCORE = 4.0
-_WHITE_SCORE_OF_FEW = 3.0  # the score of n samples cannot exceed sqrt(n)
-_EXCESS = 0.05
-_SLIGHT_EXCESS = 0.01
-_LARGE_EXCESS = 0.3  # in noise variances: more than a wander of half a standard deviation
-_FORETOLD = 0.02
-_DENSE = 100
-_CLEARED = 0.4  # of the excess, that may be left
-_STEP = 0.9  # of the squared error, that a step must leave behind it at most
-_AS_GOOD = 1.25  # times the squared error of held-out runs, that a model with fewer effects may leave
-_REMAINDER = 0.02  # of the excess, that may be left by the one family that is missing in a form that nobody listed
-_APART = 3.0  # times that excess, that every other family must leave
-
 
 def _correlated(s: Structure) -> bool:
-    return s.score > (_WHITE_SCORE if s.samples >= _DENSE else _WHITE_SCORE_OF_FEW)
+    return s.score > (
+        CRITERIA.residuals.correlated
+        if s.samples >= CRITERIA.residuals.many_samples
+        else CRITERIA.residuals.correlated_of_few
+    )
 
 
 def foretold(fit: Fit) -> Systematic:
@@ -47,20 +38,27 @@ def structured(s: Structure, repeated: Systematic | None = None) -> bool:
     """
     if not s.samples:
         return False
-    visible = _correlated(s) and s.excess > _EXCESS
-    if s.samples >= _DENSE:
+    visible = _correlated(s) and s.excess > CRITERIA.residuals.excess
+    if s.samples >= CRITERIA.residuals.many_samples:
         return visible and _comes_again(s, repeated)
-    return visible or s.chi2_reduced > 1 + 4 * math.sqrt(2 / s.samples)
+    return visible or s.chi2_reduced > 1 + CRITERIA.residuals.level_of_few * math.sqrt(2 / s.samples)
 
 
 def coherent(s: Structure) -> bool:
     """Whether residuals are correlated and larger than noise, if ever so slightly, be it a drift of the instruments."""
-    return structured(s) or (s.samples >= _DENSE and _correlated(s) and s.excess > _SLIGHT_EXCESS)
+    return structured(s) or (
+        s.samples >= CRITERIA.residuals.many_samples and _correlated(s) and s.excess > CRITERIA.residuals.slight_excess
+    )
 
 
 def leaves_structure(s: Structure, repeated: Systematic | None = None) -> bool:
     """Whether residuals of a model that explains much are still coherent: more than a fifth of the noise's variance."""
-    return bool(s.samples) and _correlated(s) and s.excess > 0.2 * max(1.0, s.level) and _comes_again(s, repeated)
+    return (
+        bool(s.samples)
+        and _correlated(s)
+        and s.excess > CRITERIA.residuals.remaining_excess * max(1.0, s.level)
+        and _comes_again(s, repeated)
+    )
 
 
 def incomplete(fit: Fit) -> bool:
@@ -70,9 +68,16 @@ def incomplete(fit: Fit) -> bool:
 
 
 def _comes_again(s: Structure, repeated: Systematic | None) -> bool:
-    if repeated is None or math.isnan(repeated.variance) or s.excess > _LARGE_EXCESS * max(1.0, s.level):
+    if (
+        repeated is None
+        or math.isnan(repeated.variance)
+        or s.excess > CRITERIA.residuals.large_excess * max(1.0, s.level)
+    ):
         return True
-    return repeated.variance > _FORETOLD * max(1.0, s.level) and repeated.score > 1.0
+    return (
+        repeated.variance > CRITERIA.residuals.repeated * max(1.0, s.level)
+        and repeated.score > CRITERIA.residuals.repeated_score
+    )
 
 
 def scale(fits: Sequence[Fit]) -> tuple[float, float]:
@@ -90,7 +95,7 @@ def bic(fit: Fit, variance: float, time: float) -> float:
 
 def price(fit: Fit, time: float) -> float:
     """What a parameter costs in the criterion."""
-    return math.log(max(fit.structure["fit"].samples / time, 2.0))
+    return math.log(max(fit.structure["fit"].samples / time, CRITERIA.evidence.least_samples))
 
 
 def rank(base: Fit, candidates: Sequence[Candidate]) -> list[Candidate]:
@@ -128,13 +133,17 @@ def _lost(candidate: Candidate) -> int:
 
 def leading(ranked: Sequence[Candidate]) -> Candidate:
     """The best candidate; of those that the evidence hardly tells from it, the first that is not degenerate."""
-    close = [c for c in ranked if c.delta_bic - ranked[0].delta_bic <= SIGNIFICANT]
+    close = [c for c in ranked if c.delta_bic - ranked[0].delta_bic <= CRITERIA.evidence.very_strong]
     return next((c for c in close if not degenerate(c)), ranked[0])
 
 
 def convincing(base: Fit, candidate: Candidate) -> bool:
     """Whether a candidate is better beyond chance, on runs that were fitted and on runs that were not."""
-    return candidate.fit is not None and candidate.delta_bic < -SIGNIFICANT and _better(base, candidate.fit)
+    return (
+        candidate.fit is not None
+        and candidate.delta_bic < -CRITERIA.evidence.very_strong
+        and _better(base, candidate.fit)
+    )
 
 
 def as_good(fewer: Fit, full: Candidate) -> bool:
@@ -142,7 +151,7 @@ def as_good(fewer: Fit, full: Candidate) -> bool:
     if full.fit is None:
         return True
     a, b = fewer.structure["holdout"], full.fit.structure["holdout"]
-    worse = bool(b.samples) and a.chi2 > _AS_GOOD * b.chi2
+    worse = bool(b.samples) and a.chi2 > CRITERIA.evidence.as_good * b.chi2
     return not worse and not convincing(fewer, rank(fewer, [full])[0])
 
 
@@ -154,7 +163,7 @@ def clears(base: Fit, fit: Fit) -> bool:
     roles = [r for r in ("fit", "holdout") if base.structure[r].samples]
     before = sum(base.structure[r].excess * base.structure[r].samples for r in roles)
     after = sum(fit.structure[r].excess * fit.structure[r].samples for r in roles)
-    return after < _CLEARED * before and _better(base, fit)
+    return after < CRITERIA.evidence.cleared * before and _better(base, fit)
 
 
 def alone(base: Fit, tried: Sequence[Candidate]) -> Candidate | None:
@@ -173,7 +182,7 @@ def alone(base: Fit, tried: Sequence[Candidate]) -> Candidate | None:
         assert c.fit is not None
         left[c.family] = min(left.get(c.family, math.inf), c.fit.structure["fit"].excess)
     family = min(left, key=lambda f: left[f], default="")
-    if any(excess < _APART * left[family] for other, excess in left.items() if other != family):
+    if any(excess < CRITERIA.evidence.apart * left[family] for other, excess in left.items() if other != family):
         return None
     own = (c for c in ranked if c.family == family)
     return next((c for c in own if c.fit and _carries(base, c.fit) and convincing(base, c)), None)
@@ -181,7 +190,7 @@ def alone(base: Fit, tried: Sequence[Candidate]) -> Candidate | None:
 
 def _carries(base: Fit, fit: Fit) -> bool:
     both = [(base.structure[r], fit.structure[r]) for r in ("fit", "holdout") if base.structure[r].samples]
-    return all(after.excess <= _REMAINDER * before.excess for before, after in both)
+    return all(after.excess <= CRITERIA.evidence.beyond_doubt * before.excess for before, after in both)
 
 
 def promising(base: Fit, candidate: Candidate) -> bool:
@@ -189,7 +198,9 @@ def promising(base: Fit, candidate: Candidate) -> bool:
     if candidate.fit is None:
         return False
     before, after = base.structure["fit"], candidate.fit.structure["fit"]
-    return candidate.delta_bic < 0 and after.chi2 < _STEP * before.chi2 and _better(base, candidate.fit)
+    return (
+        candidate.delta_bic < 0 and after.chi2 < CRITERIA.evidence.step * before.chi2 and _better(base, candidate.fit)
+    )
 
 
 def _better(base: Fit, fit: Fit) -> bool:

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
 from pam_cosim.compiler import ClassTree, compose, effect_classes, read_library
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.learning_library import Form, Quantity, forms, quantities
 from pam_cosim.diagnosis.learning_text import formula_text, modelica_text
@@ -26,12 +27,7 @@ from pam_cosim.measurement import DataSet
 
 Array = NDArray[np.float64]
 
-_MOST_FORMS = 4
-_WORTH = 0.03  # part of the error left in runs that were not asked, by which a further form must lower it
-_LEAST = 0.005  # the same, of the whole term
-_DESCRIBED = 0.3  # mean square of what is left, in variances of the term, that is its uncertainty
-_INTERVAL = 2 * 1.96  # standard deviations in the interval of an estimate
-_BLOCKS = 4  # parts of a single run that take the place of runs
+_INTERVAL = 2 * CRITERIA.fit.interval  # standard deviations in the interval of an estimate
 
 
 @dataclass(frozen=True)
@@ -218,7 +214,7 @@ def _samples(entry: Entry) -> _Samples:
     group, roles, count = [], [], 0
     alone = sum(c.role == "fit" for c in courses) == 1
     for c in courses:
-        parts = _BLOCKS if alone and c.role == "fit" else 1
+        parts = CRITERIA.learning.blocks if alone and c.role == "fit" else 1
         group.append(count + np.arange(len(c.time)) * parts // len(c.time))
         roles += [c.role] * parts
         count += parts
@@ -226,7 +222,7 @@ def _samples(entry: Entry) -> _Samples:
     free = tuple(courses[0].imitated)
     imitated = np.concatenate([np.column_stack([np.zeros((len(c.time), 0)), *c.imitated.values()]) for c in courses])
     used = np.any(imitated != 0, axis=0)
-    weight = 1 / np.maximum(deviation, np.median(deviation) / 3)
+    weight = 1 / np.maximum(deviation, np.median(deviation) / CRITERIA.learning.certain)
     return _Samples(
         value=np.concatenate([c.value for c in courses]) * weight,
         weight=weight,
@@ -257,7 +253,7 @@ def _pick(samples: _Samples, shelf: Sequence[Form]) -> list[Form]:
     left = _left_out(samples, [])
     columns = [samples.column(f) for f in shelf]
     first = left
-    while len(picked) < _MOST_FORMS and left > _DESCRIBED:
+    while len(picked) < CRITERIA.learning.most_forms and left > CRITERIA.learning.described:
         own = [samples.column(f) for f in picked]
         errors = [
             _left_out(samples, [*own, c]) if f not in picked else np.inf for f, c in zip(shelf, columns, strict=True)
@@ -265,7 +261,7 @@ def _pick(samples: _Samples, shelf: Sequence[Form]) -> list[Form]:
         best = int(np.argmin(errors))
         refined = _refined(samples, picked, shelf[best])
         error = _left_out(samples, [*own, samples.column(refined)])
-        if not error < (1 - _WORTH) * left or not left - error > _LEAST * first:
+        if not error < (1 - CRITERIA.learning.worth) * left or not left - error > CRITERIA.learning.least * first:
             break
         picked.append(refined)
         left = error
@@ -274,7 +270,7 @@ def _pick(samples: _Samples, shelf: Sequence[Form]) -> list[Form]:
 
 def _needed(samples: _Samples, picked: Sequence[Form], i: int, left: float) -> bool:
     others = [samples.column(f) for k, f in enumerate(picked) if k != i]
-    return len(picked) == 1 or _left_out(samples, others) > (1 + _WORTH) * left
+    return len(picked) == 1 or _left_out(samples, others) > (1 + CRITERIA.learning.worth) * left
 
 
 def _refined(samples: _Samples, picked: Sequence[Form], form: Form) -> Form:
@@ -287,7 +283,10 @@ def _refined(samples: _Samples, picked: Sequence[Form], form: Form) -> Form:
     def error(z: float) -> float:
         return _left_out(samples, [*own, samples.column(form, float(np.exp(z)))])
 
-    bounds = (np.log(max(shape.low, shape.value / 3)), np.log(min(shape.high, shape.value * 3)))
+    bounds = (
+        np.log(max(shape.low, shape.value / CRITERIA.learning.shape_span)),
+        np.log(min(shape.high, shape.value * CRITERIA.learning.shape_span)),
+    )
     found = minimize_scalar(error, bounds=bounds, method="bounded", options={"xatol": 0.01, "maxiter": 25})
     return replace(form, shape=replace(shape, value=float(np.exp(found.x))))
 

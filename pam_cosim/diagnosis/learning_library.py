@@ -11,10 +11,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pam_cosim.criteria import CRITERIA
+
 Array = NDArray[np.float64]
 
-_SIGNED = 0.1  # part of the largest size that a variable must reach on both sides of zero to have a sign
-_SAME = 0.9995  # correlation of two variables of which one is enough
 _SPEEDS = (0.005, 0.02, 0.1)  # width of a rounded jump, over the size of the variable
 _GROWTHS = (0.25, 0.5, 1.0)  # what a variable grows by until an exponential is e times as large
 _WAVES = tuple(1 / k for k in (1, 1.5, 2, 2.5, 3, 3.5, 4, 5, 6, 7, 8))
@@ -83,19 +83,19 @@ def quantities(variables: Mapping[str, Array], units: Mapping[str, str]) -> list
     """What a term can depend on; of variables that say the same the first."""
     found: list[Quantity] = []
     for name, z in variables.items():
-        size = float(np.quantile(np.abs(z), 0.98))
-        if not size > 0 or np.ptp(z) < 1e-3 * size:
+        size = float(np.quantile(np.abs(z), 1 - CRITERIA.learning.extreme))
+        if not size > 0 or np.ptp(z) < CRITERIA.learning.constant * size:
             continue
-        if any(abs(np.corrcoef(z, variables[q.name])[0, 1]) > _SAME for q in found):
+        if any(abs(np.corrcoef(z, variables[q.name])[0, 1]) > CRITERIA.learning.same for q in found):
             continue
-        low, high = np.quantile(z, [0.02, 0.98])
+        low, high = np.quantile(z, [CRITERIA.learning.extreme, 1 - CRITERIA.learning.extreme])
         digits = 10.0 ** np.floor(np.log10(size))
         found.append(
             Quantity(
                 name,
                 units.get(name, ""),
                 float(f"{round(size / digits) * digits:.3g}"),
-                bool(min(-low, high) > _SIGNED * size),
+                bool(min(-low, high) > CRITERIA.learning.signed * size),
             )
         )
     return found

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.fitting import Fit
 
 
@@ -35,5 +36,5 @@ def missing_term(fit: Fit, balance: dict[str, float]) -> dict[str, object]:
     return {
         "balance": max(sorted(balance), key=lambda b: balance[b]) if balance else None,
         "signals": signals,
-        "where": [vars(rule) for rule in fit.comparison.where[:5]],
+        "where": [vars(rule) for rule in fit.comparison.where[: CRITERIA.next_experiment.listed_rules]],
     }

@@ -8,16 +8,13 @@ from pathlib import Path
 
 import numpy as np
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.evidence import SIGNIFICANT
 from pam_cosim.diagnosis.prediction import Hypothesis
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.measurement import DataSet, Run
 
 Plan = tuple[Candidate, dict[str, object] | None]
-
-_FACTORS = (0.5, 0.75, 1.25, 1.5)
-_PACES = (0.5, 2.0)
 
 
 def next_experiment(data: DataSet, a: Candidate, b: Candidate, files: Sequence[Path] = ()) -> dict[str, object] | None:
@@ -78,7 +75,7 @@ def told_apart(data: DataSet, best: Candidate, rivals: Sequence[Candidate], file
 def _same(best: Candidate, rival: Candidate, plan: dict[str, object]) -> bool:
     richer = len(rival.own_parameters) > len(best.own_parameters)
     evidence = plan["evidence"]
-    return richer and isinstance(evidence, float) and evidence < SIGNIFICANT
+    return richer and isinstance(evidence, float) and evidence < CRITERIA.evidence.very_strong
 
 
 def _varied(data: DataSet) -> list[str]:
@@ -89,7 +86,7 @@ def _varied(data: DataSet) -> list[str]:
 def _variations(data: DataSet) -> Iterator[tuple[Run, str]]:
     for run in data.runs:
         yield run, "repeat it as it is"
-        for factor in _FACTORS:
+        for factor in CRITERIA.next_experiment.factors:
             for name, values in run.inputs.items():
                 if np.any(values != 0):
                     yield replace(run, inputs={**run.inputs, name: values * factor}), f"{name} times {factor:g}"
@@ -98,7 +95,7 @@ def _variations(data: DataSet) -> Iterator[tuple[Run, str]]:
                     value = run.parameters[name] * factor
                     yield replace(run, parameters={**run.parameters, name: value}), f"{name} times {factor:g}"
         if run.inputs:
-            for pace in _PACES:
+            for pace in CRITERIA.next_experiment.paces:
                 time = run.time[0] + (run.time - run.time[0]) * pace
                 yield replace(run, time=time), f"{'slower' if pace > 1 else 'faster'}, all times times {pace:g}"
 
@@ -106,7 +103,8 @@ def _variations(data: DataSet) -> Iterator[tuple[Run, str]]:
 def _joined(scored: Sequence[tuple[float | None, Run, str]]) -> Iterator[tuple[Run, str]]:
     """The two best changes of the best run in one."""
     order = sorted((entry for entry in scored if entry[0] is not None), key=lambda entry: -(entry[0] or 0.0))
-    best = [entry for entry in order if order and entry[1].name == order[0][1].name][:3]
+    best = [entry for entry in order if order and entry[1].name == order[0][1].name]
+    best = best[: CRITERIA.next_experiment.joined]
     original = next((run for _, run, change in scored if best and run.name == best[0][1].name), None)
     for i, (_, one, change) in enumerate(best):
         for _, two, other in best[:i]:

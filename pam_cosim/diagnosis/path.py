@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.evidence import (
     alone,
@@ -20,11 +21,6 @@ from pam_cosim.diagnosis.evidence import (
 )
 from pam_cosim.diagnosis.search import Search, at_noise, describe_fit
 from pam_cosim.fitting import Fit
-
-_MOST_EFFECTS = 3
-_FIRST = 2  # effects that the search for a second one starts from
-_MUCH = 0.6  # of what one effect beyond doubt leaves, that a second one may leave after a few steps
-_REST = 0.2  # of the excess, that may be left to a better form of the same effect
 
 
 def find_path(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidate]]:
@@ -42,7 +38,7 @@ def find_path(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidat
         if len(path) == 1 and not _nearly(base, first[0]):
             path = _generalized(search, base, first, tried)[:1]
         path = _lone(search, base, path, tried)
-    while 1 < len(path) < _MOST_EFFECTS and _unsolved(path[-1]):
+    while 1 < len(path) < CRITERIA.search.most_effects and _unsolved(path[-1]):
         path = _enriched(search, base, path, tried)
         last = path[-1]
         if last.fit is None or not _unsolved(last):
@@ -62,7 +58,7 @@ def _nearly(base: Fit, c: Candidate) -> bool:
     """Whether an effect takes away so much that a better form of it may do the rest, rather than a second effect."""
     assert c.fit is not None
     before, after = base.structure["fit"], c.fit.structure["fit"]
-    return after.excess < _REST * before.excess
+    return after.excess < CRITERIA.search.better_form * before.excess
 
 
 def _generalized(search: Search, base: Fit, first: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
@@ -101,12 +97,12 @@ def _second(search: Search, base: Fit, first: Sequence[Candidate], tried: list[C
     """
     singles = list(tried)
     one = alone(base, singles)
-    starts = [_plain(one, singles)] if one else first[:_FIRST]
+    starts = [_plain(one, singles)] if one else first[: CRITERIA.search.first_effects]
     pairs: list[Candidate] = []
     for start in starts:
         assert start.fit is not None
         search.say(f"with {_told(start)}")
-        below = _MUCH * start.fit.structure["fit"].excess if one else math.inf
+        below = CRITERIA.search.second_leaves * start.fit.structure["fit"].excess if one else math.inf
         found = search.round(start.effects, start.fit, singles, below=below)
         tried += found
         pairs += _steps(start.fit, found)[:1]
@@ -207,7 +203,9 @@ def _merged(search: Search, base: Fit, path: Sequence[Candidate], tried: list[Ca
     while len(path) > 1:
         full = path[-1]
         assert full.fit is not None
-        found = search.fewer([c.effect for c in path], full.fit.values, _REST * base.structure["fit"].excess)
+        found = search.fewer(
+            [c.effect for c in path], full.fit.values, CRITERIA.search.better_form * base.structure["fit"].excess
+        )
         tried += found
         enough = [c for c in found if c.fit is not None and as_good(c.fit, full)]
         if not enough:

@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.evidence import price, scale
 from pam_cosim.fitting import Estimate, Fit, Free, fit
 from pam_cosim.measurement import DataSet
 from pam_cosim.simulation import Simulator
-
-_EVALUATIONS = 20
-_NEAR = 0.5  # excess, in noise variances, beyond which a model is not the last one anyway
 
 
 def pruned(
@@ -31,7 +29,7 @@ def pruned(
         precision: at which a descent ends.
     """
     level = max(1.0, found.structure["fit"].level)
-    if found.structure["fit"].excess > _NEAR * level:
+    if found.structure["fit"].excess > CRITERIA.search.pruning_excess * level:
         return found
     variance, time = scale([found])
     worth = variance * time * price(found, time)  # chi-square that a parameter must take away
@@ -41,7 +39,15 @@ def pruned(
     while name := _idle(best, [n for n in own if n not in needed and n not in held]):
         left = [replace(f, start=best.values[f.name]) for f in free if f.name != name and f.name not in held]
         zeros = dict.fromkeys([*held, name], 0.0)
-        less = fit(simulator, data, left, fixed=zeros, most_evaluations=_EVALUATIONS, follow=1, precision=precision)
+        less = fit(
+            simulator,
+            data,
+            left,
+            fixed=zeros,
+            most_evaluations=CRITERIA.search.pruning_evaluations,
+            follow=1,
+            precision=precision,
+        )
         if less.structure["fit"].chi2 - best.structure["fit"].chi2 > worth:
             needed.add(name)
             continue

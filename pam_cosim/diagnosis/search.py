@@ -9,6 +9,7 @@ from functools import cached_property
 from pathlib import Path
 
 from pam_cosim.compiler import ClassTree, EffectClass, Structure, compose_on, qualified, read_structure
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.evidence import rank
 from pam_cosim.diagnosis.trial import Trial, crashed, run_trial
@@ -17,19 +18,6 @@ from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import DataSet
 from pam_cosim.quantities import readable
-
-_MOST_REFITS = 12
-_FEWEST_REFITS = 4
-_FAR = 5.0  # times the excess error of the best that a few more steps may still take away
-_ROOM = 0.02  # of the noise's variance, on top of that
-_LEADING_FAMILIES = 3
-_MOST_RESORTS = 6
-_MORE_FAMILIES = 5
-_SIMPLE = 2  # parameters
-_HEATS = 8
-_PATIENCE = 40  # evaluations of each descent of a general member
-_CREEP = 1e-4  # of the chi-square, below which its steps are not worth the time
-_AT_NOISE = 0.1  # excess, in noise variances
 
 
 @dataclass(frozen=True)
@@ -85,7 +73,7 @@ class Search:
         leading = self._deep(trials, found)
         if not any(c.fit is not None and at_noise(c.fit) for c in leading):
             seen = {c.effect for c in [*found, *leading]}
-            families = _leading_families([*found, *leading], _MORE_FAMILIES)
+            families = _leading_families([*found, *leading], CRITERIA.search.further_families)
             rest = self._brief([t for t in trials if t.effect.name not in seen and t.effect.family in families])
             found += rest
             leading = [*leading, *self._deep(trials, rest, [*found, *leading])]
@@ -109,7 +97,10 @@ class Search:
         own = _onwards(trials, [c for c in chosen if c.effect in names])
         again = [replace(t, follow=t.follow + 1) for t in own]
         plain = {t.effect.name for t in _simple(trials)}
-        families, rich = _leading_families(chosen, _LEADING_FAMILIES), _leading_families(near, _LEADING_FAMILIES)
+        families, rich = (
+            _leading_families(chosen, CRITERIA.search.leading_families),
+            _leading_families(near, CRITERIA.search.leading_families),
+        )
         others = [
             t
             for t in trials
@@ -140,7 +131,7 @@ class Search:
             known: candidates with one effect each; where the best of a family stands is one of the starts.
         """
         best = {c.family: c for c in reversed(_by_error(known))}
-        leading = _leading_families(known, _LEADING_FAMILIES)
+        leading = _leading_families(known, CRITERIA.search.leading_families)
         own = [e for e in self.shelf if e.general and e.family in leading]
         trials = [
             replace(_patient(t), found=stands.fit.values)
@@ -155,7 +146,7 @@ class Search:
         own = [(e.name,) for e in self.shelf if e.general and e.name not in seen]
         trials = [_patient(t) for t in self._composed(own, present.values)]
         found = self._brief(trials)
-        chosen = _onwards(trials, _by_error(found)[:_MOST_RESORTS])
+        chosen = _onwards(trials, _by_error(found)[: CRITERIA.search.last_resorts])
         better = {c.effect: c for c in self._run("to the end, in the general form of any family,", chosen)}
         return rank(present, [better.get(c.effect, c) for c in found])
 
@@ -193,7 +184,12 @@ class Search:
 
 def _patient(trial: Trial) -> Trial:
     """A trial of a general member: from many starts, but not creeping along a valley that leads nowhere."""
-    return replace(trial, heats=_HEATS, evaluations=_PATIENCE, precision=_CREEP)
+    return replace(
+        trial,
+        heats=CRITERIA.search.screened_starts,
+        evaluations=CRITERIA.search.general_evaluations,
+        precision=CRITERIA.search.general_precision,
+    )
 
 
 def _onwards(trials: Sequence[Trial], found: Sequence[Candidate]) -> list[Trial]:
@@ -205,7 +201,11 @@ def _onwards(trials: Sequence[Trial], found: Sequence[Candidate]) -> list[Trial]
 def _started(trial: Trial) -> Trial:
     """A trial that starts from a fitted model: the best start is followed, and no other."""
     followed = replace(trial, follow=1)
-    return replace(followed, evaluations=_PATIENCE, precision=_CREEP) if trial.effect.general else followed
+    return (
+        replace(followed, evaluations=CRITERIA.search.general_evaluations, precision=CRITERIA.search.general_precision)
+        if trial.effect.general
+        else followed
+    )
 
 
 def _exchanged(
@@ -245,7 +245,11 @@ def describe_fit(found: Fit) -> str:
 def worth_refitting(candidates: Sequence[Candidate]) -> list[Candidate]:
     """Those that came near the best in a few steps, and at least a few, best first."""
     near = _near(candidates)
-    return near[:_MOST_REFITS] if len(near) >= _FEWEST_REFITS else _by_error(candidates)[:_FEWEST_REFITS]
+    return (
+        near[: CRITERIA.search.most_refits]
+        if len(near) >= CRITERIA.search.fewest_refits
+        else _by_error(candidates)[: CRITERIA.search.fewest_refits]
+    )
 
 
 def _by_error(candidates: Sequence[Candidate]) -> list[Candidate]:
@@ -261,7 +265,11 @@ def _near(candidates: Sequence[Candidate]) -> list[Candidate]:
         return []
     samples = found[0][0].samples
     floor = min(max(s.level, 0.0) for s, _ in found) * samples
-    limit = floor + _FAR * max(found[0][0].chi2 - floor, 0.0) + _ROOM * samples
+    limit = (
+        floor
+        + CRITERIA.search.within_reach * max(found[0][0].chi2 - floor, 0.0)
+        + CRITERIA.search.reach_at_noise * samples
+    )
     return [c for s, c in found if s.chi2 <= limit]
 
 
@@ -272,7 +280,7 @@ def _leading_families(candidates: Sequence[Candidate], count: int) -> list[str]:
 def at_noise(found: Fit) -> bool:
     """Whether the residuals of the fitted runs are down at the level of the noise."""
     s = found.structure["fit"]
-    return s.excess < _AT_NOISE * max(1.0, s.level)
+    return s.excess < CRITERIA.search.at_noise * max(1.0, s.level)
 
 
 def _simple(trials: Sequence[Trial]) -> list[Trial]:
@@ -281,7 +289,7 @@ def _simple(trials: Sequence[Trial]) -> list[Trial]:
     for t in trials:
         size = len(t.effect.parameters)
         fewest[t.effect.family] = min(size, fewest.get(t.effect.family, size))
-    return [t for t in trials if len(t.effect.parameters) <= max(_SIMPLE, fewest[t.effect.family])]
+    return [t for t in trials if len(t.effect.parameters) <= max(CRITERIA.search.simple, fewest[t.effect.family])]
 
 
 def _of_each_family(trials: Sequence[Trial], known: Sequence[Candidate]) -> list[Trial]:

@@ -8,19 +8,15 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from pam_cosim.compiler import Composition, EffectClass
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.pruning import pruned
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.fitting import PRECISION, Free, base_parameters, fit
+from pam_cosim.fitting import Free, base_parameters, fit
 from pam_cosim.fmu import build_source
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet
 from pam_cosim.simulation import Simulator
-
-_FEW = 2
-_BRIEF = 6  # evaluations
-_ROUGH = 1e-5  # tolerance of the solver
-_COARSE = 1e-4  # of the chi-square, at which a brief descent ends
 
 
 @dataclass(frozen=True)
@@ -46,16 +42,23 @@ class Trial:
     data: DataSet
     start: Mapping[str, float] = field(default_factory=dict)
     files: tuple[Path, ...] = ()
-    evaluations: int = 60
-    follow: int = 2
+    evaluations: int = CRITERIA.search.evaluations
+    follow: int = CRITERIA.search.descents
     heats: int = 0
     tolerance: float | None = None
-    precision: float = PRECISION
+    precision: float = CRITERIA.fit.precision
     found: Mapping[str, float] = field(default_factory=dict)
 
     def brief(self) -> Trial:
         """A few steps of the same from one start: enough to tell a promising effect from a hopeless one."""
-        return replace(self, evaluations=_BRIEF, follow=1, heats=0, tolerance=_ROUGH, precision=_COARSE)
+        return replace(
+            self,
+            evaluations=CRITERIA.search.brief_evaluations,
+            follow=1,
+            heats=0,
+            tolerance=CRITERIA.search.brief_tolerance,
+            precision=CRITERIA.search.brief_precision,
+        )
 
     def candidate(self, **found: object) -> Candidate:
         """The result of this trial."""
@@ -66,7 +69,7 @@ class Trial:
             effects=self.effects,
             own_parameters=tuple(self.composition.parameters[self.effect.name]),
             equations=self.composition.text,
-            brief=self.evaluations <= _BRIEF,
+            brief=self.evaluations <= CRITERIA.search.brief_evaluations,
             general=self.effect.general,
             **found,  # type: ignore[arg-type]
         )
@@ -96,7 +99,7 @@ def run_trial(trial: Trial) -> Candidate:
                 tolerance=trial.tolerance,
                 precision=trial.precision,
             )
-            if trial.effect.general and trial.evaluations > _BRIEF:
+            if trial.effect.general and trial.evaluations > CRITERIA.search.brief_evaluations:
                 names = trial.composition.parameters[trial.effect.name]
                 found = pruned(simulator, trial.data, moved, names, found, trial.precision)
             return trial.candidate(fit=found)
@@ -125,14 +128,14 @@ def free_parameters(trial: Trial, interface: Interface) -> tuple[tuple[Free, ...
             parameter = Free(name, v.min, v.max, v.start, v.unit, v.nominal)
             free.append(parameter)
             if effect == trial.effect.name:
-                spread.append([(name, s) for s in _orders(parameter, 2 if trial.effect.general else 1)])
+                spread.append([(name, s) for s in _orders(parameter, trial.effect.general)])
     moved = [_from(f, trial.start) for f in free]
     return tuple(moved), [dict(trial.found)] * bool(trial.found) + _combined(spread, trial.effect.general)
 
 
 def _combined(spread: Sequence[Sequence[tuple[str, float]]], pairs: bool) -> list[dict[str, float]]:
     """All combinations of a few parameters' values, or one at a time of many, or two."""
-    if not pairs and len(spread) <= _FEW:
+    if not pairs and len(spread) <= CRITERIA.search.combined_parameters:
         return [dict(point) for point in itertools.product(*spread)] if spread else []
     single = [{name: value} for values in spread for name, value in values]
     if not pairs:
@@ -141,7 +144,8 @@ def _combined(spread: Sequence[Sequence[tuple[str, float]]], pairs: bool) -> lis
     return single + some
 
 
-def _orders(free: Free, decades: int) -> Sequence[float]:
+def _orders(free: Free, general: bool) -> Sequence[float]:
+    decades = CRITERIA.search.general_decades if general else CRITERIA.search.decades
     values = [free.start * 10.0**k for n in range(decades + 1) for k in (-n, n)]
     return list(dict.fromkeys(min(max(v, free.low), free.high) for v in values))
 

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from math import prod
 from typing import Literal
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.evidence import SIGNIFICANT, alone, foretold, incomplete, structured
+from pam_cosim.diagnosis.evidence import alone, foretold, incomplete, structured
 from pam_cosim.fitting import Fit
 
 Kind = Literal["none_missing", "identified", "ambiguous", "unknown"]
@@ -49,7 +50,6 @@ _REST = (
     "and no other family comes near. What remains has structure that no second effect explains: the family is what "
     "was found, in a form that no listed law has, or something smaller is missing besides."
 )
-_FAR = 2.0  # times the error of the best on signals that nobody fitted
 
 
 def rivals(best: Candidate, ranked: Sequence[Candidate]) -> list[Candidate]:
@@ -60,7 +60,7 @@ def rivals(best: Candidate, ranked: Sequence[Candidate]) -> list[Candidate]:
     """
     found: dict[str, Candidate] = {}
     for c in ranked:
-        if c.fit is None or c.family == best.family or c.delta_bic - best.delta_bic > SIGNIFICANT:
+        if c.fit is None or c.family == best.family or c.delta_bic - best.delta_bic > CRITERIA.evidence.very_strong:
             continue
         if c.general and not best.general:
             continue
@@ -72,7 +72,7 @@ def rivals(best: Candidate, ranked: Sequence[Candidate]) -> list[Candidate]:
 
 def _refuted(rival: Fit, best: Fit) -> bool:
     a, b = rival.structure["holdout"], best.structure["holdout"]
-    if a.samples and (a.chi2 - b.chi2) / max(1.0, b.chi2_reduced) > SIGNIFICANT:
+    if a.samples and (a.chi2 - b.chi2) / max(1.0, b.chi2_reduced) > CRITERIA.evidence.very_strong:
         return True
     signals = best.comparison.data.signals
     ratios = [
@@ -80,7 +80,7 @@ def _refuted(rival: Fit, best: Fit) -> bool:
         for name, score in rival.comparison.scores["all"].items()
         if not signals[name].fitted and (other := best.comparison.scores["all"][name]).rmse > 0
     ]
-    return bool(ratios) and prod(ratios) ** (1 / len(ratios)) > _FAR
+    return bool(ratios) and prod(ratios) ** (1 / len(ratios)) > CRITERIA.evidence.refuted
 
 
 def judge(
@@ -115,7 +115,7 @@ def judge(
         effects += tuple(c.effect for c in others)
         return Verdict("ambiguous", families, effects, f"These data cannot separate {names}.")
     loud = last.fit.structure["fit"].chi2_reduced
-    noise = f"; the noise is {loud**0.5:.2g} times the stated one" if loud > 1.5 else ""
+    noise = f"; the noise is {loud**0.5:.2g} times the stated one" if loud > CRITERIA.fit.loud else ""
     return Verdict(
         "identified", families, effects, f"{text}; what remains is noise{noise}.{_open(path)}{_caution(last.fit)}"
     )

@@ -1,7 +1,7 @@
 """Data set and model -> fitted parameters with intervals."""
 
 from pam_cosim.fitting.estimate import Estimate, estimates
-from pam_cosim.fitting.fit import PRECISION, Fit, fit, spread_starts, structures, swarm_start
+from pam_cosim.fitting.fit import Fit, fit, spread_starts, structures, swarm_start
 from pam_cosim.fitting.free import Free, base_parameters, free_from_variable
 from pam_cosim.fitting.noise import complete_noise
 from pam_cosim.fitting.parameter_file import read_parameters, write_parameters
@@ -9,7 +9,6 @@ from pam_cosim.fitting.structure import Structure, series_of, structure
 from pam_cosim.fitting.systematic import Systematic, systematic
 
 __all__ = [
-    "PRECISION",
     "Estimate",
     "Fit",
     "Free",

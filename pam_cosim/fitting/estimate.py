@@ -8,12 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.fitting.free import Free
 
 Array = NDArray[np.float64]
-
-_QUANTILE = 1.96  # 95 % of a normal distribution
-_DEAD = 1e-7  # a column this much smaller than the largest does not move the model
 
 
 @dataclass(frozen=True)
@@ -72,8 +70,8 @@ def estimates(
     low, high = bounds
     size = np.linalg.norm(jacobian, axis=0) if len(free) else np.zeros(0)
     largest = float(size.max(initial=0.0))
-    bound = (z - low <= 1e-6 * (high - low)) | (high - z <= 1e-6 * (high - low))
-    alive = size > max(_DEAD * largest, 1e-12)
+    bound = (z - low <= CRITERIA.fit.at_bound * (high - low)) | (high - z <= CRITERIA.fit.at_bound * (high - low))
+    alive = size > max(CRITERIA.fit.dead * largest, 1e-12)
     inner = [i for i in range(len(free)) if alive[i] and not bound[i]]
     deviation = np.full(len(free), np.inf)
     if inner:
@@ -83,7 +81,7 @@ def estimates(
         deviation[i] = spread * _standard_deviations(jacobian[:, [*inner, i]])[-1]
     found = {}
     for i, f in enumerate(free):
-        reach = _QUANTILE * deviation[i]
+        reach = CRITERIA.fit.interval * deviation[i]
         value = f.to_value(float(z[i]))
         lower = f.to_value(float(max(z[i] - reach, low[i])))
         upper = f.to_value(float(min(z[i] + reach, high[i])))
@@ -96,9 +94,9 @@ def _standard_deviations(jacobian: Array) -> Array:
     """Square roots of the diagonal of (J'J)^-1, directions that the data do not see left infinite."""
     norms = np.linalg.norm(jacobian, axis=0)
     _, s, vt = np.linalg.svd(jacobian / norms, full_matrices=False)
-    seen = s > 1e-6 * s[0]
+    seen = s > CRITERIA.fit.seen * s[0]
     variance = ((vt[seen] / s[seen, None]) ** 2).sum(axis=0)
-    blind = (vt[~seen] ** 2).sum(axis=0) > 1e-3
+    blind = (vt[~seen] ** 2).sum(axis=0) > CRITERIA.fit.blind
     return np.where(blind, np.inf, np.sqrt(variance) / norms)
 
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from scipy.stats import qmc
 
 from pam_cosim.comparison import Comparison, compare
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.descent import Descent, descend
 from pam_cosim.fitting.estimate import Estimate, describe, estimates
@@ -23,13 +24,6 @@ from pam_cosim.simulation import AnySimulator
 
 Array = NDArray[np.float64]
 Progress = Callable[[int, float], None]
-
-_MOST_EVALUATIONS = 60
-_HEAT = 8  # evaluations
-PRECISION = 1e-6
-_RESCUE_STARTS = 32
-_WHITE_SCORE = 4.0
-_NOISE_LEVEL = 1.2  # mean square of residuals, in noise variances, that needs no second start
 
 
 @dataclass(frozen=True)
@@ -85,11 +79,11 @@ def fit(
     starts: Sequence[Mapping[str, float]] = (),
     runs: Sequence[Run] | None = None,
     progress: Progress | None = None,
-    most_evaluations: int = _MOST_EVALUATIONS,
+    most_evaluations: int = CRITERIA.fit.evaluations,
     follow: int = 2,
     heats: int = 0,
     tolerance: float | None = None,
-    precision: float = PRECISION,
+    precision: float = CRITERIA.fit.precision,
 ) -> Fit:
     """Fits ``free`` (default: what the data set declares under [fit]) to the fit runs.
 
@@ -163,7 +157,7 @@ def spread_starts(free: Sequence[Free], count: int = 16) -> list[dict[str, float
 
 def _spread(s: Structure) -> float:
     """Residuals beyond the declared noise, and correlated ones, widen the intervals."""
-    time = s.correlation_time if s.score > _WHITE_SCORE else 1.0
+    time = s.correlation_time if s.score > CRITERIA.residuals.correlated else 1.0
     return float(np.sqrt(max(1.0, s.chi2_reduced) * time))
 
 
@@ -198,7 +192,7 @@ def _solve(objective: Objective, points: list[Array], how: _How) -> Descent:
         found = _descend(objective, start, how)
         if best is None or found.cost < best.cost:
             best = found
-        if best.cost <= _NOISE_LEVEL * objective.size:
+        if best.cost <= CRITERIA.fit.at_noise * objective.size:
             break  # nothing is left that another start could find
     return best or _descend(objective, _rescue(objective), how)
 
@@ -213,7 +207,7 @@ def _starts(objective: Objective, points: Sequence[Array]) -> Iterator[Array]:
 
 def _winners(objective: Objective, starts: Iterator[Array], how: _How) -> Iterator[Array]:
     """Where a few steps from the best starts lead, the lowest first: a glance does not tell one valley from another."""
-    few = replace(how, most_evaluations=_HEAT)
+    few = replace(how, most_evaluations=CRITERIA.fit.screening_evaluations)
     ends = [_descend(objective, start, few) for start in itertools.islice(starts, how.heats)]
     yield from (d.z for d in sorted(ends, key=lambda d: d.cost))
 
@@ -226,7 +220,7 @@ def _rescue(objective: Objective) -> Array:
     """The first of a fixed sequence of points within the bounds at which the model runs."""
     low, high = objective.bounds
     if len(low):
-        for u in qmc.Sobol(len(low), seed=0).random(_RESCUE_STARTS):
+        for u in qmc.Sobol(len(low), seed=0).random(CRITERIA.fit.rescue_starts):
             z: Array = low + u * (high - low)
             if np.isfinite(_cost(objective.residuals(z))):
                 return z

@@ -5,11 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import exp, log
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.measurement import DataSet
-
-_LOG_RATIO = 100.0  # bounds further apart than this are searched by order of magnitude
 
 
 @dataclass(frozen=True)
@@ -37,7 +36,7 @@ class Free:
     @property
     def logarithmic(self) -> bool:
         """Whether it is searched by order of magnitude."""
-        return self.low > 0 and self.high / self.low >= _LOG_RATIO
+        return self.low > 0 and self.high / self.low >= CRITERIA.fit.log_ratio
 
     @property
     def _scale(self) -> float:

@@ -6,9 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement import DataSet, with_noise
-
-_ASSUMED_SHARE = 0.01
 
 
 def complete_noise(data: DataSet) -> DataSet:
@@ -22,7 +21,7 @@ def complete_noise(data: DataSet) -> DataSet:
         if signal.sigma is None or not np.isfinite(signal.sigma) or signal.sigma <= 0:
             values = np.concatenate([r.measurements[name] for r in data.runs if r.sample_count(name)])
             span = float(np.nanmax(values) - np.nanmin(values))
-            level = _ASSUMED_SHARE * span or max(abs(float(np.nanmean(values))), 1.0) * 1e-6
+            level = CRITERIA.noise.assumed_share * span or max(abs(float(np.nanmean(values))), 1.0) * 1e-6
             signal = replace(signal, sigma=level, estimated=True)
         signals[name] = signal
     return replace(data, signals=signals)

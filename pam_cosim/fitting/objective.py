@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.comparison import RunComparison, simulate_run
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.free import Free
 from pam_cosim.interface import sensitivity_name
@@ -15,11 +16,6 @@ from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
 
 Array = NDArray[np.float64]
-
-TOLERANCE = 1e-6  # of the solver: its error must be far below the noise
-_DIFFERENCE_TOLERANCE = 1e-7  # and far below a finite difference, where one is needed
-_STEP = 1e-3
-_MOST_FAILURES = 10
 
 
 class Objective:
@@ -53,7 +49,7 @@ class Objective:
             [*names, *self._slopes(run, names)] for run, names in zip(self.runs, self._signals, strict=True)
         ]
         self._exact = self._told_parameters()
-        chosen = TOLERANCE if all(self._exact) else _DIFFERENCE_TOLERANCE
+        chosen = CRITERIA.fit.tolerance if all(self._exact) else CRITERIA.fit.difference_tolerance
         self.tolerance = chosen if tolerance is None else tolerance
         self.size = sum(run.sample_count(s) for run, names in zip(self.runs, self._signals, strict=True) for s in names)
 
@@ -120,7 +116,7 @@ class Objective:
             return np.full(self.size, np.inf)
 
     def _note(self, failure: SimulationFailure) -> None:
-        if len(self.failures) < _MOST_FAILURES:
+        if len(self.failures) < CRITERIA.fit.failures_kept:
             self.failures.append(str(failure))
 
     def _weighted(self, runs: Sequence[RunComparison], chosen: Sequence[int]) -> Array:
@@ -175,7 +171,7 @@ class Objective:
         zero: the fit does not move there.
         """
         low, high = self.bounds
-        step = _STEP * max(1.0, abs(z[i]) if not self.free[i].logarithmic else 1.0)
+        step = CRITERIA.fit.difference_step * max(1.0, abs(z[i]) if not self.free[i].logarithmic else 1.0)
         forward = step if z[i] + step <= high[i] else -step
         for h in (forward, -forward):
             moved = z.copy()

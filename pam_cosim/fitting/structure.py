@@ -10,13 +10,10 @@ from numpy.typing import NDArray
 from scipy.optimize import nnls
 
 from pam_cosim.comparison import RunComparison, lag_one
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement import Signal
 
 Array = NDArray[np.float64]
-
-_LAGS = 8
-_REDDEST = 0.95  # noise of slower memory cannot be told from a slow course
-_LONGEST = 0.2  # autocorrelation is summed over at most this share of a series
 
 
 @dataclass(frozen=True)
@@ -87,7 +84,7 @@ def _level(series: Sequence[Array], stated: Sequence[bool]) -> float:
     """Mean square that noise explains: of stated noise at least its own variance, else the estimate for red noise."""
     total, samples = 0.0, 0
     for known in (True, False):
-        chosen = [e for e, s in zip(series, stated, strict=True) if s is known and len(e) > _LAGS]
+        chosen = [e for e, s in zip(series, stated, strict=True) if s is known and len(e) > CRITERIA.residuals.lags]
         count = sum(len(e) for e in chosen)
         if count:
             total += count * (max(1.0, _steps(chosen, 1)) if known else red_noise(chosen))
@@ -110,12 +107,12 @@ def red_noise(series: Sequence[Array]) -> float:
     Args:
         series: weighted residuals in time order, each longer than those distances.
     """
-    lags = np.arange(1, _LAGS + 1)
+    lags = np.arange(1, CRITERIA.residuals.lags + 1)
     found = np.array([_steps(series, int(lag)) for lag in lags])
     best, variance = np.inf, found[0]
-    for r in np.linspace(0.0, _REDDEST, 39):
+    for r in np.linspace(0.0, CRITERIA.residuals.reddest, CRITERIA.residuals.colours):
         columns = np.column_stack([1 - r**lags, lags**2]) / found[:, None].clip(1e-300)
-        weights, miss = nnls(columns, np.ones(_LAGS))
+        weights, miss = nnls(columns, np.ones(CRITERIA.residuals.lags))
         if miss < best:
             best, variance = miss, float(weights[0])
     return max(float(variance), 0.0)
@@ -129,9 +126,9 @@ def _correlation_time(series: Sequence[Array]) -> float:
         if len(e) < 3 or own <= 0:
             continue
         time = 1.0
-        for lag in range(1, max(2, int(_LONGEST * len(e)))):
+        for lag in range(1, max(2, int(CRITERIA.residuals.longest_memory * len(e)))):
             r = float(np.sum(e[lag:] * e[:-lag])) / own
-            if r <= 2 / np.sqrt(len(e)):
+            if r <= CRITERIA.residuals.memory_gone / np.sqrt(len(e)):
                 break
             time += 2 * r
         total += own * time

@@ -14,12 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.comparison import RunComparison
+from pam_cosim.criteria import CRITERIA
 
 Array = NDArray[np.float64]
-
-_MEMORIES = (0.1, 0.5, 2.0)  # [s] for what went before
-_RIDGE = 0.01  # of the samples, on columns of unit size
-_SHORT_OF_RUNS = 3  # fewer runs than this are cut into parts
 
 
 @dataclass(frozen=True)
@@ -62,7 +59,9 @@ def systematic(runs: Sequence[RunComparison], sigma: Mapping[str, float]) -> Sys
                 continue
             x, e = piece
             left = samples - len(e)
-            weights = np.linalg.solve(gram - x.T @ x + _RIDGE * left * np.eye(x.shape[1]), moment - x.T @ e)
+            weights = np.linalg.solve(
+                gram - x.T @ x + CRITERIA.residuals.ridge * left * np.eye(x.shape[1]), moment - x.T @ e
+            )
             gains[number] = gains.get(number, 0.0) + float(np.sum(e**2) - np.sum((e - x @ weights) ** 2))
     if total == 0 or len(gains) < 2:
         return Systematic(float("nan"), float("nan"))
@@ -73,7 +72,7 @@ def systematic(runs: Sequence[RunComparison], sigma: Mapping[str, float]) -> Sys
 
 def _parts(runs: Sequence[RunComparison]) -> list[tuple[int, slice]]:
     """What is left out in turn: whole runs, or thirds of the few there are."""
-    if len(runs) >= _SHORT_OF_RUNS:
+    if len(runs) >= CRITERIA.residuals.runs_to_leave_out:
         return [(i, slice(None)) for i in range(len(runs))]
     cuts = [(i, np.linspace(0, len(r.run.time), 4).astype(int)) for i, r in enumerate(runs)]
     return [(i, slice(int(c[k]), int(c[k + 1]))) for i, c in cuts for k in range(3)]
@@ -108,7 +107,9 @@ def _features(runs: Sequence[RunComparison]) -> list[Array]:
 
 def _past(r: RunComparison, inputs: Sequence[str]) -> Array:
     columns = [*r.model.values(), *(r.run.inputs[n] for n in inputs)]
-    return np.column_stack([v - _lagged(r.run.time, v, memory) for v in columns for memory in _MEMORIES])
+    return np.column_stack(
+        [v - _lagged(r.run.time, v, memory) for v in columns for memory in CRITERIA.residuals.memories]
+    )
 
 
 def _each(function: Callable[[Array, Array], Array], time: Array, columns: Sequence[Array]) -> Array:

@@ -26,6 +26,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.compiler import ClassTree, read_library
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.ledger.books import TERM, Books, Hole, open_books
 from pam_cosim.ledger.grid import Grid, make_grid
@@ -37,15 +38,6 @@ from pam_cosim.ledger.smoother import Point, Problem, Smoothed, hole_sizes, smoo
 from pam_cosim.measurement import DataSet
 
 Array = NDArray[np.float64]
-
-_SPACING = 0.04  # s between nodes; a slow or a long run is looked at in as many
-_ACCURACY = 2e-4  # of a state's range, that a step may be wrong by
-_REFINEMENTS = 3
-_FAR_BELOW = 0.2  # standard deviations of a sample
-_MOST_NODES = 400  # of a run
-_DECISIVE = 10.0  # twice the logarithm of a ratio of probabilities that counts as very strong (Kass and Raftery 1995)
-_AT_NOISE = 1.3  # mean square of the residuals in noise variances that leaves nothing to explain
-_PARALLEL = 1e-6
 
 
 def keep_ledger(
@@ -140,13 +132,13 @@ class _Keeping:
         best = min([alone.chi2, *(f.chi2 for f in alone.faults), *([opened.found.chi2] if opened else [])]) / samples
         replaced = None
         by_itself = min([alone.deviance, *(f.deviance for f in alone.faults)])
-        if best > _AT_NOISE or (opened and opened.found.deviance < by_itself and self._swallows(opened)):
+        if best > CRITERIA.ledger.at_noise or (opened and opened.found.deviance < by_itself and self._swallows(opened)):
             for further in self.every[1:]:
                 candidate = self._open(further)
                 if candidate and (replaced is None or candidate.found.deviance < replaced.found.deviance):
                     replaced = candidate
-        plain = replaced is not None and replaced.deviance < _AT_NOISE * samples
-        beside = self._beside() if best > _AT_NOISE and not plain else None
+        plain = replaced is not None and replaced.deviance < CRITERIA.ledger.at_noise * samples
+        beside = self._beside() if best > CRITERIA.ledger.at_noise and not plain else None
         return self._judged(alone, opened, replaced, beside, samples)
 
     def _beside(self) -> _Opened | None:
@@ -174,7 +166,7 @@ class _Keeping:
         if not neighbours:
             return False
         working = [h for h in opened.holes if h.balance == "mass"]
-        return any(opened.without(h)[0] > opened.found.deviance + _DECISIVE for h in working)
+        return any(opened.without(h)[0] > opened.found.deviance + CRITERIA.evidence.very_strong for h in working)
 
     # ---- explanations -----------------------------------------------------------------------------------------
 
@@ -182,15 +174,20 @@ class _Keeping:
         self, books: Books, holes: Sequence[Hole], hidden: str | None = None, states: tuple[Array, Array] | None = None
     ) -> tuple[Problem, tuple[Array, Array]]:
         longest = max(float(r.time[-1] - r.time[0]) for r in self.data.runs)
-        spacing = min(_SPACING, longest / 50) if longest < _SPACING * _MOST_NODES else longest / _MOST_NODES
+        spacing = (
+            min(CRITERIA.ledger.spacing, longest / CRITERIA.ledger.fewest_nodes)
+            if longest < CRITERIA.ledger.spacing * CRITERIA.ledger.most_nodes
+            else longest / CRITERIA.ledger.most_nodes
+        )
         grid = self._grid(books, spacing)
         if hidden is not None:
             measured = grid.measured.copy()
             measured[:, self.signals.index(hidden)] = np.nan
             grid = replace(grid, measured=measured)
         model = Model(books.ode, [h.parameter for h in holes], self.free, self.signals)
+        prior_deviation = (self.high - self.low) / CRITERIA.ledger.free_prior
         none = Problem(
-            model, grid, self.sigma, self.start, (self.high - self.low) / 5, self.low, self.high,
+            model, grid, self.sigma, self.start, prior_deviation, self.low, self.high,
             np.ones(model.states), np.ones(len(holes)),
         )  # fmt: skip
         states = states or march(model, grid, none.parameters(self.start))
@@ -210,8 +207,8 @@ class _Keeping:
             p[:, model.free_at] = self.start
             states = march(model, grid, p)
             further = [np.zeros(0) for _ in grid.runs]
-            for _ in range(_REFINEMENTS):
-                new = further_nodes(model, grid, p, states, _ACCURACY)
+            for _ in range(CRITERIA.ledger.refinements):
+                new = further_nodes(model, grid, p, states, CRITERIA.ledger.accuracy)
                 further = [np.union1d(a, b) for a, b in zip(further, new, strict=True)]
                 finer = make_grid(*args, further)
                 states_of_finer = march(model, finer, p)
@@ -233,7 +230,7 @@ class _Keeping:
         for r in range(len(coarse[0].runs)):
             common[run_of_fine == r] = np.isin(time_of_fine[run_of_fine == r], time[run == r])
         difference = (few - many[common]) / self.sigma
-        return bool(np.sqrt(np.mean(difference**2)) < _FAR_BELOW)
+        return bool(np.sqrt(np.mean(difference**2)) < CRITERIA.ledger.far_below)
 
     def _open(
         self, books: Books, states: tuple[Array, Array] | None = None, hidden: str | None = None
@@ -295,10 +292,10 @@ class _Keeping:
             "beside": beside.deviance if beside else np.inf,
         }
         best = min(deviances, key=lambda k: deviances[k])
-        if deviances[best] > alone.deviance - _DECISIVE:
+        if deviances[best] > alone.deviance - CRITERIA.evidence.very_strong:
             best = "none"
         rival = {"opened": "replaced", "replaced": "opened"}.get(best, "none")
-        if best != "none" and rival != "none" and deviances[rival] < deviances[best] + _DECISIVE:
+        if best != "none" and rival != "none" and deviances[rival] < deviances[best] + CRITERIA.evidence.very_strong:
             self.notes.append(
                 "a law of the gas that keeps books of its energy explains the samples as well: without a signal that "
                 "shows the temperature, missing mass and missing heat cannot be told apart"
@@ -306,7 +303,9 @@ class _Keeping:
         winner = {"opened": opened, "replaced": replaced, "beside": beside}.get(best)
         losses = self._losses(best, winner, fault, deviances)
         total = sum(losses.values())
-        failing = tuple(sorted((b for b, v in losses.items() if v > _DECISIVE), key=lambda b: -losses[b]))
+        failing = tuple(
+            sorted((b for b, v in losses.items() if v > CRITERIA.evidence.very_strong), key=lambda b: -losses[b])
+        )
         after = {
             "none": alone.chi2, "sensor": fault.chi2 if fault else np.inf,
         }.get(best, winner.chi2 if winner else np.inf) / samples  # fmt: skip
@@ -328,7 +327,7 @@ class _Keeping:
             entries=tuple(sorted(entries, key=lambda e: (-e.share, -e.explains, e.balance))),
             readings=tuple(readings),
             failing=failing,
-            closed=bool(after <= _AT_NOISE),
+            closed=bool(after <= CRITERIA.ledger.at_noise),
             before=alone.chi2 / samples,
             after=float(after),
             parameters=dict(zip(self.free, map(float, free), strict=True)),
@@ -418,7 +417,7 @@ def _parallel(a: Array, b: Array) -> bool:
     felt = (np.linalg.norm(a, axis=1) > 0) | (np.linalg.norm(b, axis=1) > 0)
     dot = np.abs(np.einsum("ki,ki->k", a, b))[felt]
     norms = (np.linalg.norm(a, axis=1) * np.linalg.norm(b, axis=1))[felt]
-    return bool((dot >= (1 - _PARALLEL) * norms).all() and (norms > 0).all())
+    return bool((dot >= (1 - CRITERIA.ledger.parallel) * norms).all() and (norms > 0).all())
 
 
 def _courses(opened: _Opened, hole: Hole) -> tuple[tuple[Course, ...], dict[str, str]]:

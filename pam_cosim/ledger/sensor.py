@@ -12,17 +12,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.ledger.grid import Grid
 from pam_cosim.ledger.march import march
 from pam_cosim.ledger.smoother import Linear, Point, Problem, linearise
 
 Array = NDArray[np.float64]
-
-_GAIN = 0.1  # how far a factor of a reading may be off one
-_OFFSET = 0.1  # how far a reading may be off, over the range of the signal
-_LAGS = 12
-_ROUNDS = 3
-_PROMISING = 0.5  # part of the error that a fault may leave to be looked at again
 
 
 @dataclass(frozen=True)
@@ -80,15 +75,15 @@ def try_sensors(problem: Problem, start: tuple[Array, Array], signals: Sequence[
     none = about.least_squares()
     measured = [j for j in range(len(signals)) if np.isfinite(problem.grid.measured[:, j]).any()]
     faults = sorted((_fault(about, signals[j], j) for j in measured), key=lambda f: f.deviance)
-    for _ in range(_ROUNDS):  # the free parameters move when an instrument is believed no more
-        if not faults or faults[0].chi2 > _PROMISING * none.chi2:
+    for _ in range(CRITERIA.ledger.sensor_rounds):  # the free parameters move when an instrument is believed no more
+        if not faults or faults[0].chi2 > CRITERIA.ledger.sensor_promising * none.chi2:
             break
         j = [name for name, _ in signals].index(faults[0].signal)
         free = np.array(faults[0].free)
         better = _fault(
             _About(problem, free, march(problem.model, problem.grid, problem.parameters(free))), signals[j], j
         )
-        settled = abs(better.deviance - faults[0].deviance) < 1
+        settled = abs(better.deviance - faults[0].deviance) < CRITERIA.ledger.sensor_settled
         faults[0] = better
         if settled:
             break
@@ -109,23 +104,36 @@ def fault_beside(
         (0.0, *_lags(grid)), (course[:, None], *_lagged(grid, course[:, None], _lags(grid))), strict=True
     ):
         y = lagged[kept, 0]
-        rows = np.column_stack([np.full(len(y), _OFFSET * span), _GAIN * (y - np.mean(lagged))]) / sigma
+        rows = (
+            np.column_stack(
+                [
+                    np.full(len(y), CRITERIA.ledger.sensor_offset * span),
+                    CRITERIA.ledger.sensor_gain * (y - np.mean(lagged)),
+                ]
+            )
+            / sigma
+        )
         r = (measured[kept] - y) / sigma
         matrix = rows.T @ rows + np.eye(2)
         change = np.linalg.solve(matrix, rows.T @ r)
         chi2 = float(((r - rows @ change) ** 2).sum())
-        deviance = chi2 + float((change**2).sum() + np.linalg.slogdet(matrix)[1]) + 2 * float(np.log(_LAGS + 1))
+        deviance = (
+            chi2
+            + float((change**2).sum() + np.linalg.slogdet(matrix)[1])
+            + 2 * float(np.log(CRITERIA.ledger.sensor_lags + 1))
+        )
         tried.append((deviance, chi2, lag, change, np.sqrt(np.diag(np.linalg.inv(matrix)))))
     deviance, chi2, lag, change, spread = min(tried, key=lambda t: t[0])
+    offset, gain = CRITERIA.ledger.sensor_offset * span, CRITERIA.ledger.sensor_gain
     return SensorFault(
-        signal[0], signal[1], float(change[0]) * _OFFSET * span, float(spread[0]) * _OFFSET * span,
-        float(change[1]) * _GAIN, float(spread[1]) * _GAIN, float(lag), deviance, chi2, tuple(free),
+        signal[0], signal[1], float(change[0]) * offset, float(spread[0]) * offset, float(change[1]) * gain,
+        float(spread[1]) * gain, float(lag), deviance, chi2, tuple(free),
     )  # fmt: skip
 
 
 def _lags(grid: Grid) -> Array:
     longest = float(grid.step.sum()) / len(grid.runs) / 2
-    return np.geomspace(min(float(np.median(grid.step)), longest / 2), longest, _LAGS)
+    return np.geomspace(min(float(np.median(grid.step)), longest / 2), longest, CRITERIA.ledger.sensor_lags)
 
 
 @dataclass(frozen=True)
@@ -156,8 +164,8 @@ class _About:
             residual[:, j] = (problem.grid.measured[:, j] - course[:, 0]) / problem.sigma[j]
             slopes[:, j] = course[:, 1:]
             extra = np.zeros((*slopes.shape[:2], 2))
-            extra[:, j, 0] = _OFFSET * span / problem.sigma[j]
-            extra[:, j, 1] = _GAIN * (course[:, 0] - np.mean(course[:, 0])) / problem.sigma[j]
+            extra[:, j, 0] = CRITERIA.ledger.sensor_offset * span / problem.sigma[j]
+            extra[:, j, 1] = CRITERIA.ledger.sensor_gain * (course[:, 0] - np.mean(course[:, 0])) / problem.sigma[j]
         kept = np.isfinite(residual)
         rows, r = np.concatenate([slopes, extra], axis=2)[kept], residual[kept]
         prior = np.zeros(rows.shape[1])
@@ -203,10 +211,10 @@ def _fault(about: _About, signal: tuple[str, str], j: int) -> SensorFault:
     return SensorFault(
         signal=signal[0],
         unit=signal[1],
-        offset=float(best.change[q]) * _OFFSET * span,
-        offset_deviation=float(best.deviation[q]) * _OFFSET * span,
-        gain=float(best.change[q + 1]) * _GAIN,
-        gain_deviation=float(best.deviation[q + 1]) * _GAIN,
+        offset=float(best.change[q]) * CRITERIA.ledger.sensor_offset * span,
+        offset_deviation=float(best.deviation[q]) * CRITERIA.ledger.sensor_offset * span,
+        gain=float(best.change[q + 1]) * CRITERIA.ledger.sensor_gain,
+        gain_deviation=float(best.deviation[q + 1]) * CRITERIA.ledger.sensor_gain,
         lag=lag,
         deviance=best.deviance + 2 * float(np.log(len(tried))),
         chi2=best.chi2,

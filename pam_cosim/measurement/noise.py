@@ -19,12 +19,10 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import ArrayLike, NDArray
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement.data_set import DataSet
 
-_ORDERS = (2, 3, 4, 5, 6)
-_FEWEST = 30
-_CLIP = 3.0
-_MEDIAN_TO_SIGMA = 1.4826022185056018  # 1 / (0.75 quantile of the standard normal distribution)
+_CLIP = CRITERIA.noise.clip
 _CLIPPED_VARIANCE = 1.0 - 2.0 * _CLIP * exp(-(_CLIP**2) / 2.0) / sqrt(2.0 * pi) / erf(_CLIP / sqrt(2.0))
 
 Array = NDArray[np.float64]
@@ -47,7 +45,7 @@ def estimate_noise(time: ArrayLike, values: ArrayLike) -> float:
     times: Array = np.asarray(time, dtype=float)[present]
     samples: Array = np.asarray(values, dtype=float)[present]
     quantum = _quantum(samples)
-    if len(samples) < _FEWEST or quantum == 0.0:
+    if len(samples) < CRITERIA.noise.fewest_samples or quantum == 0.0:
         return nan
     rounding = quantum**2 / 12.0
     # Dither makes the distribution continuous, so that its median means something; its variance is known.
@@ -89,9 +87,9 @@ def _quantum(values: Array) -> float:
 
 def _white_level(time: Array, values: Array) -> float:
     """The estimate of the lowest order that higher orders do not lower; NaN when every order lowers it."""
-    tolerance = 1.0 + max(0.05, 2.0 / sqrt(len(values)))
+    tolerance = 1.0 + max(CRITERIA.noise.level_tolerance, CRITERIA.noise.level_spread / sqrt(len(values)))
     previous = inf
-    for order in _ORDERS:
+    for order in CRITERIA.noise.orders:
         sigma = _scale(_differences(time, values, order))
         if previous <= tolerance * sigma:
             return previous
@@ -107,7 +105,7 @@ def _differences(time: Array, values: Array, order: int) -> Array:
         return np.empty(0)
     even = (steps >= 0.5 * typical) & (steps <= 2.0 * typical)
     usable = sliding_window_view(even, order).all(axis=1)
-    if usable.sum() < max(_FEWEST - order, len(values) / 2):
+    if usable.sum() < max(CRITERIA.noise.fewest_samples - order, len(values) / 2):
         return np.empty(0)
     nodes = sliding_window_view(time, order + 1)[usable] / typical
     weights = _divided_difference_weights(nodes)
@@ -127,6 +125,6 @@ def _scale(differences: Array) -> float:
     """Robust standard deviation: from the median, then sharpened by the root mean square of what is not outlying."""
     if differences.size == 0:
         return nan
-    rough = _MEDIAN_TO_SIGMA * float(np.median(np.abs(differences)))
+    rough = CRITERIA.noise.median_to_sigma * float(np.median(np.abs(differences)))
     inner = differences[np.abs(differences) <= _CLIP * rough]
     return sqrt(float(np.mean(inner**2)) / _CLIPPED_VARIANCE)

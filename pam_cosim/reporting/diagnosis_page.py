@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from pam_cosim.comparison import Comparison
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import Candidate, Diagnosis
 from pam_cosim.diagnosis.verdict import explained
 from pam_cosim.reporting.figures.bars import Bar, balance_picture, colours, ranking_picture, where_picture
@@ -63,6 +64,7 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
         where=where_picture(rules) if rules else None,
         rules=rule_rows(diagnosis.base.comparison),
         ranking=_ranking_picture(diagnosis, fitted, palette),
+        very_strong=number(CRITERIA.evidence.very_strong, 2),
         candidates=[_candidate_row(diagnosis, c) for c, s in zip(fitted, shown, strict=True) if s],
         others=[_candidate_row(diagnosis, c) for c, s in zip(fitted, shown, strict=True) if not s],
         failed=[

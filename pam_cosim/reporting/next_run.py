@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.quantities import readable_factor, readable_unit
 from pam_cosim.reporting.wording import listed, number, quantity, words
 
-_DECISIVE = 10.0  # very strong evidence (Kass and Raftery 1995)
 _MOST_ROWS = 40
 
 
@@ -48,12 +48,13 @@ def expectation(found: Mapping[str, Any]) -> str:
     )
     if evidence is None:
         return text
-    if evidence < _DECISIVE:
+    decisive = CRITERIA.evidence.very_strong
+    if evidence < decisive:
         return (
             f"{text}; that is not enough to decide (chi-square {number(evidence)}, very strong from "
-            f"{number(_DECISIVE, 2)} on): no variation of the runs at hand tells them apart, measure another signal"
+            f"{number(decisive, 2)} on): no variation of the runs at hand tells them apart, measure another signal"
         )
-    return f"{text} (chi-square {number(evidence)}; {number(_DECISIVE, 2)} is very strong evidence)"
+    return f"{text} (chi-square {number(evidence)}; {number(decisive, 2)} is very strong evidence)"
 
 
 def next_run_line(found: Mapping[str, Any]) -> str:

@@ -1,0 +1,287 @@
+"""Every number that decides what a study says, with its unit, the reason for it and where it comes from.
+
+The rooms ask ``CRITERIA``; reports and documents print from it, and ``docs/criteria.md`` is this file as a table. A
+number that only trades time for an accuracy far below the noise, such as the step control of a descent, stays with
+its algorithm. The particle swarm's settings are the published ones and stay with the swarm.
+
+Sources: "Kass and Raftery 1995" is Bayes factors, Journal of the American Statistical Association 90, 773-795, whose
+scale is twice the logarithm of the Bayes factor, which the Bayesian information criterion approximates. "Blind score"
+means that cases of ``benchmarks/hidden_effects`` showed which value serves; "chosen" means that neither theory nor a
+measurement fixes it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, fields, is_dataclass
+from typing import Any
+
+CHOSEN = "chosen"
+BLIND = "blind score"
+BAYES = "Kass and Raftery 1995"
+
+
+def decides(value: Any, unit: str, reason: str, source: str = CHOSEN) -> Any:
+    """A field with its default, unit ("1" for a plain number), reason and source."""
+    return field(default=value, metadata={"unit": unit, "reason": reason, "source": source})
+
+
+@dataclass(frozen=True)
+class NoiseCriteria:
+    """How an instrument's noise is told from its signal, and a slip from noise."""
+
+    fewest_samples: int = decides(30, "samples", "fewer tell the noise of a signal to no better than a fifth")
+    orders: tuple[int, ...] = decides(
+        (2, 3, 4, 5, 6), "1", "orders of differences that are tried; the first that higher ones do not lower counts"
+    )
+    median_to_sigma: float = decides(
+        1.4826022185056018, "1", "standard deviation over the median deviation", "normal distribution"
+    )
+    clip: float = decides(
+        3.0, "sd", "larger differences are steps of the signal and sharpen no estimate; their share is made up for"
+    )
+    level_tolerance: float = decides(0.05, "1", "a higher order must lower the estimate by more than this share")
+    level_spread: float = decides(
+        2.0, "1/sqrt(samples)", "or by more than this, where the samples are so few that chance lowers it"
+    )
+    assumed_share: float = decides(
+        0.01, "of range", "noise assumed where nobody states it and the samples show none, as points of a figure"
+    )
+    outlier_window: int = decides(7, "samples", "three neighbours on each side outvote a pair of outliers")
+    outlier_far: float = decides(6.0, "sd", "Gaussian noise alone does this once in 5e8 samples", "normal distribution")
+    outlier_alone: float = decides(
+        0.5, "of its size", "what a neighbour may be off too: a quick change of the signal takes its neighbours along"
+    )
+    outlier_fewest: int = decides(50, "samples", "of fewer, the median deviation is not known well enough")
+    outlier_most: float = decides(0.03, "of samples", "more lie far off for another reason than a slip")
+
+
+@dataclass(frozen=True)
+class ResidualCriteria:
+    """What tells structure in residuals from noise."""
+
+    correlated: float = decides(
+        4.0, "sd", "score of the lag-one correlation above which residuals are correlated: white noise does it once in "
+        "3e4 data sets", "normal distribution",
+    )  # fmt: skip
+    correlated_of_few: float = decides(
+        3.0, "sd", "the same for few samples: the score of n samples cannot exceed sqrt(n)", "normal distribution"
+    )
+    many_samples: int = decides(100, "samples", "from here on correlation tells by itself; below, the level helps")
+    level_of_few: float = decides(
+        4.0, "sd", "of chi-square, above which few samples are more than the stated noise", "chi-square distribution"
+    )
+    slight_excess: float = decides(0.01, "noise variances", "less is not seen by a person, and is no sign of a model")
+    excess: float = decides(0.05, "noise variances", "less is not worth the name of an effect")
+    remaining_excess: float = decides(
+        0.2, "noise variances", "more leaves an explanation incomplete, if it comes again", BLIND
+    )
+    large_excess: float = decides(
+        0.3, "noise variances", "more is no drift: a wander of half a standard deviation has a quarter", BLIND
+    )
+    repeated: float = decides(
+        0.02, "noise variances", "what other runs foretell of a residual at least, for it to come again"
+    )
+    repeated_score: float = decides(1.0, "standard errors", "the same, over the runs left out in turn")
+    memories: tuple[float, ...] = decides((0.1, 0.5, 2.0), "s", "how far back runs may foretell one another")
+    ridge: float = decides(
+        0.01, "of samples", "penalty on columns of unit size; a linear regression stays tame with it"
+    )
+    runs_to_leave_out: int = decides(3, "runs", "fewer are cut into thirds, so that something is left to foretell from")
+    lags: int = decides(8, "samples", "distances over which the colour of the noise is told from a slow course")
+    reddest: float = decides(0.95, "1", "correlation of neighbours; redder noise cannot be told from a slow course")
+    colours: int = decides(39, "1", "steps of 0.025 in that correlation, finer than samples tell it")
+    longest_memory: float = decides(0.2, "of a series", "the autocorrelation is summed over no more; beyond, few pairs")
+    memory_gone: float = decides(
+        2.0, "sd", "of white noise's autocorrelation, below which a lag ends the sum", "normal distribution"
+    )
+
+
+@dataclass(frozen=True)
+class WhereCriteria:
+    """Which rules say where the error sits."""
+
+    bands: int = decides(4, "1", "bands of each output: coarse enough to be remembered")
+    least_time_share: float = decides(0.02, "of samples", "rules about less say what happened once")
+    least_value: float = decides(
+        0.02, "1", "share of the error times what it exceeds the time share by; less is chance"
+    )
+    rules_per_signal: int = decides(3, "rules", "more are not read")
+    still: float = decides(0.02, "of the fastest rate", "slower counts as rest or holding")
+    edge_at_zero: float = decides(1e-3, "of range", "an edge this near zero is called zero")
+
+
+@dataclass(frozen=True)
+class FitCriteria:
+    """When a fit is done, and what its estimates are worth."""
+
+    evaluations: int = decides(60, "evaluations", "of each descent, at most")
+    screening_evaluations: int = decides(8, "evaluations", "enough to tell one valley from another")
+    precision: float = decides(1e-6, "of chi-square", "a step that brings less changes no estimate by a hundredth sd")
+    rescue_starts: int = decides(32, "points", "tried within the bounds where no start can be simulated")
+    at_noise: float = decides(
+        1.2, "noise variances", "mean square of the residuals that needs no second start: little is left to find"
+    )
+    log_ratio: float = decides(100.0, "1", "bounds further apart are searched by order of magnitude")
+    tolerance: float = decides(1e-6, "1", "of the solver, relative: its error must be far below the noise")
+    difference_tolerance: float = decides(1e-7, "1", "the same where slopes are differences, which magnify its error")
+    difference_step: float = decides(1e-3, "search units", "of a finite difference: far above the solver's error")
+    failures_kept: int = decides(10, "messages", "kinds of breakdown that are kept")
+    interval: float = decides(1.96, "sd", "half width of a 95 % interval", "normal distribution")
+    dead: float = decides(1e-7, "of the largest slope", "a parameter with less does not move the model")
+    at_bound: float = decides(1e-6, "of the range", "an estimate this near a bound ended there")
+    seen: float = decides(1e-6, "of the largest singular value", "directions below are not determined by the data")
+    blind: float = decides(1e-3, "1", "share of an undetermined direction that makes a parameter undetermined")
+    loud: float = decides(1.5, "noise variances", "a verdict mentions that the noise is more than the stated one")
+
+
+@dataclass(frozen=True)
+class EvidenceCriteria:
+    """When one model is better than another, and good enough."""
+
+    very_strong: float = decides(10.0, "1", "difference of the criterion that counts as very strong", BAYES)
+    cleared: float = decides(0.4, "of the excess", "an effect that counts leaves less, in fitted and other runs", BLIND)
+    step: float = decides(0.9, "of the squared error", "a step forward leaves less, be it not the last")
+    least_samples: float = decides(2.0, "independent samples", "that the price of a parameter is reckoned from")
+    as_good: float = decides(
+        1.25, "times the squared holdout error", "a model with fewer effects may leave",
+        "jumping robot: fewer effects fitted as well and predicted worse",
+    )  # fmt: skip
+    beyond_doubt: float = decides(
+        0.02, "of the excess", "the one family whose form nobody listed leaves no more", BLIND
+    )
+    apart: float = decides(3.0, "times that", "every other family must leave then", BLIND)
+    refuted: float = decides(2.0, "times", "error of a rival on signals that nobody fitted; more refutes it")
+
+
+@dataclass(frozen=True)
+class SearchCriteria:
+    """Which effects are tried, how long, and when the search is over."""
+
+    most_effects: int = decides(3, "effects", "in one explanation, at most")
+    first_effects: int = decides(2, "effects", "that the search for a second one starts from")
+    second_leaves: float = decides(
+        0.6, "of the excess", "that a second effect may leave after a few steps, beside one beyond doubt"
+    )
+    better_form: float = decides(0.2, "of the excess", "that may be left to a better form of the same effect")
+    most_refits: int = decides(12, "effects", "fitted to the end in one round, at most: a matter of time")
+    fewest_refits: int = decides(4, "effects", "fitted to the end in one round, however far the best is ahead")
+    within_reach: float = decides(5.0, "times the excess of the best", "that further steps may still take away")
+    reach_at_noise: float = decides(0.02, "noise variances", "on top of that, so that a best at the noise has rivals")
+    leading_families: int = decides(3, "families", "whose other members are fitted too")
+    further_families: int = decides(5, "families", "whose richer members are tried where none reached the noise")
+    last_resorts: int = decides(6, "effects", "general members fitted to the end where nothing helps")
+    simple: int = decides(2, "parameters", "effects with no more are tried first")
+    screened_starts: int = decides(8, "starts", "of a general member that make a few steps")
+    general_evaluations: int = decides(40, "evaluations", "of each descent of a general member: its valleys are long")
+    general_precision: float = decides(1e-4, "of chi-square", "at which they end: creeping further leads nowhere")
+    at_noise: float = decides(0.1, "noise variances", "excess that needs no further effect tried")
+    brief_evaluations: int = decides(6, "evaluations", "tell a promising effect from a hopeless one")
+    brief_tolerance: float = decides(1e-5, "1", "of the solver then")
+    brief_precision: float = decides(1e-4, "of chi-square", "at which a brief descent ends")
+    evaluations: int = decides(60, "evaluations", "of each descent of an effect fitted to the end")
+    descents: int = decides(2, "descents", "of an effect fitted to the end, from the best starts")
+    combined_parameters: int = decides(2, "parameters", "started in all combinations of orders of magnitude")
+    decades: int = decides(1, "decades", "that the start of an effect's parameter is varied by, up and down")
+    general_decades: int = decides(2, "decades", "the same for a general member")
+    pruning_evaluations: int = decides(20, "evaluations", "of the fit without a coefficient, from where it stood")
+    pruning_excess: float = decides(0.5, "noise variances", "a model that leaves more is not the last one anyway")
+
+
+@dataclass(frozen=True)
+class LedgerCriteria:
+    """When a balance fails, and when an instrument does."""
+
+    at_noise: float = decides(1.3, "noise variances", "mean square of the residuals that leaves nothing to explain")
+    spacing: float = decides(0.04, "s", "between nodes of a run of middle length, at most")
+    fewest_nodes: int = decides(50, "nodes", "of a short run")
+    most_nodes: int = decides(400, "nodes", "of a long run: a matter of time")
+    accuracy: float = decides(2e-4, "of a state's range", "that a step may be wrong by")
+    refinements: int = decides(3, "rounds", "of making a grid finer")
+    far_below: float = decides(0.2, "sd", "of a sample, by which a finer grid must change the outputs to be worth it")
+    parallel: float = decides(1e-6, "1", "sine squared below which two terms push the same way and are one")
+    free_prior: float = decides(5.0, "1", "the range of a free parameter over this is its prior standard deviation")
+    sensor_gain: float = decides(
+        0.1, "1", "prior standard deviation of a factor of a reading: instruments are that good"
+    )
+    sensor_offset: float = decides(0.1, "of range", "prior standard deviation of an offset of a reading")
+    sensor_lags: int = decides(12, "1", "time constants tried for a reading that lags, in even ratios")
+    sensor_rounds: int = decides(3, "rounds", "of moving the free parameters beside a fault")
+    sensor_promising: float = decides(0.5, "of the error", "that a fault may leave to be looked at again")
+    sensor_settled: float = decides(
+        1.0, "1", "change of the deviance at which those rounds end: far below what is strong"
+    )
+
+
+@dataclass(frozen=True)
+class LearningCriteria:
+    """When a formula describes a missing term."""
+
+    most_forms: int = decides(4, "addends", "more describe a measurement, not a term")
+    worth: float = decides(0.03, "of the error left", "in runs that were not asked, that a further addend must take")
+    least: float = decides(0.005, "of the whole term", "the same")
+    described: float = decides(0.3, "variances of the term", "mean square that is its own uncertainty: enough said")
+    blocks: int = decides(4, "parts", "of a single run that take the place of runs")
+    certain: float = decides(3.0, "1", "a deviation below the median's over this counts no more, lest few samples rule")
+    shape_span: float = decides(3.0, "times", "up and down, in which the number inside a form is sought")
+    signed: float = decides(
+        0.1, "of the largest size", "that a variable must reach on both sides of zero to have a sign"
+    )
+    extreme: float = decides(0.02, "quantile", "on either side, beyond which values do not set a variable's size")
+    constant: float = decides(1e-3, "of its size", "a variable that varies less says nothing")
+    same: float = decides(0.9995, "1", "correlation of two variables of which one is enough")
+
+
+@dataclass(frozen=True)
+class NextExperimentCriteria:
+    """Which further runs are thought of."""
+
+    factors: tuple[float, ...] = decides((0.5, 0.75, 1.25, 1.5), "1", "on inputs and loads: within reach of most rigs")
+    paces: tuple[float, ...] = decides((0.5, 2.0), "1", "factors on all times")
+    joined: int = decides(3, "changes", "best ones of a run, of which two are made together")
+    listed_rules: int = decides(5, "rules", "of where the error sits, that describe a missing term")
+
+
+@dataclass(frozen=True)
+class Criteria:
+    """All of them, by the question that they answer."""
+
+    noise: NoiseCriteria = NoiseCriteria()
+    residuals: ResidualCriteria = ResidualCriteria()
+    where: WhereCriteria = WhereCriteria()
+    fit: FitCriteria = FitCriteria()
+    evidence: EvidenceCriteria = EvidenceCriteria()
+    search: SearchCriteria = SearchCriteria()
+    ledger: LedgerCriteria = LedgerCriteria()
+    learning: LearningCriteria = LearningCriteria()
+    next_experiment: NextExperimentCriteria = NextExperimentCriteria()
+
+
+@dataclass(frozen=True)
+class Criterion:
+    """One number: ``name`` as "group.field", its value, unit, reason and source."""
+
+    name: str
+    value: Any
+    unit: str
+    reason: str
+    source: str
+
+    @property
+    def text(self) -> str:
+        """The value as documents print it."""
+        values = self.value if isinstance(self.value, tuple) else (self.value,)
+        return ", ".join(f"{v:g}" for v in values)
+
+
+def every_criterion(criteria: Criteria | None = None) -> Iterator[Criterion]:
+    """All numbers, in the order in which data meets them."""
+    for group in fields(criteria := criteria or CRITERIA):
+        members = getattr(criteria, group.name)
+        assert is_dataclass(members)
+        for f in fields(members):
+            yield Criterion(f"{group.name}.{f.name}", getattr(members, f.name), **f.metadata)
+
+
+CRITERIA = Criteria()
+"""The numbers in force."""

@@ -1,0 +1,71 @@
+"""Every number that decides stands in one place, and what documents say of it is true."""
+
+from __future__ import annotations
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+
+from pam_cosim.criteria import every_criterion
+from pam_cosim.reporting.criteria_page import criteria_page
+
+ROOT = Path(__file__).parents[1]
+DECIDING = (
+    *sorted((ROOT / "pam_cosim/comparison").glob("*.py")),
+    *sorted((ROOT / "pam_cosim/diagnosis").glob("*.py")),
+    *(ROOT / "pam_cosim/fitting" / f"{name}.py" for name in ("fit", "estimate", "structure", "systematic", "noise")),
+    *(ROOT / "pam_cosim/ledger" / f"{name}.py" for name in ("keep", "sensor")),
+    ROOT / "pam_cosim/measurement/noise.py",
+)
+DECIDE_NOTHING = {
+    "_CLIPPED_VARIANCE": "follows from the clip",
+    "_IDLE": "how long a process without work stays",
+    "_REACH": "bounds that a learned coefficient is given",
+    "_SPEEDS": "forms on the shelf",
+    "_GROWTHS": "forms on the shelf",
+    "_WAVES": "forms on the shelf",
+}
+BY_NAME = {c.name: c for c in every_criterion()}
+LINK = re.compile(r"\[([^\]]+)\]\(criteria\.md#([\w.]+)\)")
+
+
+def test_every_number_has_a_reason() -> None:
+    assert len(BY_NAME) > 90
+    for c in BY_NAME.values():
+        assert c.unit and c.reason and c.source, c.name
+
+
+@pytest.mark.parametrize("file", DECIDING, ids=lambda f: f"{f.parent.name}/{f.stem}")
+def test_no_number_decides_elsewhere(file: Path) -> None:
+    """No module that judges has a constant of its own, nor compares with a number that is not plain arithmetic."""
+    tree = ast.parse(file.read_text())
+    for node in tree.body:
+        if isinstance(node, ast.Assign) and any(isinstance(n, ast.Constant) and _number(n) for n in ast.walk(node)):
+            names = [t.id for t in node.targets if isinstance(t, ast.Name)]
+            if not any(isinstance(n, ast.Name) and n.id == "CRITERIA" for n in ast.walk(node.value)):
+                assert set(names) <= set(DECIDE_NOTHING), f"{file.name}:{node.lineno}"
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Compare):
+            for side in (node.left, *node.comparators):
+                value = side.operand.value if isinstance(side, ast.UnaryOp) and _number(side.operand) else None
+                value = side.value if isinstance(side, ast.Constant) and _number(side) else value
+                assert value in (None, 0, 1, 2, 3), f"{file.name}:{node.lineno} compares with {value}"
+
+
+def _number(node: ast.AST) -> bool:
+    return isinstance(node, ast.Constant) and isinstance(node.value, (int, float)) and not isinstance(node.value, bool)
+
+
+def test_page_is_made_from_the_code() -> None:
+    assert (ROOT / "docs/criteria.md").read_text() == criteria_page()
+
+
+def test_documents_quote_the_numbers_in_force() -> None:
+    quoted = 0
+    for page in sorted((ROOT / "docs").glob("*.md")):
+        for text, name in LINK.findall(page.read_text()):
+            assert text == BY_NAME[name].text, f"{page.name} says {text} for {name}"
+            quoted += 1
+    assert quoted > 10
