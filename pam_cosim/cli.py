@@ -17,7 +17,7 @@ from pam_cosim.arguments import fmu_files, parse_settings, parse_variations, rea
 from pam_cosim.comparison import Comparison
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.files import check_writable, write_json, write_text
+from pam_cosim.files import check_distinct, check_writable, write_json, write_text
 from pam_cosim.fitting import read_parameters, write_parameters
 from pam_cosim.quantities import readable
 from pam_cosim.reporting import comparison_report, diagnosis_report, diagnosis_text, plot_trajectory, write_report
@@ -44,9 +44,10 @@ Data = Annotated[Path, typer.Argument(help="Folder with experiment.toml and CSV 
 
 
 def _checked(*outputs: Path | None) -> None:
-    for path in outputs:
-        if path is not None:
-            check_writable(path)
+    named = [path for path in outputs if path is not None]
+    for path in named:
+        check_writable(path)
+    check_distinct(named)
 
 
 def _saved(path: Path | None) -> None:

@@ -1,36 +1,94 @@
-"""Files are written whole or not at all."""
+"""Files are written whole or not at all, and only where there is a file or nothing yet."""
 
 from __future__ import annotations
 
 import json
 import os
+import stat
 import tempfile
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
 from pam_cosim.errors import InputError
 
+_LONGEST_PREFIX = 50  # of a temporary name, which must not be too long where the name itself is not
+_MOST_LINKS = 40  # as Linux has it
+_KINDS = {
+    stat.S_IFDIR: "a folder",
+    stat.S_IFCHR: "a device",
+    stat.S_IFBLK: "a device",
+    stat.S_IFIFO: "a pipe",
+    stat.S_IFSOCK: "a socket",
+}
+
 
 def write_bytes(path: Path, content: bytes) -> None:
     """Writes ``content`` under a temporary name and moves it to ``path``.
 
+    A link stays a link: what it leads to is replaced.
+
     Raises:
-        InputError: the folder does not exist or cannot be written.
+        InputError: the folder does not exist or cannot be written, or ``path`` is no regular file.
     """
+    target = _target(path)
     try:
-        handle, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+        mode = stat.S_IMODE(os.stat(target).st_mode) & 0o777 if target.exists() else 0o666 & ~_umask()
+        handle, name = tempfile.mkstemp(prefix=f".{target.name[:_LONGEST_PREFIX]}.", dir=target.parent)
     except OSError as problem:
         raise InputError(f"cannot be written: {problem.strerror}", path) from problem
     try:
         with os.fdopen(handle, "wb") as file:
             file.write(content)
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(name, 0o666 & ~mask)
-        os.replace(name, path)
+        os.chmod(name, mode)
+        os.replace(name, target)
     except OSError as problem:
-        Path(name).unlink(missing_ok=True)
         raise InputError(f"cannot be written: {problem.strerror}", path) from problem
+    finally:
+        Path(name).unlink(missing_ok=True)
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
+
+
+def _target(path: Path) -> Path:
+    """The regular file, or the place for one, that ``path`` leads to.
+
+    Raises:
+        InputError: it is something else, such as a folder or a device; it is a link that leads nowhere.
+    """
+    place = Path(path)
+    try:
+        for _ in range(_MOST_LINKS):
+            place = Path(os.path.realpath(place.parent)) / place.name
+            status = os.lstat(place)
+            if not stat.S_ISLNK(status.st_mode):
+                break
+            if status.st_dev == _processes():  # /dev/stdout: what it leads to has other writers
+                raise InputError("is a stream; name a file", path)
+            place = place.parent / os.readlink(place)
+        else:
+            raise InputError("cannot be written: the link leads to itself", path)
+    except FileNotFoundError:
+        return place
+    except OSError as problem:
+        raise InputError(f"cannot be written: {problem.strerror}", path) from problem
+    if not stat.S_ISREG(status.st_mode):
+        raise InputError(f"is {_KINDS.get(stat.S_IFMT(status.st_mode), 'no file')}; name a file", path)
+    if not os.access(place, os.W_OK):
+        raise InputError("cannot be written: it is protected", path)
+    return place
+
+
+def _processes() -> int | None:
+    """The device number of ``/proc``, where open files of processes look like links."""
+    try:
+        return os.stat("/proc").st_dev
+    except OSError:
+        return None
 
 
 def write_text(path: Path, text: str) -> None:
@@ -61,18 +119,47 @@ def read_json(path: Path) -> Any:
         raise InputError("not JSON that can be read: nested too deeply, or a number too long", path) from problem
 
 
-def check_writable(path: Path) -> None:
-    """Finds out before long work whether its result can be written.
+def check_writable(path: Path, *, new_folder: bool = False) -> None:
+    """Finds out before long work whether its result can be written; ``new_folder``: its folder may be made for it.
 
     Raises:
-        InputError: the folder does not exist or cannot be written.
+        InputError: as ``write_bytes``.
     """
-    if path.is_dir():
-        raise InputError("is a folder; name a file", path)
-    if not path.parent.is_dir():
-        raise InputError("cannot be written: its folder does not exist", path)
-    if not os.access(path.parent, os.W_OK):
+    target = _target(path)
+    folder, is_link = target.parent, path.is_symlink()
+    while new_folder and not is_link and not os.path.lexists(folder) and folder != folder.parent:
+        folder = folder.parent
+    if not folder.is_dir():
+        where = f"the folder of {target}" if is_link else "its folder"
+        raise InputError(f"cannot be written: {where} does not exist", path)
+    if not os.access(folder, os.W_OK):
         raise InputError("cannot be written: no permission for its folder", path)
+
+
+def check_distinct(paths: Iterable[Path]) -> None:
+    """Refuses two results for one file.
+
+    Raises:
+        InputError: names the second of them.
+    """
+    targets: set[Path] = set()
+    for path in paths:
+        target = _target(path)
+        if target in targets:
+            raise InputError("two results would be written to this file; name two", path)
+        targets.add(target)
+
+
+def make_folder(folder: Path) -> None:
+    """Creates a folder with its parents.
+
+    Raises:
+        InputError: it cannot be created.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(f"the folder cannot be made: {error.strerror}", folder) from error
 
 
 def _plain(value: Any) -> Any:

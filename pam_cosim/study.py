@@ -15,7 +15,7 @@ from pam_cosim.compiler import EffectClass, compose, effect_classes, read_librar
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis import diagnose as _diagnose
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.files import write_bytes, write_text
+from pam_cosim.files import check_writable, make_folder, write_bytes, write_text
 from pam_cosim.fitting import Fit, base_parameters, complete_noise, spread_starts, swarm_start
 from pam_cosim.fitting import fit as _fit
 from pam_cosim.fmu import build_model, read_interface
@@ -51,11 +51,13 @@ def build(
     ``fmi`` is the version of the interface, "2.0" or "3.0". For each parameter in ``sensitivities`` the derivatives
     of the outputs with respect to it are outputs too, ``sensitivity.<output>.<parameter>``.
     """
+    if output is not None:
+        check_writable(Path(output), new_folder=True)
     made = build_model(model, _paths(files), platforms=platforms, fmi=fmi, sensitivities=sensitivities)
     if output is None:
         return made
     target = Path(output)
-    target.parent.mkdir(parents=True, exist_ok=True)
+    make_folder(target.parent)
     write_bytes(target, made.read_bytes())
     return target
 

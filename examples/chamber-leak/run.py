@@ -24,8 +24,10 @@ import leak_tests  # noqa: E402
 import pam_cosim as pam  # noqa: E402
 from examples.raw_data import asked_for, markdown_table, raw_folder  # noqa: E402
 from pam_cosim import study  # noqa: E402
+from pam_cosim.files import write_bytes, write_text  # noqa: E402
 from pam_cosim.fitting import Fit  # noqa: E402
 from pam_cosim.measurement import FreeParameter  # noqa: E402
+from pam_cosim.reporting.style import png  # noqa: E402
 
 BENCH = "ClosedVessel"
 CHAMBERS = HERE / "chambers"
@@ -120,7 +122,7 @@ def draw(chambers: list[Chamber], strokes: list[friction.Stroke]) -> None:
     c.legend()
     for axis in (a, b, c):
         axis.grid(alpha=0.3)
-    picture.savefig(HERE / "result.png", dpi=100)
+    write_bytes(HERE / "result.png", png(picture, dpi=100))
     plt.close(picture)
 
 
@@ -166,7 +168,7 @@ def main() -> None:
     draw(chambers, strokes)
     diagnosis = pam.diagnose(pam.read(CHAMBERS / leak_tests.EMPTIED), say=lambda line: print(line, flush=True))
     print(diagnosis)
-    (HERE / "report.md").write_text(report(chambers, diagnosis, strokes), encoding="utf-8")
+    write_text(HERE / "report.md", report(chambers, diagnosis, strokes))
 
 
 if __name__ == "__main__":

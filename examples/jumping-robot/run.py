@@ -25,8 +25,10 @@ import jumps  # noqa: E402
 import pam_cosim as pam  # noqa: E402
 from examples.raw_data import asked_for, markdown_table, raw_folder  # noqa: E402
 from pam_cosim import study  # noqa: E402
+from pam_cosim.files import write_bytes, write_text  # noqa: E402
 from pam_cosim.fitting import Fit  # noqa: E402
 from pam_cosim.measurement import DataSet, FreeParameter, Run  # noqa: E402
+from pam_cosim.reporting.style import png  # noqa: E402
 
 BENCH = "SwitchedMuscle"
 DEAD = 0.018  # s; before this nothing reaches the muscle
@@ -134,7 +136,7 @@ def draw(first: Fit, last: Fit) -> None:
     axes[0, 0].legend(fontsize=7)
     picture.supxlabel("time [s]")
     picture.supylabel("pressure in the muscle [kPa gauge, zero taken off]")
-    picture.savefig(HERE / "result.png", dpi=100)
+    write_bytes(HERE / "result.png", png(picture, dpi=100))
     plt.close(picture)
 
 
@@ -220,7 +222,7 @@ def main() -> None:
     draw(stages[0], stages[-1])
     diagnosis = pam.diagnose(pam.read(HERE), say=lambda line: print(line, flush=True))
     print(diagnosis)
-    (HERE / "report.md").write_text(report(diagnosis, stages, counter), encoding="utf-8")
+    write_text(HERE / "report.md", report(diagnosis, stages, counter))
 
 
 if __name__ == "__main__":

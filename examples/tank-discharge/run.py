@@ -25,8 +25,10 @@ import published  # noqa: E402
 import pam_cosim as pam  # noqa: E402
 from examples.raw_data import asked_for, markdown_table, raw_folder  # noqa: E402
 from pam_cosim import study  # noqa: E402
+from pam_cosim.files import write_bytes, write_text  # noqa: E402
 from pam_cosim.fitting import Fit  # noqa: E402
 from pam_cosim.measurement import FreeParameter  # noqa: E402
+from pam_cosim.reporting.style import png  # noqa: E402
 
 FOLDER = HERE / "carried-on"
 BENCH = "VesselOrifice"
@@ -97,7 +99,7 @@ def draw(pressure: Fit, both: Fit, nitrogen: Fit, film: Fit) -> None:
         axis.set(xlabel="time [s]", ylabel="temperature reading [K]", title=title)
         axis.grid(alpha=0.3)
         axis.legend(fontsize=7)
-    picture.savefig(FOLDER / "result.png", dpi=100)
+    write_bytes(FOLDER / "result.png", png(picture, dpi=100))
     plt.close(picture)
 
 
@@ -127,7 +129,7 @@ def main() -> None:
             reason=diagnosis.verdict.reason,
         )
     )
-    (FOLDER / "report.md").write_text(text, encoding="utf-8")
+    write_text(FOLDER / "report.md", text)
 
 
 if __name__ == "__main__":

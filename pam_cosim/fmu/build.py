@@ -10,10 +10,10 @@ from pathlib import Path
 
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import InputError
-from pam_cosim.files import write_bytes
+from pam_cosim.files import make_folder, write_bytes
 from pam_cosim.fmu import description2, description3
 from pam_cosim.fmu.c_text import c_string
-from pam_cosim.fmu.cache import cached, digest, make_folder
+from pam_cosim.fmu.cache import cached, digest
 from pam_cosim.fmu.compile import (
     PLATFORMS,
     binary_folder,

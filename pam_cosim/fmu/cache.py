@@ -9,8 +9,7 @@ from pathlib import Path
 
 import platformdirs
 
-from pam_cosim.errors import InputError
-from pam_cosim.files import write_bytes
+from pam_cosim.files import make_folder, write_bytes
 
 
 def cache_dir() -> Path:
@@ -43,15 +42,3 @@ def cached(kind: str, key: str, suffix: str, make: Callable[[], bytes]) -> Path:
         make_folder(path.parent)
         write_bytes(path, content)
     return path
-
-
-def make_folder(folder: Path) -> None:
-    """Creates a folder with its parents.
-
-    Raises:
-        InputError: it cannot be created.
-    """
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise InputError(f"the folder cannot be made: {error.strerror}", folder) from error

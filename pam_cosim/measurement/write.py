@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import tempfile
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -12,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.errors import InputError
+from pam_cosim.files import check_writable, make_folder, write_text
 from pam_cosim.interface import Interface
 from pam_cosim.measurement.data_set import DataSet, Run
 from pam_cosim.measurement.experiment import FILE_NAME
@@ -53,10 +53,11 @@ def write_data_set(
             draft = Path(name)
             _write_texts(draft, texts)
             read_data_set(draft, lambda _: interface)
-            folder.mkdir(exist_ok=True)
-            for file in texts:
-                (folder / file).parent.mkdir(parents=True, exist_ok=True)
-                os.replace(draft / file, folder / file)
+        for file in texts:
+            check_writable(folder / file, new_folder=True)
+        for file, text in texts.items():
+            make_folder((folder / file).parent)
+            write_text(folder / file, text)
     except OSError as error:
         raise InputError(f"the data set cannot be written: {error.strerror}", folder) from None
     return read_data_set(folder, lambda _: interface)

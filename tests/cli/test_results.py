@@ -1,0 +1,157 @@
+"""Where results go: to a file, through a link, never onto a device, a pipe, a socket or a folder."""
+
+from __future__ import annotations
+
+import os
+import socket
+import stat
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from pam_cosim import study
+from pam_cosim.errors import InputError
+from pam_cosim.files import write_bytes
+from tests.cli.conftest import ROOT, Outcome
+from tests.cli.test_bad_input import refused
+from tests.cli.test_commands import done
+
+Command = Callable[..., Outcome]
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="devices, pipes and links of POSIX")
+
+# every option that writes a file, with the shortest command that has it; {} is the file
+WRITERS = {
+    "simulate -o": ["simulate", "VesselOrifice", "-o", "{}"],
+    "simulate --plot": ["simulate", "VesselOrifice", "--plot", "{}"],
+    "sweep -o": ["sweep", "VesselOrifice", "--vary", "tank.n=1,1.4", "-o", "{}"],
+    "compare --json": ["compare", "data", "--json", "{}"],
+    "compare --report": ["compare", "data", "--report", "{}"],
+    "fit -o": ["fit", "data", "-o", "{}"],
+    "fit --json": ["fit", "data", "--json", "{}"],
+    "diagnose --json": ["diagnose", "data", "--json", "{}"],
+    "diagnose --report": ["diagnose", "data", "--report", "{}"],
+    "diagnose --next": ["diagnose", "data", "--next", "{}"],
+    "diagnose --learned": ["diagnose", "data", "--learned", "{}"],
+    "add -o": ["add", "EnergyGas", "--to", "VesselOrifice", "-o", "{}"],
+    "build -o": ["build", "VesselOrifice", "-o", "{}"],
+}
+ENDINGS = {"add -o": ".mo", "diagnose --learned": ".mo", "build -o": ".fmu", "simulate --plot": ".png"}
+QUICK = ["simulate -o", "simulate --plot", "sweep -o", "compare --json", "compare --report", "add -o", "build -o"]
+
+
+def words(writer: str, target: Path | str) -> list[str]:
+    return [word.replace("{}", str(target)) for word in WRITERS[writer]]
+
+
+def make(kind: str, path: Path) -> None:
+    if kind == "pipe":
+        os.mkfifo(path)
+    elif kind == "socket":
+        with socket.socket(socket.AF_UNIX) as made:
+            made.bind(str(path))
+    elif kind == "device":  # a node needs privileges, a link to one does not
+        path.symlink_to("/dev/full")
+    elif kind == "stream":
+        path.symlink_to("/dev/stdout")
+    elif kind == "link to itself":
+        path.symlink_to(path.name)
+    elif kind == "link into no folder":
+        path.symlink_to("none/x")
+    else:
+        path.mkdir()
+
+
+@pytest.mark.parametrize(
+    "kind", ["pipe", "socket", "device", "stream", "folder", "link to itself", "link into no folder"]
+)
+@pytest.mark.parametrize("writer", WRITERS)
+def test_what_is_no_file_is_refused_before_the_work(
+    command: Command, place: Path, data: Path, writer: str, kind: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for step in ("build", "describe", "read", "compare", "fit", "diagnose", "add", "simulate", "sweep"):
+        if (writer, step) != ("build -o", "build"):
+            monkeypatch.setattr(study, step, lambda *a, **k: pytest.fail("work was done"))
+    target = place / f"x{ENDINGS.get(writer, '')}"
+    make(kind, target)
+    before = os.lstat(target)
+    said = {"device": "is a device", "stream": "is a ", "link to itself": "leads to itself",
+            "link into no folder": "does not exist"}.get(kind, f"is a {kind}")  # fmt: skip
+    refused(command(*words(writer, target)), [target.name, said])
+    after = os.lstat(target)
+    assert (after.st_ino, after.st_mode) == (before.st_ino, before.st_mode)
+    assert sorted(p.name for p in place.iterdir()) == ["data", target.name]
+    assert stat.S_ISCHR(os.stat("/dev/full").st_mode)
+
+
+@pytest.mark.parametrize("there", [True, False], ids=["file", "dangling"])
+@pytest.mark.parametrize("writer", QUICK)
+def test_a_link_stays_and_its_file_is_replaced(
+    command: Command, place: Path, data: Path, writer: str, there: bool
+) -> None:
+    ending = ENDINGS.get(writer, "")
+    (place / "far").mkdir()
+    file, link = place / "far" / f"file{ending}", place / f"link{ending}"
+    if there:
+        file.write_text("old")
+        file.chmod(0o640)
+    (place / "middle").symlink_to(f"far/file{ending}")
+    link.symlink_to("middle")
+    done(command(*words(writer, link)))
+    assert link.is_symlink() and (place / "middle").is_symlink() and not file.is_symlink()
+    assert file.stat().st_size > 100
+    assert not there or stat.S_IMODE(file.stat().st_mode) == 0o640
+    assert [p.name for p in (place / "far").iterdir()] == [file.name]
+    assert sorted(p.name for p in place.iterdir()) == sorted(["data", "far", "middle", link.name])
+
+
+def test_a_redirected_stream_keeps_what_was_said(place: Path) -> None:
+    """``-o /dev/stdout > out.txt`` would replace out.txt under the command's own feet."""
+    with open(place / "out.txt", "w") as out:
+        command = [sys.executable, "-m", "pam_cosim.cli", "simulate", "VesselOrifice", "-o", "/dev/stdout"]
+        found = subprocess.run(command, stdout=out, stderr=subprocess.PIPE, env={**os.environ, "PYTHONPATH": str(ROOT)})
+    assert found.returncode == 2 and b"/dev/stdout: is a stream" in found.stderr
+    assert (place / "out.txt").read_text() == ""
+
+
+def test_two_results_for_one_file(command: Command, place: Path, data: Path) -> None:
+    (place / "link").symlink_to("r")
+    refused(command("compare", "data", "--json", "r", "--report", "link"), ["link", "two results"])
+    assert sorted(p.name for p in place.iterdir()) == ["data", "link"]
+
+
+@pytest.mark.parametrize("name", ["x" * 300, "x" * 250 + ".fmu"])
+def test_long_names(command: Command, place: Path, name: str) -> None:
+    found = command("build", "VesselOrifice", "-o", name + ".fmu" if len(name) > 255 else name)
+    if len(name) > 255:
+        refused(found, ["too long"])
+    else:
+        done(found)
+    assert [p.name for p in place.iterdir()] == ([name] if found.status == 0 else [])
+
+
+def test_a_folder_that_is_a_file(command: Command, place: Path) -> None:
+    (place / "out").write_text("kept")
+    refused(command("build", "VesselOrifice", "-o", "out"), ["out"])
+    assert (place / "out").read_text() == "kept"
+
+
+@pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="root may write everything")
+def test_a_protected_file(command: Command, place: Path) -> None:
+    (place / "x.csv").write_text("kept")
+    (place / "x.csv").chmod(0o444)
+    refused(command("simulate", "VesselOrifice", "-o", "x.csv"), ["protected"])
+    assert (place / "x.csv").read_text() == "kept"
+
+
+def test_interrupted_writing_leaves_nothing(place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    file = place / "x"
+    file.write_text("old")
+    for failure in (KeyboardInterrupt, OSError(28, "No space left on device")):
+        monkeypatch.setattr(os, "replace", lambda *a, problem=failure: (_ for _ in ()).throw(problem))
+        with pytest.raises((KeyboardInterrupt, InputError)):
+            write_bytes(file, b"new")
+        assert file.read_text() == "old" and [p.name for p in place.iterdir()] == ["x"]
