@@ -69,6 +69,8 @@ typedef struct {
     const int64_t *rows_after;  /* and after */
     /* results */
     double time_reached;
+    uint64_t calls; /* that were made; this and the next may be read while the run goes on */
+    int32_t active; /* number of the function that is called, in the order above */
     int32_t stage; /* number of the function that failed, in the order above; -1: none */
     int32_t status;
 } driver_run;
@@ -80,6 +82,7 @@ enum { OK = 0, WARNING = 1, DISCARD = 2 };
 
 #define CALL(number, call)                 \
     do {                                   \
+        begin_call(r, (number));           \
         int status_ = (int)(call);         \
         if (status_ > WARNING) {           \
             r->stage = (number);           \
@@ -87,6 +90,12 @@ enum { OK = 0, WARNING = 1, DISCARD = 2 };
             return;                        \
         }                                  \
     } while (0)
+
+/* Another thread may ask how far the run is. */
+static void begin_call(driver_run *r, int32_t number) {
+    r->active = number;
+    r->calls++;
+}
 
 static int call(const driver_run *r, driver_function f) { return (int)((fmi2ResetTYPE *)f)(r->instance); }
 
@@ -118,11 +127,13 @@ static int do_step(const driver_run *r, double from, double step) {
 
 static int set_inputs(driver_run *r, int64_t knot) {
     const double *values = r->input_values + (size_t)knot * r->n_inputs;
+    begin_call(r, SET_REAL);
     int status = set_real(r, r->inputs, r->n_inputs, values);
     r->stage = SET_REAL;
     if (status <= WARNING && r->input_slopes) {
         const double *slopes = r->input_slopes + (size_t)knot * r->n_inputs;
         fmi2SetRealInputDerivativesTYPE *set_slopes = (fmi2SetRealInputDerivativesTYPE *)r->set_slopes;
+        begin_call(r, SET_SLOPES);
         status = (int)set_slopes(r->instance, r->inputs, r->n_inputs, r->orders, slopes);
         r->stage = SET_SLOPES;
     }

@@ -40,6 +40,10 @@ SetOption = Annotated[
     list[str] | None,
     typer.Option("--set", help='NAME=VALUE, such as load.m="5 kg": a parameter, or an input held constant.'),
 ]
+TimeoutOption = Annotated[
+    float | None,
+    typer.Option(help="End an .fmu that makes no progress for so many seconds; default 60, inf: never.", min=0.0),
+]
 Data = Annotated[Path, typer.Argument(help="Folder with experiment.toml and CSV files.")]
 
 
@@ -93,13 +97,14 @@ def simulate(
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the trajectory as CSV.")] = None,
     plot: Annotated[Path | None, typer.Option(help="Draw the outputs as PNG.")] = None,
     files: FilesOption = None,
+    timeout: TimeoutOption = None,
 ) -> None:
     """One run of a model."""
     _checked(output, plot)
     interface = study.describe(model, files or [])
     parameters = parse_settings(settings or [], interface)
     course = read_inputs(inputs, interface) if inputs else None
-    trajectory = study.simulate(model, parameters, course, stop_time=stop_time, files=files or [])
+    trajectory = study.simulate(model, parameters, course, stop_time=stop_time, files=files or [], timeout=timeout)
     for warning in trajectory.warnings:
         typer.echo(f"pam-cosim: {warning}", err=True)
     if output:
@@ -123,6 +128,7 @@ def sweep(
     inputs: Annotated[Path | None, typer.Option("--input", help="CSV with input columns: name [unit].")] = None,
     stop_time: Annotated[float | None, typer.Option(help="End of each run [s].")] = None,
     files: FilesOption = None,
+    timeout: TimeoutOption = None,
 ) -> None:
     """Every combination of varied parameters and inputs."""
     _checked(output)
@@ -140,6 +146,7 @@ def sweep(
             inputs=course,
             stop_time=stop_time,
             files=files or [],
+            timeout=timeout,
             progress=lambda done, total: progress.update(task, completed=done, total=total),
         )
     write_sweep(output, points, interface)
@@ -159,13 +166,14 @@ def compare(
     json: JsonOption = None,
     report: ReportOption = None,
     files: FilesOption = None,
+    timeout: TimeoutOption = None,
 ) -> None:
     """How far a model is from a measurement, and where."""
     _checked(json, report)
     values = read_parameters(params) if params else {}
     earlier = [(path.stem, read_comparison(path)) for path in against or []]
     read = study.read(data, model=model, files=files or [])
-    found: Comparison = study.compare(read, model, values, files=files or [])
+    found: Comparison = study.compare(read, model, values, files=files or [], timeout=timeout)
     typer.echo(str(found))
     for line in against_lines(found, earlier):
         typer.echo(line)
@@ -187,6 +195,7 @@ def fit(
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the parameters (.json, .ssv).")] = None,
     json: JsonOption = None,
     files: FilesOption = None,
+    timeout: TimeoutOption = None,
 ) -> None:
     """Fit the parameters that the data set leaves free."""
     _checked(output, json)
@@ -197,6 +206,7 @@ def fit(
             model,
             method=method,
             files=files or [],
+            timeout=timeout,
             progress=lambda n, chi2: status.update(f"fitting: {n} simulations, chi2 {chi2:.4g}"),
         )
     typer.echo(str(found))

@@ -62,13 +62,16 @@ def build(
     return target
 
 
-def opened(model: str, files: Paths = (), free: Iterable[str] = ()) -> Simulator | IsolatedSimulator:
+def opened(
+    model: str, files: Paths = (), free: Iterable[str] = (), timeout: float | None = None
+) -> Simulator | IsolatedSimulator:
     """A model ready to run; an FMU of somebody else's runs in a process of its own, which it may crash.
 
-    A Modelica model tells its sensitivities to the ``free`` parameters.
+    A Modelica model tells its sensitivities to the ``free`` parameters. An FMU that makes no progress for ``timeout``
+    seconds is ended (None: the default of ``IsolatedSimulator``).
     """
     if model.endswith(".fmu"):
-        return IsolatedSimulator(build(model, files=files))
+        return IsolatedSimulator(build(model, files=files), timeout)
     return Simulator(build_model(model, _paths(files), sensitivities=tuple(free), where_smooth=True))
 
 
@@ -92,13 +95,18 @@ def read(folder: Path | str, *, model: str | None = None, files: Paths = ()) -> 
 
 
 def compare(
-    data: DataSet, model: str | None = None, parameters: Mapping[str, Setting] | None = None, *, files: Paths = ()
+    data: DataSet,
+    model: str | None = None,
+    parameters: Mapping[str, Setting] | None = None,
+    *,
+    files: Paths = (),
+    timeout: float | None = None,
 ) -> Comparison:
     """Simulates every run of ``data`` with ``model`` (default: its bench) and scores the differences.
 
-    ``parameters`` are further values, as in ``simulate``.
+    ``parameters`` are further values and ``timeout`` a limit, as in ``simulate``.
     """
-    with opened(model or data.model, files) as simulator:
+    with opened(model or data.model, files, timeout=timeout) as simulator:
         return _compare(simulator, complete_noise(data), resolve(parameters or {}, simulator.interface))
 
 
@@ -110,6 +118,7 @@ def fit(
     parameters: Mapping[str, Setting] | None = None,
     files: Paths = (),
     progress: Callable[[int, float], None] | None = None,
+    timeout: float | None = None,
 ) -> Fit:
     """Fits what the data set leaves free.
 
@@ -121,6 +130,7 @@ def fit(
         parameters: further values to use, as in ``simulate``.
         files: further Modelica files.
         progress: called with the number of simulations and the reduced chi-square.
+        timeout: as in ``simulate``.
 
     Raises:
         InputError: unknown model, parameter or method; nothing to fit.
@@ -128,7 +138,7 @@ def fit(
     """
     if method not in METHODS:
         raise InputError(f"there is no method '{method}' to fit with; choose one of {', '.join(METHODS)}")
-    with opened(model or data.model, files, data.fit) as simulator:
+    with opened(model or data.model, files, data.fit, timeout) as simulator:
         free = base_parameters(data, simulator.interface)
         if not free:
             raise InputError("nothing to fit: name the free parameters under [fit]", data.folder / "experiment.toml")
@@ -187,6 +197,7 @@ def simulate(
     stop_time: float | None = None,
     interval: float | None = None,
     files: Paths = (),
+    timeout: float | None = None,
 ) -> Trajectory:
     """One run of a model.
 
@@ -198,12 +209,13 @@ def simulate(
         stop_time: [s]; default: the last time of ``inputs``, or the model's own.
         interval: [s] between outputs; default: the model's own.
         files: further Modelica files.
+        timeout: [s]; an FMU that makes no progress for so long is ended, and its run fails; default: a minute.
 
     Raises:
         InputError: an unknown model or name, a value that cannot be used, an input given both ways.
         SimulationFailure: the run did not reach its end.
     """
-    with opened(model, files) as simulator:
+    with opened(model, files, timeout=timeout) as simulator:
         times = output_times(simulator.interface, inputs, stop_time, interval)
         return simulator.run(times, parameters=resolve(parameters or {}, simulator.interface), inputs=inputs)
 
@@ -238,20 +250,21 @@ def sweep(
     stop_time: float | None = None,
     files: Paths = (),
     progress: Callable[[int, int], None] | None = None,
+    timeout: float | None = None,
 ) -> list[SweepPoint]:
     """Simulates every combination of what is varied; a run that fails is reported and the others go on.
 
     Args:
         model: as in ``simulate``.
         vary: values by name of a parameter, an input that is held constant or a start value, as in ``simulate``.
-        parameters, inputs, stop_time, files: of every run, as in ``simulate``.
+        parameters, inputs, stop_time, files, timeout: of every run, as in ``simulate``.
         progress: called with the number of runs done and of all runs.
 
     Raises:
         InputError: as ``simulate``; a name that is both varied and set.
     """
     points = []
-    with opened(model, files) as simulator:
+    with opened(model, files, timeout=timeout) as simulator:
         fixed = resolve(parameters or {}, simulator.interface)
         grid = [resolve(values, simulator.interface) for values in _combinations(vary, fixed)]
         times = output_times(simulator.interface, inputs, stop_time)

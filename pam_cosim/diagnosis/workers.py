@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 import os
+import threading
+import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from concurrent.futures.process import BrokenProcessPool
 from typing import TypeVar
 
-from loky import get_reusable_executor  # its processes do not run the user's script again, as the standard ones do
+from loky import (
+    ProcessPoolExecutor,
+    get_reusable_executor,
+)  # its processes do not run the user's script again, as the standard ones do
 
 _IDLE = 60.0  # [s] after which a process without work ends
+_LOOK = 0.5  # [s] between two looks whether the parent is still there
 
 Task = TypeVar("Task")
 Result = TypeVar("Result")
@@ -21,12 +27,27 @@ def processors() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
+def _end_with(parent: int) -> None:
+    """Ends this process when its parent does, which may be killed; where an orphan does not tell, by idleness only."""
+
+    def watch() -> None:
+        while os.getppid() == parent:
+            time.sleep(_LOOK)
+        os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()
+
+
+def _pool(count: int) -> ProcessPoolExecutor:
+    return get_reusable_executor(count, timeout=_IDLE, initializer=_end_with, initargs=(os.getpid(),))
+
+
 def wake(workers: int | None = None) -> None:
     """Starts the processes, so that they have loaded what they need when the first tasks come."""
     if workers == 0:
         return
     count = workers or processors()
-    pool = get_reusable_executor(count, timeout=_IDLE)
+    pool = _pool(count)
     for _ in range(count):
         pool.submit(processors)
 
@@ -74,7 +95,7 @@ def _attempt(
 ) -> list[int]:
     """Runs the chosen tasks; returns those whose pool broke."""
     lost: list[int] = []
-    pool = get_reusable_executor(count, timeout=_IDLE)
+    pool = _pool(count)
     running: dict[Future[Result], int] = {}
     for i in chosen:
         try:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -82,14 +84,21 @@ class _Run(ctypes.Structure):
         ("rows_before", ctypes.c_void_p),
         ("rows_after", ctypes.c_void_p),
         ("time_reached", ctypes.c_double),
+        ("calls", ctypes.c_uint64),
+        ("active", ctypes.c_int32),
         ("stage", ctypes.c_int32),
         ("status", ctypes.c_int32),
     ]
 
 
+def prepare_driver() -> Path:
+    """Compiles the loop, where that was not done before; the library."""
+    return compile_library(("pam_driver.c",), {}, native_platform())
+
+
 @cache
 def _library() -> ctypes.CDLL:
-    library = ctypes.CDLL(str(compile_library(("pam_driver.c",), {}, native_platform())))
+    library = ctypes.CDLL(str(prepare_driver()))
     library.pam_driver_run.argtypes = [ctypes.POINTER(_Run)]
     library.pam_driver_run.restype = None
     return library
@@ -127,6 +136,21 @@ class Callbacks:
         return [line for line in text.splitlines() if line.strip()]
 
 
+@dataclass(frozen=True)
+class Progress:
+    """Of a run that has not ended.
+
+    Attributes:
+        function: of FMI, that was called last.
+        calls: number of calls before it.
+        time: reached [s].
+    """
+
+    function: str
+    calls: int
+    time: float
+
+
 class Outcome:
     """What a run left behind.
 
@@ -155,6 +179,13 @@ class Driver:
         self._names = [name or "" for name in names.values()]
         self._addresses = {slot: _address(library, name) for slot, name in names.items()}
         self._instance, self._slopes, self._version = instance, slopes, version
+        self._running: _Run | None = None
+
+    @property
+    def progress(self) -> Progress | None:
+        """How far a run in another thread is; None where there is none."""
+        run = self._running
+        return None if run is None else Progress(self._names[run.active], run.calls, run.time_reached)
 
     def run(
         self,
@@ -196,6 +227,10 @@ class Driver:
             rows_before=plan.rows_before.ctypes.data,
             rows_after=plan.rows_after.ctypes.data,
         )
-        _library().pam_driver_run(ctypes.byref(run))
+        self._running = run
+        try:
+            _library().pam_driver_run(ctypes.byref(run))
+        finally:
+            self._running = None
         failed = (*self._names, TOO_SLOW)[run.stage] if run.stage >= 0 else None
         return Outcome(result[plan.rows], run.time_reached, failed)

@@ -1,13 +1,14 @@
-"""Runs in a process of their own: an FMU that crashes takes nothing else down."""
+"""Runs in a process of their own: an FMU that crashes or never returns takes nothing else down."""
 
 from __future__ import annotations
 
+import contextlib
+import math
 import os
 import pickle
 import signal
 import subprocess
 import sys
-import threading
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
@@ -15,28 +16,42 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
+from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import read_interface
 from pam_cosim.interface import Interface
+from pam_cosim.simulation import keeper
+from pam_cosim.simulation.driver import Progress, prepare_driver
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs
 from pam_cosim.simulation.trajectory import Trajectory
 
+TIME_LIMIT = 60.0  # [s] without progress: loading and each call of an FMU take milliseconds as a rule
+_TICKS = 4  # looks at the progress within the limit, at least
+_LONGEST_TICK = 1.0  # [s]
+
 
 class IsolatedSimulator:
-    """As ``Simulator``, for FMUs that are not trusted: each crash ends one run only.
+    """As ``Simulator``, for FMUs that are not trusted: one that crashes or hangs ends one run only.
+
+    Between this process and the FMU's stands a third one, which ends the latter when it makes no progress or when this
+    process ends, however it does (``keeper``). One that hangs while it is loaded is not loaded again.
 
     Args:
-        path: an FMI 2.0 co-simulation FMU.
-        timeout: of a run [s]; an FMU that takes longer is ended. None: no limit.
+        path: an FMI 2.0 or 3.0 co-simulation FMU.
+        timeout: [s] without progress, after which the FMU is ended: to load it, or in any one call such as a step.
+            A run that goes on may last as long as it likes. None: ``TIME_LIMIT``; infinite: no limit.
 
     Raises:
-        InputError: not such an FMU.
+        InputError: not such an FMU, or no such limit.
     """
 
     def __init__(self, path: Path, timeout: float | None = None) -> None:
-        self.path, self.timeout = Path(path), timeout
+        self.path, self.timeout = Path(path), TIME_LIMIT if timeout is None else timeout
+        if not self.timeout > 0:
+            raise InputError(f"a time limit must be larger than zero, not {self.timeout:g} s")
         self.interface: Interface = read_interface(self.path)
         self._process: subprocess.Popen[bytes] | None = None
+        self._never_loaded = False
 
     def __enter__(self) -> IsolatedSimulator:
         return self
@@ -51,18 +66,22 @@ class IsolatedSimulator:
             self.close()
 
     def close(self) -> None:
-        """Ends the process; the next run would start another."""
+        """Frees the FMU and ends its process, also where it does not want to; the next run would start another."""
+        if self._process is not None and self._process.stdin is not None:
+            with contextlib.suppress(OSError):
+                keeper.write_frame(self._process.stdin, keeper.CLOSE)
+        self._end()
+
+    def _end(self) -> None:
+        """Ends the process; at once, where it was not told before to close."""
         process, self._process = self._process, None
         if process is None:
             return
         assert process.stdin is not None and process.stdout is not None
-        try:
+        with contextlib.suppress(OSError):
             process.stdin.close()
-            process.wait(timeout=5.0)
-        except (OSError, subprocess.TimeoutExpired):
-            process.kill()
-            process.wait()
         process.stdout.close()
+        process.wait()
 
     def run(
         self,
@@ -74,7 +93,7 @@ class IsolatedSimulator:
         tolerance: float | None = None,
         start_time: float | None = None,
     ) -> Trajectory:
-        """As ``Simulator.run``; a crash of the FMU is a ``RunFailure`` as well."""
+        """As ``Simulator.run``; a crash of the FMU, or a call that does not return, is a ``RunFailure`` as well."""
         request = {
             "times": times,
             "parameters": parameters,
@@ -90,38 +109,55 @@ class IsolatedSimulator:
         return answer
 
     def _ask(self, request: dict[str, Any]) -> tuple[str, Any]:
-        process = self._process = self._process or _start(self.path)
+        if self._never_loaded:
+            raise self._late(None, request)
+        if self._process is not None and self._process.poll() is not None:
+            self._end()
+        process = self._process = self._process or _start(self.path, self.timeout)
         assert process.stdin is not None and process.stdout is not None
-        late = threading.Event()
-
-        def end() -> None:
-            late.set()
-            process.kill()
-
-        timer = threading.Timer(self.timeout or threading.TIMEOUT_MAX, end)
-        timer.daemon = True
-        if self.timeout is not None:
-            timer.start()
         try:
-            pickle.dump(request, process.stdin)
-            process.stdin.flush()
-            answer: tuple[str, Any] = pickle.load(process.stdout)
+            with contextlib.suppress(OSError):  # it has ended: the answer says why
+                keeper.write_frame(process.stdin, keeper.REQUEST, pickle.dumps(request))
+            kind, content = keeper.read_frame(process.stdout)
+        except EOFError:
+            self._end()
+            raise RunFailure(f"the process that watches {self.path.name} has ended") from None
+        except BaseException:
+            self._end()
+            raise
+        if kind == keeper.ANSWER:
+            answer: tuple[str, Any] = pickle.loads(content)
             return answer
-        except (EOFError, OSError, pickle.UnpicklingError):
-            code = process.wait()
-            self.close()
-            if late.is_set():
-                raise RunFailure(f"{self.path.name} was ended: it took longer than {self.timeout:g} s") from None
-            raise RunFailure(f"{self.path.name} crashed its process ({_cause(code)})") from None
-        finally:
-            timer.cancel()
+        self._end()
+        if kind == keeper.LATE:
+            progress = pickle.loads(content) if content else None
+            self._never_loaded = bool(content) and progress is None
+            raise self._late(progress, request)
+        raise RunFailure(f"{self.path.name} crashed its process ({_cause(int(content))})")
+
+    def _late(self, progress: Progress | None, request: dict[str, Any]) -> RunFailure:
+        place = (
+            progress.function if progress else "while it was loaded" if self._never_loaded else "while it was made anew"
+        )
+        reason = (
+            f"{self.path.name} was ended: no progress for {self.timeout:g} s, {place}; "
+            "a longer time limit (--timeout) may help"
+        )
+        return RunFailure(reason, progress.time if progress else None, request["parameters"])
 
 
-def _start(path: Path) -> subprocess.Popen[bytes]:
-    """A process that answers requests on its standard input (``worker.py``)."""
+def _start(path: Path, timeout: float) -> subprocess.Popen[bytes]:
+    """The keeper of a process that answers requests (``worker.py``)."""
+    prepare_driver()  # not within the time limit
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
-    command = [sys.executable, "-m", "pam_cosim.simulation.worker", str(path)]
-    return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment)
+    limit = timeout if math.isfinite(timeout) else 0.0
+    tick = min(_LONGEST_TICK, timeout / _TICKS)
+    worker = [sys.executable, "-m", "pam_cosim.simulation.worker", str(path), str(tick)]
+    command = [sys.executable, "-I", "-S", str(Path(keeper.__file__)), str(limit), *worker]
+    # a session of its own: an interrupt from the terminal is this process's alone, which then ends the others
+    return subprocess.Popen(
+        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment, start_new_session=True
+    )
 
 
 def _cause(code: int) -> str:

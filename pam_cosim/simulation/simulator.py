@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fmu.read import interface_of, read_description, real_variables
 from pam_cosim.interface import Interface, Variable
-from pam_cosim.simulation.driver import TOO_SLOW, Callbacks, Driver, Outcome
+from pam_cosim.simulation.driver import TOO_SLOW, Callbacks, Driver, Outcome, Progress
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs, with_held
 from pam_cosim.simulation.plan import plan
@@ -181,6 +181,11 @@ class Simulator:
         units = {name: self._units.get(name, "") for name in names}
         warnings = tuple(self._callbacks.take_messages())
         return Trajectory(wanted.copy(), dict(zip(names, columns, strict=True)), units, warnings)
+
+    @property
+    def progress(self) -> Progress | None:
+        """How far the present run is, for another thread to ask; None between runs."""
+        return self._driver.progress if self._slave is not None else None
 
     @property
     def statistics(self) -> SolverStatistics | None:

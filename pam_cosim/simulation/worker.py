@@ -1,14 +1,18 @@
-"""The process behind ``IsolatedSimulator``: pickled requests in, pickled answers out."""
+"""The process behind ``IsolatedSimulator`` in which the FMU runs: requests in, progress and answers out."""
 
 from __future__ import annotations
 
 import os
 import pickle
 import sys
+import tempfile
+import threading
 from pathlib import Path
 from typing import Any, BinaryIO
 
 from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.simulation.driver import Progress
+from pam_cosim.simulation.keeper import ANSWER, PROGRESS, read_frame, write_frame
 from pam_cosim.simulation.simulator import Simulator
 
 
@@ -19,29 +23,62 @@ def _private_output() -> BinaryIO:
     return channel
 
 
-def _answer(simulators: list[Simulator], path: Path, request: dict[str, Any]) -> tuple[str, Any]:
-    try:
-        if not simulators:
-            simulators.append(Simulator(path))
-        return "trajectory", simulators[0].run(**request)
-    except (InputError, SimulationFailure) as error:
-        return "error", error
+class _Worker:
+    """Answers requests, and tells ever so often how far the present one is.
 
+    Args:
+        path: the FMU.
+        tick: seconds between two looks at the progress.
+    """
 
-def main(path: Path) -> None:
-    """Answers requests until the input ends."""
-    channel = _private_output()
-    simulators: list[Simulator] = []
-    while True:
+    def __init__(self, path: Path, tick: float) -> None:
+        self._path, self._tick = path, tick
+        self._channel = _private_output()
+        self._lock = threading.Lock()
+        self._told: Progress | None = None
+        self.simulator: Simulator | None = None
+        threading.Thread(target=self._watch, daemon=True).start()
+
+    def _watch(self) -> None:
+        pause = threading.Event()
+        while not pause.wait(self._tick):
+            progress = self.simulator.progress if self.simulator is not None else None
+            if progress is not None and progress != self._told:
+                self._told = progress
+                self._send(PROGRESS, progress)
+
+    def _send(self, kind: bytes, content: object) -> None:
+        with self._lock:
+            write_frame(self._channel, kind, pickle.dumps(content))
+
+    def _answer(self, request: dict[str, Any]) -> tuple[str, Any]:
         try:
-            request = pickle.load(sys.stdin.buffer)
-        except EOFError:
-            break
-        pickle.dump(_answer(simulators, path, request), channel)
-        channel.flush()
-    for simulator in simulators:
-        simulator.close()
+            if self.simulator is None:
+                self._send(PROGRESS, None)  # before the FMU is loaded: nothing in this process can speak meanwhile
+                self.simulator = Simulator(self._path)
+            return "trajectory", self.simulator.run(**request)
+        except (InputError, SimulationFailure) as error:
+            return "error", error
+
+    def serve(self) -> None:
+        """Answers requests until the input ends."""
+        while True:
+            try:
+                _, content = read_frame(sys.stdin.buffer)
+            except EOFError:
+                return
+            self._told = None
+            self._send(ANSWER, self._answer(pickle.loads(content)))
+
+
+def main(path: Path, tick: float, folder: str) -> None:
+    """Serves one FMU, with ``folder`` for all temporary files: who ends this process removes it."""
+    tempfile.tempdir = folder
+    worker = _Worker(path, tick)
+    worker.serve()
+    if worker.simulator is not None:
+        worker.simulator.close()
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]))
+    main(Path(sys.argv[1]), float(sys.argv[2]), sys.argv[3])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import time
+from pathlib import Path
 
 
 def square_or_die(number: int) -> int:
@@ -21,5 +22,12 @@ def slow_square(number: int) -> int:
 
 
 def process_of(number: int) -> int:
-    time.sleep(0.2)
+    time.sleep(1.0)  # the other process has loaded what it needs meanwhile
     return os.getpid()
+
+
+def tell_and_sleep(file: str) -> str:
+    """Writes the process's number and works on."""
+    Path(file).write_text(str(os.getpid()))
+    time.sleep(60)
+    return file

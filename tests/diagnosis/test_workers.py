@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
+import time
+from pathlib import Path
 
 import pytest
 
@@ -10,7 +14,7 @@ from pam_cosim.diagnosis.workers import run_tasks
 from tests.diagnosis.tasks import process_of, slow_square, square_or_die
 
 
-@pytest.mark.parametrize("workers", [1, 2])
+@pytest.mark.parametrize("workers", [pytest.param(1, marks=pytest.mark.full), 2])
 def test_crash_loses_one_task_only(workers: int) -> None:
     crashed: list[int] = []
     told: list[int] = []
@@ -40,3 +44,36 @@ def test_tasks_run_in_other_processes_and_side_by_side() -> None:
     found = run_tasks(process_of, [1, 2, 3, 4], lambda n: -1, lambda n: None, 2)
     assert os.getpid() not in found
     assert len(dict.fromkeys(found)) == 2
+
+
+_STUDY = """
+import sys
+from pam_cosim.diagnosis.workers import run_tasks
+from tests.diagnosis.tasks import tell_and_sleep
+run_tasks(tell_and_sleep, [sys.argv[1]], str, print, 1)
+"""
+
+
+@pytest.mark.full
+@pytest.mark.skipif(os.name != "posix", reason="an orphan does not tell")
+def test_workers_end_with_a_study_that_is_killed(tmp_path: Path) -> None:
+    file = tmp_path / "process"
+    study = subprocess.Popen([sys.executable, "-c", _STUDY, str(file)], cwd=Path(__file__).parents[2])
+    end = time.monotonic() + 60
+    while not (file.exists() and file.read_text()) and time.monotonic() < end:
+        time.sleep(0.1)
+    study.kill()
+    study.wait()
+    worker, end = int(file.read_text()), time.monotonic() + 5
+    while _lives(worker) and time.monotonic() < end:
+        time.sleep(0.1)
+    assert not _lives(worker)
+
+
+def _lives(process: int) -> bool:
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    status = Path(f"/proc/{process}/stat")
+    return not (status.exists() and status.read_text().rsplit(")", 1)[1].split()[0] == "Z")

@@ -14,13 +14,9 @@ import numpy as np
 import pytest
 
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.fmu.build import runtime
-from pam_cosim.fmu.compile import compile_library, native_platform
-from pam_cosim.fmu.generate import model_source
-from pam_cosim.fmu.read import read_description
-from pam_cosim.resources import fmu_runtime
-from pam_cosim.simulation import Inputs, IsolatedSimulator, RunFailure, Simulator, run_isolated
+from pam_cosim.simulation import Inputs, RunFailure, Simulator
 from tests.fmu import models
+from tests.simulation.misbehaving import patched, repacked
 
 TIMES = np.linspace(0.0, 2.0, 21)
 
@@ -172,26 +168,9 @@ def test_speed() -> None:
 # --- FMUs of other tools ----------------------------------------------------------------------------------------
 
 
-def _repacked(source: Path, target: Path, change: dict[str, str] | None = None, binary: bytes | None = None) -> Path:
-    """A copy with texts of the model description replaced, or with another binary."""
-    with zipfile.ZipFile(source) as old, zipfile.ZipFile(target, "w") as new:
-        for name in old.namelist():
-            data = old.read(name)
-            if name == "modelDescription.xml":
-                text = data.decode()
-                for a, b in (change or {}).items():
-                    assert a in text
-                    text = text.replace(a, b)
-                data = text.encode()
-            elif binary is not None:
-                data = binary
-            new.writestr(name, data)
-    return target
-
-
 def test_fmu_without_slopes_gets_steps_of_the_default_interval(tmp_path: Path) -> None:
     change = {'canInterpolateInputs="true"': 'canInterpolateInputs="false"'}
-    path = _repacked(models.fmu(models.lag), tmp_path / "x.fmu", change)
+    path = repacked(models.fmu(models.lag), tmp_path / "x.fmu", change)
     with Simulator(path) as simulator:
         run = simulator.run(TIMES, inputs=Inputs([0.0, 2.0], {"u": [0.0, 2.0]}), tolerance=1e-8)
     exact = TIMES - 0.5 + 0.5 * np.exp(-TIMES / 0.5)
@@ -199,49 +178,11 @@ def test_fmu_without_slopes_gets_steps_of_the_default_interval(tmp_path: Path) -
     assert 1e-3 < error < 0.5 * simulator.interface.interval * 1.05  # held inputs lag by half a step
 
 
-def _patched(tmp_path: Path, name: str, old: str, new: str) -> Path:
-    """The lag with another C text in one file of its runtime: an FMU that misbehaves."""
-    guid = read_description(models.fmu(models.lag)).guid
-    sources = {name: (fmu_runtime() / name).read_text() for name in runtime()}
-    assert old in sources[name]
-    sources[name] = "#include <stdlib.h>\n" + sources[name].replace(old, new)
-    sources["model.c"] = model_source(models.lag(), guid)
-    binary = compile_library((), sources, native_platform()).read_bytes()
-    return _repacked(models.fmu(models.lag), tmp_path / "x.fmu", binary=binary)
-
-
 def test_fmu_that_cannot_be_reset_is_made_anew(tmp_path: Path) -> None:
     reset = "ASK(ANY_KIND, ANY, pam_reset(c))"
-    with Simulator(_patched(tmp_path, "pam_fmi2.c", reset, "(void)component; return fmi2Error")) as simulator:
+    with Simulator(patched(tmp_path, "pam_fmi2.c", reset, "(void)component; return fmi2Error")) as simulator:
         runs = [simulator.run(TIMES, parameters={"x_start": 1.0})["y"].tolist() for _ in range(3)]
     assert runs[0] == runs[1] == runs[2]
-
-
-_STEP = "pam_core *core = &c->core;"
-
-
-def test_crash_ends_one_run_only(tmp_path: Path) -> None:
-    path = _patched(tmp_path, "pam_cosimulation.c", _STEP, f"if (now > 0.99) abort(); {_STEP}")
-    with IsolatedSimulator(path) as simulator:
-        good = simulator.run(TIMES[:5], parameters={"x_start": 1.0})
-        with pytest.raises(RunFailure, match="crashed its process \\(signal SIGABRT\\)"):
-            simulator.run(TIMES)
-        assert simulator.run(TIMES[:5], parameters={"x_start": 1.0})["y"].tolist() == good["y"].tolist()
-        with pytest.raises(InputError, match="no parameter or input 'taw'"):
-            simulator.run(TIMES, parameters={"taw": 1.0})
-
-
-def test_endless_step_is_ended(tmp_path: Path) -> None:
-    path = _patched(tmp_path, "pam_cosimulation.c", _STEP, f"for (volatile int i = 1; i;) {{}} {_STEP}")
-    with pytest.raises(RunFailure, match="longer than 1.5 s"):
-        run_isolated(path, TIMES, timeout=1.5)
-
-
-def test_run_isolated_equals_run() -> None:
-    with Simulator(models.fmu(models.lag)) as simulator:
-        here = simulator.run(TIMES, parameters={"x_start": 1.0})
-    there = run_isolated(models.fmu(models.lag), TIMES, parameters={"x_start": 1.0})
-    assert here["y"].tolist() == there["y"].tolist()
 
 
 def test_fmu_without_a_binary_for_this_platform(tmp_path: Path) -> None:
@@ -253,7 +194,7 @@ def test_fmu_without_a_binary_for_this_platform(tmp_path: Path) -> None:
 
 
 def test_binary_that_is_none(tmp_path: Path) -> None:
-    path = _repacked(models.fmu(models.lag), tmp_path / "x.fmu", binary=b"nothing")
+    path = repacked(models.fmu(models.lag), tmp_path / "x.fmu", binary=b"nothing")
     here = os.getcwd()
     with pytest.raises(InputError, match="cannot be loaded"):
         Simulator(path)
@@ -261,6 +202,6 @@ def test_binary_that_is_none(tmp_path: Path) -> None:
 
 
 def test_guid_that_does_not_belong(tmp_path: Path) -> None:
-    path = _repacked(models.fmu(models.lag), tmp_path / "x.fmu", {'guid="{': 'guid="{0'})
+    path = repacked(models.fmu(models.lag), tmp_path / "x.fmu", {'guid="{': 'guid="{0'})
     with pytest.raises(SimulationFailure, match="GUID does not belong"):
         Simulator(path)

@@ -1,0 +1,161 @@
+"""The process between a study and an FMU that is not trusted: it relays, watches the clock and cleans up.
+
+It runs no foreign code and imports the standard library alone. So nothing that an FMU does, be it to hold the
+interpreter's lock while it is loaded, can keep it from ending the FMU's process: when that makes no progress, and when
+the study has ended, for whatever reason.
+
+``python keeper.py LIMIT COMMAND...``: the command's last argument will be a folder of its own.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import shutil
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from queue import Empty, SimpleQueue
+from typing import IO
+
+# Kinds of frames, on both sides of the keeper; the last two are its own.
+REQUEST, CLOSE = b"r", b"c"
+PROGRESS, ANSWER = b"p", b"a"
+LATE, CRASHED = b"l", b"x"
+_GONE = b"g"  # no frame: the study has ended
+
+GRACE = 5.0  # [s] for an FMU to be freed after its last run
+_DYING = 1.0  # [s] between the end of a process's output and its own end
+_HEAD = struct.Struct("<cQ")
+
+
+def write_frame(stream: IO[bytes], kind: bytes, content: bytes = b"") -> None:
+    """Writes one message at once.
+
+    Raises:
+        OSError: nobody reads any more.
+    """
+    stream.write(_HEAD.pack(kind, len(content)) + content)
+    stream.flush()
+
+
+def read_frame(stream: IO[bytes]) -> tuple[bytes, bytes]:
+    """The next message: its kind and content.
+
+    Raises:
+        EOFError: there is none, or not all of it.
+    """
+    head = stream.read(_HEAD.size)
+    if len(head) < _HEAD.size:
+        raise EOFError
+    kind, length = _HEAD.unpack(head)
+    content = stream.read(length)
+    if len(content) < length:
+        raise EOFError
+    return kind, content
+
+
+class Keeper:
+    """One FMU's process from its start to its end.
+
+    Args:
+        process: the FMU's process.
+        limit: seconds without a sign of progress, while there is something to do, after which it is ended; 0: none.
+    """
+
+    def __init__(self, process: subprocess.Popen[bytes], limit: float) -> None:
+        assert process.stdin is not None and process.stdout is not None
+        self.process, self.limit = process, limit
+        self._requests, self._answers = process.stdin, process.stdout
+        self.events: SimpleQueue[tuple[bytes, bytes]] = SimpleQueue()
+        self._doing = b""
+        self._relays = [threading.Thread(target=f, daemon=True) for f in (self._relay_requests, self._relay_answers)]
+        for relay in self._relays:
+            relay.start()
+
+    def _relay_requests(self) -> None:
+        with contextlib.suppress(EOFError, OSError):
+            while True:
+                kind, content = read_frame(sys.stdin.buffer)
+                self.events.put((kind, b""))
+                if kind == CLOSE:
+                    self._requests.close()
+                    return
+                write_frame(self._requests, kind, content)
+        self.events.put((_GONE, b""))
+
+    def _relay_answers(self) -> None:
+        with contextlib.suppress(EOFError, OSError):
+            while True:
+                kind, content = read_frame(self._answers)
+                self.events.put((kind, content if kind == PROGRESS else b""))
+                if kind == ANSWER:
+                    write_frame(sys.stdout.buffer, kind, content)
+        self.events.put((CRASHED, b""))
+
+    def watch(self) -> tuple[bytes, bytes]:
+        """Waits for the end: the kind of it, and what the FMU was doing last."""
+        limit = self.limit or None
+        deadline: float | None = None
+        started = closing = False
+        while True:
+            try:
+                kind, content = self.events.get(timeout=None if deadline is None else max(0.0, deadline - _now()))
+            except Empty:
+                return _GONE if closing else LATE, self._doing
+            if kind in (_GONE, CRASHED):
+                return CLOSE if closing else kind, self._doing
+            if kind in (PROGRESS, REQUEST):
+                self._doing = content
+            started = started or kind == PROGRESS  # what comes before is no call of the FMU
+            if kind == CLOSE:
+                closing, deadline = True, _now() + GRACE
+            elif not closing:
+                deadline = _now() + limit if limit and started and kind != ANSWER else None
+
+    def end(self, patience: float) -> int:
+        """Ends the process, after some seconds in which it may end by itself, and what it started.
+
+        Returns its exit status, negative for a signal.
+        """
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            self.process.wait(patience)
+        with contextlib.suppress(OSError, AttributeError):  # none is left; a platform without process groups
+            os.killpg(self.process.pid, signal.SIGKILL)
+        self.process.kill()
+        status = self.process.wait()
+        self._relays[1].join(_DYING)
+        return status
+
+
+def _now() -> float:
+    return time.monotonic()
+
+
+def main(limit: float, command: list[str]) -> None:
+    """Starts the command, serves it, ends it, removes its folder and says what came of it."""
+    folder = tempfile.mkdtemp(prefix="pam-cosim-fmu-")
+    try:
+        process = subprocess.Popen(
+            [*command, folder], stdin=subprocess.PIPE, stdout=subprocess.PIPE, start_new_session=True
+        )
+        keeper = Keeper(process, limit)
+        signal.signal(signal.SIGTERM, lambda *_: keeper.events.put((_GONE, b"")))
+        kind, doing = keeper.watch()
+        status = keeper.end(_DYING if kind in (CRASHED, CLOSE) else 0.0)
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+    with contextlib.suppress(OSError):
+        if kind == LATE:
+            write_frame(sys.stdout.buffer, LATE, doing)
+        elif kind == CRASHED:
+            write_frame(sys.stdout.buffer, CRASHED, str(status).encode())
+    os._exit(0)  # a thread may still read or write
+
+
+if __name__ == "__main__":
+    main(float(sys.argv[1]), sys.argv[2:])

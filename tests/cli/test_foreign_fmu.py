@@ -1,0 +1,81 @@
+"""The command with an FMU that never returns: it says so, goes on, and leaves nothing behind when it is ended."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections import Counter
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from tests.cli.conftest import ROOT, Outcome
+from tests.simulation.misbehaving import hanging, processes_of
+
+Command = Callable[..., Outcome]
+
+needs_proc = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="reads /proc")
+
+
+def test_run_that_hangs_is_reported(process: Command, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("HANG", "fmi2DoStep")
+    found = process("simulate", hanging(place), "--timeout", "1", "-o", "run.csv")
+    assert (found.status, found.out) == (1, "")
+    assert "pam-cosim: the simulation failed: Hanging.fmu was ended: no progress for 1 s, fmi2DoStep" in found.err
+    assert "Traceback" not in found.err and not (place / "run.csv").exists()
+
+
+def test_sweep_goes_on(process: Command, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("HANG_ABOVE", "1")
+    found = process("sweep", hanging(place), "--vary", "tau=0.5,2,0.7", "--timeout", "1", "-o", "sweep.csv")
+    assert found.status == 0 and "2 of 3 runs done" in found.out
+    assert "no progress for 1 s, fmi2SetReal" in found.err.replace("\n", " ")
+    rows = (place / "sweep.csv").read_text().splitlines()[1:]
+    counts = Counter(float(row.split(",")[0]) for row in rows)
+    assert counts[0.5] == counts[0.7] == 101 and counts[2.0] <= 1  # a line without values for the one that failed
+
+
+@needs_proc
+@pytest.mark.parametrize("how", [signal.SIGKILL, pytest.param(signal.SIGINT, marks=pytest.mark.full)])
+@pytest.mark.parametrize("where", ["load", "fmi2DoStep"])
+def test_nothing_spins_on(place: Path, monkeypatch: pytest.MonkeyPatch, where: str, how: signal.Signals) -> None:
+    """However the command ends; the FMU holds the interpreter's lock while it is loaded, and not in a step."""
+    temporary = place / "temporary"
+    temporary.mkdir()
+    path = hanging(place)
+    environment = {**os.environ, "PYTHONPATH": str(ROOT), "HANG": where, "TMPDIR": str(temporary)}
+    command = subprocess.Popen(
+        [sys.executable, "-m", "pam_cosim.cli", "simulate", str(path)],
+        env=environment,
+        stderr=subprocess.PIPE,
+        start_new_session=True,
+    )
+    try:
+        worker = _spinning(path)
+        begin = time.monotonic()
+        os.killpg(command.pid, how)  # as a terminal does
+        command.communicate(timeout=20)
+        while processes_of(path) and time.monotonic() - begin < 20:
+            time.sleep(0.02)
+        assert worker not in processes_of(path) and processes_of(path) == []
+        assert time.monotonic() - begin < 5
+        assert os.listdir(temporary) == []
+    finally:
+        command.kill()
+
+
+def _spinning(path: Path) -> int:
+    """The process that has spent a while in the FMU."""
+    end = time.monotonic() + 60
+    while time.monotonic() < end:
+        for pid in processes_of(path):
+            maps = Path(f"/proc/{pid}/maps")
+            if maps.exists() and "Test_Lag.so" in maps.read_text():
+                time.sleep(0.3)
+                return pid
+        time.sleep(0.05)
+    raise AssertionError("the FMU was not loaded")
