@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import os
-import threading
-import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from concurrent.futures.process import BrokenProcessPool
@@ -27,19 +25,23 @@ def processors() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def _end_with(parent: int) -> None:
-    """Ends this process when its parent does, which may be killed; where an orphan does not tell, by idleness only."""
+# Ends a process when its parent ends, which may be killed; where an orphan does not tell, idleness does it. A text, so
+# that a process need not load this package before it has a task.
+_END_WITH_PARENT = """
+import os, threading, time
 
-    def watch() -> None:
-        while os.getppid() == parent:
-            time.sleep(_LOOK)
-        os._exit(1)
+def watch():
+    while os.getppid() == parent:
+        time.sleep(pause)
+    os._exit(1)
 
-    threading.Thread(target=watch, daemon=True).start()
+threading.Thread(target=watch, daemon=True).start()
+"""
 
 
 def _pool(count: int) -> ProcessPoolExecutor:
-    return get_reusable_executor(count, timeout=_IDLE, initializer=_end_with, initargs=(os.getpid(),))
+    known = {"parent": os.getpid(), "pause": _LOOK}
+    return get_reusable_executor(count, timeout=_IDLE, initializer=exec, initargs=(_END_WITH_PARENT, known))
 
 
 def wake(workers: int | None = None) -> None:

@@ -111,6 +111,7 @@ def test_there_is_a_limit_by_default() -> None:
         IsolatedSimulator(models.fmu(models.lag), 0.0)
 
 
+@pytest.mark.full
 def test_fit_goes_on_beside_values_that_hang(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("HANG_ABOVE", "1")
     y = np.exp(-TIMES / 0.6) + 0.01 * np.random.default_rng(0).standard_normal(len(TIMES))
