@@ -111,6 +111,71 @@ def butyl_slow_rise() -> None:
     save(picture, "butyl-slow-rise")
 
 
+def gas_temperature() -> None:
+    print("temperature of the latex muscle, wall as printed")
+    r = simulate("Validation.GasTemperature", 10, 4001)
+    picture, (a, b, c) = figure(3, 10.5, 3.5)
+    cases = (("power", 1, "power law (60), n = 1.2"), ("power", 2, "power law (60), n = 1.4"),
+             ("energy", 1, "balance of energy"), ("energy", 2, "the same, $\\mu_{fb}$ = 0.04"))  # fmt: skip
+    for (which, i, label), colour in zip(cases, (COLOURS[3], COLOURS[1], COLOURS[0], COLOURS[2]), strict=True):
+        p, x, heat = (r.values[f"{name}_{which}[{i}]"] for name in ("p", "x", "T"))
+        late = {"ls": "--"} if label.startswith("the same") else {}
+        for axes, y in ((a, p / 1e3), (b, x * 1e3), (c, heat - 273.15)):
+            axes.plot(r.time, y, color=colour, label=label, lw=1.3, **late)
+        say(f"{label}: p and x at 4.9 s", np.interp(4.9, r.time, p) / 1e3, np.interp(4.9, r.time, x) * 1e3)
+        course = np.interp([1, 2, 4.9, 5.5, 7], r.time, heat) - 293.15
+        say(f"{label}: T - T_atm at 1, 2, 4.9, 5.5, 7 s, highest and lowest", *course, heat.max() - 293.15,
+            heat.min() - 293.15, unit="K")  # fmt: skip
+        filling = (r.time > 0.3) & (r.time < 4)
+        say(f"{label}: highest after the first 0.3 s", heat[filling].max() - 293.15, unit="K")
+    later = r.time > 0.15
+    slow = r.values["T_slow"] - 273.15
+    c.plot(r.time[later], slow[later], "k:", lw=1, label="$T_{atm} + V \\dot p/(h_c A_q)$")
+    c.axhline(24, color="0.5", lw=0.8)
+    c.text(10, 24.2, "DP: about 4 °C", fontsize=7, ha="right", va="bottom", color="0.3")
+    a.set(xlabel="time [s]", ylabel="gauge pressure [kPa]")
+    b.set(xlabel="time [s]", ylabel="contraction [mm]")
+    c.set(xlabel="time [s]", ylabel="gas temperature [°C]")
+    picture.legend(*c.get_legend_handles_labels(), loc="outside upper center", ncols=5, fontsize=8)
+    save(picture, "gas-temperature")
+
+
+def butyl_pressure() -> None:
+    print("butyl muscle: three exponents, and the length of the text")
+    r = simulate("Validation.ButylPressure", 10)
+    picture, (a, b) = figure(2, 8.0)
+    for i, n in enumerate((1.0, 1.2, 1.4)):
+        p, x = r.values[f"p[{i + 1}]"] / 1e3, r.values[f"x[{i + 1}]"] * 1e3
+        a.plot(r.time, p, color=COLOURS[i], label=f"$n_g$ = {n:g}")
+        b.plot(r.time, x, color=COLOURS[i], label=f"$n_g$ = {n:g}")
+        say(f"n = {n}: p at 1, 4.9, 6 s", *np.interp([1, 4.9, 6], r.time, p), unit="kPa")
+        say(f"n = {n}: x at 4.9 s", np.interp(4.9, r.time, x), unit="mm")
+    b.plot(r.time, r.values["x_long"] * 1e3, "k--", lw=1, label="$n_g$ = 1.2, 24 cm")
+    a.plot(r.time, r.values["p_long"] / 1e3, "k--", lw=1, label="$n_g$ = 1.2, 24 cm")
+    say("24 cm: p at 1 s, x at 4.9 s", np.interp(1, r.time, r.values["p_long"]) / 1e3,
+        np.interp(4.9, r.time, r.values["x_long"]) * 1e3)  # fmt: skip
+    a.set(xlabel="time [s]", ylabel="gauge pressure [kPa]")
+    b.set(xlabel="time [s]", ylabel="contraction [mm]")
+    b.legend()
+    save(picture, "butyl-pressure")
+
+
+def two_lengths() -> None:
+    print("hysteresis of two lengths")
+    r = simulate("Validation.TwoLengths", 10, 8001)
+    picture, axes = figure(2, 8.0)
+    late = r.time > 5
+    for i, (length, f) in enumerate(((0.15, 0.2), (0.30, 0.2), (0.15, 2), (0.30, 2))):
+        p, eps = r.values[f"p[{i + 1}]"][late] / 1e3, r.values[f"eps[{i + 1}]"][late] * 100
+        axes[i // 2].plot(p, eps, color=COLOURS[i % 2], lw=1.2, ls="-" if i % 2 else "--", label=f"{length * 1e3:g} mm")
+        middle = np.abs(p - 300) < 3
+        say(f"{length} m, {f} Hz: width of the loop at 300 kPa", np.ptp(eps[middle]), unit="% of the length")
+    for a, f in zip(axes, (0.2, 2), strict=True):
+        a.set(xlabel="gauge pressure [kPa]", ylabel="contraction ratio [%]", title=f"sine of {f:g} Hz")
+        a.legend()
+    save(picture, "two-lengths")
+
+
 def tank_curves() -> None:
     print("tank curves")
     picture, axes = figure(2, 9.0)
@@ -227,8 +292,8 @@ def lumped_step() -> None:
 def main() -> None:
     PICTURES.mkdir(parents=True, exist_ok=True)
     for draw in (
-        tank_curves, polytropic_exponent, bladder_friction, butyl_slow_rise, loads_and_rates, force_grid,
-        three_element_shape, lumped_step,
+        tank_curves, polytropic_exponent, gas_temperature, bladder_friction, butyl_pressure, butyl_slow_rise,
+        loads_and_rates, two_lengths, force_grid, three_element_shape, lumped_step,
     ):  # fmt: skip
         draw()
 

@@ -7,14 +7,15 @@ from functools import cache
 import numpy as np
 import pytest
 
-from pam_cosim.fmu import build_model
+from pam_cosim.fmu import build_model, build_source
 from pam_cosim.simulation import Inputs, Simulator, Trajectory
+from tests.reference.flow import flow_function
 
 
 @cache
-def run(model: str, end: float, **parameters: float) -> Trajectory:
+def run(model: str, end: float, samples: int = 1001, **parameters: float) -> Trajectory:
     with Simulator(build_model(f"PneumaticMuscle.{model}")) as simulator:
-        return simulator.run(np.linspace(0, end, 1001), parameters=parameters)
+        return simulator.run(np.linspace(0, end, samples), parameters=parameters)
 
 
 def at(found: Trajectory, name: str, time: float) -> float:
@@ -78,3 +79,43 @@ def test_loops_of_the_empirical_muscle_widen_with_load_and_rate() -> None:
         return float(np.ptp(found.values[f"eps[{i}]"][near]))
 
     assert width(2) > 1.3 * width(1) and width(4) > 2 * width(3) and width(4) > 1.5 * width(2)
+
+
+def test_butyl_pressure_hardly_depends_on_the_exponent_and_the_length_matters() -> None:
+    found = run("Validation.ButylPressure", 10)
+    assert [at(found, f"p[{i}]", 1.0) for i in (1, 2, 3)] == pytest.approx([96.64e3, 95.00e3, 93.78e3], rel=2e-3)
+    assert [at(found, f"x[{i}]", 4.9) for i in (1, 2, 3)] == pytest.approx([62.86e-3] * 3, rel=1e-3)
+    assert at(found, "x_long", 4.9) == pytest.approx(67.88e-3, rel=1e-3)
+
+
+def test_two_lengths_share_one_slow_loop_and_inertia_parts_them() -> None:
+    found = run("Validation.TwoLengths", 10, 8001)
+
+    def width(i: int) -> float:
+        near = (np.abs(found.values[f"p[{i}]"] - 3e5) < 3e3) & (found.time > 5)
+        return float(np.ptp(found.values[f"eps[{i}]"][near]))
+
+    assert width(1) == pytest.approx(width(2), rel=0.01)
+    assert width(3) > 2 * width(1) and width(4) > 1.15 * width(3)
+
+
+def test_area_by_the_flow_is_one_for_all_supplies_and_other_conversions_are_not() -> None:
+    found = run("Validation.ValveCalibration", 10)
+    area, choked, gauge = ([float(found.values[f"{name}[{i}]"][-1]) for i in range(1, 16)]
+                           for name in ("A", "A_choked", "A_gauge"))  # fmt: skip
+    assert area == pytest.approx([2.580e-7] * 15, rel=1e-3)
+    assert choked[0] < 0.87 * area[0] and choked[4:] == pytest.approx(area[4:], rel=1e-6)
+    assert gauge[0] > 2.7 * gauge[-1]
+
+
+def test_laminar_flow_near_equal_pressures_bends_the_law_as_little_as_its_class_says() -> None:
+    """0.25 % at ten times the laminar pressure drop, 0.1 % at sixteen times."""
+    supply = 308325.0
+    for times, off in ((10, 2.5e-3), (16, 1.0e-3)):
+        ratio = 1 - times * 3e-4
+        source = f"""model Laminar{times} output Real m = PneumaticMuscle.Functions.isentropicFlow(
+          {supply}, {supply * ratio!r}, 293.15, 1e-6); end Laminar{times};"""
+        with Simulator(build_source(f"Laminar{times}", source)) as simulator:
+            flow = float(simulator.run(np.array([0.0, 1.0])).values["m"][0])
+        exact = 0.0404154 * supply * 1e-6 / np.sqrt(293.15) * flow_function(ratio, 0.99999)
+        assert 1 - flow / exact == pytest.approx(off, rel=0.05)

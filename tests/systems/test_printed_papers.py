@@ -1,0 +1,64 @@
+"""The examples about the papers, with the examples' own functions: the temperature of a muscle, the area of a valve."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+from pam_cosim import study
+from tests.systems.test_real_data import script
+
+
+@pytest.fixture(scope="module")
+def temperature() -> ModuleType:
+    return script("gas-temperature")
+
+
+@pytest.fixture(scope="module")
+def calibration() -> ModuleType:
+    return script("valve-calibration")
+
+
+@pytest.fixture(scope="module")
+def rig(temperature: ModuleType, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder: Path = tmp_path_factory.mktemp("rig") / "gas-temperature"
+    temperature.write_data(folder)
+    return folder
+
+
+def test_paper_points_to_the_energy_of_its_gas(rig: Path, workers: int | None) -> None:
+    diagnosis = study.diagnose(study.read(rig), workers=workers)
+    assert diagnosis.verdict.kind == "identified", diagnosis.verdict
+    assert diagnosis.verdict.families == ("gas_energy",)
+    before, after = (f.comparison.scores["holdout"] for f in (diagnosis.base, diagnosis.final))
+    assert before["p"].rmse > 50e3 and after["p"].rmse < 0.55e3
+    assert before["T"].rmse > 8 and after["T"].rmse < 0.33
+
+
+def test_error_falls_rung_by_rung(temperature: ModuleType, rig: Path, tmp_path: Path) -> None:
+    """Only the printed wall with the balance of energy reaches the noise; films cannot."""
+    fits = [temperature.fitted(rig, rung, tmp_path) for rung in temperature.LADDER]
+    errors = [f.comparison.scores["holdout"]["p"].rmse / 1e3 for f in fits]
+    assert errors == pytest.approx([59.2, 12.0, 2.48, 0.48], rel=0.05)
+    assert fits[2].parameters["muscle.gas.h"].at_bound
+    assert fits[3].parameters["valve.C_A"].value == pytest.approx(0.72, abs=1e-3)
+
+
+def test_regression_gives_62_with_its_pressure_taken_as_absolute(calibration: ModuleType) -> None:
+    slope, offset = calibration.regression(calibration.STATED)
+    assert slope == pytest.approx(1.80e-6, rel=2.5e-3) and offset == pytest.approx(2.61e-7, rel=2.5e-3)
+    gauge = calibration.regression(calibration.STATED + calibration.P_ATM)
+    assert gauge[0] / slope == pytest.approx(0.773, abs=1e-3)
+    assert calibration.MEASURED / calibration.printed_area(0.35) == pytest.approx(0.699, abs=1e-3)
+    area = gauge[0] * 0.35 - gauge[1]
+    assert calibration.MEASURED / area == pytest.approx(0.905, abs=2e-3)
+
+
+def test_flow_rises_with_current_and_supply(calibration: ModuleType) -> None:
+    found = calibration.calibration()
+    flows = np.array([found.values[f"V_flow[{i}]"] for i in range(1, 16)])
+    assert (np.diff(flows[:, -1]) > 0).all() and (flows[:, found.values["u"] < 0.145] == 0).all()
+    assert flows[-1, -1] * 6e4 == pytest.approx(11.57, abs=0.01)  # L/min, C_A = 0.699
