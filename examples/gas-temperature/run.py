@@ -108,8 +108,8 @@ def draw(fits: dict[str, Fit], picture: Path) -> None:
     for axis, (name, label, factor, zero) in zip(axes, AXES, strict=True):
         for (rung, simulated), colour in zip(holdout.items(), COLOURS, strict=True):
             axis.plot(run.time, (simulated.model[name] - zero) * factor, color=colour, lw=1.4, label=rung)
-        every = slice(None, None, 12)
-        axis.plot(run.time[every], (run.measurements[name][every] - zero) * factor, "k.", ms=2.5, label="measured by the simulated rig")
+        t, measured = run.time[::12], run.measurements[name][::12]
+        axis.plot(t, (measured - zero) * factor, "k.", ms=2.5, label="measured on the simulated rig")
         axis.set(xlabel="time [s]", ylabel=label)
         axis.grid(alpha=0.3)
     page.legend(*axes[0].get_legend_handles_labels(), loc="outside upper center", ncols=5, fontsize=8)

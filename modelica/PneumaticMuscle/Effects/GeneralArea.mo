@@ -41,7 +41,7 @@ equation
   annotation (Documentation(info="<html>
 <p>As FlexibleArea, where the logarithm of the area is a smooth chain of straight lines in the pressure ratio r, with
 knots at 0.2, 0.4, 0.6 and 0.8, a parabola in the current, and another for either valve. Source: see there, and
-UnequalAreas; a chain of lines in r also says another law of flow than DP (61), with another critical ratio (ISO 6358
+UnequalAreas; a chain of lines in r also says another law of flow than DP (40)-(41), with another critical ratio (ISO 6358
 states 0.2 to 0.5 for valves) or another curve beyond it; that of ISO 6358 with a critical ratio of 0.3 is met within 1 %
 of what it changes, as are squares of the ratio and of the current. Typical coefficients below 0.3.</p>
 <p>Fingerprint: as FlexibleArea.</p>

@@ -12,6 +12,7 @@ model PolytropicExponent "Pressure, contraction and temperature of the latex mus
   Examples.PrintedWallIsotonic printed[3](each u_in=inlet.y, each u_out=outlet.y, each p_supply=207e3, muscle(n_g=n_g))
     "The same with DP (45) as printed";
   annotation (experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
-<p>DP find the exponent to matter for the transient and the steady state, 1.2 and 1.4 close together and 1 apart. With films of air on the wall the steady contraction does not depend on it; with DP (45) as printed it does, in the way that DP say.</p>
+<p>DP find the exponent to matter for the transient and the steady state, 1.2 and 1.4 close together and 1 apart. With films of air on the wall the steady contraction does not depend on it; with DP (45) as printed it does, in the order that DP say, but by a stall that they do not report: see
+<code>GasTemperature</code>.</p>
 </html>"));
 end PolytropicExponent;

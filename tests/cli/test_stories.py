@@ -1,0 +1,71 @@
+"""The pages of ``docs/stories``: what they link to is there, and their commands run as they stand."""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from tests.cli.conftest import ROOT, Outcome
+from tests.cli.test_commands import done
+from tests.reference import rig
+
+STORIES = sorted((ROOT / "docs" / "stories").glob("*.md"))
+
+
+def lines(page: Path) -> list[list[str]]:
+    """The words of each command of the page's shell blocks."""
+    blocks = re.findall(r"```(?:sh)?\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+    return [shlex.split(line, comments=True) for block in blocks for line in block.splitlines() if line.strip()]
+
+
+def page(name: str) -> Path:
+    return ROOT / "docs" / "stories" / f"{name}.md"
+
+
+@pytest.mark.parametrize("story", STORIES, ids=lambda p: p.stem)
+def test_what_a_story_links_to_is_there(story: Path) -> None:
+    links = re.findall(r"\]\(([^)#:]+)\)", story.read_text(encoding="utf-8"))
+    assert links
+    for link in links:
+        assert (story.parent / link).is_file(), link
+    scripts = [words[1] for words in lines(story) if words[0] == "python" and words[1] != "-m"]
+    assert all((ROOT / script).is_file() for script in scripts)
+    assert any(words[0] == "pam-cosim" for words in lines(story))
+
+
+def test_readme_leads_to_every_story() -> None:
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    assert all(f"docs/stories/{story.name}" in readme for story in STORIES)
+
+
+def test_vessel(command: Callable[..., Outcome], place: Path) -> None:
+    os.symlink(ROOT / "examples", place / "examples")
+    said = [done(command(*words[1:])) for words in lines(page("vessel")) if words[0] == "pam-cosim"]
+    assert len(said) == 3 and "identified: gas_energy (EnergyGas)" in said[1].out
+    assert "8.41 kPa -> 1.96 kPa" in said[1].out
+    assert {"vessel.html", "Vessel.mo"} <= {p.name for p in place.iterdir()}
+
+
+def test_muscle(command: Callable[..., Outcome], place: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """All but the diagnosis, which the tests of whole systems make."""
+    python, *rest = lines(page("muscle"))
+    assert python[:3] == ["python", "-m", "tests.reference.rig"]
+    rig.main(python[3:])
+    for words in rest:
+        if words[1] != "diagnose":
+            done(command(*words[1:]))
+    assert "FlexibleBladder" in (place / "Better.mo").read_text(encoding="utf-8")
+
+
+def test_temperature(command: Callable[..., Outcome], place: Path) -> None:
+    for words in lines(page("doumit-pardoel-temperature")):
+        if words[:2] in (["pam-cosim", "add"], ["pam-cosim", "simulate"]):
+            done(command(*words[1:]))
+    rows = (place / "filling.csv").read_text(encoding="utf-8").splitlines()
+    last = dict(zip(rows[0].split(","), rows[-1].split(","), strict=True))
+    assert float(next(v for k, v in last.items() if k.startswith("x"))) == pytest.approx(0.06788, rel=1e-3)
