@@ -1,0 +1,50 @@
+"""Another compiler's answers: OpenModelica's trajectories of the library's classes and effects (README.md)."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pam_cosim.fmu import build_model
+from pam_cosim.simulation import Simulator
+from tests.library.shelf import BENCH, built
+
+HERE = Path(__file__).parent
+CLASSES = sorted(p.stem for p in (HERE / "classes").glob("*.csv"))
+EFFECTS = sorted(p.stem for p in (HERE / "isotonic-with-effect").glob("*.csv"))
+
+# Of the range of a signal, in tolerances of the reference, which bound the error of one step: what the hundreds of steps
+# of a run may add up to. The largest differences are 260 (classes) and 88 (effects).
+ADDED_UP = 500
+OURS = 1e-9
+
+
+def differences(fmu: Path, file: Path) -> dict[str, float]:
+    """The largest difference of each output, of its range over the run."""
+    names = file.read_text().split("\n", 1)[0].split(",")
+    time, *columns = np.loadtxt(file, delimiter=",", skiprows=1).T
+    with Simulator(fmu) as simulator:
+        assert set(simulator.interface.outputs) == set(names[1:])
+        run = simulator.run(time, tolerance=OURS)
+    return {
+        name: float(np.abs(run[name] - theirs).max() / (np.ptp(theirs) or np.abs(theirs).max()))
+        for name, theirs in zip(names[1:], columns, strict=True)
+    }
+
+
+def test_nothing_is_left_out() -> None:
+    assert (len(CLASSES), len(EFFECTS)) == (38, 75)
+
+
+@pytest.mark.parametrize("name", CLASSES)
+def test_class(name: str) -> None:
+    found = differences(build_model(f"PneumaticMuscle.{name}"), HERE / "classes" / f"{name}.csv")
+    assert max(found.values()) < ADDED_UP * 1e-9, found
+
+
+@pytest.mark.parametrize("effect", EFFECTS)
+def test_effect(effect: str) -> None:
+    found = differences(built(BENCH, effect), HERE / "isotonic-with-effect" / f"{effect}.csv")
+    assert max(found.values()) < ADDED_UP * 1e-8, found
