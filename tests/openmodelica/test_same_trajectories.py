@@ -15,8 +15,8 @@ HERE = Path(__file__).parent
 CLASSES = sorted(p.stem for p in (HERE / "classes").glob("*.csv"))
 EFFECTS = sorted(p.stem for p in (HERE / "isotonic-with-effect").glob("*.csv"))
 
-# Of the range of a signal, in tolerances of the reference, which bound the error of one step: what the hundreds of steps
-# of a run may add up to. The largest differences are 260 (classes) and 88 (effects).
+# Of the range of a signal, in tolerances of the reference, which bound the error of one step: what hundreds of steps
+# may add up to. The largest differences are 260 (classes) and 88 (effects).
 ADDED_UP = 500
 OURS = 1e-9
 
