@@ -166,9 +166,12 @@ def compose_on(
 
 
 def qualified(tree: ClassTree, model: str) -> str:
-    """The full name of a bench that is called by its short name; anything else as it is."""
-    bench = f"PneumaticMuscle.Benches.{model}"
-    return bench if bench in tree.classes else model
+    """The full name of a class of the library: of a bench by its short name, of others from the library on.
+
+    ``Isotonic`` and ``Examples.ButylIsotonic`` will do; anything else as it is.
+    """
+    names = (f"PneumaticMuscle.Benches.{model}", model, f"PneumaticMuscle.{model}")
+    return next((name for name in names if name in tree.classes), model)
 
 
 def _nested(redeclarations: Sequence[tuple[str, str]]) -> list[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -11,7 +12,8 @@ from pam_cosim.fmu.build import cached_fmu
 from pam_cosim.fmu.cache import cached, digest
 from pam_cosim.resources import modelica_root
 
-_BENCHES = "PneumaticMuscle.Benches"
+_PLACES = ("PneumaticMuscle.Benches", "PneumaticMuscle")
+"""Packages whose classes may be called without them; the first that has one counts."""
 
 
 def build_model(
@@ -26,7 +28,8 @@ def build_model(
     """The FMU of a model.
 
     Args:
-        model: a bench's name, a Modelica class, or the path of a ``.mo`` file; an ``.fmu`` file is itself.
+        model: a bench's name, a Modelica class (of the library also without its name, ``Examples.ButylIsotonic``), or
+            the path of a ``.mo`` file; an ``.fmu`` file is itself.
         files: the user's ``.mo`` files that the model may use.
         platforms, fmi: as in ``build_fmu``.
         sensitivities: parameters; the FMU gets the derivative of every output with respect to each of them as the
@@ -43,9 +46,15 @@ def build_model(
         if not Path(model).exists():
             raise InputError("there is no such file", model)
         return Path(model)
-    bench = modelica_root().joinpath(*_BENCHES.split("."), f"{model}.mo")
-    full = f"{_BENCHES}.{model}" if bench.exists() else model
-    return _build(full, files, platforms, sensitivities, where_smooth, fmi)
+    return _build(_full_name(model), files, platforms, sensitivities, where_smooth, fmi)
+
+
+def _full_name(model: str) -> str:
+    """With its packages, if it is a class of the library."""
+    if not re.fullmatch(r"\w+(\.\w+)*", model):
+        return model
+    names = (f"{place}.{model}" for place in _PLACES)
+    return next((n for n in names if modelica_root().joinpath(*n.split(".")).with_suffix(".mo").is_file()), model)
 
 
 def _build(

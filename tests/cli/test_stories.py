@@ -69,3 +69,10 @@ def test_temperature(command: Callable[..., Outcome], place: Path) -> None:
     rows = (place / "filling.csv").read_text(encoding="utf-8").splitlines()
     last = dict(zip(rows[0].split(","), rows[-1].split(","), strict=True))
     assert float(next(v for k, v in last.items() if k.startswith("x"))) == pytest.approx(0.06788, rel=1e-3)
+
+
+def test_class_of_the_library_goes_by_its_shorter_name(command: Callable[..., Outcome], place: Path) -> None:
+    done(command("add", "EnergyGas", "--to", "Examples.PrintedWallIsotonic", "-o", "Better.mo"))
+    assert "extends PneumaticMuscle.Examples.PrintedWallIsotonic" in (place / "Better.mo").read_text(encoding="utf-8")
+    done(command("simulate", "Examples.PrintedWallEnergyGas", "-o", "run.csv"))
+    assert command("simulate", "Examples.NoSuchModel", "-o", "run2.csv").status == 2

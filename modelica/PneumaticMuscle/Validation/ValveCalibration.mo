@@ -14,13 +14,14 @@ model ValveCalibration "Flow and effective area of the valve by current at fifte
   Components.Atmosphere atmosphere[15] "Open air";
 protected
   constant Real C_A(unit="1") = 0.699 "Calibration of DP section 4.4, as in Components.ValvePair";
+  constant Types.Area A_unit = 1 "Area for which (41) is evaluated";
   constant Real K = sqrt(Constants.gamma/Constants.R*(2/(Constants.gamma + 1))^((Constants.gamma + 1)/(Constants.gamma - 1))) "DP (42)";
 equation
   for i in 1:15 loop
     connect(supply[i].port, valve[i].port_a);
     connect(valve[i].port_b, atmosphere[i].port);
     V_flow[i] = m_flow[i]*Constants.R*ambient.T/ambient.p;
-    A[i] = m_flow[i]/Functions.isentropicFlow(supply[i].port.p, ambient.p, ambient.T, 1);
+    A[i] = A_unit*m_flow[i]/Functions.isentropicFlow(supply[i].port.p, ambient.p, ambient.T, A_unit);
     A_choked[i] = m_flow[i]*sqrt(ambient.T)/(K*supply[i].port.p);
     A_gauge[i] = m_flow[i]*sqrt(ambient.T)/(K*p_supply[i]);
   end for;
