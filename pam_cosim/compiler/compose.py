@@ -4,7 +4,8 @@ Where an effect belongs follows from the types alone. If it extends the constrai
 the model, it is redeclared there, unless it extends a class that is both an effect and has terminals: what is made to
 lie beside a component never takes the place of one. If it has the same terminals as a component of the model, that is,
 both extend a class that declares all its connectors, it is connected in parallel, connector by connector, and the
-parameters that the terminals declare are taken over.
+parameters that the terminals declare are taken over. What an effect declares ``outer`` the model must declare
+``inner``: an effect that depends on what a bench does not say finds no place there.
 """
 
 from __future__ import annotations
@@ -48,6 +49,8 @@ class _Draft:
 
     def place(self, effect: EffectClass) -> bool:
         """Puts an effect where it belongs; False where it belongs nowhere."""
+        if not self._surrounded(effect):
+            return False
         slots = [] if self._lies_beside(effect) else self._slots(effect)
         if slots:
             for slot in slots:
@@ -57,6 +60,15 @@ class _Draft:
         for host, terminals in hosts:
             self._connect(effect, host, terminals)
         return bool(hosts)
+
+    def _surrounded(self, effect: EffectClass) -> bool:
+        """Whether the model declares what the effect takes from its surroundings (Modelica 3.6, section 5.4)."""
+        inner = {c.name: c.type for c in self.tree.components(self.structure.model) if "inner" in c.prefixes}
+        return all(
+            c.name in inner and self.tree.is_subtype(inner[c.name], c.type)
+            for c in self.tree.components(effect.qualified_name)
+            if "outer" in c.prefixes
+        )
 
     def _lies_beside(self, effect: EffectClass) -> bool:
         bases = [b for b in self.tree.bases(effect.qualified_name) if self.tree.is_subtype(b, EFFECT)]

@@ -2,14 +2,12 @@ within PneumaticMuscle.Components;
 model EmpiricalMuscle "The empirical muscle of Dzahir and Yamamoto, DY (5)-(16)"
   extends Interfaces.MuscleTerminals(L0=0.3, D0=0.02, final turns=L0*tan(alpha_0)/(Constants.pi*D0), t_wall=1e-3);
   parameter Real alpha_0(unit="rad", displayUnit="deg", min=0.1, max=0.9) = 23*Constants.pi/180 "Braid angle at rest";
-  parameter Types.Force F_load "Static load";
-  parameter Real frequency(unit="Hz") "Frequency of the excitation";
   replaceable model Braid = Laws.Forces.Empirical constrainedby Interfaces.Braid "Law of force";
-  replaceable model Friction = Laws.Frictions.LoadAndRate(F_load=F_load, frequency=frequency)
-    constrainedby Interfaces.ForceElement "Law of friction";
+  replaceable model Friction = Laws.Frictions.LoadAndRate constrainedby Interfaces.ForceElement "Law of friction";
+  replaceable model Elasticity = StretchedSleeve constrainedby Interfaces.SleeveElasticity "Law of the stretched sleeve";
   Braid braid(L0=L0, D0=D0, turns=turns, t_wall=t_wall) "Static force";
   Friction friction(L0=L0, D0=D0, turns=turns, t_wall=t_wall) "Hysteresis";
-  StretchedSleeve elasticity(L0=L0, D0=D0, turns=turns, t_wall=t_wall) "Elasticity without pressure";
+  Elasticity elasticity(L0=L0, D0=D0, turns=turns, t_wall=t_wall) "Elasticity without pressure";
 equation
   connect(port, braid.port);
   connect(port, friction.port);
@@ -23,6 +21,7 @@ equation
   annotation (Documentation(info="<html>
 <p>F_dyn = F_s(P, eps) - F_elastic - F_hys, DY (13), (15), (16); eps = (L0 - length)/L0. Pressure is an input of the
 model: it stores no gas. DY identify the coefficients by a swarm and tabulate none; the defaults are for illustration.
-Of a and b in the friction only the product can be found.</p>
+Of a and b in the friction only the product can be found. It needs a bench with an <code>Excitation</code>, which says
+load and frequency of the run.</p>
 </html>"));
 end EmpiricalMuscle;

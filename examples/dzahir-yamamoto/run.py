@@ -1,0 +1,103 @@
+"""Which friction the existing model lacks, DY Fig. 6a and 6b: python examples/dzahir-yamamoto/run.py [FOLDER].
+
+Writes the rig's data set into FOLDER (default: a temporary one), diagnoses it, prints the verdict and the
+correlations in the form of DY Table 3, and draws docs/pictures/dzahir-yamamoto-friction.png.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+sys.path[:0] = [str(HERE), str(ROOT)]
+
+import rig  # noqa: E402
+
+import pam_cosim as pam  # noqa: E402
+from examples.raw_data import markdown_table  # noqa: E402
+from pam_cosim import Diagnosis  # noqa: E402
+from pam_cosim.comparison import Comparison, RunComparison  # noqa: E402
+
+PICTURE = ROOT / "docs" / "pictures" / "dzahir-yamamoto-friction.png"
+COLOURS = plt.get_cmap("viridis")(np.linspace(0, 0.85, len(rig.LOADS)))
+
+
+def by_condition(comparison: Comparison) -> dict[tuple[float, float], RunComparison]:
+    """Runs by load [kg] and frequency [Hz]."""
+    return {(r.run.parameters["load.m"], r.run.parameters["frequency"]): r for r in comparison.runs}
+
+
+def correlations(comparison: Comparison) -> str:
+    """Of contraction measured and modelled: load by frequency, mean and standard deviation, as DY Table 3."""
+    runs = by_condition(comparison)
+    table = np.array(
+        [[_correlation(runs[load, frequency]) for frequency in rig.FREQUENCIES] for load in rig.LOADS]
+    )  # fmt: skip
+    rows = [[f"{load:g} kg", *(f"{r:.4f}" for r in row)] for load, row in zip(rig.LOADS, table, strict=True)]
+    last = [f"{m:.4f} ± {s:.4f}" for m, s in zip(table.mean(axis=0), table.std(axis=0), strict=True)]
+    return markdown_table(["load", *(f"{f:g} Hz" for f in rig.FREQUENCIES)], [*rows, ["mean ± σ", *last]])
+
+
+def errors(comparison: Comparison) -> str:
+    """Root mean square of measured minus modelled contraction [mm]: load by frequency."""
+    runs = by_condition(comparison)
+    rows = [
+        [f"{load:g} kg", *(f"{1e3 * _rms(runs[load, frequency]):.2f}" for frequency in rig.FREQUENCIES)]
+        for load in rig.LOADS
+    ]
+    return markdown_table(["load", *(f"{f:g} Hz" for f in rig.FREQUENCIES)], rows)
+
+
+def _correlation(run: RunComparison) -> float:
+    measured = run.run.measurements["x"]
+    kept = np.isfinite(measured)
+    return float(np.corrcoef(measured[kept], run.model["x"][kept])[0, 1])
+
+
+def _rms(run: RunComparison) -> float:
+    return float(np.sqrt(np.nanmean(run.residual("x") ** 2)))
+
+
+def draw(found: Diagnosis, picture: Path) -> None:
+    """Loops at the lowest and the highest frequency: measured, by the existing model, with the effect found."""
+    models = [("existing model", by_condition(found.base.comparison))]
+    models += [("with the effect found", by_condition(found.final.comparison))]
+    figure, axes = plt.subplots(2, 2, figsize=(10, 7.4), layout="constrained", sharex=True, sharey="row")
+    for row, frequency in zip(axes, (rig.FREQUENCIES[0], rig.FREQUENCIES[-1]), strict=True):
+        for axis, (name, runs) in zip(row, models, strict=True):
+            for load, colour in list(zip(rig.LOADS, COLOURS, strict=True))[::2]:
+                run = runs[load, frequency]
+                p, late = run.run.inputs["p"] / 1e3, run.run.time > 1
+                axis.plot(p[late], run.run.measurements["x"][late] / 3e-3, ".", color=colour, ms=2, alpha=0.6)
+                axis.plot(p[late], run.model["x"][late] / 3e-3, color=colour, lw=0.9, label=f"{load:g} kg")
+            axis.set_title(f"{name}, {frequency:g} Hz", fontsize=10)
+            axis.grid(alpha=0.3)
+        row[0].set_ylabel("contraction ratio [%]")
+    for axis in axes[1]:
+        axis.set_xlabel("gauge pressure [kPa]")
+    axes[0, 0].legend(fontsize=8, title="lines: model\npoints: measured", title_fontsize=8)
+    figure.savefig(picture, dpi=100)
+    plt.close(figure)
+
+
+def main() -> None:
+    with TemporaryDirectory() as place:
+        folder = rig.write_data_set(Path(sys.argv[1] if len(sys.argv) > 1 else place))
+        found = pam.diagnose(pam.read(folder), say=lambda line: print(line, flush=True))
+    print(found)
+    for name, comparison in (("existing model", found.base.comparison), ("with the effect", found.final.comparison)):
+        print(f"\nCorrelation, {name}\n\n{correlations(comparison)}\n\nRms error [mm]\n\n{errors(comparison)}")
+    draw(found, PICTURE)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,153 @@
+"""The empirical muscle of Dzahir and Yamamoto against a second implementation, its printed sleeve, and their Table 3."""
+
+from __future__ import annotations
+
+import importlib.util
+import sys
+from functools import cache
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+import pytest
+from scipy.ndimage import binary_erosion
+
+from pam_cosim.compiler import compose
+from pam_cosim.fmu import build_model, build_source
+from pam_cosim.simulation import Inputs, Simulator, Trajectory
+from tests.library.shelf import tree
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "dzahir-yamamoto"
+BASE = "PneumaticMuscle.Examples.ConstantFrictionLoad"
+EFFECT = "LoadFrequencyFriction"
+WEIGHT = 10 * 9.80665  # N, of the default load
+
+
+@cache
+def rig() -> ModuleType:
+    spec = importlib.util.spec_from_file_location("dzahir_yamamoto_rig", EXAMPLE / "rig.py")
+    assert spec is not None and spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+def proposed() -> Path:
+    composition = compose(tree(), BASE, [EFFECT])
+    assert composition is not None
+    return build_source(composition.name, composition.text)
+
+
+@pytest.mark.parametrize(("load", "frequency"), [(5.0, 0.5), (15.0, 1.0), (20.0, 2.0), (30.0, 1.5)])
+def test_muscle_agrees_with_an_independent_integration(load: float, frequency: float) -> None:
+    """Length and momentum by LSODA, the force by the braid's angle: apart by micrometres of some 50 mm."""
+    truth = rig().Rig(noise=0.0).run(load, frequency)
+    own = {"load.m": load, "frequency": frequency, "damper.ab": 0.12}
+    own |= {"muscle.friction.c_c": 6.0, "muscle.friction.c_v": 0.0}
+    with Simulator(proposed()) as simulator:
+        found = simulator.run(
+            truth.time, parameters=own, inputs=Inputs(truth.time, {"p": truth.p}, "linear"), tolerance=1e-8
+        )
+    assert np.ptp(truth.x) > 0.02
+    assert np.abs(found.values["x"] - truth.x).max() < 3e-6
+
+
+def test_constant_coefficient_and_effect_together_are_the_proposed_model() -> None:
+    """DY (10): gamma_F gamma_f in the place of c_v is the bench VerticalLoad, whose a b is 0.15 s2."""
+    times = np.linspace(0, 4, 401)
+    course = Inputs(times, {"p": 2e5 * (1 - np.cos(2 * np.pi * times))}, "linear")
+    own = {"load.m": 20.0, "frequency": 1.0}
+    with Simulator(proposed()) as simulator:
+        lone = simulator.run(times, parameters=own | {"damper.ab": 0.15, "muscle.friction.c_v": 0.0}, inputs=course)
+    with Simulator(build_model("VerticalLoad")) as simulator:
+        whole = simulator.run(times, parameters=own, inputs=course)
+    assert np.abs(lone.values["x"] - whole.values["x"]).max() < 2e-6
+
+
+def test_effect_finds_a_place_only_where_load_and_frequency_are_said() -> None:
+    assert compose(tree(), BASE, [EFFECT]) is not None
+    assert compose(tree(), "PneumaticMuscle.Benches.VerticalLoad", [EFFECT]) is not None
+    for bench in ("Isotonic", "Isometric", "Antagonistic"):
+        assert compose(tree(), f"PneumaticMuscle.Benches.{bench}", [EFFECT]) is None
+
+
+def at_rest(model: str, **parameters: float) -> Trajectory:
+    times = np.linspace(0, 3, 31)
+    changed = {name.replace("__", "."): value for name, value in parameters.items()}
+    with Simulator(build_model(model)) as simulator:
+        return simulator.run(times, parameters=changed, inputs=Inputs(times, {"p": 0 * times}, "linear"))
+
+
+@pytest.mark.parametrize("length", [0.3, 0.302, 0.295])
+def test_stretched_sleeve_carries_the_load_from_any_length(length: float) -> None:
+    """DY (12) with the cube over the whole stretch: K (stretch)^3 = M g."""
+    found = at_rest("VerticalLoad", muscle__elasticity__L_o=length)
+    expected = 0.3 - length - (WEIGHT / 1e10) ** (1 / 3)
+    assert found.values["x"] == pytest.approx(np.full(31, expected), abs=1e-7)
+
+
+@pytest.mark.parametrize("length", [0.3, 0.2995])
+def test_printed_sleeve_carries_the_load(length: float) -> None:
+    """DY (12) as printed: K (L_o - L (1 - eps)^3) = -M g; for L_o = L a spring of three times K."""
+    found = at_rest("PneumaticMuscle.Examples.PrintedSleeveLoad", muscle__elasticity__L_o=length)
+    eps = 1 - ((length + WEIGHT / 3e4) / 0.3) ** (1 / 3)
+    assert found.values["eps"] == pytest.approx(np.full(31, eps), abs=1e-6)
+    if length == 0.3:
+        assert eps == pytest.approx(-WEIGHT / (3 * 3e4 * 0.3), rel=5e-3)
+
+
+def test_printed_sleeve_begins_without_a_jump_only_where_both_lengths_are_one() -> None:
+    def force(eps: float, l_o: float, length: float = 0.3) -> float:
+        return l_o - length * (1 - eps) ** 3 if eps <= (length - l_o) / length else 0.0
+
+    assert force(0.0, 0.3) == 0.0
+    for l_o in (0.28, 0.31):
+        begin = (0.3 - l_o) / 0.3
+        assert force(begin, l_o) == pytest.approx(l_o * (1 - (l_o / 0.3) ** 2))
+        assert (force(begin, l_o) > 0) == (l_o < 0.3)  # it pushes the load down where L_o is below L
+    assert force(1 - (0.28 / 0.3) ** (1 / 3), 0.28) == pytest.approx(0.0, abs=1e-15)
+
+
+def test_forces_of_figure_5_balance() -> None:
+    """DY (13)-(16): F_dyn = F_s - M g - F_elastic - F_hys, and F_dyn = M L eps_ddot."""
+    with Simulator(build_model("PneumaticMuscle.Validation.ForceDynamics")) as simulator:
+        found = simulator.run(np.linspace(0, 20, 8001), tolerance=1e-8)
+    v = found.values
+    for i, load in enumerate((5, 10, 20, 30), start=1):
+        assert v[f"F_s[{i}]"] - v[f"F_net[{i}]"] == pytest.approx(load * 9.80665)
+        left = v[f"F_net[{i}]"] - v[f"F_elastic[{i}]"] - v[f"F_hys[{i}]"]
+        assert v[f"F_dyn[{i}]"] == pytest.approx(left, abs=1e-6)
+        acceleration = 0.3 * np.gradient(np.gradient(v[f"eps[{i}]"], found.time), found.time)
+        swinging = binary_erosion((v[f"F_elastic[{i}]"] == 0) & (found.time > 2), iterations=10)
+        assert (load * acceleration)[swinging] == pytest.approx(v[f"F_dyn[{i}]"][swinging], abs=0.05 * load)
+        assert np.abs(v[f"F_dyn[{i}]"][swinging]).max() < 0.2 * load * 9.80665
+
+
+def test_longer_muscle_has_the_length_of_the_paper() -> None:
+    with Simulator(build_model("PneumaticMuscle.Examples.LongMuscle")) as simulator:
+        parameters = simulator.interface.parameters
+        assert parameters["muscle.L0"].start == parameters["muscle.elasticity.L_o"].start == 0.53
+        found = simulator.run(np.linspace(0, 10, 101))
+    assert found.values["x"][-1] == pytest.approx(0.53 * found.values["eps"][-1])
+
+
+TABLE_3 = {
+    0.5: (0.929, 0.937, 0.952, 0.955, 0.941, 0.948),
+    1.0: (0.894, 0.903, 0.883, 0.898, 0.895, 0.904),
+    1.5: (0.815, 0.825, 0.847, 0.839, 0.853, 0.861),
+    2.0: (0.732, 0.739, 0.763, 0.741, 0.797, 0.799),
+}
+"""DY Table 3, as printed: correlation for 5, 10, ... 30 kg by frequency [Hz]."""
+
+
+@pytest.mark.parametrize(
+    ("frequency", "printed_mean", "printed_deviation", "mean"),
+    [(0.5, 0.944, 0.009, 0.944), (1.0, 0.897, 0.007, 0.896), (1.5, 0.843, 0.016, 0.840), (2.0, 0.752, 0.027, 0.762)],
+)
+def test_means_of_table_3(frequency: float, printed_mean: float, printed_deviation: float, mean: float) -> None:
+    """The last line's deviations follow from the entries above it; of the means only the one at 0.5 Hz does."""
+    entries = np.array(TABLE_3[frequency])
+    assert round(float(entries.std()), 3) == printed_deviation
+    assert round(float(entries.mean()), 3) == mean
+    assert (mean == printed_mean) == (frequency == 0.5)

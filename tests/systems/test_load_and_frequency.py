@@ -1,0 +1,61 @@
+"""Friction by the run's load and frequency, hidden from a model with a constant coefficient: DY Fig. 6a to 6b."""
+
+from __future__ import annotations
+
+import importlib.util
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+from pam_cosim import Diagnosis, study
+
+RUN = Path(__file__).parents[2] / "examples" / "dzahir-yamamoto" / "run.py"
+
+
+@pytest.fixture(scope="module")
+def example() -> ModuleType:
+    """The example's own functions, which its main() alone starts."""
+    spec = importlib.util.spec_from_file_location("example_dzahir_yamamoto", RUN)
+    assert spec is not None and spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture(scope="module")
+def found(example: ModuleType, workers: int | None, tmp_path_factory: pytest.TempPathFactory) -> Diagnosis:
+    folder = example.rig.write_data_set(tmp_path_factory.mktemp("vertical-load"))
+    return study.diagnose(study.read(folder), workers=workers)
+
+
+def test_verdict_is_the_effect_of_the_paper(found: Diagnosis) -> None:
+    assert found.verdict.kind == "identified", found.verdict
+    assert found.verdict.effects == ("LoadFrequencyFriction",)
+    assert max(found.balance, key=lambda b: found.balance[b]) == "force"
+
+
+def test_error_falls_to_the_noise_on_conditions_that_were_not_fitted(found: Diagnosis) -> None:
+    before, after = (f.comparison.scores["holdout"]["x"].rmse for f in (found.base, found.final))
+    assert before > 5e-4 and after < 1.05e-4
+    assert found.final.structure["holdout"].chi2_reduced < 1.1
+
+
+def test_coefficients_come_back(found: Diagnosis) -> None:
+    own = found.final.values
+    assert own["damper.ab"] == pytest.approx(0.12, rel=0.02)
+    assert own["muscle.friction.c_c"] == pytest.approx(6.0, rel=0.02)
+    assert own["muscle.friction.c_v"] < 0.01 * 0.12 * 15 * 9.81  # N.s, of the coefficient at 15 kg and 1 Hz
+    assert own["muscle.D0"] == pytest.approx(0.02, rel=1e-3)
+
+
+def test_example_draws_the_loops_and_tables_them_as_the_paper_does(
+    example: ModuleType, found: Diagnosis, tmp_path: Path
+) -> None:
+    example.draw(found, tmp_path / "loops.png")
+    assert (tmp_path / "loops.png").stat().st_size > 10_000
+    table = example.correlations(found.final.comparison).splitlines()
+    assert [line.split("|")[1].strip() for line in table[2:-1]] == ["5 kg", "10 kg", "15 kg", "20 kg", "25 kg", "30 kg"]
+    assert "nan" not in table[-1] and "±" in table[-1]
