@@ -128,6 +128,11 @@ class FitCriteria:
     difference_step: float = decides(1e-3, "search units", "of a finite difference: far above the solver's error")
     failures_kept: int = decides(10, "messages", "kinds of breakdown that are kept")
     interval: float = decides(1.96, "sd", "half width of a 95 % interval", "normal distribution")
+    parallel: float = decides(
+        1e-3, "1", "relative difference of the slopes by two parameters' logarithms, below which they may be one"
+    )
+    exchange: float = decides(1.2, "1", "factor by which one of two is raised, and the other lowered, to see it")
+    unchanged: float = decides(0.02, "sd", "rms change of the residuals then, below which only their product is known")
     dead: float = decides(1e-7, "of the largest slope", "a parameter with less does not move the model")
     at_bound: float = decides(1e-6, "of the range", "an estimate this near a bound ended there")
     seen: float = decides(1e-6, "of the largest singular value", "directions below are not determined by the data")

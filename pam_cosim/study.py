@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 from pathlib import Path
 
@@ -16,7 +16,7 @@ from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis import diagnose as _diagnose
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.files import check_writable, make_folder, write_bytes, write_text
-from pam_cosim.fitting import Fit, base_parameters, complete_noise, spread_starts, swarm_start
+from pam_cosim.fitting import Fit, base_parameters, complete_noise, spread_starts, swarm_search
 from pam_cosim.fitting import fit as _fit
 from pam_cosim.fmu import build_model, read_interface
 from pam_cosim.interface import Interface
@@ -126,7 +126,8 @@ def fit(
         data: the measurement.
         model: default: the bench of the data set.
         method: "least-squares" from the start values; "multi-start": also from points spread over the bounds;
-            "particle-swarm": also from the best point of a swarm (Dzahir and Yamamoto 2019).
+            "particle-swarm": from the best particle of a swarm over the bounds (Dzahir and Yamamoto 2019), which
+            ``Fit.swarm`` keeps as the swarm left it.
         parameters: further values to use, as in ``simulate``.
         files: further Modelica files.
         progress: called with the number of simulations and the reduced chi-square.
@@ -147,7 +148,9 @@ def fit(
         if method == "multi-start":
             starts = spread_starts(free)
         elif method == "particle-swarm":
-            starts = [swarm_start(simulator, data, free, fixed)]
+            search = swarm_search(simulator, data, free, fixed, progress)
+            free = tuple(replace(f, start=search.parameters[f.name]) for f in free)
+            return replace(_fit(simulator, data, free, fixed=fixed, progress=progress), swarm=search)
         return _fit(simulator, data, free, fixed=fixed, starts=starts, progress=progress)
 
 

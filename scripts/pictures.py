@@ -209,6 +209,23 @@ def loads_and_rates() -> None:
     save(picture, "loads-and-rates")
 
 
+def force_dynamics() -> None:
+    print("forces of the empirical muscle: 5, 10, 20, 30 kg")
+    r = simulate("Validation.ForceDynamics", 20, 4001)
+    picture, axes = figure(4, 12.0)
+    for i, (a, m) in enumerate(zip(axes, (5, 10, 20, 30), strict=True)):
+        late = r.time > 2
+        eps = r.values[f"eps[{i + 1}]"][late] * 100
+        names = (("F_s", "$F_s$"), ("F_net", "$F_{net}$"), ("F_hys", "$F_{hys}$"), ("F_dyn", "$F_{dyn}$"))
+        for colour, (name, label) in zip(COLOURS, names, strict=True):
+            a.plot(eps, r.values[f"{name}[{i + 1}]"][late], color=colour, lw=0.8, label=label)
+        a.set(xlabel="contraction ratio [%]", title=f"{m} kg", ylim=(-350, 350))
+        say(f"{m} kg: F_dyn above 2 %, at most", np.abs(r.values[f"F_dyn[{i + 1}]"][late][eps > 2]).max(), unit="N")
+    axes[0].set_ylabel("force [N]")
+    axes[0].legend(fontsize=8)
+    save(picture, "force-dynamics")
+
+
 def force_grid() -> None:
     print("Kang's force")
     picture, (a, b) = figure(2, 8.0)
@@ -293,7 +310,7 @@ def main() -> None:
     PICTURES.mkdir(parents=True, exist_ok=True)
     for draw in (
         tank_curves, polytropic_exponent, gas_temperature, bladder_friction, butyl_pressure, butyl_slow_rise,
-        loads_and_rates, two_lengths, force_grid, three_element_shape, lumped_step,
+        loads_and_rates, force_dynamics, two_lengths, force_grid, three_element_shape, lumped_step,
     ):  # fmt: skip
         draw()
 

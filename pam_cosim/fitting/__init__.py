@@ -1,7 +1,8 @@
 """Data set and model -> fitted parameters with intervals."""
 
+from pam_cosim.fitting.combinations import Combination
 from pam_cosim.fitting.estimate import Estimate, estimates
-from pam_cosim.fitting.fit import Fit, fit, spread_starts, structures, swarm_start
+from pam_cosim.fitting.fit import Fit, SwarmSearch, fit, spread_starts, structures, swarm_search
 from pam_cosim.fitting.free import Free, base_parameters, free_from_variable
 from pam_cosim.fitting.noise import complete_noise
 from pam_cosim.fitting.parameter_file import read_parameters, write_parameters
@@ -9,10 +10,12 @@ from pam_cosim.fitting.structure import Structure, series_of, structure
 from pam_cosim.fitting.systematic import Systematic, systematic
 
 __all__ = [
+    "Combination",
     "Estimate",
     "Fit",
     "Free",
     "Structure",
+    "SwarmSearch",
     "Systematic",
     "base_parameters",
     "complete_noise",
@@ -24,7 +27,7 @@ __all__ = [
     "spread_starts",
     "structure",
     "structures",
-    "swarm_start",
+    "swarm_search",
     "systematic",
     "write_parameters",
 ]

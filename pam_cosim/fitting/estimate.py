@@ -75,10 +75,10 @@ def estimates(
     inner = [i for i in range(len(free)) if alive[i] and not bound[i]]
     deviation = np.full(len(free), np.inf)
     if inner:
-        deviation[inner] = spread * _standard_deviations(jacobian[:, inner])
+        deviation[inner] = spread * standard_deviations(jacobian[:, inner])
     edge = [i for i in range(len(free)) if alive[i] and bound[i]]
     for i in edge:
-        deviation[i] = spread * _standard_deviations(jacobian[:, [*inner, i]])[-1]
+        deviation[i] = spread * standard_deviations(jacobian[:, [*inner, i]])[-1]
     found = {}
     for i, f in enumerate(free):
         reach = CRITERIA.fit.interval * deviation[i]
@@ -90,7 +90,7 @@ def estimates(
     return found
 
 
-def _standard_deviations(jacobian: Array) -> Array:
+def standard_deviations(jacobian: Array) -> Array:
     """Square roots of the diagonal of (J'J)^-1, directions that the data do not see left infinite."""
     norms = np.linalg.norm(jacobian, axis=0)
     _, s, vt = np.linalg.svd(jacobian / norms, full_matrices=False)
@@ -105,4 +105,4 @@ def describe(found: dict[str, Estimate]) -> str:
     return "\n".join(f"  {name} = {e}" for name, e in found.items())
 
 
-__all__ = ["Estimate", "describe", "estimates"]
+__all__ = ["Estimate", "describe", "estimates", "standard_deviations"]

@@ -13,17 +13,65 @@ from scipy.stats import qmc
 from pam_cosim.comparison import Comparison, compare
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
+from pam_cosim.fitting.combinations import Combination, combinations
 from pam_cosim.fitting.descent import Descent, descend
 from pam_cosim.fitting.estimate import Estimate, describe, estimates
 from pam_cosim.fitting.free import Free, base_parameters
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fitting.structure import Structure, series_of, stated_of, structure
-from pam_cosim.fitting.swarm import swarm
+from pam_cosim.fitting.swarm import PARTICLES, swarm
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
 
 Array = NDArray[np.float64]
 Progress = Callable[[int, float], None]
+
+
+@dataclass(frozen=True)
+class SwarmSearch:
+    """What a particle swarm did by itself, before any descent.
+
+    Attributes:
+        parameters: the swarm's own best particle, by name [unit].
+        units: SI units, by name.
+        chi2_reduced: the lowest so far: of the random particles, then after each generation.
+        particles: size of the swarm.
+        evaluations: simulations of the set of fit runs that it took.
+    """
+
+    parameters: dict[str, float]
+    units: dict[str, str]
+    chi2_reduced: tuple[float, ...]
+    particles: int
+    evaluations: int
+
+    @property
+    def generations(self) -> int:
+        """After the random particles."""
+        return len(self.chi2_reduced) - 1
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON, SI units."""
+        return {
+            "best_particle": {n: {"value": v, "unit": self.units[n]} for n, v in self.parameters.items()},
+            "chi2_reduced": self.chi2_reduced[-1],
+            "chi2_by_generation": list(self.chi2_reduced),
+            "particles": self.particles,
+            "generations": self.generations,
+            "evaluations": self.evaluations,
+        }
+
+    def __str__(self) -> str:
+        first, *later = (f"{c:.4g}" for c in self.chi2_reduced)
+        lines = [
+            f"  swarm of {self.particles} particles: chi2 {first} of the random ones, then by generation "
+            + ", ".join(later),
+            f"  its own best particle, chi2 {self.chi2_reduced[-1]:.4g}:",
+        ]
+        for name, value in self.parameters.items():
+            unit = "" if self.units[name] == "1" else self.units[name]
+            lines.append(f"    {name} = {value:.4g} {unit}".rstrip())
+        return "\n".join(lines)
 
 
 @dataclass(frozen=True)
@@ -37,6 +85,8 @@ class Fit:
         structure: what the residuals are like, per role ("fit", "holdout").
         evaluations: simulations of the set of fit runs that it took.
         failures: breakdowns of the simulation on the way, in the words of the solver.
+        combinations: pairs of parameters of which only the product or the ratio is determined.
+        swarm: what a particle swarm did before the descent, where one was asked for.
     """
 
     model: str
@@ -45,6 +95,8 @@ class Fit:
     structure: dict[str, Structure]
     evaluations: int
     failures: tuple[str, ...] = ()
+    combinations: tuple[Combination, ...] = ()
+    swarm: SwarmSearch | None = None
 
     @property
     def values(self) -> dict[str, float]:
@@ -63,11 +115,18 @@ class Fit:
             "parameters": {n: e.as_dict() for n, e in self.parameters.items()},
             "evaluations": self.evaluations,
             "failures": list(self.failures),
+            "combinations": [c.as_dict() for c in self.combinations],
+            "swarm": self.swarm.as_dict() if self.swarm else None,
+            "chi2_reduced": self.structure["fit"].chi2_reduced,
             "comparison": self.comparison.as_dict(),
         }
 
     def __str__(self) -> str:
-        return f"{self.comparison}\n{describe(self.parameters)}"
+        lines = [str(self.comparison)]
+        if self.swarm:
+            reached = self.structure["fit"].chi2_reduced
+            lines += [str(self.swarm), f"  the descent from there comes to chi2 {reached:.4g}:"]
+        return "\n".join([*lines, describe(self.parameters), *(f"  {c}" for c in self.combinations)])
 
 
 def fit(
@@ -112,7 +171,8 @@ def fit(
     found = _solve(objective, _start_points(chosen, starts), how)
     comparison = compare(simulator, data, objective.values(found.z), objective.tolerance)
     by_role = structures(comparison)
-    parameters = estimates(chosen, found.z, found.jacobian, objective.bounds, _spread(by_role["fit"]))
+    spread = _spread(by_role["fit"])
+    parameters = estimates(chosen, found.z, found.jacobian, objective.bounds, spread)
     return Fit(
         simulator.interface.model,
         parameters,
@@ -120,6 +180,7 @@ def fit(
         by_role,
         objective.evaluations,
         tuple(dict.fromkeys(objective.failures)),
+        combinations(objective, found.z, found.jacobian, parameters, spread),
     )
 
 
@@ -134,13 +195,37 @@ def structures(comparison: Comparison) -> dict[str, Structure]:
     return found
 
 
-def swarm_start(
-    simulator: AnySimulator, data: DataSet, free: Sequence[Free], fixed: Mapping[str, float] | None = None
-) -> dict[str, float]:
-    """The best point of a particle swarm over the bounds, by name [SI]: a start for ``fit``."""
+def swarm_search(
+    simulator: AnySimulator,
+    data: DataSet,
+    free: Sequence[Free],
+    fixed: Mapping[str, float] | None = None,
+    progress: Progress | None = None,
+) -> SwarmSearch:
+    """A particle swarm over the bounds, as Dzahir and Yamamoto (2019), Table 1; its best is a start for ``fit``.
+
+    Raises:
+        SimulationFailure: the model breaks down at every particle.
+    """
     objective = Objective(simulator, data, data.fit_runs, free, fixed)
-    best, _ = swarm(lambda z: _cost(objective.residuals(z)), *objective.bounds)
-    return {f.name: f.to_value(float(z)) for f, z in zip(free, best, strict=True)}
+    size = max(objective.size, 1)
+    lowest = np.inf
+
+    def cost(z: Array) -> float:
+        nonlocal lowest
+        here = objective.cost(z)
+        lowest = min(lowest, here)
+        if progress is not None and np.isfinite(lowest):
+            progress(objective.evaluations, lowest / size)
+        return here
+
+    seen = swarm(cost, *objective.bounds)
+    if not np.isfinite(seen.costs[-1]):
+        reason = objective.failures[0] if objective.failures else "the model gives no finite result"
+        raise SimulationFailure(f"no particle of the swarm can be simulated: {reason}")
+    best = {f.name: f.to_value(float(z)) for f, z in zip(free, seen.best, strict=True)}
+    costs = tuple(float(c) / size for c in seen.costs)
+    return SwarmSearch(best, {f.name: f.unit for f in free}, costs, PARTICLES, objective.evaluations)
 
 
 def spread_starts(free: Sequence[Free], count: int = 16) -> list[dict[str, float]]:

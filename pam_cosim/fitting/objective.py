@@ -98,6 +98,12 @@ class Objective:
             return residuals
         return np.full(self.size, np.inf)
 
+    def cost(self, z: Array) -> float:
+        """The squared residuals of all runs, without slopes; infinite where a simulation breaks down."""
+        self.evaluations += 1
+        residuals = self._without_slopes(z, range(len(self.runs)))
+        return float(residuals @ residuals) if np.all(np.isfinite(residuals)) else np.inf
+
     def glance(self, z: Array) -> float:
         """The squared residuals of the first and the last run, which cost little and tell a good start from a bad one.
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,19 @@ COMMON_PULL = 1.5  # v2, towards the best point of all
 INERTIA = 0.73  # not printed; with pulls of 1.5 it is the value that makes a swarm converge (Clerc and Kennedy 2002)
 
 
+@dataclass(frozen=True)
+class Swarm:
+    """What a swarm saw.
+
+    Attributes:
+        best: (k,) the best point that any particle has been at.
+        costs: (generations + 1,) lowest cost so far: of the random particles, then after each generation.
+    """
+
+    best: Array
+    costs: Array
+
+
 def swarm(
     cost: Callable[[Array], float],
     low: Array,
@@ -24,8 +38,8 @@ def swarm(
     particles: int = PARTICLES,
     generations: int = GENERATIONS,
     seed: int = 0,
-) -> tuple[Array, float]:
-    """The best point found between the bounds, and its cost; the same every time.
+) -> Swarm:
+    """The best point found between the bounds, and how the cost fell; the same every time.
 
     Args:
         cost: what to make small; infinite where it cannot be computed.
@@ -39,6 +53,7 @@ def swarm(
     velocity = (random.random(at.shape) - 0.5) * span
     costs = np.array([cost(z) for z in at])
     own, own_costs = at.copy(), costs.copy()
+    lowest = [float(own_costs.min())]
     for _ in range(generations):
         best = own[int(np.argmin(own_costs))]
         pull = OWN_PULL * random.random(at.shape) * (own - at) + COMMON_PULL * random.random(at.shape) * (best - at)
@@ -47,5 +62,5 @@ def swarm(
         costs = np.array([cost(z) for z in at])
         better = costs < own_costs
         own[better], own_costs[better] = at[better], costs[better]
-    first = int(np.argmin(own_costs))
-    return own[first], float(own_costs[first])
+        lowest.append(float(own_costs.min()))
+    return Swarm(own[int(np.argmin(own_costs))], np.array(lowest))

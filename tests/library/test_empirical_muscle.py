@@ -1,4 +1,4 @@
-"""The empirical muscle of Dzahir and Yamamoto against a second implementation, its printed sleeve, and their Table 3."""
+"""The empirical muscle of Dzahir and Yamamoto against a second implementation, its sleeves, and their Table 3."""
 
 from __future__ import annotations
 

@@ -1,0 +1,116 @@
+"""What is known of two parameters that the data cannot tell apart: their product, or their ratio."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from math import exp
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.fitting.estimate import Estimate, standard_deviations
+from pam_cosim.fitting.objective import Objective
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Combination:
+    """Two parameters of which only one combination is known.
+
+    Attributes:
+        names: the parameters.
+        kind: "product" or "ratio", the first by the second.
+        value: of the combination [unit].
+        low, high: its 95 % interval [unit].
+        unit: SI unit.
+    """
+
+    names: tuple[str, str]
+    kind: str
+    value: float
+    low: float
+    high: float
+    unit: str = ""
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON."""
+        return {**asdict(self), "names": list(self.names)}
+
+    def __str__(self) -> str:
+        sign = "*" if self.kind == "product" else "/"
+        value = f"{self.value:.4g} ({self.low:.4g} to {self.high:.4g}) {self.unit}".rstrip()
+        names = f" {sign} ".join(self.names)
+        return f"only the {self.kind} is determined: {names} = {value}; hold one of the two fixed"
+
+
+def combinations(
+    objective: Objective, z: Array, jacobian: Array, parameters: Mapping[str, Estimate], spread: float
+) -> tuple[Combination, ...]:
+    """The pairs among the parameters that the data do not determine whose product or ratio they do determine.
+
+    Two slopes that agree by the logarithm are a hint; that raising one and lowering the other changes nothing is the
+    proof, and costs one evaluation for each pair.
+
+    Args:
+        objective: of the fit.
+        z: (k,) solution in search coordinates.
+        jacobian: (n, k) of the weighted residuals at ``z``.
+        parameters: the estimates, by name, in the order of ``z``.
+        spread: factor on the standard deviations, as for ``estimates``.
+    """
+    values = np.array([e.value for e in parameters.values()])
+    slopes = np.array([f.slope(float(c)) for f, c in zip(objective.free, z, strict=True)])
+    by_logarithm = jacobian * values / slopes
+    size = np.linalg.norm(by_logarithm, axis=0)
+    open_ones = [i for i, e in enumerate(parameters.values()) if not e.determined and e.value > 0 and size[i] > 0]
+    made = []
+    for i, j in itertools.combinations(open_ones, 2):
+        for kind, sign in (("product", 1.0), ("ratio", -1.0)):
+            apart = np.linalg.norm(by_logarithm[:, i] - sign * by_logarithm[:, j])
+            if apart < CRITERIA.fit.parallel * size[i] and _changes_nothing(objective, z, i, j, -sign):
+                deviation = spread * _deviation(by_logarithm, i, [j, *(k for k in open_ones if k != i)])
+                made.append(_combination(list(parameters.items()), i, j, kind, deviation))
+    return tuple(made)
+
+
+def _changes_nothing(objective: Objective, z: Array, i: int, j: int, power: float) -> bool:
+    """Whether the residuals stay where parameter i grows by a factor and j by that factor to ``power``."""
+    low, high = objective.bounds
+    for stretch in (CRITERIA.fit.exchange, 1 / CRITERIA.fit.exchange):  # whichever stays within the bounds
+        moved = z.copy()
+        for k, factor in ((i, stretch), (j, stretch**power)):
+            free = objective.free[k]
+            moved[k] = free.to_z(free.to_value(float(z[k])) * factor)
+        if np.all((moved >= low) & (moved <= high)):
+            change = objective.residuals(moved) - objective.residuals(z)
+            return bool(np.sqrt(np.mean(change**2)) < CRITERIA.fit.unchanged)
+    return False
+
+
+def _deviation(by_logarithm: Array, i: int, without: Sequence[int]) -> float:
+    """Standard deviation of the logarithm of parameter i where those in ``without`` are held."""
+    kept = [k for k in range(by_logarithm.shape[1]) if k not in without and np.any(by_logarithm[:, k])]
+    return float(standard_deviations(by_logarithm[:, kept])[kept.index(i)])
+
+
+def _combination(
+    parameters: Sequence[tuple[str, Estimate]], i: int, j: int, kind: str, deviation: float
+) -> Combination:
+    (first, a), (second, b) = parameters[i], parameters[j]
+    value = a.value * b.value if kind == "product" else a.value / b.value
+    reach = exp(min(CRITERIA.fit.interval * deviation, 700.0))
+    return Combination((first, second), kind, value, value / reach, value * reach, _unit(a.unit, b.unit, kind))
+
+
+def _unit(first: str, second: str, kind: str) -> str:
+    """Unit of a product or ratio, as Modelica writes it."""
+    own = [u for u in (first, second) if u not in ("", "1")]
+    if kind == "product":
+        return f"{first}2" if first == second and first.isalpha() else ".".join(own)
+    if first == second:
+        return "1"
+    return first if second in ("", "1") else f"{first or '1'}/({second})"
