@@ -212,17 +212,22 @@ def loads_and_rates() -> None:
 def force_dynamics() -> None:
     print("forces of the empirical muscle: 5, 10, 20, 30 kg")
     r = simulate("Validation.ForceDynamics", 20, 4001)
-    picture, axes = figure(4, 12.0)
-    for i, (a, m) in enumerate(zip(axes, (5, 10, 20, 30), strict=True)):
-        late = r.time > 2
-        eps = r.values[f"eps[{i + 1}]"][late] * 100
-        names = (("F_s", "$F_s$"), ("F_net", "$F_{net}$"), ("F_hys", "$F_{hys}$"), ("F_dyn", "$F_{dyn}$"))
-        for colour, (name, label) in zip(COLOURS, names, strict=True):
-            a.plot(eps, r.values[f"{name}[{i + 1}]"][late], color=colour, lw=0.8, label=label)
-        a.set(xlabel="contraction ratio [%]", title=f"{m} kg", ylim=(-350, 350))
-        say(f"{m} kg: F_dyn above 2 %, at most", np.abs(r.values[f"F_dyn[{i + 1}]"][late][eps > 2]).max(), unit="N")
-    axes[0].set_ylabel("force [N]")
-    axes[0].legend(fontsize=8)
+    picture, rows = plt.subplots(2, 4, figsize=(12, 5), layout="constrained", sharey="row")
+    names = (("F_net", "$F_{net}$"), ("F_hys", "$F_{hys}$"), ("F_dyn", "$F_{dyn}$"))
+    for i, m in enumerate((5, 10, 20, 30)):
+        above, below = rows[0, i], rows[1, i]
+        late, part = r.time > 2, (r.time > 8) & (r.time < 13)
+        eps = r.values[f"eps[{i + 1}]"] * 100
+        above.plot(eps[late], r.values[f"F_s[{i + 1}]"][late], color=COLOURS[0], lw=0.8, label="$F_s$")
+        above.axhline(m * 9.80665, color="0.4", ls=":", label="$M g$")
+        above.set(xlabel="contraction ratio [%]", title=f"{m} kg")
+        for colour, (name, label) in zip(COLOURS[1:], names, strict=True):
+            below.plot(r.time[part], r.values[f"{name}[{i + 1}]"][part], color=colour, lw=1, label=label)
+        below.set(xlabel="time [s]", ylim=(-22, 22))
+        say(f"{m} kg: F_dyn above 2 %, at most", np.abs(r.values[f"F_dyn[{i + 1}]"][late & (eps > 2)]).max(), unit="N")
+    for a in rows[:, 0]:
+        a.set_ylabel("force [N]")
+        a.legend(fontsize=8)
     save(picture, "force-dynamics")
 
 
