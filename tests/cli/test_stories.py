@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import re
 import shlex
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -76,3 +78,14 @@ def test_class_of_the_library_goes_by_its_shorter_name(command: Callable[..., Ou
     assert "extends PneumaticMuscle.Examples.PrintedWallIsotonic" in (place / "Better.mo").read_text(encoding="utf-8")
     done(command("simulate", "Examples.PrintedWallEnergyGas", "-o", "run.csv"))
     assert command("simulate", "Examples.NoSuchModel", "-o", "run2.csv").status == 2
+
+
+def test_friction(command: Callable[..., Outcome], place: Path) -> None:
+    """All but the diagnosis, which the tests of whole systems make."""
+    write, *rest = lines(page("dzahir-yamamoto-friction"))
+    assert write[0] == "python" and write[1].endswith("rig.py")
+    subprocess.run([sys.executable, ROOT / write[1], *write[2:]], check=True, capture_output=True)
+    for words in rest:
+        if words[:2] in (["pam-cosim", "compare"], ["pam-cosim", "add"]):
+            done(command(*words[1:]))
+    assert "LoadFrequencyFriction damper" in (place / "Proposed.mo").read_text(encoding="utf-8")

@@ -7,7 +7,7 @@ model VerticalLoad "The empirical muscle with a hanging load, driven by pressure
   inner Components.Ambient ambient "Surroundings";
   inner Components.Excitation excitation(F_load=load.m*Constants.g, frequency=frequency) "Load and frequency of the run";
   Components.Regulator regulator(p_wanted=p) "Pressure regulator";
-  Components.EmpiricalMuscle muscle(elasticity(L_o=0.3)) "Muscle";
+  Components.EmpiricalMuscle muscle "Muscle";
   Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs";
   Components.Load load(m=10, s_start=muscle.elasticity.x_rest) "Hanging mass, at rest without pressure";
   Sensors.Contraction ruler "Displacement transducer";
@@ -22,8 +22,7 @@ equation
 <p>M L eps_ddot = F_s(P, eps) - F_elastic - F_hys - M g, DY (13)-(16), with x = L eps. Load (5 to 30 kg) and frequency
 (0.5 to 2 Hz) are constants of a run. The sign of the speed is rounded (<code>Laws.Frictions.CoulombViscous</code>).
 Only the product of <code>muscle.friction.a</code> and <code>muscle.friction.b_f</code> can be found from
-measurements: keep one fixed. Whoever changes <code>muscle.L0</code> changes <code>muscle.elasticity.L_o</code>
-with it (<code>Examples.LongMuscle</code>); <code>Examples.PrintedSleeveLoad</code> has DY (12) as printed, and
-<code>Examples.ConstantFrictionLoad</code> friction of constant coefficients.</p>
+measurements: keep one fixed. <code>Examples.PrintedSleeveLoad</code> has DY (12) as printed, <code>Examples.ConstantFrictionLoad</code> friction of
+constant coefficients, <code>Examples.LongMuscle</code> the longer of DY's muscles.</p>
 </html>"));
 end VerticalLoad;

@@ -1,10 +1,10 @@
 within PneumaticMuscle.Components;
 model PrintedSleeve "The stretched sleeve as printed, DY (12)"
-  extends Interfaces.SleeveElasticity(final x_rest=L0*(1 - ((L_o + excitation.F_load/K)/L0)^(1/3)));
+  extends Interfaces.SleeveElasticity(final x_rest=L0*(1 - ((L_c + excitation.F_load/K)/L0)^(1/3)));
   parameter Real K(unit="N/m", min=100, max=1e7, nominal=1e5) = 3e4 "Coefficient of elasticity";
   Real eps(unit="1") = x/L0 "Contraction ratio";
 equation
-  f = if eps <= (L0 - L_o)/L0 then K*(L_o - L0*(1 - eps)^3) else 0;
+  f = if eps <= (L0 - L_c)/L0 then K*(L_c - L0*(1 - eps)^3) else 0;
   annotation (Documentation(info="<html>
 <p>F_elastic = K (L_o - L (1 - eps)^3) for eps up to (L - L_o)/L, DY (12), and zero above. For L_o = L it is
 K L (1 - (1 - eps)^3) = K L (3 eps - 3 eps^2 + eps^3): zero at eps = 0 and a spring of stiffness 3 K about it, negative

@@ -1,9 +1,9 @@
 within PneumaticMuscle.Components;
 model StretchedSleeve "The stretched sleeve with the cube over the whole stretch, DY (12) modified"
-  extends Interfaces.SleeveElasticity(final x_rest=L0 - L_o - (excitation.F_load/K)^(1/3));
+  extends Interfaces.SleeveElasticity(final x_rest=L0 - L_c - (excitation.F_load/K)^(1/3));
   parameter Real K(unit="N/m3", min=1e6, max=1e13, nominal=1e10) = 1e10 "Coefficient of elasticity";
 protected
-  Types.Length s = max(0, L0 - x - L_o) "Stretch";
+  Types.Length s = max(0, L0 - x - L_c) "Stretch";
 equation
   f = -K*s^3;
   annotation (Documentation(info="<html>
