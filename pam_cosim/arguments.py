@@ -7,7 +7,9 @@ from pathlib import Path
 
 import numpy as np
 
+from pam_cosim.compiler import names
 from pam_cosim.errors import InputError
+from pam_cosim.fmu.description import model_identifier
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import read_recording
 from pam_cosim.settings import settable, value_of
@@ -26,7 +28,7 @@ def fmu_files(models: Sequence[str], output: Path) -> list[tuple[str, Path]]:
         return [(models[0], output)]
     files: dict[Path, str] = {}
     for model in models:
-        name = Path(model).stem if model.endswith((".mo", ".fmu")) else model.rpartition(".")[2]
+        name = Path(model).stem if model.endswith((".mo", ".fmu")) else model_identifier(names.last(model))
         if files.setdefault(output / f"{name}.fmu", model) != model:
             raise InputError(f"two models would be written to '{name}.fmu'; build them into two folders", output)
     return [(model, file) for file, model in files.items()]

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from pam_cosim.compiler import names
 from pam_cosim.compiler.instantiation import PRIMITIVES
 from pam_cosim.compiler.library import Library
 from pam_cosim.compiler.printing import argument_text, expression_text, modification_text
@@ -113,10 +114,9 @@ class ClassTree:
 
     def resolve(self, scope: str, name: str) -> str | None:
         """The full name of the class that ``name`` means in the text of class ``scope`` (empty: the root)."""
-        names = name.split(".")
-        absolute = names[0] == ""
+        absolute = name.startswith(".")
         place = self._lookup.static_scope(self._definitions[scope]) if scope else None
-        found = self._lookup.find(place, tuple(names[1:] if absolute else names), absolute)
+        found = self._lookup.find(place, tuple(names.parts(name.lstrip("."))), absolute)
         return None if found is None else found.definition.qualified_name
 
     def bases(self, name: str) -> list[str]:

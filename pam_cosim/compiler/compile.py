@@ -9,7 +9,7 @@ from pathlib import Path
 
 import casadi as ca
 
-from pam_cosim.compiler import metadata
+from pam_cosim.compiler import metadata, names
 from pam_cosim.compiler.arithmetic import Shown
 from pam_cosim.compiler.assertions import Assertion
 from pam_cosim.compiler.blocks import solve
@@ -86,9 +86,9 @@ def _find(model: str, library: Library, lookup: Lookup) -> Class:
 
 def _similar(model: str, library: Library) -> str:
     """A hint: models of the same last name."""
-    last = model.rpartition(".")[2].lower()
-    names = [node.qualified_name for node in library.walk() if node.name.lower() == last and node.kind == "model"]
-    return f"; did you mean {' or '.join(names)}?" if names else ""
+    last = names.last(model).lower()
+    known = [node.qualified_name for node in library.walk() if node.name.lower() == last and node.kind == "model"]
+    return f"; did you mean {' or '.join(known)}?" if known else ""
 
 
 @dataclass

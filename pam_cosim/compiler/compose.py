@@ -14,8 +14,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from pam_cosim.compiler import names
 from pam_cosim.compiler.catalogue import ClassTree
 from pam_cosim.compiler.effects import EFFECT, EffectClass, effect_classes, unknown_terms
+from pam_cosim.compiler.printing import string_text
 from pam_cosim.compiler.structure import Part, Slot, Structure, read_structure
 from pam_cosim.errors import InputError
 
@@ -40,7 +42,7 @@ class _Draft:
 
     def __init__(self, structure: Structure, tree: ClassTree) -> None:
         self.structure, self.tree = structure, tree
-        self.names = {p.path for p in structure.parts if "." not in p.path}
+        self.names = {p.path for p in structure.parts if not names.parent(p.path)}
         self.redeclarations: list[tuple[str, str]] = []
         self.components: list[str] = []
         self.connections: list[str] = []
@@ -96,7 +98,7 @@ class _Draft:
         needed = {c.name for c in self.tree.components(effect.qualified_name) if self._is_connector(c.type)}
         found = []
         for part in self.structure.parts:
-            if not part.path or "." in part.path or EFFECT in part.bases:
+            if not part.path or names.parent(part.path) or EFFECT in part.bases:
                 continue
             shared = [b for b in bases if b in part.bases and needed and needed <= self._connectors(b)]
             if shared:
@@ -109,11 +111,11 @@ class _Draft:
         shared = [c for c in self.tree.components(terminals) if "parameter" in c.prefixes]
         bindings = [f"{c.name}={host.path}.{c.name}" for c in shared]
         if first:  # one effect on several hosts has one set of parameters
-            bindings += [f"{full.rpartition('.')[2]}={full}" for full in first]
+            bindings += [f"{names.last(full)}={full}" for full in first]
         else:
             self.parameters[effect.name] = tuple(f"{name}.{p}" for p in effect.parameters)
         modifier = f"({', '.join(bindings)})" if bindings else ""
-        self.components.append(f'{effect.qualified_name} {name}{modifier} "{effect.description}"')
+        self.components.append(f"{effect.qualified_name} {name}{modifier} {string_text(effect.description)}")
         for connector in sorted(self._connectors(terminals)):
             self.connections.append(f"connect({name}.{connector}, {host.path}.{connector})")
 
@@ -134,11 +136,11 @@ class _Draft:
 
 
 def _parent(path: str) -> str:
-    return path.rpartition(".")[0]
+    return names.parent(path)
 
 
 def _uses(part: Part, slot: Slot) -> bool:
-    return any(base.rpartition(".")[2] == slot.name for base in part.bases)
+    return any(names.last(base) == slot.name for base in part.bases)
 
 
 def compose(
@@ -172,8 +174,9 @@ def compose_on(
             raise InputError(f"there is no effect '{wanted}'; 'pam-cosim effects' lists them")
         if not draft.place(known[wanted]):
             return None
-    base = structure.model.rpartition(".")[2]
-    chosen = name or base + "With" + "And".join(w.rpartition(".")[2] for w in effects)
+    base = names.unquoted(names.last(structure.model))
+    made = base + "With" + "And".join(names.unquoted(names.last(w)) for w in effects)
+    chosen = names.identifier(name or made)
     return Composition(chosen, _text(chosen, structure, draft, [known[e] for e in effects]), draft.parameters)
 
 
@@ -192,15 +195,15 @@ def _nested(redeclarations: Sequence[tuple[str, str]]) -> list[str]:
     inner: dict[str, list[tuple[str, str]]] = {}
     for path, text in redeclarations:
         if path:
-            first, _, rest = path.partition(".")
-            inner.setdefault(first, []).append((rest, text))
+            first, *rest = names.parts(path)
+            inner.setdefault(first, []).append((".".join(rest), text))
     return own + [f"{name}({', '.join(_nested(parts))})" for name, parts in inner.items()]
 
 
 def _text(name: str, structure: Structure, draft: _Draft, effects: Sequence[EffectClass]) -> str:
     base = structure.model
-    lacks = "; ".join(e.description for e in effects).replace('"', "'")
-    lines = [f'model {name} "{base.rpartition(".")[2]}, and: {lacks}"']
+    says = f"{names.last(base)}, and: {'; '.join(e.description for e in effects)}"
+    lines = [f"model {name} {string_text(says)}"]
     if draft.redeclarations:
         changes = ",\n    ".join(_nested(draft.redeclarations))
         lines.append(f"  extends {base}(\n    {changes});")

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
+from pam_cosim.compiler import names
 from pam_cosim.compiler.catalogue import ClassTree
 from pam_cosim.errors import ModelError
 
@@ -71,7 +72,7 @@ def _declared(tree: ClassTree) -> tuple[EffectClass, ...]:
 
 def _effect(tree: ClassTree, name: str) -> EffectClass:
     info = tree.classes[name]
-    short = name.rpartition(".")[2]
+    short = names.last(name)
     sayings = {}
     for saying in ("family", "balance"):
         value = tree.constant(name, saying)

@@ -55,6 +55,9 @@ def tokenise(source: Source) -> Tokens:
             what = {'"': "string is not closed", "/": "comment is not closed"}.get(text[position])
             raise source.error(what or f"unexpected character {text[position]!r}", position)
         kind = found.lastgroup
+        if kind == "name" and not found.group().isprintable():
+            bad = next(i for i, c in enumerate(found.group()) if not c.isprintable())
+            raise source.error(f"a name must not hold the character {found.group()[bad]!r}", position + bad)
         if kind != "space":
             word = found.group()
             is_literal = kind in ("number", "string") or (kind == "name" and word not in KEYWORDS)

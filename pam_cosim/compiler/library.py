@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from pam_cosim.compiler import names
 from pam_cosim.compiler.parser import parse_source
 from pam_cosim.compiler.source import Source
 from pam_cosim.compiler.syntax import ClassDefinition
@@ -32,15 +33,19 @@ class Library:
                 raise ModelError("the Modelica library directory does not exist", root)
             self.files += sorted(root.rglob("*.mo"))
             self.top.update(_read_root(root, self.files))
-        for file in files:
-            self.files.append(file)
-            self.user_classes[file] = self._read_user_file(file)
+        read: dict[Path, list[ClassDefinition]] = {}
+        for file in files:  # one that is named twice, or in two ways, is one file
+            place = file.resolve()
+            if place not in read:
+                self.files.append(file)
+                read[place] = self._read_user_file(file)
+            self.user_classes[file] = read[place]
 
     def find(self, qualified_name: str) -> ClassDefinition | None:
         """The class of that full name, without inheritance."""
         if qualified_name in self.inserted:
             return self.inserted[qualified_name]
-        first, *rest = qualified_name.split(".")
+        first, *rest = names.parts(qualified_name)
         node = self.top.get(first)
         for name in rest:
             node = node.classes.get(name) if node is not None else None

@@ -36,6 +36,12 @@ def expression_text(node: Expression) -> str:
     return _text(node)[0]
 
 
+def string_text(text: str) -> str:
+    """Any text as a string literal of Modelica."""
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
+    return f'"{escaped}"'
+
+
 def modification_text(modification: Modification) -> str:
     """``(a=1, b(c=2)) = 3``, as it follows the name of a component."""
     text = f"({', '.join(map(argument_text, modification.arguments))})" if modification.arguments else ""
@@ -112,8 +118,7 @@ def _literal(node: Literal) -> str:
     if isinstance(node.value, bool):
         return "true" if node.value else "false"
     if isinstance(node.value, str):
-        escaped = node.value.replace("\\", "\\\\").replace('"', '\\"')
-        return f'"{escaped}"'
+        return string_text(node.value)
     return repr(node.value)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from pam_cosim.compiler import names
 from pam_cosim.compiler.library import Library
 from pam_cosim.compiler.syntax import ClassDefinition, TypeName
 
@@ -64,11 +65,11 @@ class Lookup:
 
     def qualified(self, name: str) -> Class | None:
         """The class of a full name, also if it is inherited by a package on the way."""
-        names = tuple(name.split("."))
+        first, *rest = names.parts(name)
         inserted = self.library.inserted.get(name)
         if inserted is not None:
             return self.of(inserted)
-        return self._descend(self._root(names[0]), names[1:])
+        return self._descend(self._root(first), tuple(rest))
 
     def of(self, definition: ClassDefinition) -> Class:
         """The class as its definition stands in the library."""

@@ -10,10 +10,15 @@ from xml.etree import ElementTree as Xml
 
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import ModelError
+from pam_cosim.fmu.cache import digest
 from pam_cosim.fmu.structure import Dependencies, continuous_dependencies, initial_dependencies
 from pam_cosim.fmu.table import Entry, Kind
 from pam_cosim.fmu.units import Unit, parse_unit
 from pam_cosim.interface import Variable
+
+_LONGEST = 150
+# What XML 1.0 has no place for, not even as a reference.
+_NOT_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 # Names the annotations that are this tool's own.
 TOOL = "pam-cosim"
@@ -26,8 +31,10 @@ _LOG_CATEGORIES = {
 
 
 def model_identifier(model: str) -> str:
-    """A C identifier made from a class name; the binaries carry it."""
+    """A C identifier made from a class name; the binaries carry it, so it is a file name on every system too."""
     name = re.sub(r"\W", "_", model, flags=re.ASCII)
+    if len(name) > _LONGEST:
+        name = f"{name[: _LONGEST - 17]}_{digest(model)[:16]}"
     return name if name and not name[0].isdigit() else f"_{name}"
 
 
@@ -98,6 +105,12 @@ def contents(parent: Xml.Element, ode: Ode) -> None:
         Xml.SubElement(parent, "Library", {"name": name, "version": version})
     for component, effect in ode.effects:
         Xml.SubElement(parent, "Effect", {"name": effect, "component": component})
+
+
+def naming_convention(entries: Sequence[Entry]) -> str:
+    """ "structured", unless a name in quotation marks holds what that convention has no place for."""
+    plain = all(entry.name.isascii() and "`" not in entry.name for entry in entries)
+    return "structured" if plain else "flat"
 
 
 def scalar_attributes(entry: Entry) -> dict[str, str]:
@@ -176,6 +189,9 @@ def unknown(
 
 
 def document(root: Xml.Element) -> bytes:
-    """The file's text."""
+    """The file's text. ElementTree escapes what has a meaning in XML; what XML cannot hold becomes U+FFFD."""
+    for element in root.iter():
+        for key, value in element.attrib.items():
+            element.set(key, _NOT_XML.sub("\ufffd", value))
     Xml.indent(root)
     return bytes(Xml.tostring(root, encoding="utf-8", xml_declaration=True)) + b"\n"

@@ -32,7 +32,7 @@ def model_description(ode: Ode, entries: Sequence[Entry], guid: str, tool: str, 
             "modelName": face.model,
             **({"description": ode.description} if ode.description else {}),
             "generationTool": tool,
-            "variableNamingConvention": "structured",
+            "variableNamingConvention": shared.naming_convention(entries),
             "numberOfEventIndicators": "0",
         },
     )

@@ -33,7 +33,7 @@ def model_description(ode: Ode, entries: Sequence[Entry], token: str, tool: str)
             "modelName": face.model,
             **({"description": ode.description} if ode.description else {}),
             "generationTool": tool,
-            "variableNamingConvention": "structured",
+            "variableNamingConvention": shared.naming_convention(entries),
         },
     )
     identifier = {"modelIdentifier": shared.model_identifier(face.model)}

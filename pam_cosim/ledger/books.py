@@ -107,6 +107,6 @@ def _books(
 
 def _compiled(composition: Composition, files: Sequence[Path]) -> Ode:
     with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder) / f"{composition.name}.mo"
+        file = Path(folder, "composition.mo")
         file.write_text(composition.text, encoding="utf-8")
         return compile_model(composition.name, files=[*files, file])

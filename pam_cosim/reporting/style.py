@@ -32,6 +32,7 @@ _SETTINGS: dict[str, Any] = {
     "legend.fontsize": 8.5,
     "legend.frameon": False,
     "text.color": INK,
+    "text.parse_math": False,  # names are what they are, dollar signs too
     "axes.labelcolor": INK,
     "axes.edgecolor": LINE,
     "axes.linewidth": 0.8,

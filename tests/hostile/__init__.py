@@ -1,0 +1,1 @@
+"""Files that try to do more than hold data."""

@@ -1,0 +1,227 @@
+"""Whatever a Modelica file calls its variables or says of them is data: it becomes neither code, markup nor a path."""
+
+from __future__ import annotations
+
+import ctypes
+import re
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import fmpy
+import numpy as np
+import pytest
+from fmpy.validation import validate_fmu
+from lxml import etree
+
+from pam_cosim import study
+from pam_cosim.compiler import compile_model
+from pam_cosim.compiler.names import identifier, last, parent, parts
+from pam_cosim.errors import ModelError
+from pam_cosim.fmu.c_text import c_string
+from pam_cosim.fmu.compile import compile_library, native_platform
+from pam_cosim.fmu.generate import model_source
+from pam_cosim.reporting import plot_trajectory
+from pam_cosim.simulation import Simulator, Trajectory
+from pam_cosim.simulation.failure import RunFailure
+
+# The first two would make a file when the library is loaded, where their text became C.
+_CODE = (
+    "int system(const char*);__attribute__((constructor)) void f(void)"
+    "{char s[]={116,111,117,99,104,32,36,77,65,68,69,0};system(s);}"  # touch $MADE
+)
+
+NAMES = {
+    "trigraph": f'??/"}};{_CODE}//',
+    "quotation mark": f'"}};{_CODE}//',
+    "backslash": '\\\\"};int puts(const char*);//',
+    "backslash at the end": "a\\\\",
+    "escapes": "\\n\\0\\x41\\'\\\"\\?",
+    "all trigraphs": "??=??(??/??)??'??<??!??>??-".replace("'", "\\'"),
+    "comment": "*/ int x; /* // ??/",
+    "formats": "%s%s%s%n%n%100000000d",
+    "line splice": "a??/",
+    "directive": "#include </etc/passwd>",
+    "digits behind an escape": 'ä"1234567',
+    "other alphabets": "Länge 長さ длина 🐍",
+    "markup": "<script>alert(1)</script> &amp; ]]> <!-- <![CDATA[",
+    "console markup": "[bold red]x[/] [/nothing]",
+    "mathematics": "$\\\\frac{$ x_$ ^",
+    "path": "../../../../tmp/x",
+    "dots": "a.b.c",
+    "spaces": "  a  b ",
+    "template": "{{7*7}} {% raw %} ${HOME} $(touch $MADE) `touch $MADE`",
+    "number like": "1e9",
+    "brackets": "x [kPa]",
+    "comma": 'a,b;"c"',
+    "the identity": "{00000000-0000-0000-0000-000000000000}",
+    "long": "x" * 5000,
+    "keyword": "end",
+}
+
+MODEL = """\
+model {model} "{text}"
+  parameter Real {p}(min=0, max=9) = 2 "{text}";
+  input Real {u}(start=0);
+  Real {x}(start=1, fixed=true, nominal=1) "{text}";
+  output Real {y} = {x} + {u} "{text}";
+  Real {z} = 2*{x};
+equation
+  assert({x} > 0.05, "{text}");
+  der({x}) = -{p}*{x};
+  annotation(experiment(StopTime=1, Interval=0.1));
+end {model};
+"""
+
+
+def _write(folder: Path, name: str, text: str = "") -> Path:
+    names = {key: f"'{key} {name}'" for key in ("model", "p", "u", "x", "y", "z")}
+    file = folder / "Hostile.mo"
+    file.write_text(MODEL.format(text=text, **names), encoding="utf-8")
+    return file
+
+
+@pytest.fixture
+def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("MADE", str(tmp_path / "made"))  # absolute: FMPy loads libraries in a folder of its own
+    return tmp_path
+
+
+@pytest.mark.parametrize("name", NAMES.values(), ids=NAMES.keys())
+@pytest.mark.parametrize("fmi", ["2.0", "3.0"])
+def test_names_come_back_as_they_are(name: str, fmi: str, place: Path) -> None:
+    """Through compiler, C, model description and archive; nothing but the answer comes of them."""
+    file = _write(place, name)
+    path = study.build(str(file), place / "made.fmu", fmi=fmi)
+    with zipfile.ZipFile(path) as archive:
+        etree.fromstring(archive.read("modelDescription.xml"))
+        assert all(len(entry) < 255 and ".." not in entry and entry.isascii() for entry in archive.namelist())
+    description = fmpy.read_model_description(str(path))
+    assert description.modelName == f"'model {name}'"
+    known = {v.name for v in description.modelVariables}
+    assert {f"'{key} {name}'" for key in "puxyz"} <= known and f"der('x {name}')" in known
+    assert validate_fmu(str(path)) == []
+    with Simulator(path) as simulator:
+        assert list(simulator.interface.outputs) == [f"'y {name}'"]
+        found = simulator.run(np.linspace(0, 1, 11), parameters={f"'p {name}'": 1.5})
+        assert found[f"'y {name}'"][-1] == pytest.approx(np.exp(-1.5), rel=1e-5)
+        with pytest.raises(RunFailure) as caught:
+            simulator.run([0.0, 1.0], parameters={f"'p {name}'": 0.0, f"'x {name}'": -1.0})
+        assert "an assertion of the model fails" in str(caught.value)
+    assert sorted(p.name for p in place.iterdir()) == ["Hostile.mo", "made.fmu"]
+
+
+@pytest.mark.parametrize("name", NAMES.values(), ids=NAMES.keys())
+def test_trajectories_and_pictures_take_them(name: str, place: Path) -> None:
+    with Simulator(study.build(str(_write(place, name)))) as simulator:
+        found = simulator.run(np.linspace(0, 1, 11))
+    again = Trajectory.from_csv(found.to_csv(place / "out.csv"))
+    assert list(again.values) == list(found.values)
+    plot_trajectory(found, place / "out.png")
+    assert sorted(p.name for p in place.iterdir()) == ["Hostile.mo", "out.csv", "out.png"]
+
+
+TEXTS = {
+    "trigraph": '??/\\"};int system(const char*);//',
+    "formats": "%s%n%s%n%s%n%100000000d",
+    "markup": "</fmiModelDescription><script>alert(1)</script>&nonsense;",
+    "control characters": "\\a\\b\\f\\v\x01\x02\x1f\ufffe",
+    "lines": "one\\ntwo\nthree\\r\\tfour",
+    "comment": "*/ int x; /*",
+    "long": "ä" * 20000,
+    "the identity": "{00000000-0000-0000-0000-000000000000}",
+}
+
+
+@pytest.mark.parametrize("text", TEXTS.values(), ids=TEXTS.keys())
+def test_comments_and_messages_are_text(text: str, place: Path) -> None:
+    file = _write(place, "n", text)
+    ode = compile_model(str(file))
+    path = study.build(str(file))
+    description = fmpy.read_model_description(str(path))
+    state = next(v for v in description.modelVariables if v.name == "'x n'")
+    allowed = "".join(c if c in "\t\n\r" or (c >= " " and c != "\ufffe") else "\ufffd" for c in ode.description)
+    assert description.description == state.description == allowed
+    with Simulator(path) as simulator, pytest.raises(RunFailure, match="an assertion of the model fails at time"):
+        simulator.run([0.0, 9.0])
+
+
+def test_a_message_comes_back_whole(place: Path) -> None:
+    text = '??/" %s %n \\ */ ä <b> {x}'
+    file = _write(place, "n", text.replace("\\", "\\\\").replace('"', '\\"'))
+    with Simulator(study.build(str(file))) as simulator, pytest.raises(RunFailure) as caught:
+        simulator.run([0.0, 9.0])
+    assert caught.value.reason.endswith(f"s: {text}")
+
+
+@pytest.mark.parametrize("character", ["\n", "\t", "\0", "\x1b", "\u202e", "\u200b", "\u2028"])
+def test_names_that_cannot_be_seen_are_refused_with_their_place(character: str, place: Path) -> None:
+    file = place / "M.mo"
+    file.write_bytes(f"model M\n  Real 'a{character}b' = 1;\nend M;\n".encode())
+    with pytest.raises(ModelError, match="a name must not hold the character") as caught:
+        compile_model(str(file))
+    assert (caught.value.line, caught.value.column) == (2, 10)
+
+
+def test_every_byte_survives_the_way_into_c(tmp_path: Path) -> None:
+    """The compiler itself says what it makes of the literals; trigraphs on, as any other compiler may have them."""
+    texts = ["".join(map(chr, range(1, 256))), "??/\"??'??=", "\\0\\x41", "é1", *NAMES.values()]
+    literals = ", ".join(map(c_string, texts))
+    visible = '__attribute__((visibility("default")))'
+    source = f"{visible} const char *const texts[] = {{{literals}}};"
+    library = ctypes.CDLL(str(compile_library((), {"texts.c": source}, native_platform())))
+    found = (ctypes.c_char_p * len(texts)).in_dll(library, "texts")
+    assert [f.decode() for f in found if f is not None] == texts
+    assert "??" not in literals
+
+
+def test_source_of_a_hostile_model_holds_no_text_of_it(place: Path) -> None:
+    source = model_source(compile_model(str(_write(place, NAMES["trigraph"], "*/ int x; /*"))), "{1}")
+    outside = re.sub(r'"[^"]*"', "", source)
+    assert "??" not in source and "system" not in outside and "int x" not in outside
+
+
+def test_files_of_a_folder_keep_to_the_folder(place: Path) -> None:
+    """The command builds it under a name of its own; what a class calls itself is no path."""
+    file = place / "Lib.mo"
+    file.write_text("package Lib\n model '../../escaped'\n  output Real y = 1;\n end '../../escaped';\nend Lib;\n")
+    words = ["build", "Lib.'../../escaped'", "--file", "Lib.mo", "-o", "deep/er"]
+    run = subprocess.run(
+        [sys.executable, "-m", "pam_cosim.cli", *words], capture_output=True, text=True, cwd=place, check=False
+    )
+    assert run.returncode == 0, run.stderr
+    made = [p.relative_to(place).as_posix() for p in place.rglob("*.fmu")]
+    assert len(made) == 1 and made[0].startswith("deep/er/") and "escaped" in made[0]
+
+
+def test_names_are_taken_apart_at_their_dots_only() -> None:
+    assert parts("A.'b.c'.d[1].e") == ["A", "'b.c'", "d[1]", "e"]
+    assert (last("A.'b.c'"), parent("A.'b.c'")) == ("'b.c'", "A")
+    assert parts("A..b") == ["A..b"] and parts("it's") == ["it's"]
+    assert identifier("Plain") == "Plain" and identifier("end") == "'end'" and identifier("a b") == "'a b'"
+    assert identifier("x; end x; model y") == "'x; end x; model y'" and identifier("a'b\\c\n") == "'a_b_c_'"
+
+
+def test_effects_with_hostile_texts_are_composed(place: Path) -> None:
+    """Descriptions and names of a user's effect become Modelica text again, and nothing more."""
+    (place / "Drag.mo").write_text(
+        """model 'Drag "x" \\\\' "ends in a backslash \\\\"
+  extends PneumaticMuscle.Interfaces.ForceEffect(final family="rate_friction", final absent="c2=0");
+  parameter Real c2(unit="N.s2/m2", min=0, max=1e4, nominal=100) = 100 "Drag \\"; end x; model y \\"";
+equation
+  f = c2*v*sqrt(v^2 + 1e-8);
+end 'Drag "x" \\\\';
+"""
+    )
+    (place / "Base.mo").write_text(
+        "model 'my rig.v2' \"a \\\" b\\\\\"\n  extends PneumaticMuscle.Benches.Isotonic;\nend 'my rig.v2';\n"
+    )
+    files = [place / "Base.mo", place / "Drag.mo"]
+    text = study.add(["'Drag \"x\" \\\\'"], "'my rig.v2'", place / "new; end x.mo", files=files)
+    assert text.startswith("model 'new; end x' \"")
+    ode = compile_model("'new; end x'", files=[*files, place / "new; end x.mo"])
+    assert any(name.endswith("c2") for name in ode.interface.parameters)
+    made = study.add(["'Drag \"x\" \\\\'"], "'my rig.v2'", files=files)
+    assert made.startswith("model 'my rig.v2WithDrag")
