@@ -34,7 +34,7 @@ from pam_cosim.fmu.cache import cache_dir
 from pam_cosim.fmu.compile import PLATFORMS, native_platform
 from pam_cosim.resources import modelica_root
 from pam_cosim.simulation import Inputs, Simulator
-from pam_cosim.study import add, benches
+from pam_cosim.study import add
 from tests.fmu import models
 
 VERSIONS = ["2.0", "3.0"]
@@ -48,23 +48,6 @@ def _schema(fmi: str, name: str) -> etree.XMLSchema:
 def _read(path: Path, name: str) -> etree._ElementTree:
     with zipfile.ZipFile(path) as archive:
         return etree.ElementTree(etree.fromstring(archive.read(name)))
-
-
-@pytest.mark.parametrize("fmi", VERSIONS)
-@pytest.mark.parametrize("bench", benches())
-def test_benches_are_valid_and_both_kinds_agree(bench: str, fmi: str) -> None:
-    path = build_model(bench, fmi=fmi)
-    assert validate_fmu(str(path)) == []
-    _schema(fmi, "ModelDescription").assertValid(_read(path, "modelDescription.xml"))
-    description = fmpy.read_model_description(str(path))
-    arguments = {"relative_tolerance": 1e-8, "output_interval": 0.01, "stop_time": 0.5}
-    stepped = fmpy.simulate_fmu(str(path), fmi_type="CoSimulation", **arguments)
-    if description.modelExchange is None:
-        return
-    integrated = fmpy.simulate_fmu(str(path), fmi_type="ModelExchange", **arguments)
-    for name in stepped.dtype.names[1:]:
-        scale = np.ptp(stepped[name]) + 1e-3 * np.abs(stepped[name]).max() + 1e-9
-        assert np.abs(stepped[name] - integrated[name]).max() < 1e-4 * scale, name
 
 
 @pytest.mark.parametrize("fmi", VERSIONS)
