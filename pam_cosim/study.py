@@ -260,7 +260,11 @@ def sweep(
     Args:
         model: as in ``simulate``.
         vary: values by name of a parameter, an input that is held constant or a start value, as in ``simulate``.
-        parameters, inputs, stop_time, files, timeout: of every run, as in ``simulate``.
+        parameters: of every run, as in ``simulate``.
+        inputs: of every run.
+        stop_time: of every run [s].
+        files: further Modelica files.
+        timeout: of every run, as in ``simulate``.
         progress: called with the number of runs done and of all runs.
 
     Raises:

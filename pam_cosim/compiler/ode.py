@@ -11,7 +11,7 @@ from pam_cosim.interface import Interface, Variable
 
 @dataclass(frozen=True)
 class Delay:
-    """An input as it was some time ago: u[input](t - time), and its value at the start where that is earlier.
+    """An input as it was some time ago: ``u[input](t - time)``, and its value at the start where that is earlier.
 
     Attributes:
         input: position of the input in ``Ode.u``; None: a signal that is 0 until the start and 1 from then on.

@@ -76,7 +76,8 @@ def cached_fmu(
     Args:
         key: content that determines the model: sources and the version of what compiles them.
         make_ode: compiles the model.
-        platforms, fmi: as in ``build_fmu``.
+        platforms: as in ``build_fmu``.
+        fmi: as in ``build_fmu``.
     """
     names = _platform_names(platforms)
     full = digest(key, source_key(runtime(_version(fmi))), _packaging_key(), fmi, *names)

@@ -31,7 +31,8 @@ def build_model(
         model: a bench's name, a Modelica class (of the library also without its name, ``Examples.ButylIsotonic``), or
             the path of a ``.mo`` file; an ``.fmu`` file is itself.
         files: the user's ``.mo`` files that the model may use.
-        platforms, fmi: as in ``build_fmu``.
+        platforms: as in ``build_fmu``.
+        fmi: as in ``build_fmu``.
         sensitivities: parameters; the FMU gets the derivative of every output with respect to each of them as the
             output ``sensitivity.<output>.<parameter>``, integrated with the states.
         where_smooth: leave out those that the model does not have or that are lengths of delays.
