@@ -1,12 +1,14 @@
 """pam-cosim: from a measurement of a pneumatic muscle to the physical effect its model lacks.
 
-    import pam_cosim as pam
+```python
+import pam_cosim as pam
 
-    data = pam.read("my-rig")
-    print(pam.compare(data))
-    diagnosis = pam.diagnose(data)
-    print(diagnosis.verdict)
-    pam.add(diagnosis.verdict.effects, to=data.model, output="Better.mo")
+data = pam.read("my-rig")
+print(pam.compare(data))
+diagnosis = pam.diagnose(data)
+print(diagnosis.verdict)
+pam.add(diagnosis.verdict.effects, to=data.model, output="Better.mo")
+```
 """
 
 from pam_cosim.diagnosis import Diagnosis

@@ -1,6 +1,6 @@
 """Hook of mkdocs: the site holds whatever its pages link to, wherever in the repository that stands.
 
-A page under ``docs`` links to ``../examples/report.md`` as a code host wants it. Such a file becomes a file of the site,
+A page under ``docs`` links to ``../examples/report.md`` as a code host wants it. Such a file becomes one of the site,
 below ``repository/``; a page is rendered and its own links are followed in turn. No page is rewritten.
 """
 

@@ -37,6 +37,15 @@ def test_contents(wheel: Path) -> None:
             assert file.relative_to(ROOT).as_posix() in held
     assert not [n for n in held if n.endswith((".fmu", ".so", ".o", ".pyc")) or n.startswith("tests/")]
     assert any(n.endswith("entry_points.txt") for n in held)
+    assert "pam_cosim/py.typed" in held, "type checkers take the annotations only with it (PEP 561)"
+
+
+def test_metadata(wheel: Path) -> None:
+    with zipfile.ZipFile(wheel) as archive:
+        [name] = [n for n in archive.namelist() if n.endswith(".dist-info/METADATA")]
+        lines = archive.read(name).decode().splitlines()
+    assert "License-Expression: MIT" in lines
+    assert {"Classifier: Typing :: Typed", "Provides-Extra: docs"} <= set(lines)
 
 
 def test_works_from_elsewhere(wheel: Path, tmp_path: Path) -> None:

@@ -1,0 +1,46 @@
+"""What stands around the code says the same everywhere."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from pathlib import Path
+
+import yaml
+
+ROOT = Path(__file__).parents[2]
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+
+
+def test_citation() -> None:
+    citation = yaml.safe_load((ROOT / "CITATION.cff").read_text())
+    assert {"cff-version", "message", "title", "authors"} <= set(citation)  # what the format asks for
+    assert citation["title"] == PROJECT["name"]
+    assert citation["version"] == PROJECT["version"]
+    assert citation["license"] == PROJECT["license"]
+    assert [a["name"] for a in citation["authors"]] == [a["name"] for a in PROJECT["authors"]]
+    assert set(citation["keywords"]) <= set(PROJECT["keywords"])
+
+
+def test_changelog_begins_with_what_is_not_released() -> None:
+    headings = re.findall(r"^## (.+)$", (ROOT / "CHANGELOG.md").read_text(), re.MULTILINE)
+    assert headings[:2] == ["[Unreleased]", PROJECT["version"]]
+
+
+def test_checks_before_a_commit_are_those_of_the_tests() -> None:
+    """From ``.venv``, which is there: nothing to download, and no other version than that of the tests."""
+    configuration = yaml.safe_load((ROOT / ".pre-commit-config.yaml").read_text())
+    assert [repository["repo"] for repository in configuration["repos"]] == ["local"]
+    entries = [hook["entry"] for hook in configuration["repos"][0]["hooks"]]
+    assert all(entry.startswith(".venv/bin/") for entry in entries)
+    commands = re.findall(r"^(\.venv/bin/\w+(?: check)?)", (ROOT / "scripts" / "test").read_text(), re.MULTILINE)
+    assert len(commands) >= 2
+    assert all(any(entry.startswith(command) for entry in entries) for command in commands)
+
+
+def test_extras_do_what_the_scripts_ask_for() -> None:
+    extras = PROJECT["optional-dependencies"]
+    for script in ("test", "docs"):
+        asked = re.search(r"environment\.py (\w+)", (ROOT / "scripts" / script).read_text())
+        assert asked and asked[1] in extras
+    assert f"{PROJECT['name']}[docs]" in extras["test"], "the full tier builds the site"
