@@ -2,8 +2,10 @@ within PneumaticMuscle.Benches;
 model ClosedVessel "A vessel under pressure with everything shut"
   output Types.GaugePressure p "Gauge pressure in the vessel";
   output Types.Temperature T "Temperature reading in the vessel";
-  replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer";
-  replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer";
+  replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"
+    annotation (choicesAllMatching=true);
+  replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"
+    annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings";
   Components.Tank tank(V=1e-4, p_start=7e5, startIsReference=true) "Vessel";
   Manometer manometer "Pressure transducer";

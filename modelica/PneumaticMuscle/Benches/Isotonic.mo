@@ -6,9 +6,12 @@ model Isotonic "A muscle that lifts a hanging mass, driven by current-driven val
   output Types.GaugePressure p "Gauge pressure in the muscle";
   output Types.Length x "Contraction";
   output Types.Temperature T "Temperature reading in the muscle";
-  replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer";
-  replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer";
-  replaceable model Line = Components.DirectLine constrainedby Interfaces.Line "Line between valves and muscle";
+  replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"
+    annotation (choicesAllMatching=true);
+  replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"
+    annotation (choicesAllMatching=true);
+  replaceable model Line = Components.DirectLine constrainedby Interfaces.Line "Line between valves and muscle"
+    annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings";
   Components.Supply supply(p_gauge=p_supply) "Air supply";
   Components.Atmosphere atmosphere "Outlet";

@@ -4,14 +4,19 @@ model LumpedLinear "Linear model of three states, pressure, length and its rate,
   output Types.GaugePressure p "Gauge pressure in the muscle";
   output Types.Length L "Length, from that at the operating point";
   output Types.Force F "Pull of the muscle";
-  parameter Types.GaugePressure p_0(min=0, max=1e6) = 2.5e5 "Gauge pressure at the operating point";
-  parameter Types.Time tau(min=1e-3, max=10) = 0.1 "Time constant of the pressure";
-  parameter Types.Area C_1(min=1e-6, max=1e-2, nominal=1e-4) = 5.7238e-4 "Pull per gauge pressure";
-  parameter Types.TranslationalStiffness C_2(min=0, max=1e5) = 8061.8 "Pull per length";
-  parameter Types.TranslationalStiffness k(min=0, max=1e5) = 500 "Stiffness of what it pulls";
-  parameter Types.TranslationalDamping b(min=0, max=1e4) = 60 "Damping";
-  parameter Types.Mass m(min=0.001, max=1000) = 2 "Mass";
-  parameter Types.Force F_0(min=0, max=1e5) = 0 "Pull at the operating point";
+  parameter Types.GaugePressure p_0(min=0, max=1e6) = 2.5e5 "Gauge pressure at the operating point"
+    annotation (Dialog(group="Operating point"));
+  parameter Types.Time tau(min=1e-3, max=10) = 0.1 "Time constant of the pressure" annotation (Dialog(group="Law"));
+  parameter Types.Area C_1(min=1e-6, max=1e-2, nominal=1e-4) = 5.7238e-4 "Pull per gauge pressure"
+    annotation (Dialog(group="Law"));
+  parameter Types.TranslationalStiffness C_2(min=0, max=1e5) = 8061.8 "Pull per length"
+    annotation (Dialog(group="Law"));
+  parameter Types.TranslationalStiffness k(min=0, max=1e5) = 500 "Stiffness of what it pulls"
+    annotation (Dialog(group="Law"));
+  parameter Types.TranslationalDamping b(min=0, max=1e4) = 60 "Damping" annotation (Dialog(group="Law"));
+  parameter Types.Mass m(min=0.001, max=1000) = 2 "Mass" annotation (Dialog(group="Law"));
+  parameter Types.Force F_0(min=0, max=1e5) = 0 "Pull at the operating point"
+    annotation (Dialog(group="Operating point"));
   Types.GaugePressure P(start=p_0, fixed=true) "Pressure";
   Types.Velocity v(start=0, fixed=true) "Rate of the length";
 protected

@@ -6,9 +6,12 @@ model SwitchedMuscle "A muscle of imposed contraction that on-off valves fill fr
   input Types.Length s(start=0.02) "Imposed contraction";
   output Types.GaugePressure p "Gauge pressure in the muscle";
   output Types.Temperature T "Temperature reading in the muscle";
-  replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer";
-  replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer";
-  replaceable model Line = Components.DirectLine constrainedby Interfaces.Line "Line between valves and muscle";
+  replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"
+    annotation (choicesAllMatching=true);
+  replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"
+    annotation (choicesAllMatching=true);
+  replaceable model Line = Components.DirectLine constrainedby Interfaces.Line "Line between valves and muscle"
+    annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings";
   Components.Supply supply(p_gauge=p_supply) "Source";
   Components.Atmosphere atmosphere "Outlet";

@@ -5,9 +5,12 @@ model TankFilling "A tank that is filled and emptied through current-driven valv
   input Types.GaugePressure p_supply(start=207e3) "Gauge pressure of the supply";
   output Types.GaugePressure p "Gauge pressure in the tank";
   output Types.Temperature T(displayUnit="degC") "Temperature reading in the tank";
-  replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer";
-  replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer";
-  replaceable model Line = Components.DirectLine constrainedby Interfaces.Line "Line between valves and tank";
+  replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"
+    annotation (choicesAllMatching=true);
+  replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"
+    annotation (choicesAllMatching=true);
+  replaceable model Line = Components.DirectLine constrainedby Interfaces.Line "Line between valves and tank"
+    annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings";
   Components.Supply supply(p_gauge=p_supply) "Air supply";
   Components.Atmosphere atmosphere "Outlet";

@@ -3,7 +3,8 @@ model VerticalLoad "The empirical muscle with a hanging load, driven by pressure
   input Types.GaugePressure p(start=200e3) "Gauge pressure in the muscle";
   output Types.Length x "Contraction";
   output Real eps(unit="1") "Contraction ratio";
-  parameter Real frequency(unit="Hz", min=0.01, max=100) = 0.5 "Frequency of the excitation";
+  parameter Real frequency(unit="Hz", min=0.01, max=100) = 0.5 "Frequency of the excitation"
+    annotation (Dialog(group="Load"));
   inner Components.Ambient ambient "Surroundings";
   inner Components.Excitation excitation(F_load=load.m*Constants.g, frequency=frequency) "Load and frequency of the run";
   Components.Regulator regulator(p_wanted=p) "Pressure regulator";

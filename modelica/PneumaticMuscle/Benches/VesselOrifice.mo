@@ -2,9 +2,12 @@ within PneumaticMuscle.Benches;
 model VesselOrifice "A vessel that empties or fills through a plain orifice"
   output Types.GaugePressure p "Gauge pressure in the vessel";
   output Types.Temperature T "Temperature reading in the vessel";
-  parameter Types.GaugePressure p_outside(min=-1.01e5, max=1e8) = 0 "Gauge pressure outside";
-  replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer";
-  replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer";
+  parameter Types.GaugePressure p_outside(min=-1.01e5, max=1e8) = 0 "Gauge pressure outside"
+    annotation (Dialog(group="Surroundings"));
+  replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"
+    annotation (choicesAllMatching=true);
+  replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"
+    annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings";
   Components.Tank tank(V=16.2e-3, p_start=6.9e5, startIsReference=true) "Vessel";
   Components.PlainOrifice orifice "Hole";

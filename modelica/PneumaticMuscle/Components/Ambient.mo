@@ -1,8 +1,12 @@
 within PneumaticMuscle.Components;
 model Ambient "The surroundings of a bench"
-  parameter Types.AbsolutePressure p(min=5e4, max=1.2e5) = 101325 "Ambient pressure";
-  parameter Types.Temperature T(min=250, max=330) = 293.15 "Ambient temperature";
-  annotation (Documentation(info="<html>
+  parameter Types.AbsolutePressure p(min=5e4, max=1.2e5) = 101325 "Ambient pressure"
+    annotation (Dialog(group="Surroundings"));
+  parameter Types.Temperature T(min=250, max=330) = 293.15 "Ambient temperature"
+    annotation (Dialog(group="Surroundings"));
+  annotation (defaultComponentName="ambient", defaultComponentPrefixes="inner",
+    missingInnerMessage="Nothing says what is around this model: add an Ambient, declared inner, to the top of it.",
+    Documentation(info="<html>
 <p>Pressure and temperature of the air around a bench; declared <code>inner</code> in the bench and <code>outer</code>
 in what needs it. 101 325 Pa and 293.15 K unless known better.</p>
 </html>"));

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Components;
 model Atmosphere "The air outside, at ambient temperature"
   Interfaces.GasPort port "Gas port";
-  parameter Types.GaugePressure p_gauge = 0 "Gauge pressure outside";
+  parameter Types.GaugePressure p_gauge = 0 "Gauge pressure outside" annotation (Dialog(group="Surroundings"));
   outer Ambient ambient "Surroundings";
 equation
   port.p = ambient.p + p_gauge;

@@ -1,8 +1,8 @@
 within PneumaticMuscle.Components;
 model BladderFriction "Friction between fibres and bladder, DP (71)"
   extends Interfaces.ForceElement;
-  parameter Types.Area A_fb "Area of contact between fibres and bladder";
-  parameter Real mu_fb(unit="1") "Coefficient of friction";
+  parameter Types.Area A_fb "Area of contact between fibres and bladder" annotation (Dialog(group="Geometry"));
+  parameter Real mu_fb(unit="1") "Coefficient of friction" annotation (Dialog(group="Friction"));
 equation
   f = p_gauge*mu_fb*A_fb;
   annotation (Documentation(info="<html>

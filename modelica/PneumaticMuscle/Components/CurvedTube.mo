@@ -1,11 +1,14 @@
 within PneumaticMuscle.Components;
 model CurvedTube "A tube whose flow is a curved power of the drop of the square of pressure, another each way"
   extends Interfaces.TwoGasPorts;
-  parameter Real G(unit="kg/(s.Pa)") "Conductance at the reference drop, at ambient pressure";
-  parameter Real a(unit="1") "Exponent of the conductance at the reference drop";
-  parameter Real b(unit="1") "Half of what the exponent gains where the drop grows by e";
-  parameter Real c(unit="1") "Exponent of the pressure upstream";
-  parameter Real side(unit="1") "What the logarithm of the conductance gains from port_a to port_b and loses back";
+  parameter Real G(unit="kg/(s.Pa)") "Conductance at the reference drop, at ambient pressure"
+    annotation (Dialog(group="Flow"));
+  parameter Real a(unit="1") "Exponent of the conductance at the reference drop" annotation (Dialog(group="Flow"));
+  parameter Real b(unit="1") "Half of what the exponent gains where the drop grows by e"
+    annotation (Dialog(group="Flow"));
+  parameter Real c(unit="1") "Exponent of the pressure upstream" annotation (Dialog(group="Flow"));
+  parameter Real side(unit="1") "What the logarithm of the conductance gains from port_a to port_b and loses back"
+    annotation (Dialog(group="Flow"));
   outer Ambient ambient "Surroundings";
 protected
   constant Types.Pressure p_reference = 1e5 "Drop of pressure at ambient pressure to which G refers";

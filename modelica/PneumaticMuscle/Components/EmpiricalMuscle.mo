@@ -1,10 +1,14 @@
 within PneumaticMuscle.Components;
 model EmpiricalMuscle "The empirical muscle of Dzahir and Yamamoto, DY (5)-(16)"
   extends Interfaces.MuscleTerminals(L0=0.3, D0=0.02, final turns=L0*tan(alpha_0)/(Constants.pi*D0), t_wall=1e-3);
-  parameter Real alpha_0(unit="rad", displayUnit="deg", min=0.1, max=0.9) = 23*Constants.pi/180 "Braid angle at rest";
-  replaceable model Braid = Laws.Forces.Empirical constrainedby Interfaces.Braid "Law of force";
-  replaceable model Friction = Laws.Frictions.LoadAndRate constrainedby Interfaces.ForceElement "Law of friction";
-  replaceable model Elasticity = StretchedSleeve constrainedby Interfaces.SleeveElasticity "Law of the stretched sleeve";
+  parameter Real alpha_0(unit="rad", displayUnit="deg", min=0.1, max=0.9) = 23*Constants.pi/180 "Braid angle at rest"
+    annotation (Dialog(group="Geometry"));
+  replaceable model Braid = Laws.Forces.Empirical constrainedby Interfaces.Braid "Law of force"
+    annotation (choicesAllMatching=true);
+  replaceable model Friction = Laws.Frictions.LoadAndRate constrainedby Interfaces.ForceElement "Law of friction"
+    annotation (choicesAllMatching=true);
+  replaceable model Elasticity = StretchedSleeve constrainedby Interfaces.SleeveElasticity "Law of the stretched sleeve"
+    annotation (choicesAllMatching=true);
   Braid braid(L0=L0, D0=D0, turns=turns, t_wall=t_wall) "Static force";
   Friction friction(L0=L0, D0=D0, turns=turns, t_wall=t_wall) "Hysteresis";
   Elasticity elasticity(L0=L0, D0=D0, turns=turns, t_wall=t_wall) "Elasticity without pressure";

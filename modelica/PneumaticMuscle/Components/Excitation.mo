@@ -1,7 +1,7 @@
 within PneumaticMuscle.Components;
 model Excitation "What is the same throughout a run: the load that hangs and the frequency at which the muscle is driven"
-  parameter Types.Force F_load(min=0) "Static load";
-  parameter Real frequency(unit="Hz", min=0) "Frequency of the excitation";
+  parameter Types.Force F_load(min=0) "Static load" annotation (Dialog(group="Load"));
+  parameter Real frequency(unit="Hz", min=0) "Frequency of the excitation" annotation (Dialog(group="Load"));
   annotation (defaultComponentName="excitation", defaultComponentPrefixes="inner",
     missingInnerMessage="A friction by load and frequency needs a bench that says both: declare 'inner PneumaticMuscle.Components.Excitation excitation(F_load=..., frequency=...)'.",
     Documentation(info="<html>

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Components;
 model Fixed "A flange that does not move"
   Interfaces.Flange flange "Held flange";
-  parameter Types.Length s0 "Position";
+  parameter Types.Length s0 "Position" annotation (Dialog(group="Geometry"));
 equation
   flange.s = s0;
   annotation (Documentation(info="<html>

@@ -2,11 +2,13 @@ within PneumaticMuscle.Components;
 model HeldMuscle "A sleeve under a given pressure at a given contraction ratio, without any motion"
   input Types.GaugePressure p_gauge "Gauge pressure";
   input Real eps(unit="1") "Contraction ratio";
-  parameter Types.Length L0(min=0.01, max=2) = 0.3 "Length at rest";
-  parameter Types.Length D0(min=0.001, max=0.2) = 0.01 "Diameter at rest";
-  parameter Real alpha_0(unit="rad", displayUnit="deg", min=0.1, max=0.9) = 23*Constants.pi/180 "Braid angle at rest";
+  parameter Types.Length L0(min=0.01, max=2) = 0.3 "Length at rest" annotation (Dialog(group="Geometry"));
+  parameter Types.Length D0(min=0.001, max=0.2) = 0.01 "Diameter at rest" annotation (Dialog(group="Geometry"));
+  parameter Real alpha_0(unit="rad", displayUnit="deg", min=0.1, max=0.9) = 23*Constants.pi/180 "Braid angle at rest"
+    annotation (Dialog(group="Geometry"));
   Types.Force F "Pull";
-  replaceable model Braid = Laws.Forces.Kang constrainedby Interfaces.Braid "Law of force without terms of speed";
+  replaceable model Braid = Laws.Forces.Kang constrainedby Interfaces.Braid "Law of force without terms of speed"
+    annotation (choicesAllMatching=true);
   Braid braid(L0=L0, D0=D0, turns=L0*tan(alpha_0)/(Constants.pi*D0), t_wall=1e-3) "Sleeve";
 protected
   Supply supply(p_gauge=p_gauge) "What sets the pressure";

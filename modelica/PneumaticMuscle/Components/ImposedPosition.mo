@@ -2,8 +2,8 @@ within PneumaticMuscle.Components;
 model ImposedPosition "Moves a flange to where the input says, through a fast critically damped filter"
   Interfaces.Flange flange "Moved flange";
   input Types.Length s_wanted "Position wanted";
-  parameter Types.Time tau(min=1e-4, max=1) = 5e-3 "Time constant of the filter";
-  parameter Types.Length s_start = 0 "Position at the start";
+  parameter Types.Time tau(min=1e-4, max=1) = 5e-3 "Time constant of the filter" annotation (Dialog(group="Dynamics"));
+  parameter Types.Length s_start = 0 "Position at the start" annotation (Dialog(group="Start"));
   Types.Length s(start=s_start, fixed=true) "Position";
   Types.Velocity v(start=0, fixed=true) "Speed";
 equation

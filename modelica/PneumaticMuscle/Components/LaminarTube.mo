@@ -1,7 +1,7 @@
 within PneumaticMuscle.Components;
 model LaminarTube "A tube with isothermal laminar flow"
   extends Interfaces.TwoGasPorts;
-  parameter Real G(unit="kg/(s.Pa)") "Conductance at ambient pressure";
+  parameter Real G(unit="kg/(s.Pa)") "Conductance at ambient pressure" annotation (Dialog(group="Flow"));
   outer Ambient ambient "Surroundings";
 equation
   m_flow = G*(port_a.p^2 - port_b.p^2)/(2*ambient.p);

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Components;
 model LineGas "The gas in a line: a rigid volume without heat exchange"
   Interfaces.GasPort port "Gas port";
-  parameter Types.Volume V "Volume";
+  parameter Types.Volume V "Volume" annotation (Dialog(group="Geometry"));
   Types.AbsolutePressure p "Absolute pressure";
   Types.Temperature T "Temperature";
   Types.Mass m(nominal=1e-6) "Mass of the gas";

@@ -1,20 +1,32 @@
 within PneumaticMuscle.Components;
 model Muscle "McKibben muscle of Doumit and Pardoel; default parameters: latex bladder, DP Table 1"
   extends Interfaces.MuscleTerminals(L0=0.24, D0=0.02, turns=2, t_wall=0.254e-3);
-  parameter Real fibres(unit="1", min=1, max=1000) = 216 "Number of fibres in the sleeve (N)";
-  parameter Real n_g(unit="1", min=1, max=1.4) = 1.2 "Polytropic exponent of the gas";
-  parameter Real mu_fb(unit="1", min=0, max=1) = 0.015 "Coefficient of friction between fibres and bladder";
-  parameter Real mu_d(unit="1", min=0, max=5) = 0.8 "Coefficient of dynamic friction of fibre on fibre";
-  parameter Real K_f(unit="s/m", min=0, max=1e4) = 1 "Steepness of the fibre friction curve";
-  parameter Types.ThermalConductivity k_wall(min=0.01, max=10) = 0.14 "Thermal conductivity of the bladder";
-  parameter Types.CoefficientOfHeatTransfer h_film(min=0.1, max=1000) = 20 "Film coefficient on both sides of the bladder";
-  parameter Types.Length w(min=1e-5, max=0.01) = 0.254e-3 "Width of a fibre";
-  parameter Types.Length z(min=1e-5, max=0.01) = 0.254e-3 "Length of a crossing along a fibre";
-  replaceable model Gas = PolytropicMuscleGas constrainedby Interfaces.Gas "Law of the gas";
-  replaceable model Wall = FilmWall constrainedby Interfaces.Wall "Law of the wall";
-  replaceable model Surroundings = StillAir constrainedby Interfaces.Surroundings "What the wall gives its heat to";
-  replaceable model FrictionHeat = LostFrictionHeat constrainedby Interfaces.FrictionHeat "Heat of friction";
-  replaceable model Braid = CylindricalBraid constrainedby Interfaces.Braid "Law of the sleeve";
+  parameter Real fibres(unit="1", min=1, max=1000) = 216 "Number of fibres in the sleeve (N)"
+    annotation (Dialog(group="Geometry"));
+  parameter Real n_g(unit="1", min=1, max=1.4) = 1.2 "Polytropic exponent of the gas" annotation (Dialog(group="Gas"));
+  parameter Real mu_fb(unit="1", min=0, max=1) = 0.015 "Coefficient of friction between fibres and bladder"
+    annotation (Dialog(group="Friction"));
+  parameter Real mu_d(unit="1", min=0, max=5) = 0.8 "Coefficient of dynamic friction of fibre on fibre"
+    annotation (Dialog(group="Friction"));
+  parameter Real K_f(unit="s/m", min=0, max=1e4) = 1 "Steepness of the fibre friction curve"
+    annotation (Dialog(group="Friction"));
+  parameter Types.ThermalConductivity k_wall(min=0.01, max=10) = 0.14 "Thermal conductivity of the bladder"
+    annotation (Dialog(group="Heat"));
+  parameter Types.CoefficientOfHeatTransfer h_film(min=0.1, max=1000) = 20 "Film coefficient on both sides of the bladder"
+    annotation (Dialog(group="Heat"));
+  parameter Types.Length w(min=1e-5, max=0.01) = 0.254e-3 "Width of a fibre" annotation (Dialog(group="Geometry"));
+  parameter Types.Length z(min=1e-5, max=0.01) = 0.254e-3 "Length of a crossing along a fibre"
+    annotation (Dialog(group="Geometry"));
+  replaceable model Gas = PolytropicMuscleGas constrainedby Interfaces.Gas "Law of the gas"
+    annotation (choicesAllMatching=true);
+  replaceable model Wall = FilmWall constrainedby Interfaces.Wall "Law of the wall"
+    annotation (choicesAllMatching=true);
+  replaceable model Surroundings = StillAir constrainedby Interfaces.Surroundings "What the wall gives its heat to"
+    annotation (choicesAllMatching=true);
+  replaceable model FrictionHeat = LostFrictionHeat constrainedby Interfaces.FrictionHeat "Heat of friction"
+    annotation (choicesAllMatching=true);
+  replaceable model Braid = CylindricalBraid constrainedby Interfaces.Braid "Law of the sleeve"
+    annotation (choicesAllMatching=true);
   outer Ambient ambient "Surroundings";
 protected
   final parameter Real crossings = 2*turns*(fibres/2)^2 - fibres/2 "Number of crossings (q), DP (47)";

@@ -1,7 +1,8 @@
 within PneumaticMuscle.Components;
 model PrintedSleeve "The stretched sleeve as printed, DY (12)"
   extends Interfaces.SleeveElasticity(final x_rest=L0*(1 - ((L_c + excitation.F_load/K)/L0)^(1/3)));
-  parameter Real K(unit="N/m", min=100, max=1e7, nominal=1e5) = 3e4 "Coefficient of elasticity";
+  parameter Real K(unit="N/m", min=100, max=1e7, nominal=1e5) = 3e4 "Coefficient of elasticity"
+    annotation (Dialog(group="Law"));
   Real eps(unit="1") = x/L0 "Contraction ratio";
 equation
   f = if eps <= (L0 - L_c)/L0 then K*(L_c - L0*(1 - eps)^3) else 0;

@@ -2,10 +2,12 @@ within PneumaticMuscle.Components;
 model Pulley "A wheel that two muscles pull against each other"
   Interfaces.Flange flange_1 "Muscle that turns it forwards";
   Interfaces.Flange flange_2 "Muscle that turns it backwards";
-  parameter Types.Length r(min=1e-3, max=1) = 0.03 "Radius";
-  parameter Real J(unit="kg.m2", min=1e-6, max=100) = 2e-3 "Moment of inertia with what it carries";
-  parameter Real d(unit="N.m.s/rad", min=0, max=100) = 0.02 "Bearing friction";
-  parameter Types.Length x_0(min=0, max=1) = 0.03 "Contraction of both muscles in the middle position";
+  parameter Types.Length r(min=1e-3, max=1) = 0.03 "Radius" annotation (Dialog(group="Geometry"));
+  parameter Real J(unit="kg.m2", min=1e-6, max=100) = 2e-3 "Moment of inertia with what it carries"
+    annotation (Dialog(group="Mechanics"));
+  parameter Real d(unit="N.m.s/rad", min=0, max=100) = 0.02 "Bearing friction" annotation (Dialog(group="Mechanics"));
+  parameter Types.Length x_0(min=0, max=1) = 0.03 "Contraction of both muscles in the middle position"
+    annotation (Dialog(group="Geometry"));
   Real phi(unit="rad", displayUnit="deg", start=0, fixed=true) "Angle";
   Real w(unit="rad/s", start=0, fixed=true) "Angular velocity";
 equation

@@ -2,7 +2,7 @@ within PneumaticMuscle.Components;
 model Regulator "A pressure regulator: the pressure follows the input with a short lag"
   Interfaces.GasPort port "Gas port";
   input Types.GaugePressure p_wanted "Gauge pressure wanted";
-  parameter Types.Time tau(min=1e-4, max=10) = 2e-3 "Time constant";
+  parameter Types.Time tau(min=1e-4, max=10) = 2e-3 "Time constant" annotation (Dialog(group="Dynamics"));
   Types.GaugePressure p(start=0, fixed=true) "Gauge pressure";
   outer Ambient ambient "Surroundings";
 equation

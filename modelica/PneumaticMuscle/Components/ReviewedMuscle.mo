@@ -1,11 +1,15 @@
 within PneumaticMuscle.Components;
 model ReviewedMuscle "A muscle with a place for each law that the papers review"
   extends Interfaces.MuscleTerminals(L0=0.24, D0=0.02, turns=2, t_wall=0.254e-3);
-  parameter Real n(unit="1", min=1, max=1.4) = 1.2 "Polytropic exponent of the gas";
-  replaceable model Force = Laws.Forces.NotChosen constrainedby Interfaces.Braid "Law of force; must be chosen";
-  replaceable model Friction = Laws.Frictions.NoFriction constrainedby Interfaces.ForceElement "Law of friction";
-  replaceable model Bladder = Laws.Frictions.NoFriction constrainedby Interfaces.ForceElement "Law of the bladder";
-  replaceable model Gas = Laws.Gases.Sorge constrainedby Interfaces.Gas "Law of the gas";
+  parameter Real n(unit="1", min=1, max=1.4) = 1.2 "Polytropic exponent of the gas" annotation (Dialog(group="Gas"));
+  replaceable model Force = Laws.Forces.NotChosen constrainedby Interfaces.Braid "Law of force; must be chosen"
+    annotation (choicesAllMatching=true);
+  replaceable model Friction = Laws.Frictions.NoFriction constrainedby Interfaces.ForceElement "Law of friction"
+    annotation (choicesAllMatching=true);
+  replaceable model Bladder = Laws.Frictions.NoFriction constrainedby Interfaces.ForceElement "Law of the bladder"
+    annotation (choicesAllMatching=true);
+  replaceable model Gas = Laws.Gases.Sorge constrainedby Interfaces.Gas "Law of the gas"
+    annotation (choicesAllMatching=true);
   outer Ambient ambient "Surroundings";
   Force force(L0=L0, D0=D0, turns=turns, t_wall=t_wall) "Sleeve";
   Friction friction(L0=L0, D0=D0, turns=turns, t_wall=t_wall) "Friction";

@@ -5,9 +5,12 @@ model ReviewedValves "Inlet and exhaust valve with a place for the law of flow"
   Interfaces.GasPort exhaust "Outlet of the exhaust valve";
   input Types.Current u_in "Current of the inlet valve";
   input Types.Current u_out "Current of the exhaust valve";
-  parameter Real C_A(unit="1", min=0.1, max=3) = 0.699 "Calibration of the effective area, both valves";
-  replaceable model Flow = Laws.Flows.Isentropic constrainedby Laws.Flows.Flow "Law of the flow";
-  replaceable model Area = LinearArea constrainedby Interfaces.ValveArea "Law of the effective areas";
+  parameter Real C_A(unit="1", min=0.1, max=3) = 0.699 "Calibration of the effective area, both valves"
+    annotation (Dialog(group="Flow"));
+  replaceable model Flow = Laws.Flows.Isentropic constrainedby Laws.Flows.Flow "Law of the flow"
+    annotation (choicesAllMatching=true);
+  replaceable model Area = LinearArea constrainedby Interfaces.ValveArea "Law of the effective areas"
+    annotation (choicesAllMatching=true);
   Area area(u={u_in, u_out}, p_a={supply.p, port.p}, p_b={port.p, exhaust.p}, C_A=C_A) "From current to effective area";
   Flow inlet(A=area.A[1]) "Inlet valve";
   Flow outlet(A=area.A[2]) "Exhaust valve";

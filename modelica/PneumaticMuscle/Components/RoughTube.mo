@@ -1,8 +1,8 @@
 within PneumaticMuscle.Components;
 model RoughTube "A tube with isothermal flow, laminar where it is small and turbulent where it is large"
   extends Interfaces.TwoGasPorts;
-  parameter Real G(unit="kg/(s.Pa)") "Conductance of small flows at ambient pressure";
-  parameter Types.Area A "Effective area for large flows";
+  parameter Real G(unit="kg/(s.Pa)") "Conductance of small flows at ambient pressure" annotation (Dialog(group="Flow"));
+  parameter Types.Area A "Effective area for large flows" annotation (Dialog(group="Flow"));
   outer Ambient ambient "Surroundings";
 protected
   constant Types.Pressure p_smooth = 10 "Pressure drop at ambient pressure below which its size is rounded";

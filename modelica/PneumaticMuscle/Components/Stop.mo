@@ -2,9 +2,9 @@ within PneumaticMuscle.Components;
 model Stop "What carries the load at full extension: the braid, as a one-sided spring and damper"
   Interfaces.Flange flange_a "Load end";
   Interfaces.Flange flange_b "Fixed end";
-  parameter Types.Length L0 "Length at which it engages";
-  parameter Types.TranslationalStiffness k = 2e5 "Stiffness";
-  parameter Types.TranslationalDamping d = 500 "Damping";
+  parameter Types.Length L0 "Length at which it engages" annotation (Dialog(group="Geometry"));
+  parameter Types.TranslationalStiffness k = 2e5 "Stiffness" annotation (Dialog(group="Mechanics"));
+  parameter Types.TranslationalDamping d = 500 "Damping" annotation (Dialog(group="Mechanics"));
   Types.Length x "Contraction";
   Types.Velocity v "Speed of contraction";
   Types.Force f "Force that lifts the load";

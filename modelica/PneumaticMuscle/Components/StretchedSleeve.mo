@@ -1,7 +1,8 @@
 within PneumaticMuscle.Components;
 model StretchedSleeve "The stretched sleeve with the cube over the whole stretch, DY (12) modified"
   extends Interfaces.SleeveElasticity(final x_rest=L0 - L_c - (excitation.F_load/K)^(1/3));
-  parameter Real K(unit="N/m3", min=1e6, max=1e13, nominal=1e10) = 1e10 "Coefficient of elasticity";
+  parameter Real K(unit="N/m3", min=1e6, max=1e13, nominal=1e10) = 1e10 "Coefficient of elasticity"
+    annotation (Dialog(group="Law"));
 protected
   Types.Length s = max(0, L0 - x - L_c) "Stretch";
 equation

@@ -1,15 +1,21 @@
 within PneumaticMuscle.Components;
 model Tank "A rigid vessel"
   extends Interfaces.VesselTerminals;
-  parameter Types.Volume V(min=1e-6, max=10) = 2.1e-3 "Volume";
-  parameter Real n(unit="1", min=1, max=1.4) = 1.2 "Polytropic exponent of the gas";
-  parameter Types.GaugePressure p_start(min=-1.01e5, max=1e8) = 0 "Gauge pressure at the start";
-  parameter Types.Temperature T_start(min=200, max=500) = 293.15 "Temperature at the start";
+  parameter Types.Volume V(min=1e-6, max=10) = 2.1e-3 "Volume" annotation (Dialog(group="Geometry"));
+  parameter Real n(unit="1", min=1, max=1.4) = 1.2 "Polytropic exponent of the gas" annotation (Dialog(group="Gas"));
+  parameter Types.GaugePressure p_start(min=-1.01e5, max=1e8) = 0 "Gauge pressure at the start"
+    annotation (Dialog(group="Start"));
+  parameter Types.Temperature T_start(min=200, max=500) = 293.15 "Temperature at the start"
+    annotation (Dialog(group="Start"));
   parameter Boolean startIsReference = false
-    "true: the polytropic law starts from p_start and T_start; false: from the ambient, DP (60)";
-  replaceable model Gas = PolytropicVesselGas constrainedby Interfaces.Gas "Law of the gas";
-  replaceable model Wall = MetalWall constrainedby Interfaces.Wall "Law of the wall";
-  replaceable model Surroundings = StillAir constrainedby Interfaces.Surroundings "What the wall gives its heat to";
+    "true: the polytropic law starts from p_start and T_start; false: from the ambient, DP (60)"
+    annotation (Dialog(group="Start"));
+  replaceable model Gas = PolytropicVesselGas constrainedby Interfaces.Gas "Law of the gas"
+    annotation (choicesAllMatching=true);
+  replaceable model Wall = MetalWall constrainedby Interfaces.Wall "Law of the wall"
+    annotation (choicesAllMatching=true);
+  replaceable model Surroundings = StillAir constrainedby Interfaces.Surroundings "What the wall gives its heat to"
+    annotation (choicesAllMatching=true);
   outer Ambient ambient "Surroundings";
   final parameter Types.Area A = 2.5*Constants.pi*(2*V/Constants.pi)^(2/3) "Inner surface of a cylinder twice as long as wide";
   Gas gas(V=V, n=n, p_start=ambient.p + p_start, T_start=T_start,

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Components;
 model TubeGas "The gas in a thin tube: a rigid volume at the temperature of its surroundings"
   Interfaces.GasPort port "Gas port";
-  parameter Types.Volume V "Volume";
+  parameter Types.Volume V "Volume" annotation (Dialog(group="Geometry"));
   Types.AbsolutePressure p "Absolute pressure";
   outer Ambient ambient "Surroundings";
 equation

@@ -1,7 +1,8 @@
 within PneumaticMuscle.Components;
 model TurbulentTube "A long tube with isothermal turbulent flow"
   extends Interfaces.TwoGasPorts;
-  parameter Types.Area A "Effective area: cross-section by the root of friction factor and slenderness";
+  parameter Types.Area A "Effective area: cross-section by the root of friction factor and slenderness"
+    annotation (Dialog(group="Flow"));
   outer Ambient ambient "Surroundings";
 protected
   constant Real z_laminar = 1e-3 "Relative drop of the squared pressure below which the flow is laminar";

@@ -1,7 +1,8 @@
 within PneumaticMuscle.Effects;
 model BalancedMass "Moving parts whose weight is balanced: inertia alone"
   extends Interfaces.ForceEffect(final family="moving_mass", final absent="m=0");
-  parameter Types.Mass m(min=0, max=200, nominal=5) = 5 "Mass, referred to the load end";
+  parameter Types.Mass m(min=0, max=200, nominal=5) = 5 "Mass, referred to the load end"
+    annotation (Dialog(group="Effect"));
 equation
   f = m*der(v);
   annotation (defaultComponentName="movingMass", Documentation(info="<html>

@@ -2,8 +2,10 @@ within PneumaticMuscle.Effects;
 model ConvectiveGas "Mass and energy balance, with heat exchange that grows with the flow"
   extends Interfaces.Gas(T(start=T_start, fixed=true));
   extends Interfaces.Effect(final family="gas_energy", final balance="energy");
-  parameter Types.CoefficientOfHeatTransfer h_0(min=0.01, max=500, nominal=10) = 5 "Film coefficient of gas at rest";
-  parameter Types.CoefficientOfHeatTransfer h_1(min=0, max=2e3, nominal=10) = 10 "What the reference flow adds";
+  parameter Types.CoefficientOfHeatTransfer h_0(min=0.01, max=500, nominal=10) = 5 "Film coefficient of gas at rest"
+    annotation (Dialog(group="Effect"));
+  parameter Types.CoefficientOfHeatTransfer h_1(min=0, max=2e3, nominal=10) = 10 "What the reference flow adds"
+    annotation (Dialog(group="Effect"));
   Types.Mass m(nominal=1e-3) "Mass of the gas";
   Types.MassFlowRate m_jet(start=0, fixed=true) "Flow that the gas still feels";
 protected

@@ -1,8 +1,9 @@
 within PneumaticMuscle.Effects;
 model CoulombFriction "Dry friction of constant size"
   extends Interfaces.ForceEffect(final family="dry_friction", final absent="F_c=0");
-  parameter Types.Force F_c(min=0, max=500, nominal=5) = 5 "Friction force";
-  parameter Types.Velocity v_s(min=1e-6, max=5e-3, nominal=5e-4) = 1e-3 "Speed at which it reaches three quarters of its size";
+  parameter Types.Force F_c(min=0, max=500, nominal=5) = 5 "Friction force" annotation (Dialog(group="Effect"));
+  parameter Types.Velocity v_s(min=1e-6, max=5e-3, nominal=5e-4) = 1e-3 "Speed at which it reaches three quarters of its size"
+    annotation (Dialog(group="Effect"));
 equation
   f = F_c*tanh(v/v_s);
   annotation (defaultComponentName="dryFriction", Documentation(info="<html>

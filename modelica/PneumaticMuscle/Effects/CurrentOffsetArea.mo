@@ -2,7 +2,8 @@ within PneumaticMuscle.Effects;
 model CurrentOffsetArea "The valves open at another current than calibrated"
   extends Interfaces.ValveArea;
   extends Interfaces.Effect(final family="valve_area", final balance="mass", final absent="u_0=0");
-  parameter Types.Current u_0(min=-0.14, max=0.14, nominal=0.01) = 0.01 "Current that is felt on top of the one that is sent";
+  parameter Types.Current u_0(min=-0.14, max=0.14, nominal=0.01) = 0.01 "Current that is felt on top of the one that is sent"
+    annotation (Dialog(group="Effect"));
 equation
   for i in 1:2 loop
     A[i] = C_A*Functions.openingArea(u[i] + u_0);

@@ -1,8 +1,10 @@
 within PneumaticMuscle.Effects;
 model DahlFriction "Dry friction with a small elastic travel before it slips"
   extends Interfaces.ForceEffect(final family="dry_friction", final absent="F_c=0.01");
-  parameter Types.Force F_c(min=0.01, max=500, nominal=5) = 5 "Friction force when slipping";
-  parameter Types.Length d(min=1e-5, max=4e-3, nominal=2e-4) = 5e-4 "Elastic travel";
+  parameter Types.Force F_c(min=0.01, max=500, nominal=5) = 5 "Friction force when slipping"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Length d(min=1e-5, max=4e-3, nominal=2e-4) = 5e-4 "Elastic travel"
+    annotation (Dialog(group="Effect"));
   Real r(start=0, fixed=true, unit="1", nominal=1) "Share of the friction force";
 protected
   constant Types.Velocity v_smooth = 1e-6 "Speed below which the size of v is rounded";

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects;
 model DeadVolume "Gas in fittings that takes no part in contraction"
   extends Interfaces.GasPortEffect(final family="dead_volume", final absent="V_d=0");
-  parameter Types.Volume V_d(min=0, max=1e-3, nominal=1e-5) = 1e-5 "Volume";
+  parameter Types.Volume V_d(min=0, max=1e-3, nominal=1e-5) = 1e-5 "Volume" annotation (Dialog(group="Effect"));
 protected
   Types.Mass m(nominal=1e-5) = port.p*V_d/(Constants.R*port.T) "Mass of the gas in it";
 equation

@@ -2,7 +2,8 @@ within PneumaticMuscle.Effects;
 model EnergyGas "Pressure and temperature from mass and energy, with heat exchange to the wall"
   extends Interfaces.Gas(T(start=T_start, fixed=true));
   extends Interfaces.Effect(final family="gas_energy", final balance="energy");
-  parameter Types.CoefficientOfHeatTransfer h(min=0.01, max=500, nominal=10) = 10 "Film coefficient at the wall";
+  parameter Types.CoefficientOfHeatTransfer h(min=0.01, max=500, nominal=10) = 10 "Film coefficient at the wall"
+    annotation (Dialog(group="Effect"));
   Types.Mass m(nominal=1e-3) "Mass of the gas";
 equation
   der(m) = port.m_flow;

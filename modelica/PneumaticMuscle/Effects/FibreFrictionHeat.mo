@@ -2,7 +2,8 @@ within PneumaticMuscle.Effects;
 model FibreFrictionHeat "The work of friction of fibre on fibre heats the gas"
   extends Interfaces.FrictionHeat;
   extends Interfaces.Effect(final family="friction_heat", final balance="energy", final absent="share=0");
-  parameter Real share(unit="1", min=0, max=1, nominal=1) = 0.9 "Share of the work that reaches the gas";
+  parameter Real share(unit="1", min=0, max=1, nominal=1) = 0.9 "Share of the work that reaches the gas"
+    annotation (Dialog(group="Effect"));
 equation
   heatPort.Q_flow = -share*P_fibre;
   annotation (Documentation(info="<html>

@@ -1,9 +1,12 @@
 within PneumaticMuscle.Effects;
 model FlexibleBladder "The bladder is a spring of any smooth law"
   extends Interfaces.ForceEffect(final family="elasticity", final absent="k=0");
-  parameter Types.TranslationalStiffness k(min=0, max=2e4, nominal=200) = 200 "Force by contraction at the reference contraction";
-  parameter Real a(unit="1", min=-0.8, max=2, nominal=0.3) = 0 "Its relative growth per reference contraction";
-  parameter Real b(unit="1", min=-0.15, max=0.5, nominal=0.1) = 0 "Half of the change of that growth";
+  parameter Types.TranslationalStiffness k(min=0, max=2e4, nominal=200) = 200 "Force by contraction at the reference contraction"
+    annotation (Dialog(group="Effect"));
+  parameter Real a(unit="1", min=-0.8, max=2, nominal=0.3) = 0 "Its relative growth per reference contraction"
+    annotation (Dialog(group="Effect"));
+  parameter Real b(unit="1", min=-0.15, max=0.5, nominal=0.1) = 0 "Half of the change of that growth"
+    annotation (Dialog(group="Effect"));
 protected
   Real s(unit="1") = 8*x/L0 - 1 "Contraction beyond the reference, an eighth of the length, by the reference";
 equation

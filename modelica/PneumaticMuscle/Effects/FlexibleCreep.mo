@@ -1,11 +1,16 @@
 within PneumaticMuscle.Effects;
 model FlexibleCreep "The bladder relaxes over two and a half decades of time"
   extends Interfaces.ForceEffect(final family="creep", final absent="k_1=0, k_2=0, k_3=0");
-  parameter Types.TranslationalStiffness k_1(min=0, max=2e4, nominal=300) = 150 "Stiffness that relaxes first";
-  parameter Types.TranslationalStiffness k_2(min=0, max=2e4, nominal=300) = 150 "Stiffness that relaxes seven times later";
-  parameter Types.TranslationalStiffness k_3(min=0, max=2e4, nominal=300) = 150 "Stiffness that relaxes once more seven times later";
-  parameter Types.Time tau(min=0.1, max=20, nominal=0.5) = 0.3 "Time in which the first relaxes";
-  parameter Real thinning(unit="1", min=0, max=10, nominal=0.3) = 0.03 "How much faster they relax at a load of the reference contraction";
+  parameter Types.TranslationalStiffness k_1(min=0, max=2e4, nominal=300) = 150 "Stiffness that relaxes first"
+    annotation (Dialog(group="Effect"));
+  parameter Types.TranslationalStiffness k_2(min=0, max=2e4, nominal=300) = 150 "Stiffness that relaxes seven times later"
+    annotation (Dialog(group="Effect"));
+  parameter Types.TranslationalStiffness k_3(min=0, max=2e4, nominal=300) = 150 "Stiffness that relaxes once more seven times later"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Time tau(min=0.1, max=20, nominal=0.5) = 0.3 "Time in which the first relaxes"
+    annotation (Dialog(group="Effect"));
+  parameter Real thinning(unit="1", min=0, max=10, nominal=0.3) = 0.03 "How much faster they relax at a load of the reference contraction"
+    annotation (Dialog(group="Effect"));
   Types.Length q[3] "Parts of the contraction that have relaxed";
 protected
   constant Types.Length x_reference = 0.01 "Contraction to which thinning refers";

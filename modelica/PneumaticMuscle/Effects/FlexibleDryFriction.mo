@@ -1,11 +1,15 @@
 within PneumaticMuscle.Effects;
 model FlexibleDryFriction "Dry friction that grows with pressure and gives way in two steps"
   extends Interfaces.ForceEffect(final family="dry_friction", final absent="F_0=0, F_p=0");
-  parameter Types.Force F_0(min=0, max=500, nominal=5) = 5 "Friction force without pressure";
-  parameter Types.Force F_p(min=0, max=500, nominal=5) = 2 "What 100 kPa add to it";
-  parameter Types.Length d(min=4e-5, max=8e-3, nominal=1e-3) = 1e-3 "Travel of the part that slips last";
-  parameter Real share(unit="1", min=0, max=1, nominal=0.3) = 0.5 "Share of the part that slips first, after a tenth of it";
-  parameter Real rise(unit="1", min=-0.7, max=2, nominal=0.3) = 0 "What slow motion adds to it, by that of fast motion";
+  parameter Types.Force F_0(min=0, max=500, nominal=5) = 5 "Friction force without pressure"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Force F_p(min=0, max=500, nominal=5) = 2 "What 100 kPa add to it" annotation (Dialog(group="Effect"));
+  parameter Types.Length d(min=4e-5, max=8e-3, nominal=1e-3) = 1e-3 "Travel of the part that slips last"
+    annotation (Dialog(group="Effect"));
+  parameter Real share(unit="1", min=0, max=1, nominal=0.3) = 0.5 "Share of the part that slips first, after a tenth of it"
+    annotation (Dialog(group="Effect"));
+  parameter Real rise(unit="1", min=-0.7, max=2, nominal=0.3) = 0 "What slow motion adds to it, by that of fast motion"
+    annotation (Dialog(group="Effect"));
   Real r[2](each start=0, each fixed=true, each unit="1", each nominal=1) "Shares of their forces that both parts carry";
 protected
   constant Types.Pressure p_reference = 1e5 "Pressure at which F_p is added";

@@ -2,11 +2,16 @@ within PneumaticMuscle.Effects;
 model FlexibleFrictionHeat "Shares of the work of friction heat the gas, at once or later, in extension by another share"
   extends Interfaces.FrictionHeat;
   extends Interfaces.Effect(final family="friction_heat", final balance="energy", final absent="share_f=0, share_b=0");
-  parameter Real share_f(unit="1", min=0, max=1, nominal=1) = 0.7 "Share of the work of fibre on fibre that reaches the gas";
-  parameter Real share_b(unit="1", min=0, max=1, nominal=1) = 0.5 "Share of the work between fibres and bladder";
-  parameter Real back_f(unit="1", min=0, max=1, nominal=1) = 1 "Share in extension by that in contraction, fibre on fibre";
-  parameter Real back_b(unit="1", min=-1, max=1, nominal=1) = 0 "The same between fibres and bladder; -1 takes heat";
-  parameter Types.Time tau(min=1e-3, max=20, nominal=0.1) = 0.03 "Time constant of what stores it first";
+  parameter Real share_f(unit="1", min=0, max=1, nominal=1) = 0.7 "Share of the work of fibre on fibre that reaches the gas"
+    annotation (Dialog(group="Effect"));
+  parameter Real share_b(unit="1", min=0, max=1, nominal=1) = 0.5 "Share of the work between fibres and bladder"
+    annotation (Dialog(group="Effect"));
+  parameter Real back_f(unit="1", min=0, max=1, nominal=1) = 1 "Share in extension by that in contraction, fibre on fibre"
+    annotation (Dialog(group="Effect"));
+  parameter Real back_b(unit="1", min=-1, max=1, nominal=1) = 0 "The same between fibres and bladder; -1 takes heat"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Time tau(min=1e-3, max=20, nominal=0.1) = 0.03 "Time constant of what stores it first"
+    annotation (Dialog(group="Effect"));
   Types.Power Q(start=0, fixed=true, nominal=0.1) "Heat to the gas";
 protected
   constant Types.Power P_smooth = 1e-4 "Power over which contraction and extension change roles";

@@ -2,9 +2,12 @@ within PneumaticMuscle.Effects;
 model FlexibleGauge "The pressure reading has errors of zero, span and linearity"
   extends Interfaces.Manometer;
   extends Interfaces.Effect(final family="pressure_offset", final balance="sensor", final absent="offset=0, gain=1, bend=0");
-  parameter Types.GaugePressure offset(min=-5e4, max=5e4, nominal=1e3) = 1e3 "What the reading has too much at ambient pressure";
-  parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.01 "Slope of the reading at ambient pressure";
-  parameter Real bend(unit="1", min=-0.1, max=0.1, nominal=0.03) = 0.01 "Half of what 100 kPa add to the slope";
+  parameter Types.GaugePressure offset(min=-5e4, max=5e4, nominal=1e3) = 1e3 "What the reading has too much at ambient pressure"
+    annotation (Dialog(group="Effect"));
+  parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.01 "Slope of the reading at ambient pressure"
+    annotation (Dialog(group="Effect"));
+  parameter Real bend(unit="1", min=-0.1, max=0.1, nominal=0.03) = 0.01 "Half of what 100 kPa add to the slope"
+    annotation (Dialog(group="Effect"));
 protected
   constant Types.Pressure p_reference = 1e5 "Pressure to which bend refers";
   Types.GaugePressure p_gauge = port.p - ambient.p "Gauge pressure";

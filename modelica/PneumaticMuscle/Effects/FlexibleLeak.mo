@@ -1,9 +1,12 @@
 within PneumaticMuscle.Effects;
 model FlexibleLeak "Gas escapes by any smooth law of the gauge pressure"
   extends Interfaces.GasPortEffect(final family="leak", final absent="G=0");
-  parameter Real G(unit="kg/(s.Pa)", min=0, max=1e-9, nominal=1e-11) = 1e-11 "Conductance at 100 kPa";
-  parameter Real a(unit="1", min=-1, max=2.5, nominal=0.5) = 0 "Exponent of the conductance at 100 kPa";
-  parameter Real b(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "Half of what the exponent gains where the pressure grows by e";
+  parameter Real G(unit="kg/(s.Pa)", min=0, max=1e-9, nominal=1e-11) = 1e-11 "Conductance at 100 kPa"
+    annotation (Dialog(group="Effect"));
+  parameter Real a(unit="1", min=-1, max=2.5, nominal=0.5) = 0 "Exponent of the conductance at 100 kPa"
+    annotation (Dialog(group="Effect"));
+  parameter Real b(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "Half of what the exponent gains where the pressure grows by e"
+    annotation (Dialog(group="Effect"));
 protected
   constant Types.Pressure p_reference = 1e5 "Pressure at which the law equals G p";
 equation

@@ -2,9 +2,12 @@ within PneumaticMuscle.Effects;
 model FlexibleLine "A tube between valves and muscle that is laminar at small and turbulent at large flow"
   extends Interfaces.Line;
   extends Interfaces.Effect(final family="supply_line", final balance="mass", final absent="G=1e-6, A=5e-6, V=2e-7");
-  parameter Real G(unit="kg/(s.Pa)", min=2e-10, max=1e-6, nominal=3e-9) = 1e-8 "Conductance of small flows at ambient pressure";
-  parameter Types.Area A(min=2e-8, max=5e-6, nominal=3e-7) = 4e-7 "Effective area for large flows";
-  parameter Types.Volume V(min=2e-7, max=5e-4, nominal=1e-5) = 2e-6 "Volume of the tube, at the valve end";
+  parameter Real G(unit="kg/(s.Pa)", min=2e-10, max=1e-6, nominal=3e-9) = 1e-8 "Conductance of small flows at ambient pressure"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Area A(min=2e-8, max=5e-6, nominal=3e-7) = 4e-7 "Effective area for large flows"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Volume V(min=2e-7, max=5e-4, nominal=1e-5) = 2e-6 "Volume of the tube, at the valve end"
+    annotation (Dialog(group="Effect"));
 protected
   Components.LineGas gas(V=V) "Gas in the line, at the valve end";
   Components.RoughTube resistance(G=G, A=A) "Tube";

@@ -1,11 +1,16 @@
 within PneumaticMuscle.Effects;
 model FlexibleMass "Moving parts whose inertia and weight are any smooth functions of the contraction"
   extends Interfaces.ForceEffect(final family="moving_mass", final absent="m=0");
-  parameter Types.Mass m(min=0, max=100, nominal=1) = 1 "Inertia at full length, referred to the load end";
-  parameter Real a(unit="1", min=-2, max=3, nominal=0.3) = 0 "Exponent of its growth with the contraction";
-  parameter Real share(unit="1", min=0, max=3, nominal=0.5) = 0.5 "Share of it that hangs on the muscle at full length";
-  parameter Real c(unit="1", min=-1, max=1.5, nominal=0.3) = 0 "Relative growth of the weight per reference contraction";
-  parameter Real d(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "Half of the change of that growth";
+  parameter Types.Mass m(min=0, max=100, nominal=1) = 1 "Inertia at full length, referred to the load end"
+    annotation (Dialog(group="Effect"));
+  parameter Real a(unit="1", min=-2, max=3, nominal=0.3) = 0 "Exponent of its growth with the contraction"
+    annotation (Dialog(group="Effect"));
+  parameter Real share(unit="1", min=0, max=3, nominal=0.5) = 0.5 "Share of it that hangs on the muscle at full length"
+    annotation (Dialog(group="Effect"));
+  parameter Real c(unit="1", min=-1, max=1.5, nominal=0.3) = 0 "Relative growth of the weight per reference contraction"
+    annotation (Dialog(group="Effect"));
+  parameter Real d(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "Half of the change of that growth"
+    annotation (Dialog(group="Effect"));
 protected
   constant Real e_reference(unit="1") = 0.125 "Reference contraction, by the length";
   constant Real e_smooth(unit="1") = 0.01 "Contraction over which the growth begins";

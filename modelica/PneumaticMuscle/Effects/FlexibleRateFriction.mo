@@ -1,10 +1,14 @@
 within PneumaticMuscle.Effects;
 model FlexibleRateFriction "Friction that grows with speed by any smooth law, and with pressure"
   extends Interfaces.ForceEffect(final family="rate_friction", final absent="c=0");
-  parameter Types.TranslationalDamping c(min=0, max=2e4, nominal=100) = 100 "Damping at 0.1 m/s and 100 kPa";
-  parameter Real a(unit="1", min=-1, max=2, nominal=0.5) = 0 "Exponent of the damping at 0.1 m/s";
-  parameter Real b(unit="1", min=-0.2, max=0.2, nominal=0.1) = 0 "Half of what the exponent gains where the speed grows by e";
-  parameter Real share(unit="1", min=0, max=1, nominal=0.5) = 0.1 "Share of it in proportion to the gauge pressure";
+  parameter Types.TranslationalDamping c(min=0, max=2e4, nominal=100) = 100 "Damping at 0.1 m/s and 100 kPa"
+    annotation (Dialog(group="Effect"));
+  parameter Real a(unit="1", min=-1, max=2, nominal=0.5) = 0 "Exponent of the damping at 0.1 m/s"
+    annotation (Dialog(group="Effect"));
+  parameter Real b(unit="1", min=-0.2, max=0.2, nominal=0.1) = 0 "Half of what the exponent gains where the speed grows by e"
+    annotation (Dialog(group="Effect"));
+  parameter Real share(unit="1", min=0, max=1, nominal=0.5) = 0.1 "Share of it in proportion to the gauge pressure"
+    annotation (Dialog(group="Effect"));
 protected
   constant Types.Velocity v_reference = 0.1 "Speed at which the law equals c v";
   constant Types.Pressure p_reference = 1e5 "Pressure at which the law equals c v";

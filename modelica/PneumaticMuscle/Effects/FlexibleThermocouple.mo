@@ -2,19 +2,24 @@ within PneumaticMuscle.Effects;
 model FlexibleThermocouple "The temperature reading lags, less in dense or flowing gas, and loses heat to the surroundings"
   extends Interfaces.Thermometer(T(start=T_start, fixed=true));
   extends Interfaces.Effect(final family="thermocouple_lag", final balance="sensor", final absent="tau=1e-3, n=0, b=0, loss=0");
-  parameter Types.Time tau(min=1e-3, max=100, nominal=1) = 1 "Time constant in gas at rest at ambient pressure";
-  parameter Real n(unit="1", min=-0.5, max=1, nominal=0.3) = 0.3 "Exponent of the pressure in the heat exchange of the bead";
-  parameter Real b(unit="1", min=0, max=50, nominal=1) = 0.3 "What the reference flow adds to the heat exchange, by that at rest";
-  parameter Real side(unit="1", min=-1, max=1, nominal=0.3) = 0 "What filling gains and venting loses in it, by that";
-  parameter Real loss(unit="1", min=0, max=2, nominal=0.03) = 0.02 "Conductance to the surroundings by that to gas at rest";
+  parameter Types.Time tau(min=1e-3, max=100, nominal=1) = 1 "Time constant in gas at rest at ambient pressure"
+    annotation (Dialog(group="Effect"));
+  parameter Real n(unit="1", min=-0.5, max=1, nominal=0.3) = 0.3 "Exponent of the pressure in the heat exchange of the bead"
+    annotation (Dialog(group="Effect"));
+  parameter Real b(unit="1", min=0, max=50, nominal=1) = 0.3 "What the reference flow adds to the heat exchange, by that at rest"
+    annotation (Dialog(group="Effect"));
+  parameter Real side(unit="1", min=-1, max=1, nominal=0.3) = 0 "What filling gains and venting loses in it, by that"
+    annotation (Dialog(group="Effect"));
+  parameter Real loss(unit="1", min=0, max=2, nominal=0.03) = 0.02 "Conductance to the surroundings by that to gas at rest"
+    annotation (Dialog(group="Effect"));
 protected
   constant Types.MassFlowRate m_reference = 1e-4 "Flow at which b is added";
   constant Types.MassFlowRate m_smooth = 1e-7 "Flow over which filling and venting change roles";
   Real r(unit="1") = m_flow/m_reference "Flow by the reference";
-  Real size(unit="1") = sqrt(r^2 + (m_smooth/m_reference)^2) "Its size";
+  Real flow_size(unit="1") = sqrt(r^2 + (m_smooth/m_reference)^2) "Its size";
   outer Components.Ambient ambient "Surroundings";
 equation
-  tau*der(T) = (port.T - T)*(exp(n*log(max(port.p, 1.0)/ambient.p)) + b*sqrt(size)*(1 + side*r/size)) - loss*(T - ambient.T);
+  tau*der(T) = (port.T - T)*(exp(n*log(max(port.p, 1.0)/ambient.p)) + b*sqrt(flow_size)*(1 + side*r/flow_size)) - loss*(T - ambient.T);
   annotation (Documentation(info="<html>
 <p>tau T_dot = ((p/p_atm)^n + b (1 + side sgn m_flow) (|m_flow|/0.1 g/s)^0.5) (T_gas - T) - loss (T - T_atm). Source:
 heat balance of a small bead; L. V. King's law of a wire in a stream, Nu = A + B Re^0.5 (1914), where a jet that fills

@@ -2,11 +2,16 @@ within PneumaticMuscle.Effects;
 model FlexibleWall "The wall warms up in two layers and gives its heat to the air by any power of the difference"
   extends Interfaces.Surroundings;
   extends Interfaces.Effect(final family="wall_heat", final balance="energy", final absent="C=1e5");
-  parameter Types.HeatCapacity C(min=1e-2, max=1e5, nominal=1) = 1 "Heat capacity of the inner layer";
-  parameter Types.ThermalConductance G(min=1e-5, max=50, nominal=0.02) = 0.02 "Conductance to the surroundings at the reference difference";
-  parameter Real n(unit="1", min=0, max=0.5, nominal=0.3) = 0.1 "Exponent of the temperature difference in it";
-  parameter Real r(unit="1", min=0.01, max=100, nominal=1) = 0.3 "Heat capacity of the outer layer by that of the inner one";
-  parameter Types.ThermalConductance K(min=1e-4, max=100, nominal=0.1) = 0.3 "Conductance between the layers";
+  parameter Types.HeatCapacity C(min=1e-2, max=1e5, nominal=1) = 1 "Heat capacity of the inner layer"
+    annotation (Dialog(group="Effect"));
+  parameter Types.ThermalConductance G(min=1e-5, max=50, nominal=0.02) = 0.02 "Conductance to the surroundings at the reference difference"
+    annotation (Dialog(group="Effect"));
+  parameter Real n(unit="1", min=0, max=0.5, nominal=0.3) = 0.1 "Exponent of the temperature difference in it"
+    annotation (Dialog(group="Effect"));
+  parameter Real r(unit="1", min=0.01, max=100, nominal=1) = 0.3 "Heat capacity of the outer layer by that of the inner one"
+    annotation (Dialog(group="Effect"));
+  parameter Types.ThermalConductance K(min=1e-4, max=100, nominal=0.1) = 0.3 "Conductance between the layers"
+    annotation (Dialog(group="Effect"));
   Types.Temperature T_w(start=ambient.T, fixed=true) "Temperature of the inner layer";
   Types.Temperature T_o(start=ambient.T, fixed=true) "Temperature of the outer layer";
 protected

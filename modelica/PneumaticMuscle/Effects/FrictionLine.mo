@@ -2,8 +2,10 @@ within PneumaticMuscle.Effects;
 model FrictionLine "A long tube with wall friction and the temperature of its surroundings"
   extends Interfaces.Line;
   extends Interfaces.Effect(final family="supply_line", final balance="mass");
-  parameter Types.Area A(min=2e-8, max=5e-6, nominal=3e-7) = 3e-7 "Effective area of the tube";
-  parameter Types.Volume V(min=2e-7, max=5e-4, nominal=1e-5) = 1e-5 "Volume of the tube, at the valve end";
+  parameter Types.Area A(min=2e-8, max=5e-6, nominal=3e-7) = 3e-7 "Effective area of the tube"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Volume V(min=2e-7, max=5e-4, nominal=1e-5) = 1e-5 "Volume of the tube, at the valve end"
+    annotation (Dialog(group="Effect"));
 protected
   Components.TubeGas gas(V=V) "Gas in the tube";
   Components.TurbulentTube resistance(A=A) "Friction of the wall";

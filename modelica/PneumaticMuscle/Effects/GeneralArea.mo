@@ -3,18 +3,30 @@ model GeneralArea "The effective area is any smooth function of pressure ratio, 
   extends Interfaces.ValveArea;
   extends Interfaces.Effect(final family="valve_area", final balance="mass", final general=true,
     final absent="b_r=0, b_2=0, b_4=0, b_6=0, b_8=0, b_p=0, b_s=0, b_u=0, b_v=0, u_p=0");
-  parameter Real b_r(unit="1", min=-1, max=2, nominal=0.1) = 0.1 "What the logarithm of the area loses with the pressure ratio";
-  parameter Real b_2(unit="1", min=-2, max=2, nominal=0.2) = 0 "What that gains beyond a ratio of 0.2";
-  parameter Real b_4(unit="1", min=-2, max=2, nominal=0.2) = 0 "What that gains beyond a ratio of 0.4";
-  parameter Real b_6(unit="1", min=-3, max=3, nominal=0.2) = 0 "What that gains beyond a ratio of 0.6";
-  parameter Real b_8(unit="1", min=-4, max=4, nominal=0.2) = 0 "What that gains beyond a ratio of 0.8";
-  parameter Real b_p(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "What it loses with the pressure drop, per 100 kPa";
-  parameter Real b_s(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "What it gains with the upstream pressure, per 100 kPa beyond 200 kPa";
-  parameter Real b_u(unit="1", min=-1.5, max=1.5, nominal=0.1) = 0 "What it gains with the current, per 0.35 A beyond 0.35 A";
-  parameter Real b_v(unit="1", min=-2, max=2, nominal=0.1) = 0 "What it gains with the square of that";
-  parameter Real b_e(unit="1", min=-0.7, max=0.7, nominal=0.1) = 0 "What the exhaust gains and the inlet loses";
-  parameter Real b_f(unit="1", min=-0.7, max=0.7, nominal=0.1) = 0 "What the exhaust gains and the inlet loses with the current, per 0.35 A beyond 0.35 A";
-  parameter Types.Current u_p(min=-0.02, max=0.1, nominal=0.01) = 0 "Current that a pressure drop of 100 kPa takes to hold the plunger";
+  parameter Real b_r(unit="1", min=-1, max=2, nominal=0.1) = 0.1 "What the logarithm of the area loses with the pressure ratio"
+    annotation (Dialog(group="Effect"));
+  parameter Real b_2(unit="1", min=-2, max=2, nominal=0.2) = 0 "What that gains beyond a ratio of 0.2"
+    annotation (Dialog(group="Effect"));
+  parameter Real b_4(unit="1", min=-2, max=2, nominal=0.2) = 0 "What that gains beyond a ratio of 0.4"
+    annotation (Dialog(group="Effect"));
+  parameter Real b_6(unit="1", min=-3, max=3, nominal=0.2) = 0 "What that gains beyond a ratio of 0.6"
+    annotation (Dialog(group="Effect"));
+  parameter Real b_8(unit="1", min=-4, max=4, nominal=0.2) = 0 "What that gains beyond a ratio of 0.8"
+    annotation (Dialog(group="Effect"));
+  parameter Real b_p(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "What it loses with the pressure drop, per 100 kPa"
+    annotation (Dialog(group="Effect"));
+  parameter Real b_s(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "What it gains with the upstream pressure, per 100 kPa beyond 200 kPa"
+    annotation (Dialog(group="Effect"));
+  parameter Real b_u(unit="1", min=-1.5, max=1.5, nominal=0.1) = 0 "What it gains with the current, per 0.35 A beyond 0.35 A"
+    annotation (Dialog(group="Effect"));
+  parameter Real b_v(unit="1", min=-2, max=2, nominal=0.1) = 0 "What it gains with the square of that"
+    annotation (Dialog(group="Effect"));
+  parameter Real b_e(unit="1", min=-0.7, max=0.7, nominal=0.1) = 0 "What the exhaust gains and the inlet loses"
+    annotation (Dialog(group="Effect"));
+  parameter Real b_f(unit="1", min=-0.7, max=0.7, nominal=0.1) = 0 "What the exhaust gains and the inlet loses with the current, per 0.35 A beyond 0.35 A"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Current u_p(min=-0.02, max=0.1, nominal=0.01) = 0 "Current that a pressure drop of 100 kPa takes to hold the plunger"
+    annotation (Dialog(group="Effect"));
 protected
   constant Real z_smooth = 3e-4 "Relative pressure drop over which the sides change roles";
   constant Real r_smooth = 0.1 "Ratio over which its knots are rounded";

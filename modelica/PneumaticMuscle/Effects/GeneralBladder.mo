@@ -1,11 +1,16 @@
 within PneumaticMuscle.Effects;
 model GeneralBladder "The bladder is a spring of any smooth law, up to the fourth power in its exponent"
   extends Interfaces.ForceEffect(final family="elasticity", final general=true, final absent="k=0");
-  parameter Types.TranslationalStiffness k(min=0, max=2e4, nominal=200) = 200 "Force by contraction at the reference contraction";
-  parameter Real a(unit="1", min=-3, max=6, nominal=0.3) = 0 "Its relative growth per reference contraction";
-  parameter Real b(unit="1", min=-4, max=3, nominal=0.1) = 0 "Coefficient of the second power";
-  parameter Real c(unit="1", min=-2, max=2, nominal=0.1) = 0 "Coefficient of the third power";
-  parameter Real d(unit="1", min=-1, max=1, nominal=0.1) = 0 "Coefficient of the fourth power";
+  parameter Types.TranslationalStiffness k(min=0, max=2e4, nominal=200) = 200 "Force by contraction at the reference contraction"
+    annotation (Dialog(group="Effect"));
+  parameter Real a(unit="1", min=-3, max=6, nominal=0.3) = 0 "Its relative growth per reference contraction"
+    annotation (Dialog(group="Effect"));
+  parameter Real b(unit="1", min=-4, max=3, nominal=0.1) = 0 "Coefficient of the second power"
+    annotation (Dialog(group="Effect"));
+  parameter Real c(unit="1", min=-2, max=2, nominal=0.1) = 0 "Coefficient of the third power"
+    annotation (Dialog(group="Effect"));
+  parameter Real d(unit="1", min=-1, max=1, nominal=0.1) = 0 "Coefficient of the fourth power"
+    annotation (Dialog(group="Effect"));
 protected
   Real s(unit="1") = 8*x/L0 - 1 "Contraction beyond the reference, an eighth of the length, by the reference";
   constant Real z_most(unit="1") = 8 "Where the exponent is cut off, with a rounded corner";

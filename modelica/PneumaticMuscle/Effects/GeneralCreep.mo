@@ -1,15 +1,24 @@
 within PneumaticMuscle.Effects;
 model GeneralCreep "The bladder's spring, of any law, relaxes over decades of time, and recovers in another"
   extends Interfaces.ForceEffect(final family="creep", final general=true, final absent="k_1=0, k_2=0, k_3=0");
-  parameter Types.TranslationalStiffness k_1(min=0, max=2e4, nominal=300) = 150 "Stiffness that relaxes first";
-  parameter Types.TranslationalStiffness k_2(min=0, max=2e4, nominal=300) = 150 "Stiffness that relaxes later";
-  parameter Types.TranslationalStiffness k_3(min=0, max=2e4, nominal=300) = 150 "Stiffness that relaxes last";
-  parameter Types.Time tau(min=0.02, max=20, nominal=0.5) = 0.3 "Time in which the first relaxes";
-  parameter Real spread(unit="1", min=2, max=12, nominal=5) = 7 "How many times later each next one relaxes";
-  parameter Real thinning(unit="1", min=0, max=10, nominal=0.3) = 0.03 "How much faster they relax at a load of the reference contraction";
-  parameter Real recovery(unit="1", min=0.1, max=10, nominal=1) = 1 "Times of recovery by those of relaxation";
-  parameter Real a(unit="1", min=-1, max=2.5, nominal=0.3) = 0 "Relative growth of all stiffnesses per eighth of the length";
-  parameter Real b(unit="1", min=-0.3, max=0.5, nominal=0.1) = 0 "Half of the change of that growth";
+  parameter Types.TranslationalStiffness k_1(min=0, max=2e4, nominal=300) = 150 "Stiffness that relaxes first"
+    annotation (Dialog(group="Effect"));
+  parameter Types.TranslationalStiffness k_2(min=0, max=2e4, nominal=300) = 150 "Stiffness that relaxes later"
+    annotation (Dialog(group="Effect"));
+  parameter Types.TranslationalStiffness k_3(min=0, max=2e4, nominal=300) = 150 "Stiffness that relaxes last"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Time tau(min=0.02, max=20, nominal=0.5) = 0.3 "Time in which the first relaxes"
+    annotation (Dialog(group="Effect"));
+  parameter Real spread(unit="1", min=2, max=12, nominal=5) = 7 "How many times later each next one relaxes"
+    annotation (Dialog(group="Effect"));
+  parameter Real thinning(unit="1", min=0, max=10, nominal=0.3) = 0.03 "How much faster they relax at a load of the reference contraction"
+    annotation (Dialog(group="Effect"));
+  parameter Real recovery(unit="1", min=0.1, max=10, nominal=1) = 1 "Times of recovery by those of relaxation"
+    annotation (Dialog(group="Effect"));
+  parameter Real a(unit="1", min=-1, max=2.5, nominal=0.3) = 0 "Relative growth of all stiffnesses per eighth of the length"
+    annotation (Dialog(group="Effect"));
+  parameter Real b(unit="1", min=-0.3, max=0.5, nominal=0.1) = 0 "Half of the change of that growth"
+    annotation (Dialog(group="Effect"));
   Types.Length q[3] "Parts of the spring's load that have relaxed, as contractions";
 protected
   constant Types.Length x_reference = 0.01 "Contraction to which thinning refers";

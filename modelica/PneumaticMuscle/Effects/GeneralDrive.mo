@@ -3,15 +3,22 @@ model GeneralDrive "The valves follow by a dead time, lags, a limited rate, an o
   extends Interfaces.ValveDrive(y(each start=0, each fixed=true));
   extends Interfaces.Effect(final family="valve_dynamics", final balance="mass", final general=true,
     final absent="tau=1e-4, slew=1e-4, ratio=1, tau_coil=1e-4, dead_time=1e-3, omega=1e3, zeta=0.3");
-  parameter Types.Time tau(min=1e-4, max=2, nominal=0.05) = 0.03 "Time constant of opening";
-  parameter Types.Time slew(min=1e-4, max=2, nominal=0.05) = 0.01 "Time that 0.35 A take at the greatest rate of opening";
-  parameter Real ratio(unit="1", min=0.05, max=20, nominal=1) = 1 "Both times of closing, by those of opening";
-  parameter Real bend(unit="1", min=-2, max=2, nominal=0.3) = 0 "What the logarithm of tau loses with the current that follows, per 0.35 A beyond 0.35 A";
-  parameter Real direct(unit="1", min=0, max=0.9, nominal=0.3) = 0.1 "Share that does not wait for them";
-  parameter Types.Time tau_coil(min=1e-4, max=2, nominal=0.05) = 0.01 "Time constant of the coil before it";
-  parameter Types.Time dead_time(min=1e-3, max=2, nominal=0.05) = 0.01 "Dead time";
-  parameter Real omega(unit="rad/s", min=5, max=1e3, nominal=50) = 200 "Undamped angular frequency of what moves at last";
-  parameter Real zeta(unit="1", min=0.3, max=2, nominal=1) = 1 "Its damping ratio";
+  parameter Types.Time tau(min=1e-4, max=2, nominal=0.05) = 0.03 "Time constant of opening"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Time slew(min=1e-4, max=2, nominal=0.05) = 0.01 "Time that 0.35 A take at the greatest rate of opening"
+    annotation (Dialog(group="Effect"));
+  parameter Real ratio(unit="1", min=0.05, max=20, nominal=1) = 1 "Both times of closing, by those of opening"
+    annotation (Dialog(group="Effect"));
+  parameter Real bend(unit="1", min=-2, max=2, nominal=0.3) = 0 "What the logarithm of tau loses with the current that follows, per 0.35 A beyond 0.35 A"
+    annotation (Dialog(group="Effect"));
+  parameter Real direct(unit="1", min=0, max=0.9, nominal=0.3) = 0.1 "Share that does not wait for them"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Time tau_coil(min=1e-4, max=2, nominal=0.05) = 0.01 "Time constant of the coil before it"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Time dead_time(min=1e-3, max=2, nominal=0.05) = 0.01 "Dead time" annotation (Dialog(group="Effect"));
+  parameter Real omega(unit="rad/s", min=5, max=1e3, nominal=50) = 200 "Undamped angular frequency of what moves at last"
+    annotation (Dialog(group="Effect"));
+  parameter Real zeta(unit="1", min=0.3, max=2, nominal=1) = 1 "Its damping ratio" annotation (Dialog(group="Effect"));
   Types.Current c[2](each start=0, each fixed=true) "Currents of the coils";
   Types.Current z[2](each start=0, each fixed=true) "What follows them in its time";
   Real w[2](each unit="A/s", each start=0, each fixed=true, each nominal=1) "Rates of the currents that are felt";

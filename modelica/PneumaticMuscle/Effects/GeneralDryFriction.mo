@@ -1,17 +1,27 @@
 within PneumaticMuscle.Effects;
 model GeneralDryFriction "Dry friction of any smooth dependence on pressure, contraction, slow motion and direction"
   extends Interfaces.ForceEffect(final family="dry_friction", final general=true, final absent="F_0=0, F_p=0");
-  parameter Types.Force F_0(min=0, max=500, nominal=5) = 5 "Friction force without pressure, at full length";
-  parameter Types.Force F_p(min=0, max=500, nominal=5) = 2 "What 100 kPa add to it";
-  parameter Real n(unit="1", min=0.2, max=3, nominal=1) = 1 "Exponent of the pressure in that";
-  parameter Types.Length d(min=4e-5, max=8e-3, nominal=1e-3) = 1e-3 "Travel of the part that slips last";
-  parameter Real share(unit="1", min=0, max=1, nominal=0.3) = 0.5 "Share of the part that slips first";
-  parameter Real first(unit="1", min=0.03, max=0.6, nominal=0.1) = 0.1 "Travel of that part by the other's";
-  parameter Real rise(unit="1", min=-0.7, max=2, nominal=0.3) = 0 "What slow motion adds, by that of fast motion";
-  parameter Types.Velocity v_slow(min=5e-4, max=0.2, nominal=0.01) = 0.01 "Speed that is slow in this sense";
-  parameter Real growth(unit="1", min=-1.5, max=1.2, nominal=0.3) = 0 "Relative growth per eighth of the length";
-  parameter Real bow(unit="1", min=-0.8, max=0.25, nominal=0.1) = 0 "Half of the change of that growth";
-  parameter Real side(unit="1", min=-1, max=1, nominal=0.3) = 0 "What contraction gains and extension loses, by it";
+  parameter Types.Force F_0(min=0, max=500, nominal=5) = 5 "Friction force without pressure, at full length"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Force F_p(min=0, max=500, nominal=5) = 2 "What 100 kPa add to it" annotation (Dialog(group="Effect"));
+  parameter Real n(unit="1", min=0.2, max=3, nominal=1) = 1 "Exponent of the pressure in that"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Length d(min=4e-5, max=8e-3, nominal=1e-3) = 1e-3 "Travel of the part that slips last"
+    annotation (Dialog(group="Effect"));
+  parameter Real share(unit="1", min=0, max=1, nominal=0.3) = 0.5 "Share of the part that slips first"
+    annotation (Dialog(group="Effect"));
+  parameter Real first(unit="1", min=0.03, max=0.6, nominal=0.1) = 0.1 "Travel of that part by the other's"
+    annotation (Dialog(group="Effect"));
+  parameter Real rise(unit="1", min=-0.7, max=2, nominal=0.3) = 0 "What slow motion adds, by that of fast motion"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Velocity v_slow(min=5e-4, max=0.2, nominal=0.01) = 0.01 "Speed that is slow in this sense"
+    annotation (Dialog(group="Effect"));
+  parameter Real growth(unit="1", min=-1.5, max=1.2, nominal=0.3) = 0 "Relative growth per eighth of the length"
+    annotation (Dialog(group="Effect"));
+  parameter Real bow(unit="1", min=-0.8, max=0.25, nominal=0.1) = 0 "Half of the change of that growth"
+    annotation (Dialog(group="Effect"));
+  parameter Real side(unit="1", min=-1, max=1, nominal=0.3) = 0 "What contraction gains and extension loses, by it"
+    annotation (Dialog(group="Effect"));
   Real r[2](each start=0, each fixed=true, each unit="1", each nominal=1) "Shares of their forces that both parts carry";
 protected
   constant Types.Pressure p_reference = 1e5 "Pressure at which F_p is added";

@@ -3,15 +3,24 @@ model GeneralEnds "The pull differs from the cylinder's by any smooth law of con
   extends Interfaces.Cylinder;
   extends Interfaces.Effect(final family="end_shape", final balance="force", final general=true,
     final absent="a_0=0, a_1=0, a_2=0, c_0=0, c_1=0, c_2=0");
-  parameter Real a_0(unit="1", min=-0.7, max=0.5, nominal=0.1) = 0 "Excess that fades, at full length";
-  parameter Real a_1(unit="1", min=-2, max=0.5, nominal=0.1) = -0.05 "What it gains in proportion to contraction";
-  parameter Real a_2(unit="1", min=-1, max=0.5, nominal=0.1) = 0 "What it gains with the square of contraction";
-  parameter Real s(unit="1", min=0, max=5, nominal=0.5) = 0.5 "Rate at which it fades, per 100 kPa";
-  parameter Real w(unit="1", min=0.02, max=2, nominal=0.3) = 0.1 "Inverse of the power by which it fades in the end; 0.02 is an exponential";
-  parameter Real c_0(unit="1", min=-0.5, max=0.3, nominal=0.1) = 0 "Excess that stays, at full length";
-  parameter Real c_1(unit="1", min=-1, max=0.3, nominal=0.1) = 0 "What it gains in proportion to contraction";
-  parameter Real c_2(unit="1", min=-1, max=0.4, nominal=0.1) = 0 "What it gains with the square of contraction";
-  parameter Real c_3(unit="1", min=-0.5, max=0.2, nominal=0.1) = 0 "What it gains with the third power";
+  parameter Real a_0(unit="1", min=-0.7, max=0.5, nominal=0.1) = 0 "Excess that fades, at full length"
+    annotation (Dialog(group="Effect"));
+  parameter Real a_1(unit="1", min=-2, max=0.5, nominal=0.1) = -0.05 "What it gains in proportion to contraction"
+    annotation (Dialog(group="Effect"));
+  parameter Real a_2(unit="1", min=-1, max=0.5, nominal=0.1) = 0 "What it gains with the square of contraction"
+    annotation (Dialog(group="Effect"));
+  parameter Real s(unit="1", min=0, max=5, nominal=0.5) = 0.5 "Rate at which it fades, per 100 kPa"
+    annotation (Dialog(group="Effect"));
+  parameter Real w(unit="1", min=0.02, max=2, nominal=0.3) = 0.1 "Inverse of the power by which it fades in the end; 0.02 is an exponential"
+    annotation (Dialog(group="Effect"));
+  parameter Real c_0(unit="1", min=-0.5, max=0.3, nominal=0.1) = 0 "Excess that stays, at full length"
+    annotation (Dialog(group="Effect"));
+  parameter Real c_1(unit="1", min=-1, max=0.3, nominal=0.1) = 0 "What it gains in proportion to contraction"
+    annotation (Dialog(group="Effect"));
+  parameter Real c_2(unit="1", min=-1, max=0.4, nominal=0.1) = 0 "What it gains with the square of contraction"
+    annotation (Dialog(group="Effect"));
+  parameter Real c_3(unit="1", min=-0.5, max=0.2, nominal=0.1) = 0 "What it gains with the third power"
+    annotation (Dialog(group="Effect"));
 protected
   constant Types.Pressure p_reference = 1e5 "Pressure to which s refers";
   constant Real e_reference(unit="1") = 0.25 "Strain at which the coefficients count fully";

@@ -3,13 +3,20 @@ model GeneralFrictionHeat "Shares of the work of friction heat the gas, some at 
   extends Interfaces.FrictionHeat;
   extends Interfaces.Effect(final family="friction_heat", final balance="energy", final general=true,
     final absent="share_f=0, share_b=0");
-  parameter Real share_f(unit="1", min=0, max=1, nominal=1) = 0.7 "Share of the work of fibre on fibre that reaches the gas";
-  parameter Real share_b(unit="1", min=0, max=1, nominal=1) = 0.5 "Share of the work between fibres and bladder";
-  parameter Real back_f(unit="1", min=0, max=1, nominal=1) = 1 "Share in extension by that in contraction, fibre on fibre";
-  parameter Real back_b(unit="1", min=-1, max=1, nominal=1) = 0 "The same between fibres and bladder; -1 takes heat";
-  parameter Types.Time tau(min=1e-3, max=20, nominal=0.1) = 0.03 "Time constant of the store that is reached first";
-  parameter Real r(unit="1", min=0.01, max=1, nominal=0.1) = 0.1 "Time constant of the other one by that";
-  parameter Real direct(unit="1", min=0, max=1, nominal=0.3) = 0 "Share that needs neither";
+  parameter Real share_f(unit="1", min=0, max=1, nominal=1) = 0.7 "Share of the work of fibre on fibre that reaches the gas"
+    annotation (Dialog(group="Effect"));
+  parameter Real share_b(unit="1", min=0, max=1, nominal=1) = 0.5 "Share of the work between fibres and bladder"
+    annotation (Dialog(group="Effect"));
+  parameter Real back_f(unit="1", min=0, max=1, nominal=1) = 1 "Share in extension by that in contraction, fibre on fibre"
+    annotation (Dialog(group="Effect"));
+  parameter Real back_b(unit="1", min=-1, max=1, nominal=1) = 0 "The same between fibres and bladder; -1 takes heat"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Time tau(min=1e-3, max=20, nominal=0.1) = 0.03 "Time constant of the store that is reached first"
+    annotation (Dialog(group="Effect"));
+  parameter Real r(unit="1", min=0.01, max=1, nominal=0.1) = 0.1 "Time constant of the other one by that"
+    annotation (Dialog(group="Effect"));
+  parameter Real direct(unit="1", min=0, max=1, nominal=0.3) = 0 "Share that needs neither"
+    annotation (Dialog(group="Effect"));
   Types.Power Q(start=0, fixed=true, nominal=0.1) "Heat from the first store to the other one";
   Types.Power Q_o(start=0, fixed=true, nominal=0.1) "Heat from that to the gas";
 protected

@@ -2,16 +2,26 @@ within PneumaticMuscle.Effects;
 model GeneralGas "Mass and energy balance of any gas, with any smooth law of its heat exchange"
   extends Interfaces.Gas(T(start=T_start, fixed=true));
   extends Interfaces.Effect(final family="gas_energy", final balance="energy", final general=true);
-  parameter Types.CoefficientOfHeatTransfer h_0(min=0.01, max=500, nominal=10) = 5 "Film coefficient of gas at rest";
-  parameter Types.CoefficientOfHeatTransfer h_1(min=0, max=2e3, nominal=10) = 5 "What the reference flow adds";
-  parameter Real n_p(unit="1", min=-0.5, max=1.5, nominal=0.5) = 0.2 "Exponent of the pressure at rest";
-  parameter Real n_d(unit="1", min=0, max=0.5, nominal=0.3) = 0.1 "Exponent of the temperature difference at rest";
-  parameter Real n_T(unit="1", min=-3, max=3, nominal=1) = 0 "Exponent of the temperature";
-  parameter Real n_V(unit="1", min=-2, max=2, nominal=0.5) = 0 "Exponent of the volume";
-  parameter Real n_m(unit="1", min=0.3, max=1.2, nominal=0.8) = 0.8 "Exponent of the flow";
-  parameter Types.Time tau_jet(min=2e-3, max=5, nominal=0.05) = 0.05 "Time in which a jet dies away";
-  parameter Real b(unit="m3/kg", min=-0.05, max=0.05, nominal=1e-3) = 0 "Volume that the gas itself takes, less what its attraction saves";
-  parameter Real e(unit="1", min=0, max=1, nominal=1) = 0.6 "Share of it that counts in the internal energy";
+  parameter Types.CoefficientOfHeatTransfer h_0(min=0.01, max=500, nominal=10) = 5 "Film coefficient of gas at rest"
+    annotation (Dialog(group="Effect"));
+  parameter Types.CoefficientOfHeatTransfer h_1(min=0, max=2e3, nominal=10) = 5 "What the reference flow adds"
+    annotation (Dialog(group="Effect"));
+  parameter Real n_p(unit="1", min=-0.5, max=1.5, nominal=0.5) = 0.2 "Exponent of the pressure at rest"
+    annotation (Dialog(group="Effect"));
+  parameter Real n_d(unit="1", min=0, max=0.5, nominal=0.3) = 0.1 "Exponent of the temperature difference at rest"
+    annotation (Dialog(group="Effect"));
+  parameter Real n_T(unit="1", min=-3, max=3, nominal=1) = 0 "Exponent of the temperature"
+    annotation (Dialog(group="Effect"));
+  parameter Real n_V(unit="1", min=-2, max=2, nominal=0.5) = 0 "Exponent of the volume"
+    annotation (Dialog(group="Effect"));
+  parameter Real n_m(unit="1", min=0.3, max=1.2, nominal=0.8) = 0.8 "Exponent of the flow"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Time tau_jet(min=2e-3, max=5, nominal=0.05) = 0.05 "Time in which a jet dies away"
+    annotation (Dialog(group="Effect"));
+  parameter Real b(unit="m3/kg", min=-0.05, max=0.05, nominal=1e-3) = 0 "Volume that the gas itself takes, less what its attraction saves"
+    annotation (Dialog(group="Effect"));
+  parameter Real e(unit="1", min=0, max=1, nominal=1) = 0.6 "Share of it that counts in the internal energy"
+    annotation (Dialog(group="Effect"));
   Types.Mass m(nominal=1e-3) "Mass of the gas";
   Types.MassFlowRate m_jet(start=0, fixed=true) "Flow that the gas still feels";
 protected

@@ -2,12 +2,18 @@ within PneumaticMuscle.Effects;
 model GeneralLeak "Gas escapes by any smooth law of gauge pressure and contraction"
   extends Interfaces.MuscleTerminals;
   extends Interfaces.Effect(final family="leak", final balance="mass", final general=true, final absent="G=0");
-  parameter Real G(unit="kg/(s.Pa)", min=0, max=1e-9, nominal=1e-11) = 1e-11 "Conductance at 100 kPa and full length";
-  parameter Real a(unit="1", min=-1, max=2.5, nominal=0.5) = 0 "Exponent of the conductance at 100 kPa";
-  parameter Real b(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "Half of what the exponent gains where the pressure grows by e";
-  parameter Real g(unit="1", min=-4, max=2, nominal=0.3) = 0 "What the logarithm of the conductance gains per 100 kPa beyond 100 kPa";
-  parameter Real growth(unit="1", min=-2, max=3, nominal=0.3) = 0.1 "What it gains with the contraction, per eighth of the length";
-  parameter Real bend(unit="1", min=-0.5, max=0.5, nominal=0.1) = 0 "Half of what that gains there";
+  parameter Real G(unit="kg/(s.Pa)", min=0, max=1e-9, nominal=1e-11) = 1e-11 "Conductance at 100 kPa and full length"
+    annotation (Dialog(group="Effect"));
+  parameter Real a(unit="1", min=-1, max=2.5, nominal=0.5) = 0 "Exponent of the conductance at 100 kPa"
+    annotation (Dialog(group="Effect"));
+  parameter Real b(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "Half of what the exponent gains where the pressure grows by e"
+    annotation (Dialog(group="Effect"));
+  parameter Real g(unit="1", min=-4, max=2, nominal=0.3) = 0 "What the logarithm of the conductance gains per 100 kPa beyond 100 kPa"
+    annotation (Dialog(group="Effect"));
+  parameter Real growth(unit="1", min=-2, max=3, nominal=0.3) = 0.1 "What it gains with the contraction, per eighth of the length"
+    annotation (Dialog(group="Effect"));
+  parameter Real bend(unit="1", min=-0.5, max=0.5, nominal=0.1) = 0 "Half of what that gains there"
+    annotation (Dialog(group="Effect"));
   outer Components.Ambient ambient "Surroundings";
 protected
   constant Types.Pressure p_reference = 1e5 "Pressure at which the law equals G p";

@@ -2,12 +2,18 @@ within PneumaticMuscle.Effects;
 model GeneralLine "A tube between valves and muscle whose flow is any smooth law of the pressures, another each way"
   extends Interfaces.Line;
   extends Interfaces.Effect(final family="supply_line", final balance="mass", final general=true, final absent="G=1e-6, V=2e-7");
-  parameter Real G(unit="kg/(s.Pa)", min=2e-10, max=1e-6, nominal=3e-9) = 1e-8 "Conductance at the reference drop, at ambient pressure";
-  parameter Real a(unit="1", min=-0.6, max=0.5, nominal=0.2) = -0.2 "Exponent of the conductance at the reference drop";
-  parameter Real b(unit="1", min=-0.1, max=0.1, nominal=0.03) = 0 "Half of what the exponent gains where the drop grows by e";
-  parameter Real c(unit="1", min=-1, max=1, nominal=0.3) = 0 "Exponent of the pressure upstream";
-  parameter Real side(unit="1", min=-2, max=2, nominal=0.3) = 0.1 "What the logarithm of the conductance gains in filling and loses in venting";
-  parameter Types.Volume V(min=2e-7, max=5e-4, nominal=1e-5) = 2e-6 "Volume of the tube, at the valve end";
+  parameter Real G(unit="kg/(s.Pa)", min=2e-10, max=1e-6, nominal=3e-9) = 1e-8 "Conductance at the reference drop, at ambient pressure"
+    annotation (Dialog(group="Effect"));
+  parameter Real a(unit="1", min=-0.6, max=0.5, nominal=0.2) = -0.2 "Exponent of the conductance at the reference drop"
+    annotation (Dialog(group="Effect"));
+  parameter Real b(unit="1", min=-0.1, max=0.1, nominal=0.03) = 0 "Half of what the exponent gains where the drop grows by e"
+    annotation (Dialog(group="Effect"));
+  parameter Real c(unit="1", min=-1, max=1, nominal=0.3) = 0 "Exponent of the pressure upstream"
+    annotation (Dialog(group="Effect"));
+  parameter Real side(unit="1", min=-2, max=2, nominal=0.3) = 0.1 "What the logarithm of the conductance gains in filling and loses in venting"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Volume V(min=2e-7, max=5e-4, nominal=1e-5) = 2e-6 "Volume of the tube, at the valve end"
+    annotation (Dialog(group="Effect"));
 protected
   Components.LineGas gas(V=V) "Gas in the line, at the valve end";
   Components.CurvedTube resistance(G=G, a=a, b=b, c=c, side=side) "Tube";

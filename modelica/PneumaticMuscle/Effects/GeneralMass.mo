@@ -1,14 +1,22 @@
 within PneumaticMuscle.Effects;
 model GeneralMass "Moving parts of any inertia and weight, and a part that is dragged along with slip"
   extends Interfaces.ForceEffect(final family="moving_mass", final general=true, final absent="m=0, m_weight=0, m_slip=0");
-  parameter Types.Mass m(min=0, max=100, nominal=1) = 1 "Inertia at full length, referred to the load end";
-  parameter Real a(unit="1", min=-1, max=2, nominal=0.3) = 0 "Relative growth of the inertia per reference contraction";
-  parameter Real b(unit="1", min=-0.4, max=0.6, nominal=0.1) = 0 "Half of the change of that growth";
-  parameter Types.Mass m_weight(min=0, max=100, nominal=0.5) = 0.3 "Mass that hangs on the muscle at full length";
-  parameter Real c(unit="1", min=-1, max=1.5, nominal=0.3) = 0 "Relative growth of the weight per reference contraction";
-  parameter Real d(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "Half of the change of that growth";
-  parameter Types.Mass m_slip(min=0, max=100, nominal=1) = 0.3 "Inertia that is dragged along";
-  parameter Types.Time tau(min=2e-3, max=10, nominal=0.1) = 0.1 "Time in which it takes up the speed";
+  parameter Types.Mass m(min=0, max=100, nominal=1) = 1 "Inertia at full length, referred to the load end"
+    annotation (Dialog(group="Effect"));
+  parameter Real a(unit="1", min=-1, max=2, nominal=0.3) = 0 "Relative growth of the inertia per reference contraction"
+    annotation (Dialog(group="Effect"));
+  parameter Real b(unit="1", min=-0.4, max=0.6, nominal=0.1) = 0 "Half of the change of that growth"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Mass m_weight(min=0, max=100, nominal=0.5) = 0.3 "Mass that hangs on the muscle at full length"
+    annotation (Dialog(group="Effect"));
+  parameter Real c(unit="1", min=-1, max=1.5, nominal=0.3) = 0 "Relative growth of the weight per reference contraction"
+    annotation (Dialog(group="Effect"));
+  parameter Real d(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "Half of the change of that growth"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Mass m_slip(min=0, max=100, nominal=1) = 0.3 "Inertia that is dragged along"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Time tau(min=2e-3, max=10, nominal=0.1) = 0.1 "Time in which it takes up the speed"
+    annotation (Dialog(group="Effect"));
   Types.Velocity w(start=0, fixed=true) "Speed of what is dragged along";
 protected
   constant Real e_reference(unit="1") = 0.125 "Reference contraction, by the length";

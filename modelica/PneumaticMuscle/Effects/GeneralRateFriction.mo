@@ -1,14 +1,22 @@
 within PneumaticMuscle.Effects;
 model GeneralRateFriction "Friction that grows with any smooth function of speed, pressure, contraction and direction"
   extends Interfaces.ForceEffect(final family="rate_friction", final general=true, final absent="c=0");
-  parameter Types.TranslationalDamping c(min=0, max=2e4, nominal=100) = 100 "Damping at 0.1 m/s, 100 kPa and full length";
-  parameter Real a(unit="1", min=-0.7, max=2, nominal=0.5) = 0 "Exponent of the damping at 0.1 m/s";
-  parameter Real b(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "Half of what the exponent gains where the speed grows by e";
-  parameter Real d(unit="1", min=-0.05, max=0.05, nominal=0.03) = 0 "A third of what that gain itself changes there";
-  parameter Real share(unit="1", min=0, max=1, nominal=0.5) = 0.1 "Share of it that grows with the gauge pressure";
-  parameter Real n(unit="1", min=0.2, max=3, nominal=1) = 1 "Exponent of the pressure in that share";
-  parameter Real growth(unit="1", min=-2, max=3, nominal=0.5) = 0 "Exponent of the growth with the contraction";
-  parameter Real side(unit="1", min=-1, max=1, nominal=0.3) = 0 "What contraction gains and extension loses, by it";
+  parameter Types.TranslationalDamping c(min=0, max=2e4, nominal=100) = 100 "Damping at 0.1 m/s, 100 kPa and full length"
+    annotation (Dialog(group="Effect"));
+  parameter Real a(unit="1", min=-0.7, max=2, nominal=0.5) = 0 "Exponent of the damping at 0.1 m/s"
+    annotation (Dialog(group="Effect"));
+  parameter Real b(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "Half of what the exponent gains where the speed grows by e"
+    annotation (Dialog(group="Effect"));
+  parameter Real d(unit="1", min=-0.05, max=0.05, nominal=0.03) = 0 "A third of what that gain itself changes there"
+    annotation (Dialog(group="Effect"));
+  parameter Real share(unit="1", min=0, max=1, nominal=0.5) = 0.1 "Share of it that grows with the gauge pressure"
+    annotation (Dialog(group="Effect"));
+  parameter Real n(unit="1", min=0.2, max=3, nominal=1) = 1 "Exponent of the pressure in that share"
+    annotation (Dialog(group="Effect"));
+  parameter Real growth(unit="1", min=-2, max=3, nominal=0.5) = 0 "Exponent of the growth with the contraction"
+    annotation (Dialog(group="Effect"));
+  parameter Real side(unit="1", min=-1, max=1, nominal=0.3) = 0 "What contraction gains and extension loses, by it"
+    annotation (Dialog(group="Effect"));
 protected
   constant Types.Velocity v_reference = 0.1 "Speed at which the law equals c v";
   constant Types.Velocity v_smooth = 5e-4 "Speed below which the law is linear";

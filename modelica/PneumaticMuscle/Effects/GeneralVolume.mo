@@ -1,13 +1,20 @@
 within PneumaticMuscle.Effects;
 model GeneralVolume "Gas that takes no part in contraction, behind an opening, in a space that grows by any law of its pressure"
   extends Interfaces.GasPortEffect(final family="dead_volume", final general=true, final absent="V_0=1e-7, V_p=0, G=1e-7");
-  parameter Types.Volume V_0(min=1e-7, max=1e-3, nominal=1e-5) = 1e-5 "Volume at ambient pressure";
-  parameter Types.Volume V_p(min=0, max=1e-3, nominal=1e-5) = 2e-6 "What the first 100 kPa add to it, at the rate of the start";
-  parameter Real n(unit="1", min=-0.9, max=1, nominal=0.3) = 0 "Exponent by which that grows with the absolute pressure";
-  parameter Real G(unit="kg/(s.Pa)", min=1e-11, max=1e-7, nominal=1e-9) = 5e-9 "Conductance of the opening at ambient pressure";
-  parameter Real a(unit="1", min=-0.6, max=0.5, nominal=0.2) = 0 "Exponent of that, by a drop of 100 kPa";
-  parameter Real c(unit="1", min=-1.5, max=1, nominal=0.3) = 0 "Exponent of the pressure upstream in it";
-  parameter Types.ThermalConductance UA(min=0, max=50, nominal=0.02) = 0.01 "Conductance from its gas to what stays at ambient temperature";
+  parameter Types.Volume V_0(min=1e-7, max=1e-3, nominal=1e-5) = 1e-5 "Volume at ambient pressure"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Volume V_p(min=0, max=1e-3, nominal=1e-5) = 2e-6 "What the first 100 kPa add to it, at the rate of the start"
+    annotation (Dialog(group="Effect"));
+  parameter Real n(unit="1", min=-0.9, max=1, nominal=0.3) = 0 "Exponent by which that grows with the absolute pressure"
+    annotation (Dialog(group="Effect"));
+  parameter Real G(unit="kg/(s.Pa)", min=1e-11, max=1e-7, nominal=1e-9) = 5e-9 "Conductance of the opening at ambient pressure"
+    annotation (Dialog(group="Effect"));
+  parameter Real a(unit="1", min=-0.6, max=0.5, nominal=0.2) = 0 "Exponent of that, by a drop of 100 kPa"
+    annotation (Dialog(group="Effect"));
+  parameter Real c(unit="1", min=-1.5, max=1, nominal=0.3) = 0 "Exponent of the pressure upstream in it"
+    annotation (Dialog(group="Effect"));
+  parameter Types.ThermalConductance UA(min=0, max=50, nominal=0.02) = 0.01 "Conductance from its gas to what stays at ambient temperature"
+    annotation (Dialog(group="Effect"));
   Types.AbsolutePressure p_s "Pressure in it";
   Types.Temperature T_s "Temperature in it";
   Types.Mass m(nominal=1e-5) "Mass of the gas in it";

@@ -2,13 +2,20 @@ within PneumaticMuscle.Effects;
 model GeneralWall "The wall stores heat in two layers behind any part of its resistance, whose contact and loss follow any power of the difference"
   extends Interfaces.Wall;
   extends Interfaces.Effect(final family="wall_heat", final balance="energy", final general=true, final absent="C=1e5, s=1");
-  parameter Types.HeatCapacity C(min=1e-2, max=1e5, nominal=1) = 1 "Heat capacity of the inner layer";
-  parameter Types.ThermalConductance G(min=1e-5, max=50, nominal=0.02) = 0.02 "Conductance to the outside at the reference difference";
-  parameter Real n(unit="1", min=0, max=1, nominal=0.3) = 0.1 "Exponent of the temperature difference in it";
-  parameter Real r(unit="1", min=0.01, max=100, nominal=1) = 0.3 "Heat capacity of the outer layer by that of the inner one";
-  parameter Types.ThermalConductance K(min=1e-4, max=100, nominal=0.1) = 0.3 "Conductance between the layers at the reference area";
-  parameter Real grip(unit="1", min=-10, max=10, nominal=2) = 0 "Exponent of the area in it";
-  parameter Real s(unit="1", min=0, max=1, nominal=0.3) = 0.5 "Share of the wall's conduction and outer film that stands before the inner layer";
+  parameter Types.HeatCapacity C(min=1e-2, max=1e5, nominal=1) = 1 "Heat capacity of the inner layer"
+    annotation (Dialog(group="Effect"));
+  parameter Types.ThermalConductance G(min=1e-5, max=50, nominal=0.02) = 0.02 "Conductance to the outside at the reference difference"
+    annotation (Dialog(group="Effect"));
+  parameter Real n(unit="1", min=0, max=1, nominal=0.3) = 0.1 "Exponent of the temperature difference in it"
+    annotation (Dialog(group="Effect"));
+  parameter Real r(unit="1", min=0.01, max=100, nominal=1) = 0.3 "Heat capacity of the outer layer by that of the inner one"
+    annotation (Dialog(group="Effect"));
+  parameter Types.ThermalConductance K(min=1e-4, max=100, nominal=0.1) = 0.3 "Conductance between the layers at the reference area"
+    annotation (Dialog(group="Effect"));
+  parameter Real grip(unit="1", min=-10, max=10, nominal=2) = 0 "Exponent of the area in it"
+    annotation (Dialog(group="Effect"));
+  parameter Real s(unit="1", min=0, max=1, nominal=0.3) = 0.5 "Share of the wall's conduction and outer film that stands before the inner layer"
+    annotation (Dialog(group="Effect"));
   Types.Temperature T_w "Temperature of the inner layer";
   Types.Temperature T_o "Temperature of the outer layer";
 protected

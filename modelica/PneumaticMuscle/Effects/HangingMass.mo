@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects;
 model HangingMass "Parts of the rig hang on the muscle besides the load"
   extends Interfaces.ForceEffect(final family="moving_mass", final absent="m=0");
-  parameter Types.Mass m(min=0, max=50, nominal=0.5) = 0.5 "Mass";
+  parameter Types.Mass m(min=0, max=50, nominal=0.5) = 0.5 "Mass" annotation (Dialog(group="Effect"));
 equation
   f = m*(der(v) + Constants.g);
   annotation (defaultComponentName="movingMass", Documentation(info="<html>

@@ -2,8 +2,10 @@ within PneumaticMuscle.Effects;
 model KerscherEnds "The slenderness of the muscle changes the force, the more so the less it is contracted"
   extends Interfaces.Cylinder;
   extends Interfaces.Effect(final family="end_shape", final balance="force", final absent="c_3=0");
-  parameter Real c_3(unit="1", min=-0.5, max=1, nominal=0.1) = 0.1 "Excess of the force at full length";
-  parameter Real eps_0(unit="1", min=0.01, max=1, nominal=0.1) = 0.1 "Strain over which it falls to 1/e";
+  parameter Real c_3(unit="1", min=-0.5, max=1, nominal=0.1) = 0.1 "Excess of the force at full length"
+    annotation (Dialog(group="Effect"));
+  parameter Real eps_0(unit="1", min=0.01, max=1, nominal=0.1) = 0.1 "Strain over which it falls to 1/e"
+    annotation (Dialog(group="Effect"));
 equation
   F = (1 + c_3*exp(-(L0 - L)/L0/eps_0))*(port.p - ambient.p)*(3*L^2 - b^2)/(4*Constants.pi*turns^2);
   annotation (Documentation(info="<html>

@@ -1,7 +1,8 @@
 within PneumaticMuscle.Effects;
 model LaminarLeak "Gas seeps out in proportion to the gauge pressure"
   extends Interfaces.GasPortEffect(final family="leak", final absent="G=0");
-  parameter Real G(unit="kg/(s.Pa)", min=0, max=1e-9, nominal=1e-11) = 1e-11 "Conductance";
+  parameter Real G(unit="kg/(s.Pa)", min=0, max=1e-9, nominal=1e-11) = 1e-11 "Conductance"
+    annotation (Dialog(group="Effect"));
 equation
   port.m_flow = G*(port.p - ambient.p);
   port.H_flow = port.m_flow*Constants.cp*Functions.upstreamTemperature(port.p, ambient.p, port.T, ambient.T);

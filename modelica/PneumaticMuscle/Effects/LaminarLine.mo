@@ -2,7 +2,8 @@ within PneumaticMuscle.Effects;
 model LaminarLine "A thin tube between valves and muscle"
   extends Interfaces.Line;
   extends Interfaces.Effect(final family="supply_line", final balance="mass", final absent="G=1e-6");
-  parameter Real G(unit="kg/(s.Pa)", min=2e-10, max=1e-6, nominal=3e-9) = 3e-9 "Conductance at ambient pressure";
+  parameter Real G(unit="kg/(s.Pa)", min=2e-10, max=1e-6, nominal=3e-9) = 3e-9 "Conductance at ambient pressure"
+    annotation (Dialog(group="Effect"));
 protected
   constant Types.Volume V_fitting = 2e-7 "Volume between valve and line, as small as a fitting can be";
   Components.LineGas gas(V=V_fitting) "Gas in the line, at the valve end";

@@ -1,7 +1,8 @@
 within PneumaticMuscle.Effects;
 model LinearBladder "The bladder is a linear spring"
   extends Interfaces.ForceEffect(final family="elasticity", final absent="k=0");
-  parameter Types.TranslationalStiffness k(min=0, max=2e4, nominal=200) = 200 "Stiffness";
+  parameter Types.TranslationalStiffness k(min=0, max=2e4, nominal=200) = 200 "Stiffness"
+    annotation (Dialog(group="Effect"));
 equation
   f = k*x;
   annotation (defaultComponentName="bladder", Documentation(info="<html>

@@ -1,7 +1,8 @@
 within PneumaticMuscle.Effects;
 model LoadFrequencyFriction "Friction in proportion to the rate of strain, the run's load and the run's frequency"
   extends Interfaces.ForceEffect(final family="rate_friction", final absent="ab=0");
-  parameter Real ab(unit="s2", min=0, max=10, nominal=0.1) = 0.15 "Product of the coefficients of load and frequency";
+  parameter Real ab(unit="s2", min=0, max=10, nominal=0.1) = 0.15 "Product of the coefficients of load and frequency"
+    annotation (Dialog(group="Effect"));
 protected
   outer Components.Excitation excitation "Load and frequency of the run";
 equation

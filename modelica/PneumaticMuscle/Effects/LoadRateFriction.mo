@@ -1,7 +1,8 @@
 within PneumaticMuscle.Effects;
 model LoadRateFriction "Friction in proportion to the pull and to the rate of strain"
   extends Interfaces.ForceEffect(final family="rate_friction", final absent="ab=0");
-  parameter Types.Time ab(min=0, max=50, nominal=1) = 1 "Product of the coefficients of load and of rate";
+  parameter Types.Time ab(min=0, max=50, nominal=1) = 1 "Product of the coefficients of load and of rate"
+    annotation (Dialog(group="Effect"));
 protected
   constant Types.Force F_smooth = 0.1 "Force over which the pull is kept from becoming a push";
   Types.Force F "Pull of the sleeve by its pressure";

@@ -2,8 +2,10 @@ within PneumaticMuscle.Effects;
 model LongLine "A tube of its own volume and resistance between valves and muscle"
   extends Interfaces.Line;
   extends Interfaces.Effect(final family="supply_line", final balance="mass", final absent="A=5e-6, V=2e-7");
-  parameter Types.Area A(min=2e-8, max=5e-6, nominal=3e-7) = 3e-7 "Effective area of the tube";
-  parameter Types.Volume V(min=2e-7, max=5e-4, nominal=1e-5) = 1e-5 "Volume of the tube, at the valve end";
+  parameter Types.Area A(min=2e-8, max=5e-6, nominal=3e-7) = 3e-7 "Effective area of the tube"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Volume V(min=2e-7, max=5e-4, nominal=1e-5) = 1e-5 "Volume of the tube, at the valve end"
+    annotation (Dialog(group="Effect"));
 protected
   Components.LineGas gas(V=V) "Gas in the line, at the valve end";
   Components.Orifice resistance(A=A) "Resistance of the tube";

@@ -1,8 +1,10 @@
 within PneumaticMuscle.Effects;
 model MaxwellSlipFriction "Dry friction of four elements in parallel that slip one after the other"
   extends Interfaces.ForceEffect(final family="dry_friction", final absent="F_c=0.01");
-  parameter Types.Force F_c(min=0.01, max=500, nominal=5) = 5 "Friction force when all slip";
-  parameter Types.Length d(min=4e-5, max=8e-3, nominal=1e-3) = 2e-3 "Travel until the last one slips";
+  parameter Types.Force F_c(min=0.01, max=500, nominal=5) = 5 "Friction force when all slip"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Length d(min=4e-5, max=8e-3, nominal=1e-3) = 2e-3 "Travel until the last one slips"
+    annotation (Dialog(group="Effect"));
   Real r[4](each start=0, each fixed=true, each unit="1", each nominal=1) "Share of its friction force in each element";
 protected
   constant Types.Velocity v_smooth = 1e-6 "Speed below which the size of v is rounded";

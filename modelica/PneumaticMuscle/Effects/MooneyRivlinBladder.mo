@@ -1,8 +1,10 @@
 within PneumaticMuscle.Effects;
 model MooneyRivlinBladder "The bladder is a thin Mooney-Rivlin tube that follows the sleeve"
   extends Interfaces.ForceEffect(final family="elasticity", final absent="C_10=0, C_01=0");
-  parameter Types.Pressure C_10(min=0, max=1e7, nominal=1e5) = 1.5e5 "First coefficient";
-  parameter Types.Pressure C_01(min=0, max=1e6, nominal=1e4) = 1e4 "Second coefficient";
+  parameter Types.Pressure C_10(min=0, max=1e7, nominal=1e5) = 1.5e5 "First coefficient"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Pressure C_01(min=0, max=1e6, nominal=1e4) = 1e4 "Second coefficient"
+    annotation (Dialog(group="Effect"));
 protected
   final parameter Real b2(unit="m2") = L0^2 + (turns*Constants.pi*D0)^2 "Square of the length of a fibre";
   final parameter Types.Volume V_wall = Constants.pi*D0*t_wall*L0 "Volume of the rubber";

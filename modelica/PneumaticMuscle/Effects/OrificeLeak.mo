@@ -1,7 +1,8 @@
 within PneumaticMuscle.Effects;
 model OrificeLeak "Gas escapes through a small hole"
   extends Interfaces.GasPortEffect(final family="leak", final absent="A=0");
-  parameter Types.Area A(min=0, max=2.5e-7, nominal=5e-9) = 5e-9 "Effective area of the hole";
+  parameter Types.Area A(min=0, max=2.5e-7, nominal=5e-9) = 5e-9 "Effective area of the hole"
+    annotation (Dialog(group="Effect"));
 equation
   port.m_flow = Functions.isentropicFlow(port.p, ambient.p, Functions.upstreamTemperature(port.p, ambient.p, port.T, ambient.T), A);
   port.H_flow = port.m_flow*Constants.cp*Functions.upstreamTemperature(port.p, ambient.p, port.T, ambient.T);

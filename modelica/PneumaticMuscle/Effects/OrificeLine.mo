@@ -2,7 +2,8 @@ within PneumaticMuscle.Effects;
 model OrificeLine "A narrow place between valves and muscle"
   extends Interfaces.Line;
   extends Interfaces.Effect(final family="supply_line", final balance="mass", final absent="A=5e-6");
-  parameter Types.Area A(min=2e-8, max=5e-6, nominal=3e-7) = 3e-7 "Effective area of the narrowest place";
+  parameter Types.Area A(min=2e-8, max=5e-6, nominal=3e-7) = 3e-7 "Effective area of the narrowest place"
+    annotation (Dialog(group="Effect"));
 protected
   constant Types.Volume V_fitting = 2e-7 "Volume between valve and line, as small as a fitting can be";
   Components.LineGas gas(V=V_fitting) "Gas in the line, at the valve end";

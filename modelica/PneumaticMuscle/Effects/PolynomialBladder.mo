@@ -1,9 +1,12 @@
 within PneumaticMuscle.Effects;
 model PolynomialBladder "The bladder is a spring whose stiffness changes with contraction"
   extends Interfaces.ForceEffect(final family="elasticity", final absent="k1=0, k2=0, k3=0");
-  parameter Types.TranslationalStiffness k1(min=0, max=2e4, nominal=200) = 100 "Stiffness at rest";
-  parameter Real k2(unit="N/m2", min=-2e3, max=2e5, nominal=2e3) = 0 "Quadratic coefficient";
-  parameter Real k3(unit="N/m3", min=-2e4, max=2e6, nominal=2e4) = 0 "Cubic coefficient";
+  parameter Types.TranslationalStiffness k1(min=0, max=2e4, nominal=200) = 100 "Stiffness at rest"
+    annotation (Dialog(group="Effect"));
+  parameter Real k2(unit="N/m2", min=-2e3, max=2e5, nominal=2e3) = 0 "Quadratic coefficient"
+    annotation (Dialog(group="Effect"));
+  parameter Real k3(unit="N/m3", min=-2e4, max=2e6, nominal=2e4) = 0 "Cubic coefficient"
+    annotation (Dialog(group="Effect"));
 equation
   f = k1*x + k2*x^2 + k3*x^3;
   annotation (defaultComponentName="bladder", Documentation(info="<html>

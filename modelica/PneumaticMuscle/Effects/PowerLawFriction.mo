@@ -1,8 +1,9 @@
 within PneumaticMuscle.Effects;
 model PowerLawFriction "Friction that grows with a power of speed"
   extends Interfaces.ForceEffect(final family="rate_friction", final absent="c=0");
-  parameter Types.TranslationalDamping c(min=0, max=2e4, nominal=100) = 100 "Damping at the reference speed";
-  parameter Real a(unit="1", min=0.4, max=2.5) = 1.2 "Exponent";
+  parameter Types.TranslationalDamping c(min=0, max=2e4, nominal=100) = 100 "Damping at the reference speed"
+    annotation (Dialog(group="Effect"));
+  parameter Real a(unit="1", min=0.4, max=2.5) = 1.2 "Exponent" annotation (Dialog(group="Effect"));
 protected
   constant Types.Velocity v_reference = 0.1 "Speed at which the law equals c v";
   constant Types.Velocity v_smooth = 1e-4 "Speed below which the law is linear";

@@ -2,7 +2,8 @@ within PneumaticMuscle.Effects;
 model PressureGain "The pressure reading is off by a factor"
   extends Interfaces.Manometer;
   extends Interfaces.Effect(final family="pressure_offset", final balance="sensor", final absent="gain=1");
-  parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.03 "Factor on the reading";
+  parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.03 "Factor on the reading"
+    annotation (Dialog(group="Effect"));
 equation
   p = gain*(port.p - ambient.p);
   annotation (Documentation(info="<html>

@@ -2,7 +2,8 @@ within PneumaticMuscle.Effects;
 model PressureOffset "The pressure reading is off by a constant"
   extends Interfaces.Manometer;
   extends Interfaces.Effect(final family="pressure_offset", final balance="sensor", final absent="offset=0");
-  parameter Types.GaugePressure offset(min=-5e4, max=5e4, nominal=1e3) = 3e3 "What the reading has too much";
+  parameter Types.GaugePressure offset(min=-5e4, max=5e4, nominal=1e3) = 3e3 "What the reading has too much"
+    annotation (Dialog(group="Effect"));
 equation
   p = port.p - ambient.p + offset;
   annotation (Documentation(info="<html>

@@ -1,7 +1,8 @@
 within PneumaticMuscle.Effects;
 model PressureViscousFriction "Friction in proportion to speed and gauge pressure"
   extends Interfaces.ForceEffect(final family="rate_friction", final absent="c_p=0");
-  parameter Real c_p(unit="N.s/(m.Pa)", min=0, max=0.1, nominal=1e-3) = 1e-3 "Damping per gauge pressure";
+  parameter Real c_p(unit="N.s/(m.Pa)", min=0, max=0.1, nominal=1e-3) = 1e-3 "Damping per gauge pressure"
+    annotation (Dialog(group="Effect"));
 equation
   f = c_p*p_gauge*v;
   annotation (defaultComponentName="damper", Documentation(info="<html>

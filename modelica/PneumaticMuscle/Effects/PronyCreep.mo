@@ -1,9 +1,12 @@
 within PneumaticMuscle.Effects;
 model PronyCreep "The bladder relaxes with two time constants, a decade apart"
   extends Interfaces.ForceEffect(final family="creep", final absent="k_1=0, k_2=0");
-  parameter Types.TranslationalStiffness k_1(min=0, max=2e4, nominal=300) = 200 "Stiffness that relaxes first";
-  parameter Types.TranslationalStiffness k_2(min=0, max=2e4, nominal=300) = 200 "Stiffness that relaxes ten times later";
-  parameter Types.Time tau(min=0.1, max=1e3, nominal=2) = 1 "Time in which the first relaxes";
+  parameter Types.TranslationalStiffness k_1(min=0, max=2e4, nominal=300) = 200 "Stiffness that relaxes first"
+    annotation (Dialog(group="Effect"));
+  parameter Types.TranslationalStiffness k_2(min=0, max=2e4, nominal=300) = 200 "Stiffness that relaxes ten times later"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Time tau(min=0.1, max=1e3, nominal=2) = 1 "Time in which the first relaxes"
+    annotation (Dialog(group="Effect"));
   Types.Length q[2] "Parts of the contraction that have relaxed";
 initial equation
   q = {x, x};

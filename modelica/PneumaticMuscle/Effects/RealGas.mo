@@ -2,10 +2,14 @@ within PneumaticMuscle.Effects;
 model RealGas "Mass and energy balance of a gas that is not ideal"
   extends Interfaces.Gas(T(start=T_start, fixed=true));
   extends Interfaces.Effect(final family="gas_energy", final balance="energy");
-  parameter Types.CoefficientOfHeatTransfer h(min=0.01, max=500, nominal=10) = 10 "Film coefficient at ambient pressure";
-  parameter Real n_p(unit="1", min=-0.5, max=1.5, nominal=0.5) = 0.2 "Exponent of the pressure in it";
-  parameter Real b(unit="m3/kg", min=-0.05, max=0.05, nominal=1e-3) = -4e-4 "Volume that the gas itself takes, less what its attraction saves";
-  parameter Real e(unit="1", min=0, max=1, nominal=1) = 0.6 "Share of it that counts in the internal energy";
+  parameter Types.CoefficientOfHeatTransfer h(min=0.01, max=500, nominal=10) = 10 "Film coefficient at ambient pressure"
+    annotation (Dialog(group="Effect"));
+  parameter Real n_p(unit="1", min=-0.5, max=1.5, nominal=0.5) = 0.2 "Exponent of the pressure in it"
+    annotation (Dialog(group="Effect"));
+  parameter Real b(unit="m3/kg", min=-0.05, max=0.05, nominal=1e-3) = -4e-4 "Volume that the gas itself takes, less what its attraction saves"
+    annotation (Dialog(group="Effect"));
+  parameter Real e(unit="1", min=0, max=1, nominal=1) = 0.6 "Share of it that counts in the internal energy"
+    annotation (Dialog(group="Effect"));
   Types.Mass m(nominal=1e-3) "Mass of the gas";
 equation
   der(m) = port.m_flow;

@@ -1,9 +1,11 @@
 within PneumaticMuscle.Effects;
 model SideVolume "Gas that takes no part in contraction, behind an opening, in a space that takes its heat"
   extends Interfaces.GasPortEffect(final family="dead_volume", final absent="V=1e-7, G=1e-7");
-  parameter Types.Volume V(min=1e-7, max=1e-3, nominal=1e-5) = 1e-5 "Volume";
-  parameter Real G(unit="kg/(s.Pa)", min=1e-11, max=1e-7, nominal=1e-9) = 2e-9 "Conductance of the opening at ambient pressure";
-  parameter Types.ThermalConductance UA(min=0, max=50, nominal=0.02) = 0.02 "Conductance from its gas to what stays at ambient temperature";
+  parameter Types.Volume V(min=1e-7, max=1e-3, nominal=1e-5) = 1e-5 "Volume" annotation (Dialog(group="Effect"));
+  parameter Real G(unit="kg/(s.Pa)", min=1e-11, max=1e-7, nominal=1e-9) = 2e-9 "Conductance of the opening at ambient pressure"
+    annotation (Dialog(group="Effect"));
+  parameter Types.ThermalConductance UA(min=0, max=50, nominal=0.02) = 0.02 "Conductance from its gas to what stays at ambient temperature"
+    annotation (Dialog(group="Effect"));
   Types.AbsolutePressure p_s "Pressure in it";
   Types.Temperature T_s "Temperature in it";
   Types.Mass m(nominal=1e-5) "Mass of the gas in it";

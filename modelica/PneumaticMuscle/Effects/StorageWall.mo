@@ -2,8 +2,10 @@ within PneumaticMuscle.Effects;
 model StorageWall "A wall that stores heat between a film inside and a film outside"
   extends Interfaces.Wall;
   extends Interfaces.Effect(final family="wall_heat", final balance="energy", final absent="C=1e-3, r=1");
-  parameter Types.HeatCapacity C(min=1e-3, max=1e5, nominal=1) = 1 "Heat capacity of the wall";
-  parameter Real r(unit="1", min=0.01, max=50, nominal=1) = 1 "Film coefficient outside by that inside";
+  parameter Types.HeatCapacity C(min=1e-3, max=1e5, nominal=1) = 1 "Heat capacity of the wall"
+    annotation (Dialog(group="Effect"));
+  parameter Real r(unit="1", min=0.01, max=50, nominal=1) = 1 "Film coefficient outside by that inside"
+    annotation (Dialog(group="Effect"));
   Types.Temperature T_w "Temperature of the wall";
 initial equation
   T_w = outside.T;

@@ -2,7 +2,7 @@ within PneumaticMuscle.Effects;
 model ThermocoupleLag "The temperature reading lags"
   extends Interfaces.Thermometer(T(start=T_start, fixed=true));
   extends Interfaces.Effect(final family="thermocouple_lag", final balance="sensor", final absent="tau=1e-3");
-  parameter Types.Time tau(min=1e-3, max=100, nominal=1) = 1 "Time constant";
+  parameter Types.Time tau(min=1e-3, max=100, nominal=1) = 1 "Time constant" annotation (Dialog(group="Effect"));
 equation
   tau*der(T) = port.T - T;
   annotation (Documentation(info="<html>

@@ -2,9 +2,12 @@ within PneumaticMuscle.Effects;
 model ThermocoupleStem "The temperature reading lags and is drawn to the temperature of a stem that lags more"
   extends Interfaces.Thermometer(T(start=T_start, fixed=true));
   extends Interfaces.Effect(final family="thermocouple_lag", final balance="sensor", final absent="tau=1e-3, stem=0");
-  parameter Types.Time tau(min=1e-3, max=100, nominal=1) = 1 "Time constant without the stem";
-  parameter Real stem(unit="1", min=0, max=10, nominal=0.1) = 0.1 "Conductance to the stem by that to the gas";
-  parameter Types.Time tau_stem(min=0.01, max=1e3, nominal=1) = 5 "Time constant of the stem";
+  parameter Types.Time tau(min=1e-3, max=100, nominal=1) = 1 "Time constant without the stem"
+    annotation (Dialog(group="Effect"));
+  parameter Real stem(unit="1", min=0, max=10, nominal=0.1) = 0.1 "Conductance to the stem by that to the gas"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Time tau_stem(min=0.01, max=1e3, nominal=1) = 5 "Time constant of the stem"
+    annotation (Dialog(group="Effect"));
   Types.Temperature T_stem(start=T_start, fixed=true) "Temperature of the stem";
 equation
   tau*der(T) = port.T - T - stem*(T - T_stem);

@@ -2,7 +2,8 @@ within PneumaticMuscle.Effects;
 model TonduEnds "The ends contract less than the middle: strain counts k times in the force"
   extends Interfaces.Cylinder;
   extends Interfaces.Effect(final family="end_shape", final balance="force", final absent="k=1");
-  parameter Real k(unit="1", min=0.8, max=1.6, nominal=1) = 1.05 "Factor on the strain";
+  parameter Real k(unit="1", min=0.8, max=1.6, nominal=1) = 1.05 "Factor on the strain"
+    annotation (Dialog(group="Effect"));
 protected
   Types.Length L_e = L0 - k*(L0 - L) "Length that counts in the force";
 equation

@@ -2,7 +2,8 @@ within PneumaticMuscle.Effects;
 model UnequalAreas "The exhaust valve is larger or smaller than the inlet valve"
   extends Interfaces.ValveArea;
   extends Interfaces.Effect(final family="valve_area", final balance="mass", final absent="r=1");
-  parameter Real r(unit="1", min=0.2, max=5, nominal=1) = 0.85 "Area of the exhaust valve by that of the inlet valve";
+  parameter Real r(unit="1", min=0.2, max=5, nominal=1) = 0.85 "Area of the exhaust valve by that of the inlet valve"
+    annotation (Dialog(group="Effect"));
 equation
   A[1] = C_A*Functions.openingArea(u[1]);
   A[2] = r*C_A*Functions.openingArea(u[2]);

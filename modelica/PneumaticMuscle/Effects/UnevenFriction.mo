@@ -1,11 +1,16 @@
 within PneumaticMuscle.Effects;
 model UnevenFriction "Friction that grows with a power of speed, and differs by contraction, direction and pressure"
   extends Interfaces.ForceEffect(final family="rate_friction", final absent="c=0");
-  parameter Types.TranslationalDamping c(min=0, max=2e4, nominal=100) = 100 "Damping at 0.1 m/s, 100 kPa and full length";
-  parameter Real a(unit="1", min=-0.9, max=2, nominal=0.5) = 0 "Exponent of the damping";
-  parameter Real growth(unit="1", min=-2, max=3, nominal=0.5) = 0.1 "Exponent of its growth with the contraction";
-  parameter Real side(unit="1", min=-1, max=1, nominal=0.3) = 0.1 "What contraction gains and extension loses in it, by it";
-  parameter Real share(unit="1", min=0, max=1, nominal=0.5) = 0.1 "Share of it in proportion to the gauge pressure";
+  parameter Types.TranslationalDamping c(min=0, max=2e4, nominal=100) = 100 "Damping at 0.1 m/s, 100 kPa and full length"
+    annotation (Dialog(group="Effect"));
+  parameter Real a(unit="1", min=-0.9, max=2, nominal=0.5) = 0 "Exponent of the damping"
+    annotation (Dialog(group="Effect"));
+  parameter Real growth(unit="1", min=-2, max=3, nominal=0.5) = 0.1 "Exponent of its growth with the contraction"
+    annotation (Dialog(group="Effect"));
+  parameter Real side(unit="1", min=-1, max=1, nominal=0.3) = 0.1 "What contraction gains and extension loses in it, by it"
+    annotation (Dialog(group="Effect"));
+  parameter Real share(unit="1", min=0, max=1, nominal=0.5) = 0.1 "Share of it in proportion to the gauge pressure"
+    annotation (Dialog(group="Effect"));
 protected
   constant Types.Velocity v_reference = 0.1 "Speed at which the law equals c v";
   constant Types.Velocity v_smooth = 5e-4 "Speed below which the law is linear";

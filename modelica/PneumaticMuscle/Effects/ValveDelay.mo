@@ -2,7 +2,7 @@ within PneumaticMuscle.Effects;
 model ValveDelay "The valves open and close late"
   extends Interfaces.ValveDrive;
   extends Interfaces.Effect(final family="valve_dynamics", final balance="mass", final absent="dead_time=1e-3");
-  parameter Types.Time dead_time(min=1e-3, max=2, nominal=0.05) = 0.05 "Dead time";
+  parameter Types.Time dead_time(min=1e-3, max=2, nominal=0.05) = 0.05 "Dead time" annotation (Dialog(group="Effect"));
 equation
   for i in 1:2 loop
     y[i] = delay(if initial() then 0 else u[i], dead_time);

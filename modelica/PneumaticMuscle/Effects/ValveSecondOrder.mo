@@ -2,8 +2,9 @@ within PneumaticMuscle.Effects;
 model ValveSecondOrder "The valves follow their currents as a damped oscillator"
   extends Interfaces.ValveDrive(y(each start=0, each fixed=true));
   extends Interfaces.Effect(final family="valve_dynamics", final balance="mass", final absent="omega=2e3");
-  parameter Real omega(unit="rad/s", min=2, max=2e3, nominal=50) = 40 "Undamped angular frequency";
-  parameter Real zeta(unit="1", min=0.3, max=2, nominal=1) = 0.8 "Damping ratio";
+  parameter Real omega(unit="rad/s", min=2, max=2e3, nominal=50) = 40 "Undamped angular frequency"
+    annotation (Dialog(group="Effect"));
+  parameter Real zeta(unit="1", min=0.3, max=2, nominal=1) = 0.8 "Damping ratio" annotation (Dialog(group="Effect"));
   Real w[2](each unit="A/s", each start=0, each fixed=true, each nominal=1) "Rates of the currents that are felt";
 equation
   for i in 1:2 loop

@@ -1,7 +1,8 @@
 within PneumaticMuscle.Effects;
 model ViscousFriction "Friction in proportion to speed"
   extends Interfaces.ForceEffect(final family="rate_friction", final absent="c=0");
-  parameter Types.TranslationalDamping c(min=0, max=2e4, nominal=100) = 100 "Damping";
+  parameter Types.TranslationalDamping c(min=0, max=2e4, nominal=100) = 100 "Damping"
+    annotation (Dialog(group="Effect"));
 equation
   f = c*v;
   annotation (defaultComponentName="damper", Documentation(info="<html>

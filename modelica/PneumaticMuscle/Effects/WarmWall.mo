@@ -2,8 +2,10 @@ within PneumaticMuscle.Effects;
 model WarmWall "The wall warms up as a whole"
   extends Interfaces.Surroundings;
   extends Interfaces.Effect(final family="wall_heat", final balance="energy", final absent="C=1e5");
-  parameter Types.HeatCapacity C(min=1e-2, max=1e5, nominal=1) = 1 "Heat capacity of the wall";
-  parameter Types.ThermalConductance G(min=0, max=50, nominal=0.02) = 0.02 "Conductance from the wall to the surroundings";
+  parameter Types.HeatCapacity C(min=1e-2, max=1e5, nominal=1) = 1 "Heat capacity of the wall"
+    annotation (Dialog(group="Effect"));
+  parameter Types.ThermalConductance G(min=0, max=50, nominal=0.02) = 0.02 "Conductance from the wall to the surroundings"
+    annotation (Dialog(group="Effect"));
   Types.Temperature T_w(start=ambient.T, fixed=true) "Temperature of the wall";
 equation
   heatPort.T = T_w;

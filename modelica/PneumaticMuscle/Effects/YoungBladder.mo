@@ -1,7 +1,8 @@
 within PneumaticMuscle.Effects;
 model YoungBladder "The bladder is a thin tube of Hooke's rubber that follows the sleeve"
   extends Interfaces.ForceEffect(final family="elasticity", final absent="E=0");
-  parameter Types.Pressure E(min=0, max=5e7, nominal=1e6) = 1e6 "Modulus of elasticity of the rubber";
+  parameter Types.Pressure E(min=0, max=5e7, nominal=1e6) = 1e6 "Modulus of elasticity of the rubber"
+    annotation (Dialog(group="Effect"));
 protected
   final parameter Types.Length b = sqrt(L0^2 + (turns*Constants.pi*D0)^2) "Length of a fibre";
   final parameter Types.Volume V_wall = Constants.pi*D0*t_wall*L0 "Volume of the rubber";

@@ -1,7 +1,8 @@
 within PneumaticMuscle.Examples;
 model RandomWaves "The empirical muscle under a random wave of pressure, DY Figs. 2, 7 and 8"
-  parameter Types.Mass m(min=5, max=30) = 10 "Load";
-  parameter Real frequency(unit="Hz", min=0.5, max=2) = 0.5 "Highest frequency of the wave";
+  parameter Types.Mass m(min=5, max=30) = 10 "Load" annotation (Dialog(group="Load"));
+  parameter Real frequency(unit="Hz", min=0.5, max=2) = 0.5 "Highest frequency of the wave"
+    annotation (Dialog(group="Load"));
   output Types.GaugePressure p = wave.y "Gauge pressure";
   output Real eps(unit="1") = bench.eps "Contraction ratio";
   Sources.RandomWave wave(frequency=frequency, low=0, high=4e5) "Pressure";

@@ -3,12 +3,16 @@ partial model Gas "The gas in a volume: how pressure and temperature follow from
   extends VesselTerminals;
   HeatPort heatPort "Heat from the wall";
   input Types.Volume V "Volume of the gas";
-  parameter Real n(unit="1", min=1, max=1.4) "Polytropic exponent, for the gases that use one";
-  parameter Types.AbsolutePressure p_start "Pressure at the start";
-  parameter Types.Temperature T_start "Temperature at the start";
-  parameter Types.AbsolutePressure p_reference "Pressure at which the polytropic law has its reference temperature";
-  parameter Types.Temperature T_reference "Reference temperature of the polytropic law";
-  parameter Types.CoefficientOfHeatTransfer h_film "Film coefficient that the owner assumes";
+  parameter Real n(unit="1", min=1, max=1.4) "Polytropic exponent, for the gases that use one"
+    annotation (Dialog(group="Gas"));
+  parameter Types.AbsolutePressure p_start "Pressure at the start" annotation (Dialog(group="Start"));
+  parameter Types.Temperature T_start "Temperature at the start" annotation (Dialog(group="Start"));
+  parameter Types.AbsolutePressure p_reference "Pressure at which the polytropic law has its reference temperature"
+    annotation (Dialog(group="Start"));
+  parameter Types.Temperature T_reference "Reference temperature of the polytropic law"
+    annotation (Dialog(group="Start"));
+  parameter Types.CoefficientOfHeatTransfer h_film "Film coefficient that the owner assumes"
+    annotation (Dialog(group="Heat"));
   Types.AbsolutePressure p(start=p_start, fixed=true) "Absolute pressure";
   Types.Temperature T "Temperature";
   Types.CoefficientOfHeatTransfer h_wall "Film coefficient at the wall";

@@ -1,8 +1,10 @@
 within PneumaticMuscle.Interfaces;
 partial model SleeveElasticity "What carries a load without pressure, DY (12)"
   extends ForceElement;
-  parameter Types.Length L_o(min=0, max=2) = 0 "Length from which the stretched sleeve carries; 0: the length at rest";
-  parameter Types.Length x_rest "Contraction at which it carries the load of the run alone";
+  parameter Types.Length L_o(min=0, max=2) = 0 "Length from which the stretched sleeve carries; 0: the length at rest"
+    annotation (Dialog(group="Geometry"));
+  parameter Types.Length x_rest "Contraction at which it carries the load of the run alone"
+    annotation (Dialog(group="Geometry"));
   final parameter Types.Length L_c = if L_o > 0 then L_o else L0 "Length from which it carries";
   outer Components.Excitation excitation "Load of the run";
 equation

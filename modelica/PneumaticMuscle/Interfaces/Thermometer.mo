@@ -2,7 +2,7 @@ within PneumaticMuscle.Interfaces;
 partial model Thermometer "What the instrument makes of the gas temperature"
   GasPort port "Where it sits";
   input Types.MassFlowRate m_flow = 0 "Gas that flows past it";
-  parameter Types.Temperature T_start "Reading at the start";
+  parameter Types.Temperature T_start "Reading at the start" annotation (Dialog(group="Start"));
   Types.Temperature T "Reading";
 equation
   port.m_flow = 0;

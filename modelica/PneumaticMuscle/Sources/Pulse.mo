@@ -1,10 +1,10 @@
 within PneumaticMuscle.Sources;
 block Pulse "One pulse with a short rise and fall"
-  parameter Real rest = 0 "Value outside the pulse";
-  parameter Real height = 0.35 "Value inside the pulse";
-  parameter Types.Time start = 0 "Time in the middle of the rise";
-  parameter Types.Time stop = 5 "Time in the middle of the fall";
-  parameter Types.Time rise(min=1e-4) = 5e-3 "Time over which it rises and falls";
+  parameter Real rest = 0 "Value outside the pulse" annotation (Dialog(group="Signal"));
+  parameter Real height = 0.35 "Value inside the pulse" annotation (Dialog(group="Signal"));
+  parameter Types.Time start = 0 "Time in the middle of the rise" annotation (Dialog(group="Signal"));
+  parameter Types.Time stop = 5 "Time in the middle of the fall" annotation (Dialog(group="Signal"));
+  parameter Types.Time rise(min=1e-4) = 5e-3 "Time over which it rises and falls" annotation (Dialog(group="Signal"));
   output Real y "Signal";
 equation
   y = rest + (height - rest)*0.5*(tanh((time - start)/rise) - tanh((time - stop)/rise));

@@ -1,8 +1,8 @@
 within PneumaticMuscle.Sources;
 block RandomWave "A wave of random look: a sum of sines with fixed phases, up to a highest frequency"
-  parameter Real frequency(unit="Hz", min=0.01, max=100) = 1 "Highest frequency";
-  parameter Real low = 0 "Least value that the wave can take";
-  parameter Real high = 1 "Largest value that the wave can take";
+  parameter Real frequency(unit="Hz", min=0.01, max=100) = 1 "Highest frequency" annotation (Dialog(group="Signal"));
+  parameter Real low = 0 "Least value that the wave can take" annotation (Dialog(group="Signal"));
+  parameter Real high = 1 "Largest value that the wave can take" annotation (Dialog(group="Signal"));
   output Real y "Signal";
 protected
   constant Real part[6](each unit="1") = {0.173, 0.294, 0.427, 0.581, 0.769, 1} "Frequencies by the highest one";

@@ -1,9 +1,9 @@
 within PneumaticMuscle.Sources;
 block Step "A step with a short rise"
-  parameter Real before = 0 "Value before the step";
-  parameter Real after = 1 "Value after the step";
-  parameter Types.Time start = 1 "Time in the middle of the rise";
-  parameter Types.Time rise(min=1e-4) = 5e-3 "Time over which it rises";
+  parameter Real before = 0 "Value before the step" annotation (Dialog(group="Signal"));
+  parameter Real after = 1 "Value after the step" annotation (Dialog(group="Signal"));
+  parameter Types.Time start = 1 "Time in the middle of the rise" annotation (Dialog(group="Signal"));
+  parameter Types.Time rise(min=1e-4) = 5e-3 "Time over which it rises" annotation (Dialog(group="Signal"));
   output Real y "Signal";
 equation
   y = before + (after - before)*0.5*(1 + tanh((time - start)/rise));

@@ -2,7 +2,8 @@ within PneumaticMuscle.Unknowns;
 model MissingHeatOfBalancedGas "A heat flow that no law explains into a gas that keeps books of mass and energy"
   extends BalancedGasTerm;
   extends Interfaces.Effect(final family="unknown", final balance="energy");
-  parameter Types.Power Q_flow_missing(min=-1e6, max=1e6) = 0 "Missing heat flow, positive into the gas";
+  parameter Types.Power Q_flow_missing(min=-1e6, max=1e6) = 0 "Missing heat flow, positive into the gas"
+    annotation (Dialog(group="Missing term"));
 equation
   missing = Q_flow_missing;
   annotation (Documentation(info="<html>

@@ -1,6 +1,7 @@
 within PneumaticMuscle.Validation;
 model ValveCalibration "Flow and effective area of the valve by current at fifteen supplies, DP section 4.4"
-  parameter Real current_rate(unit="A/s", min=0.01, max=1) = 0.035 "Rise of the current";
+  parameter Real current_rate(unit="A/s", min=0.01, max=1) = 0.035 "Rise of the current"
+    annotation (Dialog(group="Operation"));
   constant Types.GaugePressure p_supply[15] = {30e3 + 250e3*(i - 1)/14 for i in 1:15} "Supplies from 30 to 280 kPa";
   output Types.Current u = current_rate*time "Current";
   output Types.MassFlowRate m_flow[15] = valve.m_flow "Mass flow rates into the open air";

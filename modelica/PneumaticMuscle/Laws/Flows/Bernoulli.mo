@@ -1,7 +1,7 @@
 within PneumaticMuscle.Laws.Flows;
 model Bernoulli "Incompressible flow, DP (10)"
   extends Flow;
-  parameter Real C_q(unit="1", min=0.1, max=3) = 1 "Flow coefficient";
+  parameter Real C_q(unit="1", min=0.1, max=3) = 1 "Flow coefficient" annotation (Dialog(group="Law"));
 protected
   constant Types.Pressure dp_laminar = 20 "Pressure drop below which the flow is laminar";
   Types.Pressure dp = port_a.p - port_b.p "Pressure drop";

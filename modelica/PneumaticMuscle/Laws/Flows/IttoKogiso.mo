@@ -1,8 +1,10 @@
 within PneumaticMuscle.Laws.Flows;
 model IttoKogiso "One proportional valve shares its opening between inlet and outlet, DP (8)"
   extends Interfaces.ValveArea;
-  parameter Types.Area A_0(min=1e-9, max=1e-4, nominal=1e-7) = 3.69e-7 "Area of the fully opened valve before calibration";
-  parameter Types.Current u_full(min=1e-3, max=10) = 0.35 "Command at which only the inlet is open; at zero only the outlet is";
+  parameter Types.Area A_0(min=1e-9, max=1e-4, nominal=1e-7) = 3.69e-7 "Area of the fully opened valve before calibration"
+    annotation (Dialog(group="Law"));
+  parameter Types.Current u_full(min=1e-3, max=10) = 0.35 "Command at which only the inlet is open; at zero only the outlet is"
+    annotation (Dialog(group="Law"));
   Real phi(unit="1") = max(0, min(1, u[1]/u_full)) "Share of the inlet, from 0 to 1";
 equation
   A[1] = C_A*A_0*phi;

@@ -1,16 +1,25 @@
 within PneumaticMuscle.Laws.Forces;
 model CaoPiecewise "Linear in contraction and speed, other coefficients above 200 kPa than below, after DP (7)"
   extends Interfaces.Cylinder;
-  parameter Types.GaugePressure p_change(min=1e4, max=1e6) = 200e3 "Gauge pressure at which the slopes by pressure change";
-  parameter Types.Force F_0(min=-1e3, max=1e3) = 0 "F at no pressure";
-  parameter Types.Area F_1(min=0, max=0.1, nominal=1e-3) = 6e-4 "F per gauge pressure below the change";
-  parameter Types.Area F_2(min=0, max=0.1, nominal=1e-3) = 3e-4 "F per gauge pressure above the change";
-  parameter Types.TranslationalStiffness K_0(min=0, max=1e5) = 500 "Stiffness at no pressure";
-  parameter Types.Length K_1(min=-1, max=1, nominal=1e-3) = 4e-3 "Stiffness per gauge pressure below the change";
-  parameter Types.Length K_2(min=-1, max=1, nominal=1e-3) = 2e-3 "Stiffness per gauge pressure above the change";
-  parameter Types.TranslationalDamping B_0(min=0, max=1e4) = 50 "Damping at no pressure";
-  parameter Real B_1(unit="N.s/(m.Pa)", min=-0.1, max=0.1, nominal=1e-4) = 2e-4 "Damping per gauge pressure below the change";
-  parameter Real B_2(unit="N.s/(m.Pa)", min=-0.1, max=0.1, nominal=1e-4) = 1e-4 "Damping per gauge pressure above the change";
+  parameter Types.GaugePressure p_change(min=1e4, max=1e6) = 200e3 "Gauge pressure at which the slopes by pressure change"
+    annotation (Dialog(group="Law"));
+  parameter Types.Force F_0(min=-1e3, max=1e3) = 0 "F at no pressure" annotation (Dialog(group="Law"));
+  parameter Types.Area F_1(min=0, max=0.1, nominal=1e-3) = 6e-4 "F per gauge pressure below the change"
+    annotation (Dialog(group="Law"));
+  parameter Types.Area F_2(min=0, max=0.1, nominal=1e-3) = 3e-4 "F per gauge pressure above the change"
+    annotation (Dialog(group="Law"));
+  parameter Types.TranslationalStiffness K_0(min=0, max=1e5) = 500 "Stiffness at no pressure"
+    annotation (Dialog(group="Law"));
+  parameter Types.Length K_1(min=-1, max=1, nominal=1e-3) = 4e-3 "Stiffness per gauge pressure below the change"
+    annotation (Dialog(group="Law"));
+  parameter Types.Length K_2(min=-1, max=1, nominal=1e-3) = 2e-3 "Stiffness per gauge pressure above the change"
+    annotation (Dialog(group="Law"));
+  parameter Types.TranslationalDamping B_0(min=0, max=1e4) = 50 "Damping at no pressure"
+    annotation (Dialog(group="Law"));
+  parameter Real B_1(unit="N.s/(m.Pa)", min=-0.1, max=0.1, nominal=1e-4) = 2e-4 "Damping per gauge pressure below the change"
+    annotation (Dialog(group="Law"));
+  parameter Real B_2(unit="N.s/(m.Pa)", min=-0.1, max=0.1, nominal=1e-4) = 1e-4 "Damping per gauge pressure above the change"
+    annotation (Dialog(group="Law"));
   Types.Length x = L0 - L "Contraction";
   Types.Velocity v = der(x) "Speed of contraction";
 protected

@@ -1,16 +1,23 @@
 within PneumaticMuscle.Laws.Forces;
 model CaoQuadratic "Polynomial in contraction and speed, coefficients linear in pressure, DP (7)"
   extends Interfaces.Cylinder;
-  parameter Types.Force F_0(min=-1e3, max=1e3) = 0 "F at no pressure";
-  parameter Types.Area F_1(min=0, max=0.1, nominal=1e-3) = 6e-4 "F per gauge pressure";
-  parameter Types.TranslationalDamping B1_0(min=-1e4, max=1e4) = -40 "B1 at no pressure";
-  parameter Real B1_1(unit="N.s/(m.Pa)", min=-0.1, max=0.1, nominal=1e-4) = -1e-4 "B1 per gauge pressure";
-  parameter Types.TranslationalStiffness K1_0(min=-1e5, max=1e5) = -500 "K1 at no pressure";
-  parameter Types.Length K1_1(min=-1, max=1, nominal=1e-3) = -7e-3 "K1 per gauge pressure";
-  parameter Real K2_0(unit="N/m2", min=-1e6, max=1e6, nominal=1e3) = 0 "K2 at no pressure";
-  parameter Real K2_1(unit="1", min=-10, max=10) = 0.01 "K2 per gauge pressure";
-  parameter Real B2_0(unit="N.s/m2", min=-1e5, max=1e5, nominal=1e2) = -100 "B2 at no pressure";
-  parameter Real B2_1(unit="s", min=-1, max=1, nominal=1e-3) = 0 "B2 per gauge pressure";
+  parameter Types.Force F_0(min=-1e3, max=1e3) = 0 "F at no pressure" annotation (Dialog(group="Law"));
+  parameter Types.Area F_1(min=0, max=0.1, nominal=1e-3) = 6e-4 "F per gauge pressure" annotation (Dialog(group="Law"));
+  parameter Types.TranslationalDamping B1_0(min=-1e4, max=1e4) = -40 "B1 at no pressure"
+    annotation (Dialog(group="Law"));
+  parameter Real B1_1(unit="N.s/(m.Pa)", min=-0.1, max=0.1, nominal=1e-4) = -1e-4 "B1 per gauge pressure"
+    annotation (Dialog(group="Law"));
+  parameter Types.TranslationalStiffness K1_0(min=-1e5, max=1e5) = -500 "K1 at no pressure"
+    annotation (Dialog(group="Law"));
+  parameter Types.Length K1_1(min=-1, max=1, nominal=1e-3) = -7e-3 "K1 per gauge pressure"
+    annotation (Dialog(group="Law"));
+  parameter Real K2_0(unit="N/m2", min=-1e6, max=1e6, nominal=1e3) = 0 "K2 at no pressure"
+    annotation (Dialog(group="Law"));
+  parameter Real K2_1(unit="1", min=-10, max=10) = 0.01 "K2 per gauge pressure" annotation (Dialog(group="Law"));
+  parameter Real B2_0(unit="N.s/m2", min=-1e5, max=1e5, nominal=1e2) = -100 "B2 at no pressure"
+    annotation (Dialog(group="Law"));
+  parameter Real B2_1(unit="s", min=-1, max=1, nominal=1e-3) = 0 "B2 per gauge pressure"
+    annotation (Dialog(group="Law"));
   Types.Length x = L0 - L "Contraction";
   Types.Velocity v = der(x) "Speed of contraction";
   Types.GaugePressure p_gauge = port.p - ambient.p "Gauge pressure";

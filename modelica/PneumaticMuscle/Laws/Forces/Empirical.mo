@@ -1,12 +1,17 @@
 within PneumaticMuscle.Laws.Forces;
 model Empirical "Gaylord's force with factors on strain and force, DY (1)-(7)"
   extends Interfaces.Cylinder;
-  parameter Real k(unit="1", min=0.5, max=2) = 1 "Factor on the strain, DY (2)";
-  parameter Real c_1(unit="1", min=0, max=10) = 3 "Excess of the factor on the strain at no pressure";
-  parameter Real c_2(unit="1/Pa", min=-1e-4, max=0, nominal=1e-6) = -2e-6 "Its exponent on pressure";
-  parameter Real c_3(unit="1", min=-2, max=5) = 0.3 "Part of the factor on the force that strain takes away";
-  parameter Real c_4(unit="1", min=-100, max=0, nominal=10) = -15 "Its exponent on strain";
-  parameter Real c_5(unit="1", min=0.1, max=3) = 0.95 "Part of the factor on the force that stays";
+  parameter Real k(unit="1", min=0.5, max=2) = 1 "Factor on the strain, DY (2)" annotation (Dialog(group="Law"));
+  parameter Real c_1(unit="1", min=0, max=10) = 3 "Excess of the factor on the strain at no pressure"
+    annotation (Dialog(group="Law"));
+  parameter Real c_2(unit="1/Pa", min=-1e-4, max=0, nominal=1e-6) = -2e-6 "Its exponent on pressure"
+    annotation (Dialog(group="Law"));
+  parameter Real c_3(unit="1", min=-2, max=5) = 0.3 "Part of the factor on the force that strain takes away"
+    annotation (Dialog(group="Law"));
+  parameter Real c_4(unit="1", min=-100, max=0, nominal=10) = -15 "Its exponent on strain"
+    annotation (Dialog(group="Law"));
+  parameter Real c_5(unit="1", min=0.1, max=3) = 0.95 "Part of the factor on the force that stays"
+    annotation (Dialog(group="Law"));
   Types.GaugePressure p_gauge = port.p - ambient.p "Gauge pressure";
   Real eps(unit="1") = (L0 - L)/L0 "Contraction ratio";
   Real q(unit="1") = 1 + c_1*exp(c_2*p_gauge) "Shape irregularity";

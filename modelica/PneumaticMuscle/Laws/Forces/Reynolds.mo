@@ -1,13 +1,19 @@
 within PneumaticMuscle.Laws.Forces;
 model Reynolds "Contractile element, spring and damper in parallel, all linear in pressure, DP (6)"
   extends Interfaces.Cylinder;
-  parameter Types.Force F_0(min=-1e3, max=1e3) = 0 "Contractile force at no pressure";
-  parameter Types.Area F_1(min=0, max=0.1, nominal=1e-3) = 6e-4 "Contractile force per gauge pressure";
-  parameter Types.TranslationalStiffness K_0(min=0, max=1e5) = 500 "Stiffness at no pressure";
-  parameter Types.Length K_1(min=0, max=1, nominal=1e-3) = 4e-3 "Stiffness per gauge pressure";
-  parameter Types.TranslationalDamping B_0(min=0, max=1e4) = 50 "Damping in contraction at no pressure";
-  parameter Real B_1(unit="N.s/(m.Pa)", min=-0.1, max=0.1, nominal=1e-4) = 2e-4 "Damping in contraction per gauge pressure";
-  parameter Real r(unit="1", min=0, max=2) = 0.6 "Damping in relaxation by that in contraction";
+  parameter Types.Force F_0(min=-1e3, max=1e3) = 0 "Contractile force at no pressure" annotation (Dialog(group="Law"));
+  parameter Types.Area F_1(min=0, max=0.1, nominal=1e-3) = 6e-4 "Contractile force per gauge pressure"
+    annotation (Dialog(group="Law"));
+  parameter Types.TranslationalStiffness K_0(min=0, max=1e5) = 500 "Stiffness at no pressure"
+    annotation (Dialog(group="Law"));
+  parameter Types.Length K_1(min=0, max=1, nominal=1e-3) = 4e-3 "Stiffness per gauge pressure"
+    annotation (Dialog(group="Law"));
+  parameter Types.TranslationalDamping B_0(min=0, max=1e4) = 50 "Damping in contraction at no pressure"
+    annotation (Dialog(group="Law"));
+  parameter Real B_1(unit="N.s/(m.Pa)", min=-0.1, max=0.1, nominal=1e-4) = 2e-4 "Damping in contraction per gauge pressure"
+    annotation (Dialog(group="Law"));
+  parameter Real r(unit="1", min=0, max=2) = 0.6 "Damping in relaxation by that in contraction"
+    annotation (Dialog(group="Law"));
   Types.Length y = L0 - L "Contraction";
   Types.Velocity v = der(y) "Speed of contraction";
   Types.GaugePressure p_gauge = port.p - ambient.p "Gauge pressure";

@@ -1,8 +1,10 @@
 within PneumaticMuscle.Laws.Forces;
 model ThreeElementShape "Two frustums and a cylinder, DP (13), by virtual work"
   extends Interfaces.Braid;
-  parameter Types.Length d(min=1e-3, max=0.2) = 0.013 "Diameter of the end connectors, DP Table 1";
-  parameter Types.Length L_z(min=1e-3, max=0.1) = 0.008 "Length of a generator of the cones, DP Table 1";
+  parameter Types.Length d(min=1e-3, max=0.2) = 0.013 "Diameter of the end connectors, DP Table 1"
+    annotation (Dialog(group="Geometry"));
+  parameter Types.Length L_z(min=1e-3, max=0.1) = 0.008 "Length of a generator of the cones, DP Table 1"
+    annotation (Dialog(group="Geometry"));
   Types.Length L_L "Length of a frustum along the axis";
   Types.Length margin = L_z - (D - d)/2 "What the generator is longer than the step it must span; below zero the shape does not exist";
 protected

@@ -1,7 +1,8 @@
 within PneumaticMuscle.Laws.Forces;
 model TothovaPitel "A barrel: the diameter varies along the muscle, DP (9)"
   extends Interfaces.Braid;
-  parameter Types.Length d_1(min=1e-3, max=0.2) = 0.013 "Diameter at the ends; that of the valve in DP";
+  parameter Types.Length d_1(min=1e-3, max=0.2) = 0.013 "Diameter at the ends; that of the valve in DP"
+    annotation (Dialog(group="Geometry"));
 protected
   Real N_pi(unit="1") = turns*Constants.pi "Half a circle by turns";
 equation

@@ -1,8 +1,8 @@
 within PneumaticMuscle.Laws.Frictions;
 model LoadAndRate "Friction by static load and frequency of the excitation, DY (10)-(11)"
   extends CoulombViscous(final c_v=a*excitation.F_load*b_f*excitation.frequency);
-  parameter Types.Time a(min=0, max=100) = 0.5 "Coefficient of the load";
-  parameter Types.Time b_f(min=0, max=100) = 0.3 "Coefficient of the frequency (b)";
+  parameter Types.Time a(min=0, max=100) = 0.5 "Coefficient of the load" annotation (Dialog(group="Law"));
+  parameter Types.Time b_f(min=0, max=100) = 0.3 "Coefficient of the frequency (b)" annotation (Dialog(group="Law"));
 protected
   outer Components.Excitation excitation "Load and frequency of the run";
   annotation (Documentation(info="<html>
