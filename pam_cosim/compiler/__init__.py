@@ -5,8 +5,8 @@ The way of a model through the files: ``source``, ``lexer``, ``parser`` (with ``
 ``instantiation`` makes the tree of components (``instance``) under ``modification``; ``evaluation`` (with
 ``arithmetic``, ``builtins``, ``functions``, ``assertions``) turns expressions into values, ``symbols`` into CasADi
 symbols; ``flattening`` and ``connections`` give residual equations; ``index_reduction`` and ``blocks`` (with
-``matching``) solve them; ``delays`` finds the inputs that ``delay`` asks for; ``initialization`` solves at the start;
-``compile`` puts the ``Ode`` together.
+``matching``) solve them; ``delays`` finds the inputs that ``delay`` asks for; ``initialization`` solves at the start,
+and ``start`` keeps what it says of parameters; ``compile`` puts the ``Ode`` together.
 ``catalogue`` and ``structure`` tell what classes and models consist of; ``effects`` and ``compose`` build on them.
 
 Modelica 3.6 without events: ``when``, discrete variables, ``stream`` and ``expandable`` connectors, external

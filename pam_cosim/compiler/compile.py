@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -14,7 +14,7 @@ from pam_cosim.compiler.arithmetic import Shown
 from pam_cosim.compiler.assertions import Assertion
 from pam_cosim.compiler.blocks import solve
 from pam_cosim.compiler.delays import DelayedInputs, put
-from pam_cosim.compiler.flattening import FlatModel, flatten
+from pam_cosim.compiler.flattening import FlatModel, Residual, flatten
 from pam_cosim.compiler.index_reduction import System, reduce_index, select_states
 from pam_cosim.compiler.initialization import Start, initial_values
 from pam_cosim.compiler.instance import Instance
@@ -22,6 +22,7 @@ from pam_cosim.compiler.instantiation import Instantiator
 from pam_cosim.compiler.library import Library
 from pam_cosim.compiler.ode import Ode, Statement
 from pam_cosim.compiler.scope import Class, Lookup
+from pam_cosim.compiler.start import beginning
 from pam_cosim.errors import ModelError
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.resources import modelica_root
@@ -111,9 +112,9 @@ class _Assembly:
         self.p = ca.vertcat(ca.SX(0, 1), *[symbols.free[leaf] for leaf in parameters])
         self.p_values = ca.vertcat(ca.SX(0, 1), *[symbols.defaults[leaf] for leaf in parameters])
         initial = self._initial()
+        delayed = self._delayed()
         outputs = [leaf for leaf in self._unknown_leaves() if self._is_output(leaf)]
         local = self._locals(outputs)
-        delayed = DelayedInputs(symbols.delays, self.solved, system.variables, list(symbols.inputs.values()), self.p)
         derivatives, values, others = _shared(
             delayed.put_in([self._derivative(name) for name in self.states]),
             delayed.put_in([self._value(leaf.name) for leaf in outputs]),
@@ -156,7 +157,7 @@ class _Assembly:
         for name, symbol in symbols.derivatives.items():
             derivative_of[name] = symbol.name()
             variables[symbol.name()] = symbol
-        inputs = frozenset([*(leaf.name for leaf in symbols.inputs), *symbols.delays])
+        inputs = frozenset([*(leaf.name for leaf in symbols.inputs), *symbols.delays, *symbols.comparisons])
         return System(variables, derivative_of, list(self.flat.residuals), inputs, symbols.t)
 
     def _preference(self, name: str) -> float:
@@ -175,9 +176,8 @@ class _Assembly:
     def _statement(self, assertion: Assertion, delayed: DelayedInputs) -> Statement:
         """An assertion in terms of states, inputs and parameters."""
         shown = [part for part in assertion.message.parts if isinstance(part, Shown)]
-        condition, *values = delayed.put_in(
-            [put(e, self.system.variables, self.solved) for e in (assertion.condition, *(s.value for s in shown))]
-        )
+        condition, *values = delayed.put_in([self._known(e) for e in (assertion.condition, *(s.value for s in shown))])
+        self.beginning.refuse_start_times(ca.vertcat(condition, *values))
         texts = [""]
         for part in assertion.message.parts:
             if isinstance(part, str):
@@ -190,6 +190,9 @@ class _Assembly:
             condition, tuple(texts), tuple(zip(values, digits, strict=True)), assertion.is_error,
             assertion.at_start or fixed,
         )  # fmt: skip
+
+    def _known(self, expression: ca.SX) -> ca.SX:
+        return self.beginning.known(put(expression, self.system.variables, self.solved))
 
     # ---- results ------------------------------------------------------------------------------------------
 
@@ -211,7 +214,9 @@ class _Assembly:
                 if leaf not in taken and leaf.name not in self.states:
                     found.append((leaf, self._value(leaf.name)))
             elif leaf.variability == "parameter" and leaf.primitive == "Real" and leaf not in symbols.free:
-                found.append((leaf, ca.SX(symbols.value(leaf))))
+                value = self.beginning.known(ca.SX(symbols.value(leaf)))
+                if not _names(value) & self.beginning.start_times:
+                    found.append((leaf, value))
         return found
 
     def _state_variable(self, name: str, initial: ca.SX) -> Variable:
@@ -229,7 +234,37 @@ class _Assembly:
         for name, leaf in self._leaves().items():
             if name not in starts and metadata.is_fixed(leaf, constants):
                 starts[name] = self._start(name)
-        return initial_values(self.system, self.states, starts, self.flat.initial, (self.p, self.p_values))
+        symbols = self.flat.symbols
+        equations = [Residual(self._not_yet(r.expression), r.place) for r in self.flat.initial]
+        system = replace(self.system, residuals=[replace(r, expression=self._not_yet(r.expression))
+                                                 for r in self.system.residuals])  # fmt: skip
+        values, late = initial_values(system, self.states, starts, equations, (self.p, self.p_values), symbols.late)
+        self.beginning = beginning(late, symbols.late, symbols.comparisons, symbols.t)
+        return values
+
+    def _not_yet(self, expression: ca.SX) -> ca.SX:
+        """At the start, when no time has passed since the start."""
+        comparisons = self.flat.symbols.comparisons
+        return put(expression, {n: c.symbol for n, c in comparisons.items()}, dict.fromkeys(comparisons, ca.SX(0)))
+
+    def _delayed(self) -> DelayedInputs:
+        """Everything is in terms of what is known when a run begins from here on."""
+        symbols, known = self.flat.symbols, self.beginning.known
+        if symbols.late:
+            self.solved = {name: known(value) for name, value in self.solved.items()}
+            for value in self.solved.values():
+                self.beginning.refuse_start_times(value)
+        calls = {
+            name: replace(c, argument=known(c.argument), start=known(c.start), time=known(c.time))
+            for name, c in symbols.delays.items()
+        }
+        begun = {
+            name: (c.symbol, ca.fmax(c.length, 0))
+            for name, c in symbols.comparisons.items()
+            if c.start in self.beginning.start_times
+        }
+        inputs = list(symbols.inputs.values())
+        return DelayedInputs(calls, self.solved, self.system.variables, inputs, self.p, begun)
 
     def _start(self, name: str) -> Start:
         leaf = self._leaf(name)

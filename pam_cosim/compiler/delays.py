@@ -50,6 +50,7 @@ class DelayedInputs:
         symbols: of the unknowns, by name.
         inputs: symbols of the inputs, in their order.
         parameters: symbols of the free parameters.
+        begun: what is 0 from the start for a length of time, and then 1, by the name of its symbol: both.
         delays: the delayed inputs found so far, and ``delayed`` their symbols.
     """
 
@@ -58,6 +59,7 @@ class DelayedInputs:
     symbols: Mapping[str, ca.SX]
     inputs: Sequence[ca.SX]
     parameters: ca.SX
+    begun: Mapping[str, tuple[ca.SX, ca.SX]] = field(default_factory=dict)
     delays: list[Delay] = field(default_factory=list)
     delayed: list[ca.SX] = field(default_factory=list)
     _results: dict[str, ca.SX] = field(default_factory=dict, init=False)
@@ -76,11 +78,12 @@ class DelayedInputs:
             ModelError: with the place of a call that delays something else than inputs and parameters, or by a
                 time that is no expression of parameters.
         """
-        results = {name: self._result(call) for name, call in self.calls.items()}
+        results = [self._result(call) for call in self.calls.values()]
+        results += [self._channel(Delay(None, length)) for _, length in self.begun.values()]
         if not results:
             return list(expressions)
-        old = ca.vertcat(*[self.calls[name].symbol for name in results])
-        return list(ca.substitute(list(expressions), [old], [ca.vertcat(*results.values())]))
+        old = [call.symbol for call in self.calls.values()] + [symbol for symbol, _ in self.begun.values()]
+        return list(ca.substitute(list(expressions), [ca.vertcat(*old)], [ca.vertcat(*results)]))
 
     def _result(self, call: DelayCall) -> ca.SX:
         name = call.symbol.name()
@@ -121,6 +124,8 @@ class DelayedInputs:
                 delay = Delay(self._positions[name], time)
             elif name in already:
                 delay = Delay(already[name].input, already[name].time + time)
+            elif name in self.begun:
+                delay = Delay(None, self.begun[name][1] + time)
             else:
                 message = f"delay() of something other than an input is not supported: it depends on '{name}'"
                 raise call.source.error(message, call.at)
@@ -149,7 +154,7 @@ def _names(expression: ca.SX) -> list[str]:
 
 def put(expression: ca.SX, symbols: Mapping[str, ca.SX], values: Mapping[str, ca.SX]) -> ca.SX:
     """The expression with values in place of those symbols that have one."""
-    names = [name for name in _names(expression) if name in values]
+    names = [name for name in _names(expression) if name in values] if values else []
     if not names:
         return expression
     return ca.substitute(

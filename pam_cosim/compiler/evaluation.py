@@ -11,6 +11,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+import casadi as ca
+
 from pam_cosim.compiler import arithmetic
 from pam_cosim.compiler.instance import Instance
 from pam_cosim.compiler.modification import Bound, Mod, bind
@@ -42,6 +44,7 @@ if TYPE_CHECKING:
 Value = Any
 Environment = Mapping[str, Value]
 NO_NAMES: Environment = {}
+_ORDERS = frozenset(("<", "<=", ">", ">="))
 # Enumerations that the language brings (Modelica 3.6, sections 4.4.4.2 and 8.3.7).
 ENUMERATIONS = {
     "StateSelect": ("never", "avoid", "default", "prefer", "always"),
@@ -100,6 +103,10 @@ class Evaluator:
     def delay(self, value: Value, start: Value, time: Value, scope: Scope, at: int) -> Value:
         """The value of ``delay(value, time)``, which stands at ``at``; ``start`` is the value at the start."""
         raise ModelError("delay() cannot be used here: a constant is needed")
+
+    def order(self, operator: str, left: Value, right: Value) -> Value:
+        """A comparison by size that is not decided yet."""
+        return arithmetic.binary(operator, left, right)
 
     def assertion(self, condition: Value, message: arithmetic.Text, is_error: bool, at_start: bool) -> None:
         """Notes a condition that is not known to hold; where all is known there is none."""
@@ -355,7 +362,10 @@ class Evaluator:
             return False
         if node.operator == "or" and left is True:
             return True
-        return arithmetic.binary(node.operator, left, self.evaluate(node.right, scope, names))
+        right = self.evaluate(node.right, scope, names)
+        if node.operator in _ORDERS and (isinstance(left, ca.SX) or isinstance(right, ca.SX)):
+            return self.order(node.operator, left, right)
+        return arithmetic.binary(node.operator, left, right)
 
     def _conditional(self, node: Conditional, scope: Scope, names: Environment) -> Value:
         chosen: list[tuple[Value, Value]] = []

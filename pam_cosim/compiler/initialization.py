@@ -32,11 +32,13 @@ def initial_values(
     starts: Mapping[str, Start],
     equations: Sequence[Residual],
     defaults: tuple[ca.SX, ca.SX],
-) -> list[ca.SX]:
-    """One expression for each state, in terms of parameters.
+    late: Mapping[str, ca.SX],
+) -> tuple[list[ca.SX], dict[str, ca.SX]]:
+    """One expression for each state, in terms of parameters, and one for each parameter that is not fixed.
 
-    At the start all equations of the model hold, and so many more as there are states: the fixed starts, then
-    the initial equations; what these leave open is determined by the starts of states that are not fixed.
+    At the start all equations of the model hold, and so many more as there are states and parameters that are not
+    fixed: the fixed starts, then the initial equations; what these leave open is determined by the starts of states
+    that are not fixed. The parameters may depend on time, which is then that of the start.
 
     Args:
         system: the equations after index reduction.
@@ -44,54 +46,66 @@ def initial_values(
         starts: the start values, by name, of states and of all variables with a fixed start.
         equations: initial equations.
         defaults: the parameters' symbols and values, to judge superfluous equations.
+        late: symbols of the parameters that are not fixed.
 
     Raises:
         ModelError: initial equations that contradict each other or cannot be solved.
     """
+    unknown = {**system.variables, **late}
     fixed = [_start_equation(system, name, start) for name, start in starts.items() if start.fixed]
     free = [_start_equation(system, name, start) for name, start in starts.items() if not start.fixed]
     chosen = list(system.residuals)
     superfluous: list[Residual] = []
-    incidence = [_names(residual, system) for residual in chosen]
+    incidence = [_names(residual, unknown) for residual in chosen]
     matching: Matching[str] = Matching()
     for i in range(len(chosen)):
         matching.add(i, incidence.__getitem__)
     for number, equation in enumerate([*fixed, *equations, *free]):
-        incidence.append(_names(equation, system))
-        if len(chosen) < len(system.variables) and matching.add(len(chosen), incidence.__getitem__):
+        incidence.append(_names(equation, unknown))
+        if len(chosen) < len(unknown) and matching.add(len(chosen), incidence.__getitem__):
             chosen.append(equation)
             continue
         incidence.pop()
         if number < len(fixed) + len(equations):
             superfluous.append(equation)
-    zero = [Residual(ca.substitute(r.expression, system.time, ca.SX(0)), r.place) for r in chosen]
     try:
-        solved = solve(zero, list(system.variables), system.variables)
+        solved = solve([_at_start(r, system, late) for r in chosen], list(unknown), unknown)
     except ModelError as error:
         raise ModelError(f"initial values: {error.message}") from None
-    _check_superfluous(superfluous, solved, system, defaults)
-    for name in states:
+    _check_superfluous(superfluous, solved, unknown, defaults)
+    for name in (*states, *late):
         inputs = [symbol.name() for symbol in ca.symvar(solved[name]) if symbol.name() in system.inputs]
         if inputs:
             raise ModelError(f"the initial value of '{name}' depends on the input '{inputs[0]}'")
-    return [solved[name] for name in states]
+    values = [ca.substitute(solved[name], system.time, ca.SX(0)) for name in states]
+    return values, {name: solved[name] for name in late}
+
+
+def _at_start(residual: Residual, system: System, late: Mapping[str, ca.SX]) -> Residual:
+    """The equation at time zero; one that determines a parameter keeps the time, which is that of the start."""
+    if _names(residual, late):
+        return residual
+    return Residual(ca.substitute(residual.expression, system.time, ca.SX(0)), residual.place)
 
 
 def _start_equation(system: System, name: str, start: Start) -> Residual:
     return Residual(system.variables[name] - start.value, start.place)
 
 
-def _names(residual: Residual, system: System) -> list[str]:
-    return [s.name() for s in ca.symvar(residual.expression) if s.name() in system.variables]
+def _names(residual: Residual, unknown: Mapping[str, ca.SX]) -> list[str]:
+    return [s.name() for s in ca.symvar(residual.expression) if s.name() in unknown]
 
 
 def _check_superfluous(
-    equations: Sequence[Residual], solved: Mapping[str, ca.SX], system: System, defaults: tuple[ca.SX, ca.SX]
+    equations: Sequence[Residual],
+    solved: Mapping[str, ca.SX],
+    unknown: Mapping[str, ca.SX],
+    defaults: tuple[ca.SX, ca.SX],
 ) -> None:
     """An initial equation too many is tolerated if it holds at the default parameters."""
     for equation in equations:
-        names = _names(equation, system)
-        old = ca.vertcat(ca.SX(0, 1), *[system.variables[n] for n in names])
+        names = _names(equation, unknown)
+        old = ca.vertcat(ca.SX(0, 1), *[unknown[n] for n in names])
         new = ca.vertcat(ca.SX(0, 1), *[solved[n] for n in names])
         rest = ca.substitute(ca.substitute(equation.expression, old, new), *defaults)
         value = float(ca.evalf(rest)) if not ca.symvar(rest) else float("nan")

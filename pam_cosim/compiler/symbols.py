@@ -12,6 +12,7 @@ from pam_cosim.compiler.evaluation import Evaluator, Value
 from pam_cosim.compiler.instance import Instance
 from pam_cosim.compiler.instantiation import Instantiator
 from pam_cosim.compiler.scope import Scope
+from pam_cosim.compiler.start import Comparison, comparison
 from pam_cosim.errors import ModelError
 
 
@@ -29,6 +30,8 @@ class SymbolTable(Evaluator):
         derivatives: ``der(x)`` by the name of x.
         delays: calls of ``delay`` by the name of the symbol that stands for the result.
         assertions: what the model states of itself.
+        late: parameters that initial equations determine, by name.
+        comparisons: of time with them, by the name of the symbol that stands for the result.
     """
 
     def __init__(self, instantiator: Instantiator, root: Instance) -> None:
@@ -42,6 +45,8 @@ class SymbolTable(Evaluator):
         self.derivatives: dict[str, ca.SX] = {}
         self.delays: dict[str, DelayCall] = {}
         self.assertions: list[Assertion] = []
+        self.late: dict[str, ca.SX] = {}
+        self.comparisons: dict[str, Comparison] = {}
         self._by_name: dict[str, Instance] = {}
 
     def variable(self, instance: Instance) -> Value:
@@ -71,7 +76,10 @@ class SymbolTable(Evaluator):
         if instance.primitive != "Real":
             return self.instantiator.constants.value(instance)
         if "fixed" in instance.attributes and self.bound(instance.attributes["fixed"]) is False:
-            raise self.at_declaration(instance, f"'{instance.name}': parameters with fixed=false are not supported")
+            if instance.binding is not None:
+                message = f"parameter '{instance.name}' has a value, and fixed=false leaves it to initial equations"
+                raise self.at_declaration(instance, message)
+            return self.late.setdefault(instance.name, ca.SX.sym(instance.name))
         value = arithmetic.simplified(self.assigned(instance))
         if isinstance(value, ca.SX) or instance.prefixes & {"final", "protected"}:
             return value
@@ -100,6 +108,20 @@ class SymbolTable(Evaluator):
         symbol = ca.SX.sym(name)
         self.delays[name] = DelayCall(symbol, value, start, time, scope.definition.source, at)
         return symbol
+
+    def order(self, operator: str, left: Value, right: Value) -> Value:
+        """A comparison; one of time with what initial equations determine is kept, for they may make it an event."""
+        if isinstance(left, int | float | ca.SX) and isinstance(right, int | float | ca.SX) and self.late:
+            greater = (left, right) if operator[0] == ">" else (right, left)
+            found = comparison(ca.SX(greater[0]), ca.SX(greater[1]), self.t, self.late)
+            if found is not None and self._made_of_parameters(found[0].length):
+                kept, as_it_is = self.comparisons.setdefault(found[0].symbol.name(), found[0]), found[1]
+                return kept.symbol > 0.5 if as_it_is else kept.symbol < 0.5
+        return super().order(operator, left, right)
+
+    def _made_of_parameters(self, expression: ca.SX) -> bool:
+        free = {symbol.name() for symbol in self.free.values()}
+        return all(symbol.name() in free for symbol in ca.symvar(expression))
 
     def assertion(self, condition: Value, message: Text, is_error: bool, at_start: bool) -> None:
         """Keeps it once, however often a function that makes it is called with the same arguments."""

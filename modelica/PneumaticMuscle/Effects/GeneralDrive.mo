@@ -23,13 +23,16 @@ model GeneralDrive "The valves follow by a dead time, lags, a limited rate, an o
   Types.Current z[2](each start=0, each fixed=true) "What follows them in its time";
   Real w[2](each unit="A/s", each start=0, each fixed=true, each nominal=1) "Rates of the currents that are felt";
 protected
+  parameter Types.Time t_0(fixed=false) "Start time";
   constant Types.Current u_reference = 0.35 "Current to which slew refers";
   constant Types.Current u_smooth = 5e-3 "Difference of currents over which opening and closing change roles";
   Types.Current d[2] "What the currents that follow still lack";
   Real by[2](each unit="1") "Factor on both times: 1 in opening, ratio in closing";
+initial equation
+  t_0 = time;
 equation
   for i in 1:2 loop
-    tau_coil*der(c[i]) = delay(if initial() then 0 else u[i], dead_time) - c[i];
+    tau_coil*der(c[i]) = (if time > t_0 + dead_time then delay(u[i], dead_time) else 0) - c[i];
     d[i] = c[i] - z[i];
     by[i] = 0.5*(1 + ratio) + 0.5*(1 - ratio)*d[i]/sqrt(d[i]^2 + u_smooth^2);
     by[i]*sqrt((tau*exp(bend*(1 - z[i]/u_reference)))^2 + (slew*d[i]/u_reference)^2)*der(z[i]) = d[i];

@@ -3,9 +3,13 @@ model ValveDelay "The valves open and close late"
   extends Interfaces.ValveDrive;
   extends Interfaces.Effect(final family="valve_dynamics", final balance="mass", final absent="dead_time=1e-3");
   parameter Types.Time dead_time(min=1e-3, max=2, nominal=0.05) = 0.05 "Dead time" annotation (Dialog(group="Effect"));
+protected
+  parameter Types.Time t_0(fixed=false) "Start time";
+initial equation
+  t_0 = time;
 equation
   for i in 1:2 loop
-    y[i] = delay(if initial() then 0 else u[i], dead_time);
+    y[i] = if time > t_0 + dead_time then delay(u[i], dead_time) else 0;
   end for;
   annotation (Documentation(info="<html>
 <p>y(t) = u(t - dead_time) for either valve, exactly. Source: the dead time of a solenoid until its plunger moves, and
