@@ -263,7 +263,7 @@ def _write_advice(found: Diagnosis, following: Path | None, learned: Path | None
         if found.learned is None:
             typer.echo(f"nothing was learned: the verdict is {found.verdict.kind}; {learned} is not written")
         else:
-            write_text(learned, found.learned[0].modelica_source)
+            write_text(learned, found.learned.term.modelica_source)
             _saved(learned)
 
 

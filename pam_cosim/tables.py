@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from pam_cosim.comparison import Comparison
+from pam_cosim.diagnosis import NextExperiment
 from pam_cosim.errors import InputError
 from pam_cosim.files import read_json, write_text
 from pam_cosim.interface import Interface
@@ -45,7 +46,7 @@ def write_sweep(path: Path, points: Sequence[SweepPoint], interface: Interface) 
     write_text(path, text.getvalue())
 
 
-def write_next_run(path: Path, plan: Mapping[str, Any]) -> None:
+def write_next_run(path: Path, plan: NextExperiment) -> None:
     """Writes the inputs of a next experiment as a run's CSV; what else to set stands in comments above.
 
     Where inputs are held between the points, a step is two rows at one time, so that the file says the same whether
@@ -58,14 +59,14 @@ def write_next_run(path: Path, plan: Mapping[str, Any]) -> None:
     Raises:
         InputError: the file cannot be written.
     """
-    units: Mapping[str, str] = {"time": "s", **plan["units"]}
-    columns: Mapping[str, list[float]] = plan["table"]
+    units: Mapping[str, str] = {"time": "s", **plan.units}
+    columns = plan.table
     rows = list(zip(*columns.values(), strict=True))
-    if plan["interpolation"] == "previous":
+    if plan.interpolation == "previous":
         rows = _with_steps(rows)
     text = io.StringIO()
-    text.write(f"# run {_line(plan['run'])}, {_line(plan['change'])}\n")
-    for name, value in plan["parameters"].items():
+    text.write(f"# run {_line(plan.run)}, {_line(plan.change)}\n")
+    for name, value in plan.parameters.items():
         text.write(f"# set {name} = {_cell(value, units[name])} {_file_unit(units[name])}\n")
     table = csv.writer(text, lineterminator="\n")
     table.writerow([_headed(n, _file_unit(units[n])) for n in columns])

@@ -12,16 +12,18 @@ from pam_cosim.criteria import every_criterion
 from pam_cosim.reporting.criteria_page import criteria_page
 
 ROOT = Path(__file__).parents[1]
+FITTING = ("combinations", "estimate", "fit", "noise", "structure", "systematic")
 DECIDING = (
     *sorted((ROOT / "pam_cosim/comparison").glob("*.py")),
     *sorted((ROOT / "pam_cosim/diagnosis").glob("*.py")),
-    *(ROOT / "pam_cosim/fitting" / f"{name}.py" for name in ("fit", "estimate", "structure", "systematic", "noise")),
+    *(ROOT / "pam_cosim/fitting" / f"{name}.py" for name in FITTING),
     *(ROOT / "pam_cosim/ledger" / f"{name}.py" for name in ("keep", "sensor")),
     ROOT / "pam_cosim/measurement/noise.py",
 )
 DECIDE_NOTHING = {
     "_CLIPPED_VARIANCE": "follows from the clip",
     "_IDLE": "how long a process without work stays",
+    "_LOOK": "how often a worker looks whether its study still lives",
     "_REACH": "bounds that a learned coefficient is given",
     "_SPEEDS": "forms on the shelf",
     "_GROWTHS": "forms on the shelf",

@@ -181,7 +181,7 @@ def report(diagnosis: pam.Diagnosis, stages: Sequence[Fit], counter: Sequence[Fi
     steps = [[s.title, rms(f, "fit"), rms(f, "holdout")] for s, f in zip(STAGES, stages, strict=True)]
     others = [[s.title, rms(f, "fit"), rms(f, "holdout")] for s, f in zip(COUNTER, counter, strict=True)]
     added = [
-        [c.effect, c.family, f"{c.fit.comparison.scores['fit']['p'].rmse / 1e3:.1f}"] for c in diagnosis.path if c.fit
+        [c.effect, c.family, f"{c.fit.comparison.scores['fit']['p'].rmse / 1e3:.1f}"] for c in diagnosis.path
     ]
     return (
         (HERE / "report.template.md")

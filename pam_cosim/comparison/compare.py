@@ -8,11 +8,9 @@ from dataclasses import dataclass
 from pam_cosim.comparison.residuals import RunComparison, simulate_run
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.comparison.where import Rule, where
-from pam_cosim.measurement import DataSet
+from pam_cosim.measurement import ROLES, DataSet
 from pam_cosim.quantities import readable
 from pam_cosim.simulation import AnySimulator
-
-ROLES = ("fit", "holdout")
 
 
 @dataclass(frozen=True)
@@ -92,7 +90,7 @@ def compare(
     """
     known = dict(parameters or {})
     runs = tuple(simulate_run(simulator, data, run, known, tolerance) for run in data.runs)
-    by_role = {role: [r for r in runs if r.run.role == role] for role in ROLES}
+    by_role: dict[str, list[RunComparison]] = {role: [r for r in runs if r.run.role == role] for role in ROLES}
     scores = {role: score(found, data.signals) for role, found in by_role.items()}
     scores["all"] = score(runs, data.signals)
     outputs = simulator.interface.outputs

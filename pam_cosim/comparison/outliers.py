@@ -14,11 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import median_filter
 
+from pam_cosim.arrays import Array
 from pam_cosim.comparison.residuals import RunComparison
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement import DataSet, Run
-
-Array = NDArray[np.float64]
 
 
 def outliers(residual: Array) -> NDArray[np.bool_]:

@@ -5,13 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
+from pam_cosim.arrays import Array
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator, Inputs
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

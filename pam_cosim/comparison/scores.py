@@ -6,13 +6,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pam_cosim.comparison.residuals import RunComparison
 from pam_cosim.comparison.whiteness import lag_one
 from pam_cosim.measurement import Signal
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pam_cosim.arrays import Array
 from pam_cosim.comparison.residuals import RunComparison
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.interface import Variable
@@ -15,7 +16,6 @@ from pam_cosim.measurement import Signal
 from pam_cosim.quantities import readable_factor, readable_unit
 
 Mask = NDArray[np.bool_]
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

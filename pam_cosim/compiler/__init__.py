@@ -18,6 +18,7 @@ from pam_cosim.compiler.catalogue import ClassTree, read_library
 from pam_cosim.compiler.compile import compile_model
 from pam_cosim.compiler.compose import Composition, compose, compose_on, qualified
 from pam_cosim.compiler.effects import EffectClass, effect_classes, unknown_terms
+from pam_cosim.compiler.elementwise import elementwise
 from pam_cosim.compiler.hashing import flat_hash
 from pam_cosim.compiler.ode import Delay, Ode
 from pam_cosim.compiler.sensitivities import smooth_parameters, with_sensitivities
@@ -34,6 +35,7 @@ __all__ = [
     "compose",
     "compose_on",
     "effect_classes",
+    "elementwise",
     "flat_hash",
     "qualified",
     "read_library",

@@ -1,7 +1,20 @@
 """Fit and catalogue of effects -> which effect is missing."""
 
-from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
 from pam_cosim.diagnosis.diagnose import Diagnosis, diagnose
+from pam_cosim.diagnosis.explanation import LearnedModel
+from pam_cosim.diagnosis.missing_term import LeftInSignal, MissingTerm
+from pam_cosim.diagnosis.next_experiment import NextExperiment
 from pam_cosim.diagnosis.verdict import Verdict
 
-__all__ = ["Candidate", "Diagnosis", "Verdict", "diagnose"]
+__all__ = [
+    "Candidate",
+    "Diagnosis",
+    "FailedTrial",
+    "LearnedModel",
+    "LeftInSignal",
+    "MissingTerm",
+    "NextExperiment",
+    "Verdict",
+    "diagnose",
+]

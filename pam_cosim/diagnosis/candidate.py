@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from pam_cosim.comparison import SignalScore
 from pam_cosim.fitting import Estimate, Fit
+from pam_cosim.measurement import ROLES
 
 
 @dataclass(frozen=True)
@@ -17,8 +18,7 @@ class Candidate:
         family, balance: as the effect's class declares them.
         effects: all effects in the model, in the order in which they were added, ``effect`` last.
         own_parameters: names of the parameters that the tried effect brought.
-        fit: the fitted model; None when it could not be fitted.
-        failure: why not.
+        fit: the fitted model.
         delta_bic: Bayesian information criterion minus that of the model without ``effect``; negative is better.
         probability: weight among all candidates and the model without any, by that criterion.
         equations: the Modelica text of the model.
@@ -31,8 +31,7 @@ class Candidate:
     balance: str
     effects: tuple[str, ...]
     own_parameters: tuple[str, ...]
-    fit: Fit | None
-    failure: str | None = None
+    fit: Fit
     delta_bic: float = float("nan")
     probability: float = 0.0
     equations: str = ""
@@ -42,24 +41,47 @@ class Candidate:
     @property
     def parameters(self) -> dict[str, Estimate]:
         """Estimates of the effect's own parameters."""
-        return {} if self.fit is None else {n: self.fit.parameters[n] for n in self.own_parameters}
+        return {n: self.fit.parameters[n] for n in self.own_parameters}
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
-        found: dict[str, object] = {
-            "effect": self.effect,
-            "family": self.family,
-            "balance": self.balance,
-            "effects": list(self.effects),
+        return {
+            **_tried(self),
             "delta_bic": None if self.delta_bic != self.delta_bic else self.delta_bic,
             "probability": self.probability,
-            "failure": self.failure,
+            "failure": None,
+            **{role: role_summary(self.fit, role) for role in ROLES},
+            "parameters": {n: e.as_dict() for n, e in self.fit.parameters.items()},
+            "own_parameters": list(self.own_parameters),
         }
-        if self.fit is not None:
-            found |= {role: role_summary(self.fit, role) for role in ("fit", "holdout")}
-            found["parameters"] = {n: e.as_dict() for n, e in self.fit.parameters.items()}
-            found["own_parameters"] = list(self.own_parameters)
-        return found
+
+
+@dataclass(frozen=True)
+class FailedTrial:
+    """An effect that could not be fitted.
+
+    Attributes:
+        effect, family, balance, effects: as in ``Candidate``.
+        failure: why not.
+    """
+
+    effect: str
+    family: str
+    balance: str
+    effects: tuple[str, ...]
+    failure: str
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON."""
+        return {**_tried(self), "delta_bic": None, "probability": 0.0, "failure": self.failure}
+
+
+Attempt = Candidate | FailedTrial
+"""What comes of trying an effect."""
+
+
+def _tried(c: Candidate | FailedTrial) -> dict[str, object]:
+    return {"effect": c.effect, "family": c.family, "balance": c.balance, "effects": list(c.effects)}
 
 
 def role_summary(fit: Fit, role: str) -> dict[str, object] | None:

@@ -8,12 +8,11 @@ from pathlib import Path
 
 from pam_cosim.comparison import without_outliers
 from pam_cosim.compiler import effect_classes, read_library
-from pam_cosim.diagnosis.candidate import Candidate, role_summary
+from pam_cosim.diagnosis.candidate import Candidate, FailedTrial, role_summary
 from pam_cosim.diagnosis.evidence import incomplete, rank
-from pam_cosim.diagnosis.explanation import learned_term, ledger_of
-from pam_cosim.diagnosis.learning import LearnedTerm
-from pam_cosim.diagnosis.missing_term import missing_term
-from pam_cosim.diagnosis.next_experiment import Plan, told_apart
+from pam_cosim.diagnosis.explanation import LearnedModel, learned_term, ledger_of
+from pam_cosim.diagnosis.missing_term import MissingTerm, missing_term
+from pam_cosim.diagnosis.next_experiment import NextExperiment, Plan, told_apart
 from pam_cosim.diagnosis.path import find_path
 from pam_cosim.diagnosis.search import Search, describe_fit
 from pam_cosim.diagnosis.verdict import Verdict, explained, judge, rivals
@@ -22,7 +21,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit, complete_noise, fit
 from pam_cosim.fmu import build_model
 from pam_cosim.ledger import Ledger
-from pam_cosim.measurement import DataSet
+from pam_cosim.measurement import ROLES, DataSet
 from pam_cosim.quantities import readable
 from pam_cosim.simulation import Simulator
 
@@ -39,6 +38,7 @@ class Diagnosis:
         path: the effects that were added, in order, as candidates.
         balance: share of the explainable error by balance (force, mass, energy, sensor).
         verdict: the answer.
+        failed: the effects that could not be fitted.
         outliers: how many single samples were set aside, by signal.
         next_experiment: for an ambiguous verdict, the run that would decide.
         missing_term: for a verdict that leaves structure, a description of it.
@@ -53,17 +53,17 @@ class Diagnosis:
     path: tuple[Candidate, ...]
     balance: dict[str, float]
     verdict: Verdict
+    failed: tuple[FailedTrial, ...] = ()
     outliers: dict[str, int] = field(default_factory=dict)
-    next_experiment: dict[str, object] | None = None
-    missing_term: dict[str, object] | None = None
+    next_experiment: NextExperiment | None = None
+    missing_term: MissingTerm | None = None
     ledger: Ledger | None = None
-    learned: tuple[LearnedTerm, Candidate] | None = None
+    learned: LearnedModel | None = None
 
     @property
     def final(self) -> Fit:
         """The base model with all effects that were added, fitted."""
-        last = self.path[-1].fit if self.path else None
-        return last or self.base
+        return self.path[-1].fit if self.path else self.base
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
@@ -75,25 +75,24 @@ class Diagnosis:
             "base": base,
             "where": [vars(r) for r in self.base.comparison.where],
             "balance": self.balance,
-            "candidates": [c.as_dict() for c in self.candidates],
+            "candidates": [*(c.as_dict() for c in self.candidates), *(c.as_dict() for c in self.failed)],
             "verdict": self.verdict.as_dict(),
             "outliers": self.outliers,
-            "next_experiment": self.next_experiment,
+            "next_experiment": self.next_experiment.as_dict() if self.next_experiment else None,
             "missing_term": self._missing(),
             "ledger": self.ledger.as_dict(courses=False) if self.ledger else None,
         }
 
     def _missing(self) -> dict[str, object] | None:
-        if self.missing_term is None or self.learned is None:
-            return self.missing_term
-        term, candidate = self.learned
-        return {**self.missing_term, "learned": {**term.as_dict(), "model": candidate.as_dict()}}
+        if self.missing_term is None:
+            return None
+        return self.missing_term.as_dict() | ({"learned": self.learned.as_dict()} if self.learned else {})
 
     def __str__(self) -> str:
         v = self.verdict
         what = f": {' and '.join(v.families)} ({', '.join(v.effects)})" if v.families else ""
         lines = [f"Verdict: {v.kind}{what}", f"  {v.reason}"]
-        for role in ("fit", "holdout"):
+        for role in ROLES:
             for name, before in self.base.comparison.scores[role].items():
                 after = self.final.comparison.scores[role][name]
                 unit = self.data.signals[name].unit
@@ -104,10 +103,9 @@ class Diagnosis:
                 )
         lines += [f"  {n} = {e}" for n, e in self.final.parameters.items()]
         if self.learned is not None:
-            term, candidate = self.learned
-            assert candidate.fit is not None
-            left = candidate.fit.structure["holdout" if candidate.fit.structure["holdout"].samples else "fit"]
-            lines.append(f"  What is missing, described (not explained): {term}")
+            residuals = self.learned.model.fit.structure
+            left = residuals["holdout" if residuals["holdout"].samples else "fit"]
+            lines.append(f"  What is missing, described (not explained): {self.learned.term}")
             lines.append(f"  with it the chi-square is {left.chi2_reduced:.3g}")
         return "\n".join(lines)
 
@@ -149,7 +147,7 @@ def diagnose(
         last = [c for c in tried if c.effects[:-1] == path[-1].effects[:-1]]
         others = _others(data, path[-1], rivals(path[-1], last), sources)
     verdict = judge(base, path, [c for c, _ in others], tried)
-    present = path[-1].fit or base if path else base
+    present = path[-1].fit if path else base
     added = [c.effect for c in path]
     ledger = ledger_of(search, (), base) if explain and verdict.kind != "none_missing" else None
     learned, unexplained = None, verdict.kind == "unknown" or verdict.remainder
@@ -164,6 +162,7 @@ def diagnose(
         path=tuple(path),
         balance=balance,
         verdict=verdict,
+        failed=tuple(search.failed),
         outliers=outliers,
         next_experiment=others[0][1] if others else None,
         missing_term=missing_term(present, balance) if unexplained else None,
@@ -174,7 +173,7 @@ def diagnose(
 
 def _others(data: DataSet, best: Candidate, near: Sequence[Candidate], files: Sequence[Path]) -> list[Plan]:
     """Rivals of the best, with the run that would decide where either may be right: not where both leave structure."""
-    if best.fit is None or incomplete(best.fit):
+    if incomplete(best.fit):
         return [(c, None) for c in near]
     return told_apart(data, best, near, files)
 
@@ -198,7 +197,6 @@ def _balance(base: Fit, candidates: Sequence[Candidate]) -> dict[str, float]:
     """Share of each balance in what its best effect explains of the error beyond the noise."""
     gains: dict[str, float] = {}
     for c in candidates:
-        if c.fit is not None:
-            gains[c.balance] = max(gains.get(c.balance, 0.0), explained(base, c.fit), 0.0)
+        gains[c.balance] = max(gains.get(c.balance, 0.0), explained(base, c.fit), 0.0)
     total = sum(gains.values())
     return {b: g / total for b, g in sorted(gains.items())} if total > 0 else dict.fromkeys(sorted(gains), 0.0)

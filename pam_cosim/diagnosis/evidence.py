@@ -9,6 +9,7 @@ from dataclasses import replace
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.fitting import Fit, Structure, Systematic, systematic
+from pam_cosim.measurement import ROLES
 
 
 def _correlated(s: Structure) -> bool:
@@ -99,23 +100,20 @@ def price(fit: Fit, time: float) -> float:
 
 
 def rank(base: Fit, candidates: Sequence[Candidate]) -> list[Candidate]:
-    """Candidates with their evidence, best first; those without a fit last."""
-    fitted = [c for c in candidates if c.fit is not None]
-    if not fitted:
-        return list(candidates)
-    variance, time = scale([base, *(c.fit for c in fitted if c.fit is not None)])
+    """Candidates with their evidence, best first."""
+    if not candidates:
+        return []
+    variance, time = scale([base, *(c.fit for c in candidates)])
     start = bic(base, variance, time)
     # an effect pays for every parameter it brings, also for those that have done their work at one end of their range
     cost = price(base, time)
-    scored = [
-        replace(c, delta_bic=bic(c.fit, variance, time) + cost * _lost(c) - start) for c in fitted if c.fit is not None
-    ]
+    scored = [replace(c, delta_bic=bic(c.fit, variance, time) + cost * _lost(c) - start) for c in candidates]
     lowest = min(0.0, *(c.delta_bic for c in scored))
     weights = {c.effects: math.exp(-(c.delta_bic - lowest) / 2) for c in scored}
     total = math.exp(lowest / 2) + sum(weights.values())
     ranked = [replace(c, probability=weights[c.effects] / total) for c in scored]
     ranked.sort(key=lambda c: (c.delta_bic, c.effects))
-    return ranked + [c for c in candidates if c.fit is None]
+    return ranked
 
 
 def degenerate(candidate: Candidate) -> bool:
@@ -139,17 +137,11 @@ def leading(ranked: Sequence[Candidate]) -> Candidate:
 
 def convincing(base: Fit, candidate: Candidate) -> bool:
     """Whether a candidate is better beyond chance, on runs that were fitted and on runs that were not."""
-    return (
-        candidate.fit is not None
-        and candidate.delta_bic < -CRITERIA.evidence.very_strong
-        and _better(base, candidate.fit)
-    )
+    return candidate.delta_bic < -CRITERIA.evidence.very_strong and _better(base, candidate.fit)
 
 
 def as_good(fewer: Fit, full: Candidate) -> bool:
     """Whether a model with fewer effects does as well as a fuller one: by the evidence, and on runs not fitted."""
-    if full.fit is None:
-        return True
     a, b = fewer.structure["holdout"], full.fit.structure["holdout"]
     worse = bool(b.samples) and a.chi2 > CRITERIA.evidence.as_good * b.chi2
     return not worse and not convincing(fewer, rank(fewer, [full])[0])
@@ -160,7 +152,7 @@ def clears(base: Fit, fit: Fit) -> bool:
 
     A small excess that does not come again in other runs may be a drift, which no effect takes away in all of them.
     """
-    roles = [r for r in ("fit", "holdout") if base.structure[r].samples]
+    roles = [r for r in ROLES if base.structure[r].samples]
     before = sum(base.structure[r].excess * base.structure[r].samples for r in roles)
     after = sum(fit.structure[r].excess * fit.structure[r].samples for r in roles)
     return after < CRITERIA.evidence.cleared * before and _better(base, fit)
@@ -176,27 +168,24 @@ def alone(base: Fit, tried: Sequence[Candidate]) -> Candidate | None:
         base: the model without effects, fitted.
         tried: models with one effect each; others are passed over.
     """
-    ranked = [c for c in rank(base, [c for c in tried if len(c.effects) == 1]) if c.fit is not None]
+    ranked = rank(base, [c for c in tried if len(c.effects) == 1])
     left: dict[str, float] = {}
     for c in ranked:
-        assert c.fit is not None
         left[c.family] = min(left.get(c.family, math.inf), c.fit.structure["fit"].excess)
     family = min(left, key=lambda f: left[f], default="")
     if any(excess < CRITERIA.evidence.apart * left[family] for other, excess in left.items() if other != family):
         return None
     own = (c for c in ranked if c.family == family)
-    return next((c for c in own if c.fit and _carries(base, c.fit) and convincing(base, c)), None)
+    return next((c for c in own if _carries(base, c.fit) and convincing(base, c)), None)
 
 
 def _carries(base: Fit, fit: Fit) -> bool:
-    both = [(base.structure[r], fit.structure[r]) for r in ("fit", "holdout") if base.structure[r].samples]
+    both = [(base.structure[r], fit.structure[r]) for r in ROLES if base.structure[r].samples]
     return all(after.excess <= CRITERIA.evidence.beyond_doubt * before.excess for before, after in both)
 
 
 def promising(base: Fit, candidate: Candidate) -> bool:
     """Whether a candidate is a step forward, be it not the last: what it leaves may be another effect's."""
-    if candidate.fit is None:
-        return False
     before, after = base.structure["fit"], candidate.fit.structure["fit"]
     return (
         candidate.delta_bic < 0 and after.chi2 < CRITERIA.evidence.step * before.chi2 and _better(base, candidate.fit)

@@ -4,15 +4,28 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
-from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
 from pam_cosim.diagnosis.evidence import rank
 from pam_cosim.diagnosis.learning import LearnedTerm, learn, refitted, try_learned
 from pam_cosim.diagnosis.search import Search
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger, keep_ledger
+
+
+@dataclass(frozen=True)
+class LearnedModel:
+    """A formula for a missing term, and the model with it, refitted: a description, no cause."""
+
+    term: LearnedTerm
+    model: Candidate
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON, SI units."""
+        return {**self.term.as_dict(), "model": self.model.as_dict()}
 
 
 def ledger_of(search: Search, effects: Sequence[str], present: Fit) -> Ledger | None:
@@ -26,9 +39,7 @@ def ledger_of(search: Search, effects: Sequence[str], present: Fit) -> Ledger | 
         return None
 
 
-def learned_term(
-    search: Search, ledger: Ledger | None, effects: Sequence[str], present: Fit
-) -> tuple[LearnedTerm, Candidate] | None:
+def learned_term(search: Search, ledger: Ledger | None, effects: Sequence[str], present: Fit) -> LearnedModel | None:
     """A formula for the missing term, and the model with it refitted; None where there is no term to describe."""
     if ledger is None:
         return None
@@ -44,11 +55,11 @@ def learned_term(
     except (InputError, ArithmeticError, ValueError) as problem:
         search.say(f"no formula could be found for what is missing: {problem}")
         return None
-    if found.fit is None:
+    if isinstance(found, FailedTrial):
         search.say(f"the model with the formula for what is missing could not be fitted: {found.failure}")
         return None
     entry = ledger.entry(term.balance)
     assert entry is not None, "the term was learned from it"
     term = refitted(term, entry, found, search.tree)
     search.say(f"described, not explained: {term}")
-    return term, rank(present, [found])[0]
+    return LearnedModel(term, rank(present, [found])[0])

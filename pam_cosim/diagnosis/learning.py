@@ -14,9 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
+from pam_cosim.arrays import Array
 from pam_cosim.compiler import ClassTree, compose, effect_classes, read_library
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.diagnosis.candidate import Attempt, Candidate
 from pam_cosim.diagnosis.learning_library import Form, Quantity, forms, quantities
 from pam_cosim.diagnosis.learning_text import formula_text, modelica_text
 from pam_cosim.diagnosis.trial import Trial, run_trial
@@ -24,8 +25,6 @@ from pam_cosim.errors import InputError
 from pam_cosim.files import write_text
 from pam_cosim.ledger import Entry, Ledger
 from pam_cosim.measurement import DataSet
-
-Array = NDArray[np.float64]
 
 _INTERVAL = 2 * CRITERIA.fit.interval  # standard deviations in the interval of an estimate
 
@@ -127,7 +126,7 @@ def try_learned(
     effects: Sequence[str] = (),
     start: Mapping[str, float] | None = None,
     files: Sequence[Path] = (),
-) -> Candidate:
+) -> Attempt:
     """Writes the class into ``folder``, composes the model with it and refits: a candidate like any other.
 
     Args:
@@ -156,7 +155,7 @@ def try_learned(
 
 
 def refitted(term: LearnedTerm, entry: Entry, found: Candidate, tree: ClassTree) -> LearnedTerm:
-    """The term with the values that ``try_learned`` fitted; where it could not be fitted, as it was learned.
+    """The term with the values that ``try_learned`` fitted.
 
     Args:
         term: what was learned.
@@ -165,8 +164,6 @@ def refitted(term: LearnedTerm, entry: Entry, found: Candidate, tree: ClassTree)
         tree: the Modelica library.
     """
     values = {name.rpartition(".")[2]: e for name, e in found.parameters.items()}
-    if not values:
-        return term
     terms = []
     for i, t in enumerate(term.terms, 1):
         shape = t.form.shape

@@ -9,11 +9,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pam_cosim.arrays import Array
+from pam_cosim.compiler import elementwise
 from pam_cosim.criteria import CRITERIA
-
-Array = NDArray[np.float64]
 
 _SPEEDS = (0.005, 0.02, 0.1)  # width of a rounded jump, over the size of the variable
 _GROWTHS = (0.25, 0.5, 1.0)  # what a variable grows by until an exponential is e times as large
@@ -69,14 +68,12 @@ class Form:
 
     def values(self, variables: Mapping[str, Array], shape: float | None = None) -> Array:
         """(n,) from variables (n,) [SI], with another value of the shape if given."""
-        names: dict[str, object] = {q.name: variables[q.name] for q in self.quantities}
+        names: dict[str, Array | float] = {q.name: variables[q.name] for q in self.quantities}
         names |= {q.scale: q.size for q in self.quantities}
         if self.shape is not None:
             names[self.shape.name] = self.shape.value if shape is None else shape
-        names |= {n: getattr(np, n) for n in ("exp", "tanh", "sqrt", "sin", "cos")}
-        found = eval(self.text.replace("^", "**"), {"__builtins__": {}}, names)
         count = len(next(iter(variables.values())))
-        return np.broadcast_to(np.asarray(found, dtype=np.float64), (count,))
+        return np.broadcast_to(elementwise(self.text, names), (count,))
 
 
 def quantities(variables: Mapping[str, Array], units: Mapping[str, str]) -> list[Quantity]:

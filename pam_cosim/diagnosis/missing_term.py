@@ -2,20 +2,52 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict, dataclass
+
 import numpy as np
 
+from pam_cosim.comparison import Rule
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.fitting import Fit
 
 
-def missing_term(fit: Fit, balance: dict[str, float]) -> dict[str, object]:
-    """Describes what a fitted model leaves: in which balance, how large, and what it goes with.
+@dataclass(frozen=True)
+class LeftInSignal:
+    """What a fitted model leaves in one signal.
 
-    Returns:
-        ``balance``, and for each signal its ``rmse`` [SI], its size in noise standard deviations and the modelled
-        output with which the residual correlates most.
+    Attributes:
+        rmse: [SI]; ``noise_standard_deviations`` the same in those.
+        correlates_with: the modelled output with which the residual correlates most, and how much (``correlation``).
     """
-    signals: dict[str, object] = {}
+
+    rmse: float
+    noise_standard_deviations: float
+    correlates_with: str
+    correlation: float
+
+
+@dataclass(frozen=True)
+class MissingTerm:
+    """An error that no effect explains.
+
+    Attributes:
+        balance: whose effects come closest; None where none explains anything.
+        signals: what is left in each.
+        where: the rules that hold most of it.
+    """
+
+    balance: str | None
+    signals: dict[str, LeftInSignal]
+    where: tuple[Rule, ...]
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON, SI units."""
+        return asdict(self)
+
+
+def missing_term(fit: Fit, balance: dict[str, float]) -> MissingTerm:
+    """Describes what a fitted model leaves: in which balance, how large, and what it goes with."""
+    signals: dict[str, LeftInSignal] = {}
     for name, score in fit.comparison.scores["all"].items():
         strongest: tuple[float, str] = (0.0, "")
         runs = [r for r in fit.comparison.runs if r.run.sample_count(name)]
@@ -27,14 +59,9 @@ def missing_term(fit: Fit, balance: dict[str, float]) -> dict[str, object]:
                 r = float(np.corrcoef(residual[kept], values[kept])[0, 1])
                 if abs(r) > abs(strongest[0]):
                     strongest = (r, output)
-        signals[name] = {
-            "rmse": score.rmse,
-            "noise_standard_deviations": score.chi2_reduced**0.5,
-            "correlates_with": strongest[1],
-            "correlation": strongest[0],
-        }
-    return {
-        "balance": max(sorted(balance), key=lambda b: balance[b]) if balance else None,
-        "signals": signals,
-        "where": [vars(rule) for rule in fit.comparison.where[: CRITERIA.next_experiment.listed_rules]],
-    }
+        signals[name] = LeftInSignal(score.rmse, score.chi2_reduced**0.5, strongest[1], strongest[0])
+    return MissingTerm(
+        max(sorted(balance), key=lambda b: balance[b]) if balance else None,
+        signals,
+        tuple(fit.comparison.where[: CRITERIA.next_experiment.listed_rules]),
+    )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -13,45 +13,76 @@ from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.prediction import Hypothesis
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.measurement import DataSet, Run
+from pam_cosim.simulation.inputs import Interpolation
 
-Plan = tuple[Candidate, dict[str, object] | None]
+
+@dataclass(frozen=True)
+class NextExperiment:
+    """The run that would tell two rivals apart.
+
+    Attributes:
+        run: name of the run to repeat.
+        change: what to change.
+        separation: what is expected between the rivals, root mean square over all samples in noise standard deviations.
+        evidence: the sum of its squares.
+        between: families of the rivals.
+        parameters: what to set [SI].
+        interpolation: of the inputs between the points of the table, as in a data set.
+        table: inputs [SI] over time [s], as columns, at the points between which they are straight or held.
+        units: by name of an input or parameter.
+    """
+
+    run: str
+    change: str
+    separation: float
+    evidence: float
+    between: tuple[str, str]
+    parameters: dict[str, float]
+    interpolation: Interpolation
+    table: dict[str, list[float]]
+    units: dict[str, str]
+
+    @property
+    def decides(self) -> bool:
+        """Whether the run is expected to be very strong evidence for one of the rivals."""
+        return self.evidence >= CRITERIA.evidence.very_strong
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON, SI units."""
+        return asdict(self) | {"between": list(self.between)}
 
 
-def next_experiment(data: DataSet, a: Candidate, b: Candidate, files: Sequence[Path] = ()) -> dict[str, object] | None:
+Plan = tuple[Candidate, NextExperiment | None]
+
+
+def next_experiment(data: DataSet, a: Candidate, b: Candidate, files: Sequence[Path] = ()) -> NextExperiment | None:
     """Searches variations of the runs at hand for the one that tells two fitted rivals apart best.
 
     Each input of each run, and each parameter that differs between runs, is scaled by a few factors; whole runs are
     made faster and slower; and the two best changes of one run are made together. Whichever rival is right, the
-    other would be fitted again with the new run among its data: what counts is what it then still misses.
-
-    Returns:
-        ``run`` to repeat, the ``change`` to make, the expected ``separation`` in noise standard deviations (root
-        mean square over all samples), the ``evidence``, the sum of its squares, the rivals' families (``between``),
-        the ``parameters`` [SI] and the ``table`` of inputs [SI] over time [s], as columns, at the points between
-        which they are straight (held, where the run says so: ``interpolation``); ``units`` by name of an input or
-        parameter. None when no variation can be simulated.
+    other would be fitted again with the new run among its data: what counts is what it then still misses. None when
+    no variation can be simulated.
     """
     with Hypothesis(a, data, files) as first, Hypothesis(b, data, files) as second:
         scored = [(_separation(first, second, run), run, change) for run, change in _variations(data)]
         scored += [(_separation(first, second, run), run, change) for run, change in _joined(scored)]
-        usable = [entry for entry in scored if entry[0] is not None]
+        usable = [(evidence, run, change) for evidence, run, change in scored if evidence is not None]
         if not usable:
             return None
-        evidence, run, change = max(usable, key=lambda entry: entry[0] or 0.0)
-        assert evidence is not None
+        evidence, run, change = max(usable, key=lambda entry: entry[0])
         samples = len(first.sigma) * len(run.time)
         known = first.interface
-    return {
-        "run": run.name,
-        "change": change,
-        "separation": float(np.sqrt(evidence / samples)),
-        "evidence": evidence,
-        "between": [a.family, b.family],
-        "parameters": {n: run.parameters[n] for n in _varied(data)},
-        "interpolation": run.interpolation,
-        "table": _table(run),
-        "units": {v: (known.inputs | known.parameters)[v].unit for v in [*run.inputs, *_varied(data)]},
-    }
+    return NextExperiment(
+        run=run.name,
+        change=change,
+        separation=float(np.sqrt(evidence / samples)),
+        evidence=evidence,
+        between=(a.family, b.family),
+        parameters={n: run.parameters[n] for n in _varied(data)},
+        interpolation=run.interpolation,
+        table=_table(run),
+        units={v: (known.inputs | known.parameters)[v].unit for v in [*run.inputs, *_varied(data)]},
+    )
 
 
 def _separation(a: Hypothesis, b: Hypothesis, run: Run) -> float | None:
@@ -72,10 +103,8 @@ def told_apart(data: DataSet, best: Candidate, rivals: Sequence[Candidate], file
     return [(c, plan) for c, plan in plans if not (plan and _same(best, c, plan))]
 
 
-def _same(best: Candidate, rival: Candidate, plan: dict[str, object]) -> bool:
-    richer = len(rival.own_parameters) > len(best.own_parameters)
-    evidence = plan["evidence"]
-    return richer and isinstance(evidence, float) and evidence < CRITERIA.evidence.very_strong
+def _same(best: Candidate, rival: Candidate, plan: NextExperiment) -> bool:
+    return len(rival.own_parameters) > len(best.own_parameters) and not plan.decides
 
 
 def _varied(data: DataSet) -> list[str]:

@@ -30,7 +30,7 @@ def find_path(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidat
     first = _steps(base, tried) if missing else []
     if missing and (not first or (_unsolved(first[0]) and _nearly(base, first[0]))):
         first = _generalized(search, base, first, tried)
-    elif first and not _unsolved(first[0]) and first[0].fit and not at_noise(first[0].fit):
+    elif first and not _unsolved(first[0]) and not at_noise(first[0].fit):
         first = _outdone(search, base, first, tried)
     path = [first[0]] if first else []
     if first and _unsolved(first[0]):
@@ -41,7 +41,7 @@ def find_path(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidat
     while 1 < len(path) < CRITERIA.search.most_effects and _unsolved(path[-1]):
         path = _enriched(search, base, path, tried)
         last = path[-1]
-        if last.fit is None or not _unsolved(last):
+        if not _unsolved(last):
             break
         found = search.round(last.effects, last.fit, tried)
         tried += found
@@ -56,7 +56,6 @@ def find_path(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidat
 
 def _nearly(base: Fit, c: Candidate) -> bool:
     """Whether an effect takes away so much that a better form of it may do the rest, rather than a second effect."""
-    assert c.fit is not None
     before, after = base.structure["fit"], c.fit.structure["fit"]
     return after.excess < CRITERIA.search.better_form * before.excess
 
@@ -67,7 +66,7 @@ def _generalized(search: Search, base: Fit, first: Sequence[Candidate], tried: l
     Those of the leading families are fitted; where no effect helps at all, those of all others too.
     """
     found = rank(base, search.general(base, tried))
-    if not first and not any(c.fit is not None and not _unsolved(c) for c in found):
+    if not first and not any(not _unsolved(c) for c in found):
         found = rank(base, [*found, *search.last_resort(base, [*tried, *found])])
     tried += found
     solved = [c for c in _steps(base, found) if not _unsolved(c)]
@@ -83,7 +82,6 @@ def _outdone(search: Search, base: Fit, first: Sequence[Candidate], tried: list[
     For a remainder above the noise that does not come again in other runs: a drift as a rule, but not always.
     """
     present = first[0].fit
-    assert present is not None
     found = rank(base, search.general(base, tried))
     tried += found
     better = {c.effects for c in rank(present, found) if convincing(present, c)}
@@ -100,7 +98,6 @@ def _second(search: Search, base: Fit, first: Sequence[Candidate], tried: list[C
     starts = [_plain(one, singles)] if one else first[: CRITERIA.search.first_effects]
     pairs: list[Candidate] = []
     for start in starts:
-        assert start.fit is not None
         search.say(f"with {_told(start)}")
         below = CRITERIA.search.second_leaves * start.fit.structure["fit"].excess if one else math.inf
         found = search.round(start.effects, start.fit, singles, below=below)
@@ -118,15 +115,15 @@ def _second(search: Search, base: Fit, first: Sequence[Candidate], tried: list[C
 
 def _plain(one: Candidate, singles: Sequence[Candidate]) -> Candidate:
     """The best law of the same family, where a general member does not take away most of what that leaves."""
-    laws = [c for c in singles if c.family == one.family and c.fit is not None and not c.general]
-    law = min(laws, key=lambda c: c.fit.structure["fit"].excess if c.fit else math.inf, default=one)
-    return law if one.general and law.fit is not None and not _nearly(law.fit, one) else one
+    laws = [c for c in singles if c.family == one.family and not c.general]
+    law = min(laws, key=lambda c: c.fit.structure["fit"].excess, default=one)
+    return law if one.general and not _nearly(law.fit, one) else one
 
 
 def _lone(search: Search, base: Fit, path: list[Candidate], tried: Sequence[Candidate]) -> list[Candidate]:
     """The path, or the one effect beyond doubt where a second one does not take away most of what that leaves."""
     last, one = path[-1], alone(base, tried)
-    if one is None or not _unsolved(last) or (len(path) > 1 and path[0].fit and _nearly(path[0].fit, last)):
+    if one is None or not _unsolved(last) or (len(path) > 1 and _nearly(path[0].fit, last)):
         return path
     search.say(f"no second effect explains what is left by {_told(one)}")
     return [one]
@@ -144,18 +141,15 @@ def _steps(present: Fit, found: Sequence[Candidate]) -> list[Candidate]:
 
 
 def _unsolved(c: Candidate) -> bool:
-    return c.fit is not None and _structured(c.fit)
+    return _structured(c.fit)
 
 
 def _told(c: Candidate) -> str:
-    assert c.fit is not None
     return f"{' + '.join(c.effects)} ({c.family}): {describe_fit(c.fit)}"
 
 
 def _step(present: Fit, best: Candidate, repeats: bool) -> bool:
     """Whether an effect is worth adding: what is left ``repeats`` in other runs, or it takes away all there is."""
-    if best.fit is None:
-        return False
     if convincing(present, best) and clears(present, best.fit):
         return True
     return repeats and promising(present, best)
@@ -171,11 +165,8 @@ def _needed(search: Search, base: Fit, path: Sequence[Candidate], tried: list[Ca
     path = list(path)
     for i in reversed(range(len(path) - 1)):
         rest = [*path[:i], *path[i + 1 :]]
-        full = path[-1].fit
-        assert full is not None
-        without = _refitted(search, [c.effect for c in rest], full, base, tried, again=True)
-        last = without[-1].fit
-        if last is not None and as_good(last, path[-1]):
+        without = _refitted(search, [c.effect for c in rest], path[-1].fit, base, tried, again=True)
+        if without and as_good(without[-1].fit, path[-1]):
             search.say(f"{path[i].effect} is not needed any more")
             path = without
     return path
@@ -186,14 +177,14 @@ def _enriched(search: Search, base: Fit, path: Sequence[Candidate], tried: list[
     path = list(path)
     for general in (False, True):
         last = path[-1]
-        if last.fit is None or not _unsolved(last):
+        if not _unsolved(last):
             break
         found = search.exchanged([c.effect for c in path], last.fit.values, general)
         tried += found
         better = [c for c in rank(last.fit, found) if convincing(last.fit, c)]
-        if better and better[0].fit is not None:
+        if better:
             search.say(f"in another form: {_told(better[0])}")
-            path = _refitted(search, better[0].effects, better[0].fit, base, tried)
+            path = _refitted(search, better[0].effects, better[0].fit, base, tried) or path
     return path
 
 
@@ -202,18 +193,19 @@ def _merged(search: Search, base: Fit, path: Sequence[Candidate], tried: list[Ca
     path = list(path)
     while len(path) > 1:
         full = path[-1]
-        assert full.fit is not None
         found = search.fewer(
             [c.effect for c in path], full.fit.values, CRITERIA.search.better_form * base.structure["fit"].excess
         )
         tried += found
-        enough = [c for c in found if c.fit is not None and as_good(c.fit, full)]
+        enough = [c for c in found if as_good(c.fit, full)]
         if not enough:
             break
         best = rank(base, enough)[0]
-        assert best.fit is not None
         search.say(f"fewer effects do as well: {_told(best)}")
-        path = _refitted(search, best.effects, best.fit, base, tried)
+        fewer = _refitted(search, best.effects, best.fit, base, tried)
+        if not fewer:
+            break
+        path = fewer
     return path
 
 
@@ -223,16 +215,18 @@ def _refitted(
     """The chain of models that adds these effects one after another, fitted from the values of a fuller model.
 
     Models that were fitted before are taken as they are; the last one is fitted ``again``, since it may have stopped
-    short of its best.
+    short of its best. Nothing where one of them cannot be fitted.
     """
     chain: list[Candidate] = []
     for k in range(1, len(effects) + 1):
         names = tuple(effects[:k])
-        before = chain[-1].fit if chain and chain[-1].fit else base
-        known = next((c for c in tried if c.effects == names and c.fit is not None and not c.brief), None)
+        before = chain[-1].fit if chain else base
+        known = next((c for c in tried if c.effects == names and not c.brief), None)
         if known is None or (again and k == len(effects)):
-            fresh = rank(before, [search.with_effects(names, full.values)])[0]
-            known = _lower(tried, known, fresh)
+            fresh = search.with_effects(names, full.values)
+            known = _lower(tried, known, rank(before, [fresh])[0]) if fresh else known
+        if known is None:
+            return []
         chain.append(known)
     return chain
 
@@ -242,8 +236,7 @@ def _lower(tried: list[Candidate], known: Candidate | None, fresh: Candidate) ->
     if known is None:
         tried.append(fresh)
         return fresh
-    assert known.fit is not None
-    if fresh.fit is None or fresh.fit.structure["fit"].chi2 >= known.fit.structure["fit"].chi2:
+    if fresh.fit.structure["fit"].chi2 >= known.fit.structure["fit"].chi2:
         return known
     tried[tried.index(known)] = fresh
     return fresh

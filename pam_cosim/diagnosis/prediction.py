@@ -7,16 +7,14 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pam_cosim.arrays import Array
 from pam_cosim.comparison import simulate_run
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.fmu import build_source
 from pam_cosim.interface import Interface, sensitivity_name
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import Simulator
-
-Array = NDArray[np.float64]
 
 
 class Hypothesis:
@@ -29,7 +27,6 @@ class Hypothesis:
     """
 
     def __init__(self, candidate: Candidate, data: DataSet, files: Sequence[Path] = ()) -> None:
-        assert candidate.fit is not None
         self.candidate, self.data = candidate, data
         self.values = candidate.fit.values
         self.free = [n for n, e in candidate.fit.parameters.items() if not e.at_bound]

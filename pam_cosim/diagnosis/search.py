@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 
 from pam_cosim.compiler import ClassTree, EffectClass, Structure, compose_on, qualified, read_structure
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
 from pam_cosim.diagnosis.evidence import rank
 from pam_cosim.diagnosis.trial import Trial, crashed, run_trial
 from pam_cosim.diagnosis.workers import run_tasks
@@ -32,6 +32,7 @@ class Search:
         files: further Modelica files.
         say: told each result, in a line.
         workers: number of processes; None: the processors at hand.
+        failed: trials without a fit so far; this grows.
     """
 
     tree: ClassTree
@@ -41,6 +42,7 @@ class Search:
     files: tuple[Path, ...] = ()
     say: Callable[[str], None] = lambda text: None
     workers: int | None = None
+    failed: list[FailedTrial] = field(default_factory=list)
 
     @cached_property
     def structure(self) -> Structure:
@@ -64,17 +66,19 @@ class Search:
         """
         trials = self._trials(added, present.values)
         simple = _simple(trials)
-        first = _of_each_family(simple, known) if known else simple
+        first = (
+            _of_each_family(simple, [*(c.effect for c in known), *(c.effect for c in self.failed)]) if known else simple
+        )
         found = self._brief(first)
-        if found and all(c.fit is None for c in found):
-            raise SimulationFailure(f"no effect could be tried; {found[0].effect}: {found[0].failure}")
-        if not any(c.fit is not None and c.fit.structure["fit"].excess < below for c in found):
+        if first and not found:
+            raise SimulationFailure(f"no effect could be tried; {self.failed[-1].effect}: {self.failed[-1].failure}")
+        if not any(c.fit.structure["fit"].excess < below for c in found):
             return rank(present, found)
         leading = self._deep(trials, found)
-        if not any(c.fit is not None and at_noise(c.fit) for c in leading):
-            seen = {c.effect for c in [*found, *leading]}
+        if not any(at_noise(c.fit) for c in leading):
+            left = self._untried(trials, [*found, *leading])
             families = _leading_families([*found, *leading], CRITERIA.search.further_families)
-            rest = self._brief([t for t in trials if t.effect.name not in seen and t.effect.family in families])
+            rest = self._brief([t for t in left if t.effect.family in families])
             found += rest
             leading = [*leading, *self._deep(trials, rest, [*found, *leading])]
         better = {c.effect: c for c in leading}
@@ -93,7 +97,7 @@ class Search:
         """
         every = [*found, *among]
         near, chosen = _near(every), worth_refitting(every)
-        names, known = {c.effect for c in found}, {c.effect for c in every}
+        names = {c.effect for c in found}
         own = _onwards(trials, [c for c in chosen if c.effect in names])
         again = [replace(t, follow=t.follow + 1) for t in own]
         plain = {t.effect.name for t in _simple(trials)}
@@ -102,15 +106,20 @@ class Search:
             _leading_families(near, CRITERIA.search.leading_families),
         )
         others = [
-            t
-            for t in trials
-            if t.effect.name not in known and t.effect.family in (families if t.effect.name in plain else rich)
+            t for t in self._untried(trials, every) if t.effect.family in (families if t.effect.name in plain else rich)
         ]
         return self._run("to the end, as they are promising,", [*again, *others])
 
-    def with_effects(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate:
-        """The model with just these effects, fitted to the end; the last of them counts as the one that is tried."""
-        return self._run("to the end, without another effect,", self._composed([effects], start))[0]
+    def _untried(self, trials: Sequence[Trial], found: Sequence[Candidate]) -> list[Trial]:
+        seen = {c.effects for c in found} | {c.effects for c in self.failed}
+        return [t for t in trials if t.effects not in seen]
+
+    def with_effects(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate | None:
+        """The model with just these effects, fitted to the end; the last of them counts as the one that is tried.
+
+        None where it cannot be fitted.
+        """
+        return next(iter(self._run("to the end, without another effect,", self._composed([effects], start))), None)
 
     def exchanged(self, effects: Sequence[str], start: Mapping[str, float], general: bool) -> list[Candidate]:
         """Models with one of these effects replaced by another of its family, fitted to the end.
@@ -134,16 +143,15 @@ class Search:
         leading = _leading_families(known, CRITERIA.search.leading_families)
         own = [e for e in self.shelf if e.general and e.family in leading]
         trials = [
-            replace(_patient(t), found=stands.fit.values)
+            replace(_patient(t), found=best[t.effect.family].fit.values)
             for t in self._composed([(e.name,) for e in own], present.values)
-            if (stands := best[t.effect.family]).fit is not None
         ]
         return self._run("to the end, in the general form of its family,", trials)
 
     def last_resort(self, present: Fit, known: Sequence[Candidate]) -> list[Candidate]:
         """Models with one effect, the general member of each other family, the leading ones fitted to the end."""
-        seen = {c.effect for c in known}
-        own = [(e.name,) for e in self.shelf if e.general and e.name not in seen]
+        seen = {c.effects for c in known} | {c.effects for c in self.failed}
+        own = [(e.name,) for e in self.shelf if e.general and (e.name,) not in seen]
         trials = [_patient(t) for t in self._composed(own, present.values)]
         found = self._brief(trials)
         chosen = _onwards(trials, _by_error(found)[: CRITERIA.search.last_resorts])
@@ -158,13 +166,15 @@ class Search:
         less = [_exchanged([e for e in effects if e != left], self.shelf, _richer) for left in reversed(effects)]
         alike = {frozenset(names): names for some in less for names in some}
         trials = self._composed(list(alike.values()), start)
-        near = [c for c in self._brief(trials) if c.fit and c.fit.structure["fit"].excess < below]
+        near = [c for c in self._brief(trials) if c.fit.structure["fit"].excess < below]
         return self._run("to the end, with one effect less,", [_started(t) for t in _onwards(trials, near)])
 
     def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:
         if trials:
             self.say(f"fitting {how} {len(trials)} effect{'s' if len(trials) > 1 else ''}")
-        return run_tasks(run_trial, trials, crashed, lambda c: self.say(told(c)), self.workers)
+        results = run_tasks(run_trial, trials, crashed, lambda c: self.say(told(c)), self.workers)
+        self.failed.extend(c for c in results if isinstance(c, FailedTrial))
+        return [c for c in results if isinstance(c, Candidate)]
 
     def _trials(self, added: Sequence[str], start: Mapping[str, float]) -> list[Trial]:
         taken = {e.family for e in self.shelf if e.name in added}
@@ -194,7 +204,7 @@ def _patient(trial: Trial) -> Trial:
 
 def _onwards(trials: Sequence[Trial], found: Sequence[Candidate]) -> list[Trial]:
     """Those of the trials that gave these candidates, with one more start: where the candidate stands."""
-    values = {c.effects: c.fit.values for c in found if c.fit is not None}
+    values = {c.effects: c.fit.values for c in found}
     return [replace(t, found=values[t.effects]) for t in trials if t.effects in values]
 
 
@@ -225,9 +235,9 @@ def _richer(own: EffectClass, other: EffectClass) -> bool:
     return len(other.parameters) > len(own.parameters)
 
 
-def told(c: Candidate) -> str:
+def told(c: Candidate | FailedTrial) -> str:
     """A candidate in a line."""
-    if c.fit is None:
+    if isinstance(c, FailedTrial):
         return f"  {c.effect} ({c.family}): could not be fitted: {c.failure}"
     return f"  {c.effect} ({c.family}): {describe_fit(c.fit)}"
 
@@ -253,14 +263,14 @@ def worth_refitting(candidates: Sequence[Candidate]) -> list[Candidate]:
 
 
 def _by_error(candidates: Sequence[Candidate]) -> list[Candidate]:
-    fitted = [(c.fit.structure["fit"].chi2, c.effect, c) for c in candidates if c.fit is not None]
+    fitted = [(c.fit.structure["fit"].chi2, c.effect, c) for c in candidates]
     return [c for _, _, c in sorted(fitted, key=lambda entry: entry[:2])]
 
 
 def _near(candidates: Sequence[Candidate]) -> list[Candidate]:
     """Those whose error beyond the noise a few more steps may still bring down to that of the best; best first."""
     ordered = _by_error(candidates)
-    found = [(c.fit.structure["fit"], c) for c in ordered if c.fit is not None]
+    found = [(c.fit.structure["fit"], c) for c in ordered]
     if not found:
         return []
     samples = found[0][0].samples
@@ -292,9 +302,9 @@ def _simple(trials: Sequence[Trial]) -> list[Trial]:
     return [t for t in trials if len(t.effect.parameters) <= max(CRITERIA.search.simple, fewest[t.effect.family])]
 
 
-def _of_each_family(trials: Sequence[Trial], known: Sequence[Candidate]) -> list[Trial]:
+def _of_each_family(trials: Sequence[Trial], known: Sequence[str]) -> list[Trial]:
     """The effect of each family that did best before; those that nobody tried before all stay."""
-    order = {c.effect: i for i, c in enumerate(known)}
+    order = {name: i for i, name in enumerate(known)}
     best: dict[str, Trial] = {}
     new = []
     for t in trials:

@@ -9,10 +9,10 @@ from pathlib import Path
 
 from pam_cosim.compiler import Composition, EffectClass
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.diagnosis.candidate import Attempt, Candidate, FailedTrial
 from pam_cosim.diagnosis.pruning import pruned
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.fitting import Free, base_parameters, fit
+from pam_cosim.fitting import Fit, Free, base_parameters, fit
 from pam_cosim.fmu import build_source
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet
@@ -60,7 +60,11 @@ class Trial:
             precision=CRITERIA.search.brief_precision,
         )
 
-    def candidate(self, **found: object) -> Candidate:
+    def failed(self, reason: str) -> FailedTrial:
+        """The result of this trial where there is no fit."""
+        return FailedTrial(self.effect.name, self.effect.family, self.effect.balance, self.effects, reason)
+
+    def candidate(self, fit: Fit) -> Candidate:
         """The result of this trial."""
         return Candidate(
             effect=self.effect.name,
@@ -71,16 +75,16 @@ class Trial:
             equations=self.composition.text,
             brief=self.evaluations <= CRITERIA.search.brief_evaluations,
             general=self.effect.general,
-            **found,  # type: ignore[arg-type]
+            fit=fit,
         )
 
 
-def crashed(trial: Trial) -> Candidate:
+def crashed(trial: Trial) -> Attempt:
     """The result of a trial whose process died."""
-    return trial.candidate(fit=None, failure="the simulation crashed its process")
+    return trial.failed("the simulation crashed its process")
 
 
-def run_trial(trial: Trial) -> Candidate:
+def run_trial(trial: Trial) -> Attempt:
     """Builds the model and fits the free base parameters together with those of the effects."""
     try:
         own = [name for names in trial.composition.parameters.values() for name in names]
@@ -88,7 +92,7 @@ def run_trial(trial: Trial) -> Candidate:
         fmu = build_source(trial.composition.name, trial.composition.text, trial.files, sensitivities=free)
         with Simulator(fmu) as simulator:
             moved, starts = free_parameters(trial, simulator.interface)
-            found = fit(
+            best = fit(
                 simulator,
                 trial.data,
                 moved,
@@ -101,12 +105,12 @@ def run_trial(trial: Trial) -> Candidate:
             )
             if trial.effect.general and trial.evaluations > CRITERIA.search.brief_evaluations:
                 names = trial.composition.parameters[trial.effect.name]
-                found = pruned(simulator, trial.data, moved, names, found, trial.precision)
-            return trial.candidate(fit=found)
+                best = pruned(simulator, trial.data, moved, names, best, trial.precision)
+            return trial.candidate(best)
     except (SimulationFailure, InputError) as problem:
-        return trial.candidate(fit=None, failure=str(problem))
+        return trial.failed(str(problem))
     except Exception as defect:  # whatever one effect runs into must not end the study of the others
-        return trial.candidate(fit=None, failure=f"{type(defect).__name__}: {defect}")
+        return trial.failed(f"{type(defect).__name__}: {defect}")
 
 
 def free_parameters(trial: Trial, interface: Interface) -> tuple[tuple[Free, ...], list[dict[str, float]]]:

@@ -11,9 +11,9 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.evidence import alone, foretold, incomplete, structured
 from pam_cosim.fitting import Fit
+from pam_cosim.measurement import ROLES
 
 Kind = Literal["none_missing", "identified", "ambiguous", "unknown"]
-_ROLES = ("fit", "holdout")
 
 
 @dataclass(frozen=True)
@@ -60,11 +60,10 @@ def rivals(best: Candidate, ranked: Sequence[Candidate]) -> list[Candidate]:
     """
     found: dict[str, Candidate] = {}
     for c in ranked:
-        if c.fit is None or c.family == best.family or c.delta_bic - best.delta_bic > CRITERIA.evidence.very_strong:
+        if c.family == best.family or c.delta_bic - best.delta_bic > CRITERIA.evidence.very_strong:
             continue
         if c.general and not best.general:
             continue
-        assert best.fit is not None
         if not _refuted(c.fit, best.fit):
             found.setdefault(c.family, c)
     return list(found.values())
@@ -93,11 +92,10 @@ def judge(
     """
     if not path:
         repeated = foretold(base)
-        if any(structured(base.structure[r], repeated) for r in _ROLES):
+        if any(structured(base.structure[r], repeated) for r in ROLES):
             return Verdict("unknown", (), (), "The residual has structure, and no listed effect explains it.")
         return Verdict("none_missing", (), (), "The residual is noise: nothing is missing that these data could show.")
     last = path[-1]
-    assert last.fit is not None
     families = tuple(c.family for c in path)
     effects = tuple(c.effect for c in path)
     share = explained(base, last.fit)

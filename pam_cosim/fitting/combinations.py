@@ -8,13 +8,11 @@ from dataclasses import asdict, dataclass
 from math import exp
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.fitting.estimate import Estimate, standard_deviations
 from pam_cosim.fitting.objective import Objective
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

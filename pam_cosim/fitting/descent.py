@@ -13,10 +13,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import lsq_linear
 
-Array = NDArray[np.float64]
+from pam_cosim.arrays import Array
 
 _FIRST_DAMPING = 1e-3  # of the squared size of each column
 _FIRST_REACH = 1.0  # of a step in any coordinate: a factor of e, or the typical size of the parameter

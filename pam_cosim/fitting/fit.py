@@ -7,9 +7,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.stats import qmc
 
+from pam_cosim.arrays import Array
 from pam_cosim.comparison import Comparison, compare
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
@@ -20,10 +20,9 @@ from pam_cosim.fitting.free import Free, base_parameters
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fitting.structure import Structure, series_of, stated_of, structure
 from pam_cosim.fitting.swarm import PARTICLES, swarm
-from pam_cosim.measurement import DataSet, Run
+from pam_cosim.measurement import ROLES, DataSet, Run
 from pam_cosim.simulation import AnySimulator
 
-Array = NDArray[np.float64]
 Progress = Callable[[int, float], None]
 
 
@@ -188,8 +187,8 @@ def structures(comparison: Comparison) -> dict[str, Structure]:
     """What the residuals of a comparison are like, per role ("fit", "holdout")."""
     signals = comparison.data.signals
     sigma = {n: s.sigma for n, s in signals.items() if s.fitted and s.sigma}
-    found = {}
-    for role in ("fit", "holdout"):
+    found: dict[str, Structure] = {}
+    for role in ROLES:
         runs = [r for r in comparison.runs if r.run.role == role]
         found[role] = structure(series_of(runs, sigma), stated_of(runs, signals))
     return found

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pam_cosim.arrays import Array
 from pam_cosim.comparison import RunComparison, simulate_run
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
@@ -14,8 +14,6 @@ from pam_cosim.fitting.free import Free
 from pam_cosim.interface import sensitivity_name
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
-
-Array = NDArray[np.float64]
 
 
 class Objective:

@@ -6,14 +6,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import nnls
 
+from pam_cosim.arrays import Array
 from pam_cosim.comparison import RunComparison, lag_one
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement import Signal
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -6,9 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from pam_cosim.arrays import Array
 
 PARTICLES = 50
 GENERATIONS = 10

@@ -11,12 +11,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pam_cosim.arrays import Array
 from pam_cosim.comparison import RunComparison
 from pam_cosim.criteria import CRITERIA
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -5,10 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import cho_factor, cho_solve, cho_solve_banded, cholesky_banded
 
-Array = NDArray[np.float64]
+from pam_cosim.arrays import Array
 
 
 @dataclass(frozen=True)

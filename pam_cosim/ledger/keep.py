@@ -23,8 +23,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pam_cosim.arrays import Array
 from pam_cosim.compiler import ClassTree, read_library
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
@@ -36,8 +36,6 @@ from pam_cosim.ledger.model import Model
 from pam_cosim.ledger.sensor import Alone, SensorFault, fault_beside, try_sensors
 from pam_cosim.ledger.smoother import Point, Problem, Smoothed, hole_sizes, smooth, with_some
 from pam_cosim.measurement import DataSet
-
-Array = NDArray[np.float64]
 
 
 def keep_ledger(

@@ -7,10 +7,9 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from pam_cosim.arrays import Array
 from pam_cosim.ledger.grid import STAGE, Grid
 from pam_cosim.ledger.model import Model
-
-Array = NDArray[np.float64]
 
 _ITERATIONS = 12
 _MOST_PARTS = 8  # of a step

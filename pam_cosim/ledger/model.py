@@ -7,11 +7,9 @@ from typing import NamedTuple
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
+from pam_cosim.arrays import Array
 from pam_cosim.compiler import Ode
-
-Array = NDArray[np.float64]
 
 
 class Slopes(NamedTuple):

@@ -10,14 +10,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.ledger.grid import Grid
 from pam_cosim.ledger.march import march
 from pam_cosim.ledger.smoother import Linear, Point, Problem, linearise
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

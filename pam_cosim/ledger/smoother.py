@@ -13,14 +13,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import minimize
 
+from pam_cosim.arrays import Array
 from pam_cosim.ledger.chain import Chain, Factored
 from pam_cosim.ledger.grid import STAGE, Grid
 from pam_cosim.ledger.model import Model
-
-Array = NDArray[np.float64]
 
 _SLACK = 1e-5  # of a state's range: what a step may miss the model by
 _FIRST_SLACKS = (1e-2, 1e-3, 1e-4)  # the same in the first iterations, which come from far

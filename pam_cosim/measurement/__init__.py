@@ -1,6 +1,6 @@
 """The measurement room: a folder with ``experiment.toml`` and CSV files becomes a ``DataSet``."""
 
-from pam_cosim.measurement.data_set import DataSet, FreeParameter, Interpolation, Role, Run, Signal
+from pam_cosim.measurement.data_set import ROLES, DataSet, FreeParameter, Role, Run, Signal
 from pam_cosim.measurement.noise import estimate_noise, with_noise
 from pam_cosim.measurement.read import read_data_set
 from pam_cosim.measurement.recording import Recording, read_recording
@@ -10,7 +10,7 @@ from pam_cosim.measurement.write import write_data_set
 __all__ = [
     "DataSet",
     "FreeParameter",
-    "Interpolation",
+    "ROLES",
     "Recording",
     "Role",
     "Run",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from pam_cosim.comparison import Comparison, score
+from pam_cosim.measurement import ROLES
 from pam_cosim.reporting.diagnosis_page import rule_rows
 from pam_cosim.reporting.figures.bars import where_picture
 from pam_cosim.reporting.figures.curves import curve_pictures
@@ -33,7 +34,7 @@ def comparison_report(comparison: Comparison, against: Sequence[Comparison] = ()
         curves=curve_pictures(layers),
         residuals=residual_pictures(layers),
         where=where_picture(comparison.where) if comparison.where else None,
-        rules=rule_rows(comparison),
+        rules=rule_rows(comparison.where),
         runs=_run_rows(comparison),
         names=list(comparison.data.signals),
         parameters=[(name, number(value, 4)) for name, value in comparison.parameters.items()],
@@ -56,7 +57,7 @@ def _headline(comparison: Comparison) -> str:
 def _beside(comparisons: Sequence[Comparison]) -> list[dict[str, object]]:
     """The rms error of each signal and role, model beside model."""
     rows: list[dict[str, object]] = []
-    for role in ("fit", "holdout"):
+    for role in ROLES:
         for name in comparisons[0].scores[role]:
             scores = [c.scores.get(role, {}).get(name) for c in comparisons]
             unit = comparisons[0].data.signals[name].unit

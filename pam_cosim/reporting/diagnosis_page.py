@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from pam_cosim.comparison import Comparison
+from pam_cosim.comparison import Rule
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import Candidate, Diagnosis
 from pam_cosim.diagnosis.verdict import explained
+from pam_cosim.measurement import ROLES
 from pam_cosim.reporting.figures.bars import Bar, balance_picture, colours, ranking_picture, where_picture
 from pam_cosim.reporting.figures.curves import curve_pictures
 from pam_cosim.reporting.figures.ladder import Rung, ladder_picture
@@ -42,7 +43,7 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
     """A self-contained HTML page: verdict, evidence, parameters, equations. Same diagnosis, same bytes."""
     signals = list(diagnosis.data.signals.values())
     layers = layers_of(diagnosis)
-    fitted = [c for c in diagnosis.candidates if c.fit is not None]
+    fitted = diagnosis.candidates
     shown = [i < _MOST_ROWS or _added(diagnosis, c) for i, c in enumerate(fitted)]
     palette = colours([*diagnosis.balance, *(c.balance for c in diagnosis.candidates)])
     rules = diagnosis.base.comparison.where
@@ -62,15 +63,14 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
         curves=curve_pictures(layers),
         residuals=residual_pictures(layers),
         where=where_picture(rules) if rules else None,
-        rules=rule_rows(diagnosis.base.comparison),
+        rules=rule_rows(rules),
         ranking=_ranking_picture(diagnosis, fitted, palette),
         very_strong=number(CRITERIA.evidence.very_strong, 2),
         candidates=[_candidate_row(diagnosis, c) for c, s in zip(fitted, shown, strict=True) if s],
         others=[_candidate_row(diagnosis, c) for c, s in zip(fitted, shown, strict=True) if not s],
         failed=[
             {"effect": " + ".join(c.effects), "family": words(c.family), "reason": c.failure or "no reason was given"}
-            for c in diagnosis.candidates
-            if c.fit is None
+            for c in diagnosis.failed
         ],
         parameters=_parameter_rows(diagnosis),
         added=bool(diagnosis.path),
@@ -98,15 +98,15 @@ def layers_of(diagnosis: Diagnosis) -> tuple[Layer, ...]:
 
 def rungs_of(diagnosis: Diagnosis) -> list[Rung]:
     """The base model, then each effect as it was added."""
-    added = [Rung(f"+ {c.effect}", c.fit.comparison.scores) for c in diagnosis.path if c.fit is not None]
+    added = [Rung(f"+ {c.effect}", c.fit.comparison.scores) for c in diagnosis.path]
     return [Rung("base model", diagnosis.base.comparison.scores), *added]
 
 
-def rule_rows(comparison: Comparison) -> list[Row]:
+def rule_rows(rules: Sequence[Rule]) -> list[Row]:
     """Where the error sits, as a table."""
     return [
         {"signal": r.signal, "rule": r.rule, "error": percent(r.error_share), "time": percent(r.time_share)}
-        for r in comparison.where
+        for r in rules
     ]
 
 
@@ -116,7 +116,7 @@ def _effects(diagnosis: Diagnosis) -> str:
 
 def _summary(diagnosis: Diagnosis) -> list[Row]:
     rows = []
-    for role in ("fit", "holdout"):
+    for role in ROLES:
         for name, before in diagnosis.base.comparison.scores[role].items():
             after = diagnosis.final.comparison.scores[role].get(name) if diagnosis.path else None
             unit = diagnosis.data.signals[name].unit
@@ -135,14 +135,14 @@ def _summary(diagnosis: Diagnosis) -> list[Row]:
 
 
 def _share(diagnosis: Diagnosis, candidate: Candidate) -> float:
-    return 0.0 if candidate.fit is None else explained(diagnosis.base, candidate.fit)
+    return explained(diagnosis.base, candidate.fit)
 
 
 def _added(diagnosis: Diagnosis, candidate: Candidate) -> bool:
     return any(candidate.effects == c.effects for c in diagnosis.path)
 
 
-def _ranking_picture(diagnosis: Diagnosis, fitted: list[Candidate], palette: Mapping[str, str]) -> Picture | None:
+def _ranking_picture(diagnosis: Diagnosis, fitted: Sequence[Candidate], palette: Mapping[str, str]) -> Picture | None:
     if not fitted:
         return None
     bars = [
@@ -154,7 +154,6 @@ def _ranking_picture(diagnosis: Diagnosis, fitted: list[Candidate], palette: Map
 
 
 def _candidate_row(diagnosis: Diagnosis, c: Candidate) -> dict[str, Any]:
-    assert c.fit is not None
     own = []
     for name, e in c.parameters.items():
         value, interval = estimate_texts(e)
@@ -204,26 +203,17 @@ def _outlier_notes(diagnosis: Diagnosis) -> list[str]:
 
 
 def _missing_term(diagnosis: Diagnosis) -> dict[str, Any] | None:
-    found = diagnosis.missing_term
-    if not found:
+    missing = diagnosis.missing_term
+    if missing is None:
         return None
-    signals: Mapping[str, Mapping[str, Any]] = found.get("signals") or {}  # type: ignore[assignment]
-    balance = found.get("balance")
     rows = [
         {
             "name": name,
-            "rmse": quantity(s.get("rmse"), diagnosis.data.signals[name].unit),
-            "size": number(s.get("noise_standard_deviations")),
-            "with": str(s.get("correlates_with") or NOTHING),
-            "correlation": number(s.get("correlation"), 2),
+            "rmse": quantity(s.rmse, diagnosis.data.signals[name].unit),
+            "size": number(s.noise_standard_deviations),
+            "with": s.correlates_with or NOTHING,
+            "correlation": number(s.correlation, 2),
         }
-        for name, s in signals.items()
+        for name, s in missing.signals.items()
     ]
-    return {"balance": words(str(balance)) if balance else "", "rows": rows, "where": _rules(found.get("where"))}
-
-
-def _rules(where: Any) -> list[Row]:
-    return [
-        {"signal": r["signal"], "rule": r["rule"], "error": percent(r["error_share"]), "time": percent(r["time_share"])}
-        for r in where or ()
-    ]
+    return {"balance": words(missing.balance or ""), "rows": rows, "where": rule_rows(missing.where)}

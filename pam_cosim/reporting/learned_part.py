@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from pam_cosim.diagnosis import Diagnosis
+from pam_cosim.diagnosis import Candidate, Diagnosis
+from pam_cosim.measurement import ROLES
 from pam_cosim.reporting.wording import NOTHING, estimate_texts, number, percent, quantity, remark, unit_text
 
 CAUTION = (
@@ -18,8 +19,7 @@ def learned_part(diagnosis: Diagnosis) -> dict[str, Any] | None:
     """What the section on the learned term shows; None without one."""
     if diagnosis.learned is None:
         return None
-    term, candidate = diagnosis.learned
-    assert candidate.fit is not None
+    term, candidate = diagnosis.learned.term, diagnosis.learned.model
     parameters = []
     for name, estimate in candidate.parameters.items():
         value, interval = estimate_texts(estimate)
@@ -33,18 +33,17 @@ def learned_part(diagnosis: Diagnosis) -> dict[str, Any] | None:
         "score": percent(term.score),
         "fit_score": percent(term.fit_score),
         "caution": CAUTION,
-        "rows": _rows(diagnosis),
+        "rows": _rows(diagnosis, candidate),
         "parameters": parameters,
         "source": term.modelica_source,
         "name": term.name,
     }
 
 
-def _rows(diagnosis: Diagnosis) -> list[dict[str, str]]:
-    assert diagnosis.learned is not None and diagnosis.learned[1].fit is not None
-    learned = diagnosis.learned[1].fit.comparison.scores
+def _rows(diagnosis: Diagnosis, candidate: Candidate) -> list[dict[str, str]]:
+    learned = candidate.fit.comparison.scores
     rows = []
-    for role in ("fit", "holdout"):
+    for role in ROLES:
         for name, before in diagnosis.final.comparison.scores[role].items():
             after, signal = learned[role].get(name), diagnosis.data.signals[name]
             rows.append(

@@ -6,64 +6,57 @@ from collections.abc import Mapping
 from typing import Any
 
 from pam_cosim.criteria import CRITERIA
+from pam_cosim.diagnosis import NextExperiment
 from pam_cosim.quantities import readable_factor, readable_unit
 from pam_cosim.reporting.wording import listed, number, quantity, words
 
 _MOST_ROWS = 40
 
 
-def next_run(found: Mapping[str, Any] | None) -> dict[str, Any] | None:
+def next_run(plan: NextExperiment | None) -> dict[str, Any] | None:
     """Rows of words and the run's table in readable units; None where there is none."""
-    if not found:
+    if plan is None:
         return None
-    units: Mapping[str, str] = found.get("units") or {}
-    rows = [("Start from run", str(found["run"])), ("Change", str(found["change"]))]
-    settings = [f"{n} = {quantity(v, units.get(n, ''), 4)}" for n, v in (found.get("parameters") or {}).items()]
-    if settings:
-        rows.append(("Set", ", ".join(settings)))
-    if found.get("between"):
-        rows.append(("To tell apart", listed([words(str(f)) for f in found["between"]])))
-    expected = expectation(found)
-    if expected:
-        rows.append(("Expected", expected))
-    table: Mapping[str, list[float]] = found.get("table") or {}
-    steps = found.get("interpolation") == "previous"
+    rows = [("Start from run", plan.run), ("Change", plan.change)]
+    if plan.parameters:
+        rows.append(("Set", _settings(plan)))
+    rows.append(("To tell apart", listed([words(family) for family in plan.between])))
+    rows.append(("Expected", expectation(plan)))
     return {
         "rows": rows,
-        "heads": [_head(n, units) for n in table],
-        "table": _lines(table, units)[:_MOST_ROWS],
-        "left_out": max(len(table.get("time", ())) - _MOST_ROWS, 0),
-        "course": "each value holds until the next row" if steps else "straight between the rows",
+        "heads": [_head(n, plan.units) for n in plan.table],
+        "table": _lines(plan.table, plan.units)[:_MOST_ROWS],
+        "left_out": max(len(plan.table["time"]) - _MOST_ROWS, 0),
+        "course": "each value holds until the next row"
+        if plan.interpolation == "previous"
+        else "straight between the rows",
     }
 
 
-def expectation(found: Mapping[str, Any]) -> str:
+def expectation(plan: NextExperiment) -> str:
     """What the run is expected to show, however the rivals bend to it."""
-    separation, evidence = found.get("separation"), found.get("evidence")
-    if separation is None:
-        return ""
     text = (
-        f"{number(separation)} noise standard deviations between the two, root mean square over all samples, after "
-        "either is refitted to this run as well"
+        f"{number(plan.separation)} noise standard deviations between the two, root mean square over all samples, "
+        "after either is refitted to this run as well"
     )
-    if evidence is None:
-        return text
-    decisive = CRITERIA.evidence.very_strong
-    if evidence < decisive:
+    decisive = number(CRITERIA.evidence.very_strong, 2)
+    if not plan.decides:
         return (
-            f"{text}; that is not enough to decide (chi-square {number(evidence)}, very strong from "
-            f"{number(decisive, 2)} on): no variation of the runs at hand tells them apart, measure another signal"
+            f"{text}; that is not enough to decide (chi-square {number(plan.evidence)}, very strong from {decisive} "
+            "on): no variation of the runs at hand tells them apart, measure another signal"
         )
-    return f"{text} (chi-square {number(evidence)}; {number(decisive, 2)} is very strong evidence)"
+    return f"{text} (chi-square {number(plan.evidence)}; {decisive} is very strong evidence)"
 
 
-def next_run_line(found: Mapping[str, Any]) -> str:
+def next_run_line(plan: NextExperiment) -> str:
     """The next experiment in one line of plain text."""
-    settings = ", ".join(str(v) for k, v in next_run(found)["rows"] if k == "Set")  # type: ignore[index]
-    between = listed([words(str(f)) for f in found.get("between") or ()])
-    change = str(found["change"])
-    where = f"with {settings}; " if settings else ""
-    return f"run {found['run']}, {change}; {where}to tell {between} apart: {expectation(found)}"
+    between = listed([words(family) for family in plan.between])
+    where = f"with {_settings(plan)}; " if plan.parameters else ""
+    return f"run {plan.run}, {plan.change}; {where}to tell {between} apart: {expectation(plan)}"
+
+
+def _settings(plan: NextExperiment) -> str:
+    return ", ".join(f"{n} = {quantity(v, plan.units[n], 4)}" for n, v in plan.parameters.items())
 
 
 def _head(name: str, units: Mapping[str, str]) -> str:

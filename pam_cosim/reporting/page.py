@@ -9,7 +9,7 @@ from importlib.metadata import PackageNotFoundError, version
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from pam_cosim.comparison import Comparison
-from pam_cosim.measurement import DataSet
+from pam_cosim.measurement import ROLES, DataSet
 from pam_cosim.reporting.wording import NOTHING, number, quantity
 
 _LIBRARIES = ("fmpy", "numpy", "scipy", "matplotlib")
@@ -57,7 +57,7 @@ def signal_rows(data: DataSet) -> list[dict[str, str]]:
     rows = []
     for name, signal in data.signals.items():
         source = "estimated from the samples" if signal.estimated else "stated"
-        counts = {role: sum(r.sample_count(name) for r in data.runs if r.role == role) for role in ("fit", "holdout")}
+        counts = {role: sum(r.sample_count(name) for r in data.runs if r.role == role) for role in ROLES}
         rows.append(
             {
                 "name": name,
@@ -74,7 +74,7 @@ def signal_rows(data: DataSet) -> list[dict[str, str]]:
 def score_rows(comparison: Comparison) -> list[dict[str, str]]:
     """Every score of every signal, by role."""
     rows = []
-    for role in ("fit", "holdout"):
+    for role in ROLES:
         for name, s in comparison.scores[role].items():
             unit = comparison.data.signals[name].unit
             rows.append(

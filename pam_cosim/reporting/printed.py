@@ -33,6 +33,5 @@ def _way(diagnosis: Diagnosis) -> str:
     role = "holdout" if diagnosis.base.comparison.scores["holdout"] else "fit"
     steps = [f"base model {number(diagnosis.base.comparison.chi2_reduced(role))}"]
     for c in diagnosis.path:
-        assert c.fit is not None
         steps.append(f"+ {c.effect} {number(c.fit.comparison.chi2_reduced(role))}")
     return f"{' → '.join(steps)} (reduced chi-square, {role} runs)"

@@ -16,12 +16,10 @@ from fmpy.fmi2 import (
     fmi2CallbackFunctions,
     fmi2CallbackLoggerTYPE,
 )
-from numpy.typing import NDArray
 
+from pam_cosim.arrays import Array
 from pam_cosim.fmu.compile import compile_library, native_platform
 from pam_cosim.simulation.plan import Plan
-
-Array = NDArray[np.float64]
 
 # In the order of the function pointers in driver_run, by major version of FMI; version 3 sets up the experiment when
 # it enters initialization mode, and has no slopes of inputs: our own FMUs have a function for them beside FMI.

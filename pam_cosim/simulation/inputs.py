@@ -9,9 +9,9 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 
-Array = NDArray[np.float64]
 Interpolation = Literal["linear", "previous"]
 
 # Two samples closer than this part of the time scale are a step.

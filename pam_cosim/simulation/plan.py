@@ -8,8 +8,9 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
-from pam_cosim.simulation.inputs import Array, Inputs, Interpolation, Pieces, pieces
+from pam_cosim.simulation.inputs import Inputs, Interpolation, Pieces, pieces
 
 Indices = NDArray[np.int64]
 

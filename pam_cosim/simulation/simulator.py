@@ -15,8 +15,9 @@ from types import TracebackType
 
 import fmpy
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fmu.read import interface_of, read_description, real_variables
 from pam_cosim.interface import Interface, Variable
@@ -26,8 +27,6 @@ from pam_cosim.simulation.inputs import Inputs, with_held
 from pam_cosim.simulation.plan import plan
 from pam_cosim.simulation.slave import Slave, free_instance, instantiate, load_slave, major_version, takes_slopes
 from pam_cosim.simulation.trajectory import Trajectory
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -10,12 +10,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_text
-
-Array = NDArray[np.float64]
 
 _HEADER = re.compile(r"\s*(?P<name>.*?)(?:\s+\[(?P<unit>[^\[\]]*)\])?\s*")
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -18,7 +19,7 @@ from tests.reporting.test_ledger_learned_next import PLAN, make_learned
 
 Command = Callable[..., Outcome]
 TABLE = {"time": [0.0, 0.5, 10.0], "u_in": [0.35, 0.0, 0.0], "u_out": [0.0, 0.0, 0.2], "p_supply": [2e5, 2e5, 2e5]}
-FULL = PLAN | {"table": TABLE, "units": {"u_in": "A", "u_out": "A", "p_supply": "Pa", "load.m": "kg"}}
+FULL = replace(PLAN, table=TABLE, units={"u_in": "A", "u_out": "A", "p_supply": "Pa", "load.m": "kg"})
 
 
 @pytest.fixture

@@ -47,14 +47,13 @@ def fitted(
 
 def candidate(
     effect: str,
-    fit: Fit | None,
+    fit: Fit,
     family: str | None = None,
     own: Mapping[str, Estimate] | None = None,
     balance: str = "force",
     before: tuple[str, ...] = (),
 ) -> Candidate:
-    failure = None if fit is not None else "no answer"
-    return Candidate(effect, family or effect, balance, (*before, effect), tuple(own or {}), fit, failure)
+    return Candidate(effect, family or effect, balance, (*before, effect), tuple(own or {}), fit)
 
 
 LOST = Estimate(1e4, 0.1, 1e4, "s", at_bound=True, determined=False)

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from pam_cosim.comparison import Comparison, Rule, RunComparison, score
-from pam_cosim.diagnosis import Candidate, Diagnosis, Verdict
+from pam_cosim.diagnosis import Candidate, Diagnosis, FailedTrial, LeftInSignal, MissingTerm, NextExperiment, Verdict
 from pam_cosim.fitting import Estimate, Fit, series_of, structure
 from pam_cosim.measurement import DataSet, Run, Signal
 
@@ -62,12 +62,10 @@ def make_fit(data, error, parameters=None):
     return Fit("M", found, comparison, by_role, 12, ("step size too small at t = 3 s",))
 
 
-def make_candidate(data, effect, family, balance, error, own=None, failure=None, before=(), **found):
+def make_candidate(data, effect, family, balance, error, own=None, before=(), **found):
     own = own or {}
-    fit = None
-    if failure is None:
-        fit = make_fit(data, error, {"valve.C_A": Estimate(0.699, 0.695, 0.703, "1"), **own})
-    return Candidate(effect, family, balance, (*before, effect), tuple(own), fit, failure, equations=EQUATIONS, **found)
+    fit = make_fit(data, error, {"valve.C_A": Estimate(0.699, 0.695, 0.703, "1"), **own})
+    return Candidate(effect, family, balance, (*before, effect), tuple(own), fit, equations=EQUATIONS, **found)
 
 
 def make_diagnosis(kind="identified", data=None, **changes):
@@ -82,13 +80,13 @@ def make_diagnosis(kind="identified", data=None, **changes):
     best = make_candidate(data, "StiffWall", "elasticity", "force", 0.0, stiff, delta_bic=-5200.4, probability=0.98)
     rival = make_candidate(data, "RoundEnds", "end_shape", "force", 0.1, delta_bic=-5199.0, probability=0.02)
     poor = make_candidate(data, "SmallHole", "leak", "mass", 8.0, delta_bic=float("nan"))
-    failed = make_candidate(data, "HotWall", "wall_heat", "energy", 0.0, failure="no start value <can> be simulated")
+    failed = FailedTrial("HotWall", "wall_heat", "energy", ("HotWall",), "no start value <can> be simulated")
     base = make_fit(data, 10.0)
-    candidates = (best, rival, poor, failed)
+    candidates = (best, rival, poor)
     balance = {"energy": 0.0, "force": 0.93, "mass": 0.07}
     shelf = {
         "none_missing": Diagnosis(
-            data, data.model, make_fit(data, 0.0), (poor, failed), (), dict.fromkeys(balance, 0.0),
+            data, data.model, make_fit(data, 0.0), (poor,), (), dict.fromkeys(balance, 0.0),
             Verdict("none_missing", (), (), "The residual is noise."),
         ),
         "identified": Diagnosis(
@@ -98,18 +96,15 @@ def make_diagnosis(kind="identified", data=None, **changes):
         "ambiguous": Diagnosis(
             data, data.model, base, candidates, (best,), balance,
             Verdict("ambiguous", ("elasticity", "end_shape"), ("StiffWall", "RoundEnds"), "Cannot separate."),
-            next_experiment={"run": "run-2", "change": "p_supply times 1.5", "separation": 12.34,
-                             "between": ["elasticity", "end_shape"]},
+            next_experiment=NextExperiment("run-2", "p_supply times 1.5", 12.34, 152.3, ("elasticity", "end_shape"), {},
+                                           "linear", {"time": [0.0, 10.0]}, {}),
         ),
         "unknown": Diagnosis(
-            data, data.model, base, (poor, failed), (), balance,
+            data, data.model, base, (poor,), (), balance,
             Verdict("unknown", (), (), "The residual has structure."),
-            missing_term={
-                "balance": "force",
-                "signals": {n: {"rmse": 10 * SIGNALS[n].sigma, "noise_standard_deviations": 7.07,
-                                "correlates_with": "p", "correlation": -0.61} for n in data.signals},
-                "where": [vars(r) for r in RULES],
-            },
+            missing_term=MissingTerm(
+                "force", {n: LeftInSignal(10 * SIGNALS[n].sigma, 7.07, "p", -0.61) for n in data.signals}, RULES
+            ),
         ),
     }  # fmt: skip
-    return replace(shelf[kind], **changes)
+    return replace(shelf[kind], **{"failed": (failed,)} | changes)

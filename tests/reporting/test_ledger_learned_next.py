@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from pam_cosim.diagnosis import LearnedModel, NextExperiment
 from pam_cosim.diagnosis.learning import LearnedTerm
 from pam_cosim.ledger import Course, Entry, Ledger, Reading
 from pam_cosim.reporting import diagnosis_report, diagnosis_text
@@ -17,17 +18,17 @@ from pam_cosim.tables import write_next_run
 from tests.reporting.html_checks import checked
 from tests.reporting.synthetic import SIGNALS, make_candidate, make_comparison, make_data, make_diagnosis
 
-PLAN = {
-    "run": "run-2",
-    "change": "load.m times 1.5",
-    "separation": 2.5,
-    "evidence": 1250.0,
-    "between": ["elasticity", "end_shape"],
-    "parameters": {"load.m": 3.0},
-    "interpolation": "previous",
-    "table": {"time": [0.0, 0.5, 10.0], "u_in": [0.35, 0.0, 0.0], "p_supply": [2e5, 2e5, 2e5]},
-    "units": {"u_in": "A", "p_supply": "Pa", "load.m": "kg"},
-}
+PLAN = NextExperiment(
+    run="run-2",
+    change="load.m times 1.5",
+    separation=2.5,
+    evidence=1250.0,
+    between=("elasticity", "end_shape"),
+    parameters={"load.m": 3.0},
+    interpolation="previous",
+    table={"time": [0.0, 0.5, 10.0], "u_in": [0.35, 0.0, 0.0], "p_supply": [2e5, 2e5, 2e5]},
+    units={"u_in": "A", "p_supply": "Pa", "load.m": "kg"},
+)
 
 
 def make_ledger(failing=("force", "sensor"), closed=True, notes=("mass and heat cannot be told apart <here>",)):
@@ -46,7 +47,7 @@ def make_ledger(failing=("force", "sensor"), closed=True, notes=("mass and heat 
 def make_learned(data):
     term = LearnedTerm("LearnedForce", "force", "missing force = 5.1 N (exp(x/(40 mm)) - 1)",
                        "model LearnedForce\nend LearnedForce;\n", "N", (), 0.97, 0.98, {})  # fmt: skip
-    return term, make_candidate(data, "LearnedForce", "learned", "force", 0.5)
+    return LearnedModel(term, make_candidate(data, "LearnedForce", "learned", "force", 0.5))
 
 
 def test_which_balance_fails_is_said_drawn_and_tabled():
@@ -89,9 +90,9 @@ def test_a_learned_term_is_shown_with_its_source_and_its_limits():
     assert "missing force = 5.1 N (exp(x/(40 mm)) - 1)" in page.text
     assert "explains 97 % of the mean square of the missing term of the force balance" in page.text
     assert "This is a description, not a cause" in page.text
-    assert diagnosis.learned[0].modelica_source in "".join(page.texts)
+    assert diagnosis.learned.term.modelica_source in "".join(page.texts)
     before = diagnosis.base.comparison.scores["holdout"]["p"].rmse / 1e3
-    after = diagnosis.learned[1].fit.comparison.scores["holdout"]["p"].rmse / 1e3
+    after = diagnosis.learned.model.fit.comparison.scores["holdout"]["p"].rmse / 1e3
     assert f"p holdout {before:.2f} kPa {after:.3f} kPa 0.500 kPa" in page.text
     assert "What is missing, described" not in checked(diagnosis_report(make_diagnosis("unknown"))).text
 
@@ -113,7 +114,7 @@ def test_the_next_run_is_ready_to_make():
 
 def test_a_long_run_is_cut_in_the_report_only(tmp_path):
     n = 100
-    long = PLAN | {"table": {"time": list(range(n)), "u_in": [0.1] * n, "p_supply": [2e5] * n}}
+    long = replace(PLAN, table={"time": list(range(n)), "u_in": [0.1] * n, "p_supply": [2e5] * n})
     found = next_run(long)
     assert (len(found["table"]), found["left_out"]) == (40, 60)
     write_next_run(tmp_path / "n.csv", long)
@@ -121,7 +122,7 @@ def test_a_long_run_is_cut_in_the_report_only(tmp_path):
 
 
 def test_an_experiment_that_decides_nothing_is_not_praised():
-    assert "not enough to decide" in expectation(PLAN | {"evidence": 4.0})
+    assert "not enough to decide" in expectation(replace(PLAN, evidence=4.0))
     assert "not enough" not in expectation(PLAN)
 
 
@@ -144,7 +145,7 @@ def test_the_terminal_gets_the_way_the_place_the_ledger_and_the_next_run():
 
 @pytest.mark.parametrize("interpolation", ["previous", "linear"])
 def test_the_file_of_the_next_run_has_steps_where_inputs_are_held(tmp_path, interpolation):
-    write_next_run(tmp_path / "n.csv", PLAN | {"interpolation": interpolation})
+    write_next_run(tmp_path / "n.csv", replace(PLAN, interpolation=interpolation))
     lines = (tmp_path / "n.csv").read_text().splitlines()
     assert lines[:3] == ["# run run-2, load.m times 1.5", "# set load.m = 3 kg", "time [s],u_in [A],p_supply [kPa]"]
     step = ["0.5,0.35,200"] if interpolation == "previous" else []

@@ -57,10 +57,10 @@ def test_one_hold_cannot_separate_what_shortens_the_stroke(workers: int | None) 
     assert found.missing_term is None
     plan = found.next_experiment
     assert plan is not None
-    assert plan["run"] == "run" and str(plan["change"])
-    assert set(plan["between"]) <= set(verdict.families)  # type: ignore[call-overload]
+    assert plan.run == "run" and plan.change
+    assert set(plan.between) <= set(verdict.families)
     # the run is worth making: it tells the two apart by more than the evidence that counts as very strong
-    assert isinstance(plan["evidence"], float) and plan["evidence"] > 10
+    assert plan.evidence > 10
     best, other = (next(c for c in found.candidates if c.family == f) for f in verdict.families[:2])
     assert abs(best.delta_bic - other.delta_bic) < 10
 

@@ -98,10 +98,8 @@ def test_error_that_no_effect_explains_is_unknown(workers: int | None) -> None:
     found = study.diagnose(data, workers=workers)
     assert found.verdict.kind == "unknown", found.verdict
     term = found.missing_term
-    assert term is not None and term["balance"] in ("mass", "energy", "sensor")
-    signals = term["signals"]
-    assert isinstance(signals, dict)
+    assert term is not None and term.balance in ("mass", "energy", "sensor")
     # what is left is the swing, 4/sqrt(2) kPa, and the noise of 1 kPa
-    assert signals["p"]["rmse"] == pytest.approx(np.hypot(4e3 / np.sqrt(2), 1e3), rel=0.1)
-    assert signals["p"]["noise_standard_deviations"] == pytest.approx(3.0, rel=0.1)
+    assert term.signals["p"].rmse == pytest.approx(np.hypot(4e3 / np.sqrt(2), 1e3), rel=0.1)
+    assert term.signals["p"].noise_standard_deviations == pytest.approx(3.0, rel=0.1)
     assert found.next_experiment is None

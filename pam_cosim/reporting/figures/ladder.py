@@ -11,12 +11,11 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from pam_cosim.comparison import SignalScore
-from pam_cosim.measurement import Signal
+from pam_cosim.measurement import ROLES, Signal
 from pam_cosim.quantities import readable_factor
 from pam_cosim.reporting.style import AFTER, BEFORE, INK, SOFT, WIDTH, Picture, drawing, new_figure, picture
 from pam_cosim.reporting.wording import number, shortened, unit_text
 
-ROLES = ("fit", "holdout")
 _WIDEST = 3  # panels beside each other
 
 

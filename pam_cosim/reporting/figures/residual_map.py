@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
-from numpy.typing import NDArray
 
+from pam_cosim.arrays import Array
 from pam_cosim.measurement import Signal
 from pam_cosim.quantities import readable_factor
 from pam_cosim.reporting.figures.layer import Layer
@@ -18,8 +18,6 @@ from pam_cosim.reporting.wording import unit_text
 _CELLS = 14
 _FEWEST = 200  # samples, below which a plane of cells shows single samples
 _FULL = 5.0  # noise standard deviations of the darkest colour
-
-Array = NDArray[np.float64]
 
 
 def residual_map(layers: Sequence[Layer], signals: Sequence[Signal]) -> Picture | None:
