@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 GRAVITY = 9.80665
 LOADS = (5.0, 10.0, 15.0, 20.0, 25.0, 30.0)  # kg, DY Table 3
 FREQUENCIES = (0.5, 1.0, 1.5, 2.0)  # Hz, DY Table 3
-DURATION, RATE = 8.0, 50.0  # s, Hz
+DURATION, RATE = 6.0, 50.0  # s, Hz
 NOISE = 1e-4  # m, standard deviation of the displacement transducer
 ACCURACY = (1e-8, 1e-6, 1e-2)  # m, kg.m/s, Pa: of the integration, far below the noise
 

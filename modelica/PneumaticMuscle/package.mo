@@ -2,13 +2,8 @@ package PneumaticMuscle "Pneumatic artificial muscles, their valves and vessels,
   annotation (version="0.1.0", Documentation(info="<html>
 <p>Acausal models of pneumatic artificial muscles (McKibben muscles). Inside the models pressures are
 absolute; the signals of a bench are what instruments read, gauge pressures.</p>
-<p>Sources, cited by equation number throughout:</p>
-<ul>
-<li>DP: M. D. Doumit, S. Pardoel, <i>Dynamic contraction behaviour of pneumatic artificial muscle</i>,
-Mechanical Systems and Signal Processing 91 (2017) 93-110.</li>
-<li>DY: M. A. Mat Dzahir, S. Yamamoto, <i>Dynamic modeling of McKibben muscle using empirical model and particle
-swarm optimization method</i>, Applied Sciences 9 (2019) 2538.</li>
-</ul>
+<p>DP, DY and AM are cited by equation number, other works by authors and year; <code>UsersGuide.References</code>
+lists them all.</p>
 <p>A class of <code>Effects</code> is one physical effect that the base model lacks. Where it attaches is said
 by the interface it extends:</p>
 <ul>

@@ -20,7 +20,7 @@ equation
   h_wall = h_0 + h_1*((m_jet^2 + m_smooth^2)/m_reference^2)^0.4;
   annotation (Documentation(info="<html>
 <p>As EnergyGas with h = h_0 + h_1 (|m_flow|/0.1 g/s)^0.8. Source: DP (43), (53), (54), (59); exponent: Dittus
-and Boelter's for turbulent flow, Nu ~ Re^0.8; a jet stirs the gas while it is filled and for 0.05 s after, free
+and Boelter 1930 for turbulent flow, Nu ~ Re^0.8; a jet stirs the gas while it is filled and for 0.05 s after, free
 convection is left in a hold. DP (60) falls away, so that no value of h_0 and h_1 gives the base law back.
 Typical h_0 3 to 10, h_1 5 to 200 W/(m2.K).</p>
 <p>Fingerprint: as EnergyGas, with less heating while gas flows than the slow return to ambient in the hold lets

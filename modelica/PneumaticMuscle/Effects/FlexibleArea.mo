@@ -30,7 +30,7 @@ equation
   annotation (Documentation(info="<html>
 <p>A = A(u - u_p (p_up - p_down)/100 kPa) exp(b_u (u/0.35 A - 1) - b_r r - b_p (p_up - p_down)/100 kPa
 + b_s (p_up/100 kPa - 2)), r = p_down/p_up: never negative, whatever the coefficients are. Source: first terms of the expansion of ln A about DP (62)
-at the current of its calibration; the ratio moves the discharge coefficient (J. A. Perry, 1949), the pressure drop
+at the current of its calibration; the ratio moves the discharge coefficient (Perry 1949), the pressure drop
 the plunger against its spring, the upstream pressure the seat. Of what they change at the inlet, straight lines and exponentials of the ratio and of
 the drop are met within 1 %, Perry's curve within 5 %, the square of the ratio within 9 %, another curve of area by
 current within 11 %, and a factor by the supply's pressure alone within 2 %. Typical -0.3 to 0.3, u_p 0 to 20 mA; the

@@ -12,9 +12,8 @@ protected
 equation
   f = k*x*exp(s*(a + b*s));
   annotation (defaultComponentName="bladder", Documentation(info="<html>
-<p>f = k x exp(a s + b s^2), s = 8 x/L0 - 1: the force always pulls back, whatever a and b are. Source: Fung's
-exponential law of soft tissue, whose stiffness by force is a constant (Y. C. Fung, <i>Elasticity of soft tissues in
-simple elongation</i>, 1967), with one more term in the exponent. Over a contraction of 0 to 29 % it is within 2 % of
+<p>f = k x exp(a s + b s^2), s = 8 x/L0 - 1: the force always pulls back, whatever a and b are. Source: the
+exponential law of soft tissue, whose stiffness by force is a constant (Fung 1967), with one more term in the exponent. Over a contraction of 0 to 29 % it is within 2 % of
 linear, polynomial, exponential, logarithmic, square root, arctan, tanh, sine and Mooney-Rivlin springs, and within 5
 to 12 % of a slack that ends with a corner, or of a stop. Typical k 50 to 2000 N/m, a -0.6 to 1, b 0 to 0.2.</p>
 <p>Fingerprint: as LinearBladder; the error grows faster (a above 0) or slower (below) than the contraction.</p>

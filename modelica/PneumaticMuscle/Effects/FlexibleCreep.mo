@@ -22,11 +22,10 @@ equation
   end for;
   f = k_1*(x - q[1]) + k_2*(x - q[2]) + k_3*(x - q[3]);
   annotation (defaultComponentName="creep", Documentation(info="<html>
-<p>Three Maxwell elements in parallel, a Prony series. Source: J. D. Ferry, <i>Viscoelastic properties of
-polymers</i>; a positive series of exponentials dissipates and approaches any completely monotone relaxation. Over
+<p>Three Maxwell elements in parallel, a Prony series. Source: Ferry 1980; a positive series of exponentials dissipates and approaches any completely monotone relaxation. Over
 0.02 to 10 s it is within 2.5 % of stretched exponentials (Kohlrausch), of power laws that begin at a finite value and
 of the logarithm of time, where two elements (PronyCreep) leave up to 9 %. thinning multiplies the rates by 1 +
-thinning (q_i's load by 10 mm)^2, two terms of H. Eyring's sinh (1936), which still dissipates: a dashpot of his is
+thinning (q_i's load by 10 mm)^2, two terms of the sinh of Eyring 1936, which still dissipates: a dashpot of his is
 met within 1 % of what it changes in the readings. Typical 50 to 500 N/m, tau 0.1 to 1 s.</p>
 <p>Fingerprint: as PronyCreep; no time stands out after which the creep is over.</p>
 </html>"));

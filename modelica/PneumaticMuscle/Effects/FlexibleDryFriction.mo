@@ -25,8 +25,8 @@ equation
   annotation (defaultComponentName="dryFriction", Documentation(info="<html>
 <p>f = (F_0 + F_p p_gauge/100 kPa) (share r_1 + (1 - share) r_2), d_i r_i_dot = v - |v| r_i |r_i|, d_1 = d/10, d_2 =
 d. all times 1 + rise exp(-(v/10 mm/s)^2). Source: the Maxwell-slip model DP (12) with two of its elements, each a
-smooth one (Dahl's with an exponent of 2), and the normal force that DP (68) and (71) take from the pressure; R.
-Stribeck's curve (1902) by what slow motion adds, within 1 % where it falls over 15 mm/s. With a small d it is
+smooth one (Dahl's with an exponent of 2), and the normal force that DP (68) and (71) take from the pressure; the curve of
+Stribeck 1902 by what slow motion adds, within 1 % where it falls over 15 mm/s. With a small d it is
 Coulomb's law, within 3 %; Maxwell-slip models of ten elements are met within 5 %, of four within 7 %, one that slips
 with a corner after 1 mm within 11 %, over large and small loops under a rising pressure. Typical F_0 and F_p 1 to 30
 N, d 0.1 to 5 mm.</p>

@@ -30,7 +30,7 @@ equation
   annotation (Documentation(info="<html>
 <p>As ConvectiveGas with h = h_0 (p/p_atm)^n_p (|T - T_atm|/10 K)^n_T + h_1 (|m_jet|/0.1 g/s)^0.8, tau_jet m_jet_dot =
 m_flow - m_jet. Source: DP (43), (53), (54), (59); free convection has Nu ~ (Gr Pr)^n with Gr in proportion to density
-squared and temperature difference, n = 1/4 laminar and 1/3 turbulent (W. H. McAdams, <i>Heat transmission</i>), so
+squared and temperature difference, n = 1/4 laminar and 1/3 turbulent (McAdams 1954), so
 n_p = 2 n, n_T = n; conduction alone has neither. DP (60) falls away, so that no value of the parameters gives the
 base law back. Where the flow counts by an exponent of 0.6 the readings keep 1 % of what the balance changes. Typical
 h_0 2 to 10, h_1 5 to 200 W/(m2.K), n_p 0 to 0.67, n_T 0 to 0.33, tau_jet 0.02 to 0.5 s.</p>

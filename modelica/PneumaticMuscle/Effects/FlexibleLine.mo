@@ -19,8 +19,8 @@ equation
   connect(gas.port, resistance.port_a);
   connect(resistance.port_b, port_b);
   annotation (Documentation(info="<html>
-<p>p_a^2 - p_b^2 = 2 p_atm/G m_flow + R T/A^2 m_flow |m_flow|, <code>Components.RoughTube</code>. Source: P.
-Forchheimer's law, 1901, for isothermal flow of an ideal gas. With a large A it is LaminarLine, with a large G the
+<p>p_a^2 - p_b^2 = 2 p_atm/G m_flow + R T/A^2 m_flow |m_flow|, <code>Components.RoughTube</code>. Source:
+Forchheimer 1901, for isothermal flow of an ideal gas. With a large A it is LaminarLine, with a large G the
 elliptic law that ISO 6358 gives long tubes; the isentropic orifice, choked or not, is met within 9 %, with a laminar
 tube in series within 7 %, Blasius' law within 4 %. Typical as for LaminarLine and LongLine.</p>
 <p>Fingerprint: as LongLine.</p>

@@ -22,10 +22,10 @@ equation
   tau*der(T) = (port.T - T)*(exp(n*log(max(port.p, 1.0)/ambient.p)) + b*sqrt(flow_size)*(1 + side*r/flow_size)) - loss*(T - ambient.T);
   annotation (Documentation(info="<html>
 <p>tau T_dot = ((p/p_atm)^n + b (1 + side sgn m_flow) (|m_flow|/0.1 g/s)^0.5) (T_gas - T) - loss (T - T_atm). Source:
-heat balance of a small bead; L. V. King's law of a wire in a stream, Nu = A + B Re^0.5 (1914), where a jet that fills
+heat balance of a small bead; the law of a wire in a stream, Nu = A + B Re^0.5, King 1914, where a jet that fills
 may hit the bead and one that vents need not (side); in A the density, by an exponent of 0.25 to 0.5 in free
 convection and 0 in gas at rest; radiation and stem conduction as a conductance to what stays at ambient temperature
-(M. D. Scadron and I. Warshawsky, NACA TN 2599, 1952). Beads that follow another power of the flow (0.6), that the
+(Scadron and Warshawsky 1952). Beads that follow another power of the flow (0.6), that the
 pressure multiplies, or that only filling blows at, are met within 3 % of what they change in the reading. Typical tau
 as for ThermocoupleLag, b 0 to 5, loss 0 to 0.1.</p>
 <p>Fingerprint: as ThermocoupleLag, later in holds than while gas flows, and later in venting than in filling; with

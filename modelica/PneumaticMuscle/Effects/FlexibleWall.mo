@@ -25,7 +25,7 @@ equation
   annotation (Documentation(info="<html>
 <p>C T_w_dot = Q_flow - K (T_w - T_o), r C T_o_dot = K (T_w - T_o) - G (|T_o - T_atm|/10 K)^n (T_o - T_atm), behind
 the resistance of the base wall. Source: two sections of the wall's heat equation; free convection has Nu ~ Gr^n, n =
-1/4 laminar and 1/3 turbulent, 0 for wind and small differences (W. H. McAdams, <i>Heat transmission</i>). Walls of
+1/4 laminar and 1/3 turbulent, 0 for wind and small differences (McAdams 1954). Walls of
 two layers of any such loss are met exactly. Typical C and G as for WarmWall, r 0.5 to 5, K 0.05 to 1 W/K for a
 muscle.</p>
 <p>Fingerprint: as WarmWall, with more than one time after which the wall has cooled.</p>

@@ -18,7 +18,7 @@ equation
   h_wall = c*k*(Constants.g*Pr/(mu^2*ambient.T)*(p/(Constants.R*T))^2)^(1/3)*((T - ambient.T)^2 + dT_smooth^2)^(1/6);
   annotation (Documentation(info="<html>
 <p>As EnergyGas with Nu = c Ra^(1/3), so that h = c k (g Pr rho^2 |T - T_w|/(mu^2 T_w))^(1/3) whatever the size of the
-vessel. The wall has the temperature of the surroundings. Source: W. H. McAdams, Heat Transmission, turbulent
+vessel. The wall has the temperature of the surroundings. Source: McAdams 1954, turbulent
 free convection, c = 0.13; DP (43), (53), (54), (59). DP (60) falls away, so that no value of c gives the base law
 back. Typical 0.1 to 0.2 in vessels of litres; 9 W/(m2.K) for air at 100 kPa and 50 K.</p>
 <p>Fingerprint: as EnergyGas, with more heat exchange while the gas is dense and its temperature far from the wall's, and

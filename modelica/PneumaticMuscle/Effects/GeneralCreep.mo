@@ -36,7 +36,7 @@ equation
   f = k_1*(y - q[1]) + k_2*(y - q[2]) + k_3*(y - q[3]);
   annotation (defaultComponentName="creep", Documentation(info="<html>
 <p>f = sum of k_i (y - q_i), tau_i q_i_dot = (y - q_i) (1 + thinning (y - q_i)^2/(10 mm)^2), tau_i = tau spread^(i-1), times
-recovery where y < q_i, y = x exp(a s + b s^2), s = 8 x/L0 - 1. Source: Y. C. Fung's quasi-linear viscoelasticity (<i>Biomechanics</i>, 1981),
+recovery where y < q_i, y = x exp(a s + b s^2), s = 8 x/L0 - 1. Source: the quasi-linear viscoelasticity of Fung 1981,
 where the load that a spring of any law would carry relaxes by one reduced function of time; that function as in
 FlexibleCreep, which is the case a = b = 0, recovery = 1; filled rubber recovers more
 slowly than it relaxes. Typical as there, a 0 to 1, recovery 1 to 5.</p>

@@ -41,7 +41,7 @@ equation
   annotation (Documentation(info="<html>
 <p>As RealGas with h = (T/T_atm)^n_T (V/0.1 L)^n_V (h_0 (p/p_atm)^n_p (|T - T_atm|/10 K)^n_d + h_1 (|m_jet|/0.1 g/s)^n_m),
 tau_jet m_jet_dot = m_flow - m_jet. Source: FlexibleGas and RealGas, see there; Nusselt numbers are products of powers of
-the gas' properties, of the size of the space and of the flow (W. H. McAdams, <i>Heat transmission</i>). DP (60) falls
+the gas' properties, of the size of the space and of the flow (McAdams 1954). DP (60) falls
 away, so that no value of the parameters gives the base law back. Typical as there, n_T and n_V -1 to 1.</p>
 <p>Fingerprint: as FlexibleGas.</p>
 </html>"));

@@ -17,7 +17,7 @@ equation
   connect(gas.port, resistance.port_a);
   connect(resistance.port_b, port_b);
   annotation (Documentation(info="<html>
-<p>As OrificeLine, with the volume of the tube. Source: B. K. S. Woods and others, 2014, discussed after DP
+<p>As OrificeLine, with the volume of the tube. Source: Woods and others 2014, discussed after DP
 (12), for losses along supply lines; one lump as in ISO 6358. Typical: 1 m of 4 mm tube 12 mL. The volume at the
 muscle's end is DeadVolume.</p>
 <p>Fingerprint: as OrificeLine; the pressure in the muscle goes on rising a little after the inlet valve has

@@ -15,10 +15,9 @@ equation
   end for;
   f = F_c*sum(r)/4;
   annotation (defaultComponentName="dryFriction", Documentation(info="<html>
-<p>f = sum F_i, four elements that carry F_c/4 each and slip after d/8, d/4, d/2 and d. Source: DP (12) (T.
-Vo-Minh and others, <i>Cascade position control of a single pneumatic artificial muscle-mass system with
-hysteresis compensation</i>, 2010), where four elements give the hysteresis of one muscle; each is a smooth one
-(Dahl's), so that slip has no corner.</p>
+<p>f = sum F_i, four elements that carry F_c/4 each and slip after d/8, d/4, d/2 and d. Source: DP (12),
+after Vo-Minh and others 2011, where four elements give the hysteresis of one muscle; each is a smooth one
+(Dahl 1968), so that slip has no corner.</p>
 <p>Fingerprint: as DahlFriction; the loop is rounded over a longer travel and small loops inside the large one
 are narrower. Typical F_c 1 to 30 N, d 0.5 to 5 mm; more than 8 mm of travel is a spring, not friction.</p>
 </html>"));

@@ -19,8 +19,7 @@ equation
   f = -V_wall*(C_10*I1_L + C_01*I2_L);
   annotation (defaultComponentName="bladder", Documentation(info="<html>
 <p>Virtual work f = -dU/dL of U = V_wall (C_10 (I1 - 3) + C_01 (I2 - 3)) for an incompressible thin wall with
-the stretches of the sleeve, L/L0 along and D/D0 around. Source: G. Wang, N. M. Wereley, T. Pillsbury,
-<i>Non-linear quasi-static model of pneumatic artificial muscle actuators</i>, 2015, discussed after DP (12).
+the stretches of the sleeve, L/L0 along and D/D0 around. Source: Wang, Wereley and Pillsbury 2015, discussed after DP (12).
 Typical for soft rubber: C_10 0.05 to 0.5 MPa, C_01 a tenth of that.</p>
 <p>Fingerprint: as YoungBladder, with the curve of real rubber: stiff at first, softer, stiff again. C_01 is
 known only from large contractions.</p>

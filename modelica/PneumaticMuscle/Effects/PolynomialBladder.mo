@@ -10,7 +10,7 @@ model PolynomialBladder "The bladder is a spring whose stiffness changes with co
 equation
   f = k1*x + k2*x^2 + k3*x^3;
   annotation (defaultComponentName="bladder", Documentation(info="<html>
-<p>f = k1 x + k2 x^2 + k3 x^3. Source: Cao's polynomial model, DP (7), third order added so that a rubber that
+<p>f = k1 x + k2 x^2 + k3 x^3. Source: Cao's polynomial model, DP (7) and its reference 20, third order added so that a rubber that
 stiffens with stretch is covered. Typical k1 as k of LinearBladder, k2 and k3 such that they add as much again
 at a third of the length; a negative one softens the spring. Bounded where softening would make the muscle run
 away by itself.</p>

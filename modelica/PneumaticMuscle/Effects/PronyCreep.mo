@@ -16,7 +16,7 @@ equation
   f = k_1*(x - q[1]) + k_2*(x - q[2]);
   annotation (defaultComponentName="creep", Documentation(info="<html>
 <p>Two Maxwell elements in parallel. Source: the generalised Maxwell model, a Prony series with one term a
-decade as is usual for rubber (J. D. Ferry, <i>Viscoelastic properties of polymers</i>). Typical as for
+decade as is usual for rubber (Ferry 1980). Typical as for
 MaxwellCreep.</p>
 <p>Fingerprint: as MaxwellCreep, fast at first and slow later, like the logarithm of time.</p>
 </html>"));

@@ -20,8 +20,7 @@ equation
 <p>As EnergyGas with p (V - b m) = m R T, that is Z = 1 + b p/(R T), U = p (V - e b m)/(gamma - 1), and h
 (p/p_atm)^n_p in place of h. Source: the virial equation to its second term, and van der Waals' equation, of which e
 is 1 for the volume of the molecules and 2 - gamma = 0.6 for their attraction; b = -3e-4 m3/kg for air and -3e-3 to
-7e-3 for other gases at room temperature (J. H. Dymond and E. B. Smith, <i>The virial coefficients of pure gases and
-mixtures</i>, 1980). The film is that of free convection, Nu ~ Gr^n, n_p = 2 n. DP (60) falls away, so that no value
+7e-3 for other gases at room temperature (Dymond and Smith 1980). The film is that of free convection, Nu ~ Gr^n, n_p = 2 n. DP (60) falls away, so that no value
 of the parameters gives the base law back. Typical h 5 to 50 W/(m2.K), n_p 0 to 0.67.</p>
 <p>Fingerprint: as EnergyGas, and in dense gas the temperature is off in proportion to the pressure, in holds too.</p>
 </html>"));

@@ -1,13 +1,45 @@
 within PneumaticMuscle.UsersGuide;
-class References "Sources, cited by equation number throughout"
+class References "Every work that the library cites, by the key under which it is cited"
   annotation (Documentation(info="<html>
+<p>DP, DY and AM are cited by the numbers of their equations, figures and tables; every other work by its authors and
+year, written as here: one, two or three names, or the first <code>and others</code>.</p>
 <ul>
-<li>DP: M. D. Doumit, S. Pardoel, <i>Dynamic contraction behaviour of pneumatic artificial muscle</i>, Mechanical Systems and
-Signal Processing 91 (2017) 93-110.</li>
-<li>DY: M. A. M. Dzahir, S. Yamamoto, <i>Dynamic modeling of McKibben muscle using empirical model and particle swarm
-optimization method</i>, Applied Sciences 9 (2019) 2538.</li>
-<li>AM: <i>Modeling and control of a pneumatic air muscle actuator</i>, slides.</li>
+<li><b>DP</b>: M. D. Doumit, S. Pardoel, <i>Dynamic contraction behaviour of pneumatic artificial muscle</i>, Mechanical Systems and Signal Processing 91 (2017) 93-110.</li>
+<li><b>DY</b>: M. A. Mat Dzahir, S. Yamamoto, <i>Dynamic modeling of McKibben muscle using empirical model and particle swarm optimization method</i>, Applied Sciences 9 (2019) 2538.</li>
+<li><b>AM</b>: <i>Modeling and control of a pneumatic air muscle actuator</i>, slides.</li>
+<li><b>Dahl 1968</b>: P. R. Dahl, <i>A solid friction model</i>, The Aerospace Corporation, report TOR-0158(3107-18)-1, 1968.</li>
+<li><b>Dittus and Boelter 1930</b>: F. W. Dittus, L. M. K. Boelter, <i>Heat transfer in automobile radiators of the tubular type</i>, University of California Publications in Engineering 2 (1930) 443-461.</li>
+<li><b>Dymond and Smith 1980</b>: J. H. Dymond, E. B. Smith, <i>The virial coefficients of pure gases and mixtures: a critical compilation</i>, Clarendon Press, Oxford 1980.</li>
+<li><b>Eyring 1936</b>: H. Eyring, <i>Viscosity, plasticity, and diffusion as examples of absolute reaction rates</i>, Journal of Chemical Physics 4 (1936) 283-291.</li>
+<li><b>Ferraresi, Franco and Bertetto 2001</b>: C. Ferraresi, W. Franco, A. M. Bertetto, <i>Flexible pneumatic actuators: a comparison between the McKibben and the straight fibres muscles</i>, Journal of Robotics and Mechatronics 13 (2001) 56-63.</li>
+<li><b>Ferry 1980</b>: J. D. Ferry, <i>Viscoelastic properties of polymers</i>, third edition, Wiley, New York 1980.</li>
+<li><b>Forchheimer 1901</b>: P. Forchheimer, <i>Wasserbewegung durch Boden</i>, Zeitschrift des Vereines Deutscher Ingenieure 45 (1901) 1782-1788.</li>
+<li><b>Fung 1967</b>: Y. C. Fung, <i>Elasticity of soft tissues in simple elongation</i>, American Journal of Physiology 213 (1967) 1532-1544.</li>
+<li><b>Fung 1981</b>: Y. C. Fung, <i>Biomechanics: mechanical properties of living tissues</i>, Springer, New York 1981.</li>
+<li><b>Gaylord 1958</b>: R. H. Gaylord, <i>Fluid actuated motor system and stroking device</i>, US patent 2 844 126, 1958.</li>
+<li><b>ISO 6358</b>: <i>Pneumatic fluid power: determination of flow-rate characteristics of components using compressible fluids</i>, International Organization for Standardization.</li>
+<li><b>Itto and Kogiso 2011</b>: T. Itto, K. Kogiso, <i>Hybrid modeling of McKibben pneumatic artificial muscle systems</i>, Proceedings of the IEEE International Conference on Industrial Technology, Auburn 2011, 65-70.</li>
+<li><b>Kang and others 2009</b>: B. S. Kang, C. S. Kothera, B. K. S. Woods, N. M. Wereley, <i>Dynamic modeling of McKibben pneumatic artificial muscles for antagonistic actuation</i>, Proceedings of the IEEE International Conference on Robotics and Automation, Kobe 2009, 182-187.</li>
+<li><b>Kerlin, Miller and Hashemian 1978</b>: T. W. Kerlin, L. F. Miller, H. M. Hashemian, <i>In-situ response time testing of platinum resistance thermometers</i>, ISA Transactions 17 (1978).</li>
+<li><b>Kerscher and others 2006</b>: T. Kerscher, J. Albiez, J. M. Zollner, R. Dillmann, <i>Evaluation of the dynamic model of fluid muscles using quick-release</i>, Proceedings of the IEEE/RAS-EMBS International Conference on Biomedical Robotics and Biomechatronics, Pisa 2006.</li>
+<li><b>King 1914</b>: L. V. King, <i>On the convection of heat from small cylinders in a stream of fluid</i>, Philosophical Transactions of the Royal Society A 214 (1914) 373-432.</li>
+<li><b>McAdams 1954</b>: W. H. McAdams, <i>Heat transmission</i>, third edition, McGraw-Hill, New York 1954.</li>
+<li><b>Perry 1949</b>: J. A. Perry, <i>Critical flow through sharp-edged orifices</i>, Transactions of the ASME 71 (1949) 757-764.</li>
+<li><b>Reynolds and others 2003</b>: D. B. Reynolds, D. W. Repperger, C. A. Phillips, G. Bandry, <i>Modeling the dynamic characteristics of pneumatic muscle</i>, Annals of Biomedical Engineering 31 (2003) 310-317.</li>
+<li><b>Scadron and Warshawsky 1952</b>: M. D. Scadron, I. Warshawsky, <i>Experimental determination of time constants and Nusselt numbers for bare-wire thermocouples in high-velocity air streams and analytic approximation of conduction and radiation errors</i>, NACA Technical Note 2599, 1952.</li>
+<li><b>Schulte 1961</b>: H. F. Schulte, <i>The characteristics of the McKibben artificial muscle</i>, in: The application of external power in prosthetics and orthetics, National Academy of Sciences, Washington 1961.</li>
+<li><b>Shapiro 1953</b>: A. H. Shapiro, <i>The dynamics and thermodynamics of compressible fluid flow</i>, Ronald Press, New York 1953.</li>
+<li><b>Sorge 2015</b>: F. Sorge, <i>Dynamical behaviour of pneumatic artificial muscles</i>, Meccanica 50 (2015) 1371-1386.</li>
+<li><b>Stribeck 1902</b>: R. Stribeck, <i>Die wesentlichen Eigenschaften der Gleit- und Rollenlager</i>, Zeitschrift des Vereines Deutscher Ingenieure 46 (1902).</li>
+<li><b>Tondu, Boitier and Lopez 1994</b>: B. Tondu, V. Boitier, P. Lopez, <i>Naturally compliant robot-arms actuated by McKibben artificial muscles</i>, Proceedings of the IEEE International Conference on Systems, Man and Cybernetics, San Antonio 1994, 2635-2640.</li>
+<li><b>Tothova and Pitel 2013</b>: M. Tothova, J. Pitel, <i>Dynamic model of pneumatic actuator based on advanced geometric muscle model</i>, Proceedings of the IEEE International Conference on Computational Cybernetics, Tihany 2013, 83-87.</li>
+<li><b>Vo-Minh and others 2011</b>: T. Vo-Minh, T. Tjahjowidodo, H. Ramon, H. Van Brussel, <i>A new approach to modeling hysteresis in a pneumatic artificial muscle using the Maxwell-slip model</i>, IEEE/ASME Transactions on Mechatronics 16 (2011) 177-186.</li>
+<li><b>Wang, Wereley and Pillsbury 2015</b>: G. Wang, N. M. Wereley, T. Pillsbury, <i>Non-linear quasi-static model of pneumatic artificial muscle actuators</i>, Journal of Intelligent Material Systems and Structures 26 (2015) 541-553.</li>
+<li><b>Woods and others 2014</b>: B. K. S. Woods, C. S. Kothera, G. Wang, N. M. Wereley, <i>Dynamics of a pneumatic artificial muscle actuation system driving a trailing edge flap</i>, Smart Materials and Structures 23 (2014) 095014.</li>
 </ul>
+<p>What is known here through DP or DY only is cited with the number that it has there, so Cao's models, reference 20 of
+DP. DY's list spells Boitier as Boiter, Vo-Minh as Minh. A law that goes by its finder's name alone, such as Hooke's or
+Blasius', is no citation.</p>
 <p>Where a printed equation could not be used as it stands, the class that implements it says what was changed and
 why; <code>docs/validation.md</code> lists all of them.</p>
 </html>"));

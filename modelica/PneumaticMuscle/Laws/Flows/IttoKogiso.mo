@@ -10,7 +10,7 @@ equation
   A[1] = C_A*A_0*phi;
   A[2] = C_A*A_0*(1 - phi);
   annotation (Documentation(info="<html>
-<p>m = phi m_i - (1 - phi) m_o with phi from 0 to 1 by the command, DP (8). The first command drives the one valve; the
+<p>m = phi m_i - (1 - phi) m_o with phi from 0 to 1 by the command, DP (8), Itto and Kogiso 2011. The first command drives the one valve; the
 second has no effect. A command between its ends holds a pressure with gas flowing through: the net flow vanishes
 in the steady state, as the paper asks. A_0 is DP (62) at 0.35 A.</p>
 </html>"));

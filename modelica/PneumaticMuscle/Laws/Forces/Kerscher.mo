@@ -2,6 +2,6 @@ within PneumaticMuscle.Laws.Forces;
 model Kerscher "Factors on strain and on force, DY (5)-(7)"
   extends Empirical(final k=1);
   annotation (Documentation(info="<html>
-<p>F_s of DY (5) with q(P), DY (6), and mu(eps), DY (7).</p>
+<p>F_s of DY (5) with q(P), DY (6), and mu(eps), DY (7), after Kerscher and others 2006.</p>
 </html>"));
 end Kerscher;

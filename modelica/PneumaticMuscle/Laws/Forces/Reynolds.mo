@@ -26,6 +26,6 @@ equation
 <p>M y_ddot + B y_dot + K y = F_ce - M g, DP (6): the pull is F_ce - K y - B y_dot with F_ce, K and B linear in
 pressure, and B smaller in relaxation. The mass and its weight are the load's. Neither paper gives the
 coefficients; the defaults are of the size of the latex muscle of DP Table 1 and are there to be fitted. DP say that the
-model was tried from 55 to 124 kPa; the abstract of its source (Ann. Biomed. Eng. 31, 2003) says 207 to 621 kPa.</p>
+model was tried from 55 to 124 kPa; the abstract of its source, Reynolds and others 2003, says 207 to 621 kPa.</p>
 </html>"));
 end Reynolds;

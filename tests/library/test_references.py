@@ -1,0 +1,85 @@
+"""Every citation in the library's documentation points to UsersGuide.References, and every entry there is cited."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+import pytest
+
+from tests.library.shelf import tree
+
+BIBLIOGRAPHY = "PneumaticMuscle.UsersGuide.References"
+NAME = r"[A-Z][A-Za-z]+(?:-[A-Z][a-z]+)?"
+CITATION = re.compile(rf"\b((?:{NAME}, )*{NAME}(?: and (?:others|{NAME}))? (?:18|19|20)\d\d|ISO \d+|DP|DY|AM)\b")
+LOOSE = {
+    "a year apart from its authors": re.compile(r"[(,] ?(?:18|19|20)\d\d\b"),
+    "initials, which belong to the bibliography": re.compile(
+        r"(?:[:(;,]|\b(?:and|by|of|after)) ?(?:[A-Z]\. ?)+[A-Z][a-z]+"
+    ),
+    "a title, which belongs to the bibliography": re.compile(r"<i>"),
+}
+
+
+@cache
+def keys() -> tuple[str, ...]:
+    return tuple(re.findall(r"<li><b>([^<]+)</b>", tree().classes[BIBLIOGRAPHY].documentation))
+
+
+@cache
+def texts() -> dict[str, str]:
+    """Description and documentation of every class but the bibliography, each on one line."""
+    return {
+        name: " ".join(f"{info.description} {info.documentation}".split())
+        for name, info in tree().classes.items()
+        if name.startswith("PneumaticMuscle") and name != BIBLIOGRAPHY
+    }
+
+
+def cited(text: str) -> list[str]:
+    return CITATION.findall(text)
+
+
+@pytest.mark.parametrize("name", sorted(texts()))
+def test_every_citation_is_in_the_bibliography(name: str) -> None:
+    assert set(cited(texts()[name])) <= set(keys())
+    for what, pattern in LOOSE.items():
+        found = pattern.search(texts()[name])
+        assert found is None, f"{what}: {found.group()}"
+
+
+def test_every_entry_is_cited() -> None:
+    everything = {key for text in texts().values() for key in cited(text)}
+    assert set(keys()) == everything and len(set(keys())) == len(keys()) > 30
+
+
+def test_entries_are_whole() -> None:
+    """A title for each; authors and year for what is cited by them."""
+    for entry in re.findall(r"<li>(.*?)</li>", tree().classes[BIBLIOGRAPHY].documentation, re.DOTALL):
+        key, rest = re.match(r"<b>(.*?)</b>: (.*)", entry, re.DOTALL).groups()  # type: ignore[union-attr]
+        assert re.search(r"<i>.{10,}</i>, .{5,}\.$", rest, re.DOTALL), key
+        if (year := re.search(r"\d{4}$", key)) and not key.startswith("ISO"):
+            authors, _, place = rest.partition("<i>")
+            assert year.group() in place
+            first = re.split(r",| and ", key.removesuffix(year.group()).strip())[0]
+            assert first in authors
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("the law of King 1914, DP (3)", ["King 1914", "DP"]),
+        ("after Tondu, Boitier and Lopez 1994.", ["Tondu, Boitier and Lopez 1994"]),
+        ("(Kang and others 2009)", ["Kang and others 2009"]),
+        ("typical 50 to 2000 N/m", []),
+    ],
+)
+def test_citations_are_read(text: str, expected: list[str]) -> None:
+    assert cited(text) == expected
+
+
+@pytest.mark.parametrize(
+    "text", ["Source: P. R. Dahl, a model", "(J. A. Perry, 1949)", "of H. Eyring's", "King (1914)"]
+)
+def test_loose_citations_are_seen(text: str) -> None:
+    assert any(pattern.search(text) for pattern in LOOSE.values())
