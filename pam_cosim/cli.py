@@ -18,7 +18,7 @@ from pam_cosim.comparison import Comparison
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.files import check_distinct, check_writable, write_json, write_text
-from pam_cosim.fitting import read_parameters, write_parameters
+from pam_cosim.fitting import METHODS, FitOptions, read_parameters, summary, write_parameters
 from pam_cosim.quantities import readable
 from pam_cosim.reporting import comparison_report, diagnosis_report, diagnosis_text, plot_trajectory, write_report
 from pam_cosim.tables import against_lines, read_comparison, write_next_run, write_sweep
@@ -190,8 +190,8 @@ def fit(
     data: Data,
     model: ModelOption = None,
     method: Annotated[
-        str, typer.Option(help="How to search: least-squares, multi-start or particle-swarm.")
-    ] = "least-squares",
+        str, typer.Option(help="How to search. " + "; ".join(f"{name}: {summary(name)}" for name in METHODS) + ".")
+    ] = FitOptions.method,
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the parameters (.json, .ssv).")] = None,
     json: JsonOption = None,
     files: FilesOption = None,

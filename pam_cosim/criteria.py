@@ -118,6 +118,8 @@ class FitCriteria:
     evaluations: int = decides(60, "evaluations", "of each descent, at most")
     screening_evaluations: int = decides(8, "evaluations", "enough to tell one valley from another")
     precision: float = decides(1e-6, "of chi-square", "a step that brings less changes no estimate by a hundredth sd")
+    descents: int = decides(2, "descents", "from the best starts, where the first does not reach the noise")
+    spread_starts: int = decides(16, "points", "of a Sobol sequence over the bounds, that many starts begin with")
     rescue_starts: int = decides(32, "points", "tried within the bounds where no start can be simulated")
     at_noise: float = decides(
         1.2, "noise variances", "mean square of the residuals that needs no second start: little is left to find"
@@ -184,8 +186,6 @@ class SearchCriteria:
     brief_evaluations: int = decides(6, "evaluations", "tell a promising effect from a hopeless one")
     brief_tolerance: float = decides(1e-5, "1", "of the solver then")
     brief_precision: float = decides(1e-4, "of chi-square", "at which a brief descent ends")
-    evaluations: int = decides(60, "evaluations", "of each descent of an effect fitted to the end")
-    descents: int = decides(2, "descents", "of an effect fitted to the end, from the best starts")
     combined_parameters: int = decides(2, "parameters", "started in all combinations of orders of magnitude")
     decades: int = decides(1, "decades", "that the start of an effect's parameter is varied by, up and down")
     general_decades: int = decides(2, "decades", "the same for a general member")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import product
 from pathlib import Path
 
@@ -16,7 +16,7 @@ from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis import diagnose as _diagnose
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.files import check_writable, make_folder, write_bytes, write_text
-from pam_cosim.fitting import Fit, base_parameters, complete_noise, spread_starts, swarm_search
+from pam_cosim.fitting import Fit, FitOptions, base_parameters, complete_noise
 from pam_cosim.fitting import fit as _fit
 from pam_cosim.fmu import build_model, read_interface
 from pam_cosim.interface import Interface
@@ -127,7 +127,7 @@ def fit(
         model: default: the bench of the data set.
         method: "least-squares" from the start values; "multi-start": also from points spread over the bounds;
             "particle-swarm": from the best particle of a swarm over the bounds (Dzahir and Yamamoto 2019), which
-            ``Fit.swarm`` keeps as the swarm left it.
+            ``Fit.search`` keeps as the swarm left it.
         parameters: further values to use, as in ``simulate``.
         files: further Modelica files.
         progress: called with the number of simulations and the reduced chi-square.
@@ -137,24 +137,12 @@ def fit(
         InputError: unknown model, parameter or method; nothing to fit.
         SimulationFailure: no start value can be simulated.
     """
-    if method not in METHODS:
-        raise InputError(f"there is no method '{method}' to fit with; choose one of {', '.join(METHODS)}")
     with opened(model or data.model, files, data.fit, timeout) as simulator:
         free = base_parameters(data, simulator.interface)
         if not free:
             raise InputError("nothing to fit: name the free parameters under [fit]", data.folder / "experiment.toml")
         data, fixed = complete_noise(data), resolve(parameters or {}, simulator.interface)
-        starts: list[dict[str, float]] = []
-        if method == "multi-start":
-            starts = spread_starts(free)
-        elif method == "particle-swarm":
-            search = swarm_search(simulator, data, free, fixed, progress)
-            free = tuple(replace(f, start=search.parameters[f.name]) for f in free)
-            return replace(_fit(simulator, data, free, fixed=fixed, progress=progress), swarm=search)
-        return _fit(simulator, data, free, fixed=fixed, starts=starts, progress=progress)
-
-
-METHODS = ("least-squares", "multi-start", "particle-swarm")
+        return _fit(simulator, data, free, fixed=fixed, options=FitOptions(method), progress=progress)
 
 
 def diagnose(

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.evidence import price, scale
-from pam_cosim.fitting import Estimate, Fit, Free, fit
+from pam_cosim.fitting import Estimate, Fit, FitOptions, Free, fit
 from pam_cosim.measurement import DataSet
 from pam_cosim.simulation import Simulator
 
@@ -33,21 +33,14 @@ def pruned(
         return found
     variance, time = scale([found])
     worth = variance * time * price(found, time)  # chi-square that a parameter must take away
+    options = FitOptions(evaluations=CRITERIA.search.pruning_evaluations, descents=1, precision=precision)
     held: dict[str, Estimate] = {}
     needed: set[str] = set()
     best = found
     while name := _idle(best, [n for n in own if n not in needed and n not in held]):
         left = [replace(f, start=best.values[f.name]) for f in free if f.name != name and f.name not in held]
         zeros = dict.fromkeys([*held, name], 0.0)
-        less = fit(
-            simulator,
-            data,
-            left,
-            fixed=zeros,
-            most_evaluations=CRITERIA.search.pruning_evaluations,
-            follow=1,
-            precision=precision,
-        )
+        less = fit(simulator, data, left, fixed=zeros, options=options)
         if less.structure["fit"].chi2 - best.structure["fit"].chi2 > worth:
             needed.add(name)
             continue

@@ -99,7 +99,7 @@ class Search:
         near, chosen = _near(every), worth_refitting(every)
         names = {c.effect for c in found}
         own = _onwards(trials, [c for c in chosen if c.effect in names])
-        again = [replace(t, follow=t.follow + 1) for t in own]
+        again = [t.fitted_with(descents=t.options.descents + 1) for t in own]
         plain = {t.effect.name for t in _simple(trials)}
         families, rich = (
             _leading_families(chosen, CRITERIA.search.leading_families),
@@ -194,11 +194,11 @@ class Search:
 
 def _patient(trial: Trial) -> Trial:
     """A trial of a general member: from many starts, but not creeping along a valley that leads nowhere."""
-    return replace(
-        trial,
-        heats=CRITERIA.search.screened_starts,
-        evaluations=CRITERIA.search.general_evaluations,
-        precision=CRITERIA.search.general_precision,
+    numbers = CRITERIA.search
+    return trial.fitted_with(
+        screened_starts=numbers.screened_starts,
+        evaluations=numbers.general_evaluations,
+        precision=numbers.general_precision,
     )
 
 
@@ -210,12 +210,10 @@ def _onwards(trials: Sequence[Trial], found: Sequence[Candidate]) -> list[Trial]
 
 def _started(trial: Trial) -> Trial:
     """A trial that starts from a fitted model: the best start is followed, and no other."""
-    followed = replace(trial, follow=1)
-    return (
-        replace(followed, evaluations=CRITERIA.search.general_evaluations, precision=CRITERIA.search.general_precision)
-        if trial.effect.general
-        else followed
-    )
+    numbers, followed = CRITERIA.search, trial.fitted_with(descents=1)
+    if not trial.effect.general:
+        return followed
+    return followed.fitted_with(evaluations=numbers.general_evaluations, precision=numbers.general_precision)
 
 
 def _exchanged(

@@ -6,13 +6,14 @@ import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Any
 
 from pam_cosim.compiler import Composition, EffectClass
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Attempt, Candidate, FailedTrial
 from pam_cosim.diagnosis.pruning import pruned
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.fitting import Fit, Free, base_parameters, fit
+from pam_cosim.fitting import Fit, FitOptions, Free, base_parameters, fit
 from pam_cosim.fmu import build_source
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet
@@ -30,9 +31,7 @@ class Trial:
         data: the measurement, with noise levels.
         start: values to start from, by name [SI].
         files: further Modelica files.
-        evaluations: of each descent, and from how many starts it is made (``follow``), after ``heats`` of a few steps.
-        tolerance: of the solver; None: that of a fit.
-        precision: at which a descent ends.
+        options: how it is fitted.
         found: where a brief trial ended: another start.
     """
 
@@ -42,23 +41,28 @@ class Trial:
     data: DataSet
     start: Mapping[str, float] = field(default_factory=dict)
     files: tuple[Path, ...] = ()
-    evaluations: int = CRITERIA.search.evaluations
-    follow: int = CRITERIA.search.descents
-    heats: int = 0
-    tolerance: float | None = None
-    precision: float = CRITERIA.fit.precision
+    options: FitOptions = FitOptions()
     found: Mapping[str, float] = field(default_factory=dict)
 
     def brief(self) -> Trial:
         """A few steps of the same from one start: enough to tell a promising effect from a hopeless one."""
-        return replace(
-            self,
-            evaluations=CRITERIA.search.brief_evaluations,
-            follow=1,
-            heats=0,
-            tolerance=CRITERIA.search.brief_tolerance,
-            precision=CRITERIA.search.brief_precision,
+        numbers = CRITERIA.search
+        return self.fitted_with(
+            evaluations=numbers.brief_evaluations,
+            descents=1,
+            screened_starts=0,
+            tolerance=numbers.brief_tolerance,
+            precision=numbers.brief_precision,
         )
+
+    @property
+    def is_brief(self) -> bool:
+        """Whether it makes a few steps only."""
+        return self.options.evaluations <= CRITERIA.search.brief_evaluations
+
+    def fitted_with(self, **changes: Any) -> Trial:
+        """The same trial with other ``options``."""
+        return replace(self, options=replace(self.options, **changes))
 
     def failed(self, reason: str) -> FailedTrial:
         """The result of this trial where there is no fit."""
@@ -73,7 +77,7 @@ class Trial:
             effects=self.effects,
             own_parameters=tuple(self.composition.parameters[self.effect.name]),
             equations=self.composition.text,
-            brief=self.evaluations <= CRITERIA.search.brief_evaluations,
+            brief=self.is_brief,
             general=self.effect.general,
             fit=fit,
         )
@@ -97,15 +101,11 @@ def run_trial(trial: Trial) -> Attempt:
                 trial.data,
                 moved,
                 starts=starts,
-                most_evaluations=trial.evaluations,
-                follow=trial.follow,
-                heats=trial.heats,
-                tolerance=trial.tolerance,
-                precision=trial.precision,
+                options=trial.options,
             )
-            if trial.effect.general and trial.evaluations > CRITERIA.search.brief_evaluations:
+            if trial.effect.general and not trial.is_brief:
                 names = trial.composition.parameters[trial.effect.name]
-                best = pruned(simulator, trial.data, moved, names, best, trial.precision)
+                best = pruned(simulator, trial.data, moved, names, best, trial.options.precision)
             return trial.candidate(best)
     except (SimulationFailure, InputError) as problem:
         return trial.failed(str(problem))

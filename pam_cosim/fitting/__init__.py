@@ -2,20 +2,24 @@
 
 from pam_cosim.fitting.combinations import Combination
 from pam_cosim.fitting.estimate import Estimate, estimates
-from pam_cosim.fitting.fit import Fit, SwarmSearch, fit, spread_starts, structures, swarm_search
+from pam_cosim.fitting.fit import Fit, fit, structures
 from pam_cosim.fitting.free import Free, base_parameters, free_from_variable
+from pam_cosim.fitting.methods import METHODS, summary
 from pam_cosim.fitting.noise import complete_noise
+from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.parameter_file import read_parameters, write_parameters
+from pam_cosim.fitting.solve import spread_starts
 from pam_cosim.fitting.structure import Structure, series_of, structure
 from pam_cosim.fitting.systematic import Systematic, systematic
 
 __all__ = [
+    "METHODS",
     "Combination",
     "Estimate",
     "Fit",
+    "FitOptions",
     "Free",
     "Structure",
-    "SwarmSearch",
     "Systematic",
     "base_parameters",
     "complete_noise",
@@ -27,7 +31,7 @@ __all__ = [
     "spread_starts",
     "structure",
     "structures",
-    "swarm_search",
+    "summary",
     "systematic",
     "write_parameters",
 ]

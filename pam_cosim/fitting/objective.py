@@ -119,6 +119,11 @@ class Objective:
             self._note(failure)
             return np.full(self.size, np.inf)
 
+    @property
+    def first_failure(self) -> str:
+        """Why the model broke down first."""
+        return self.failures[0] if self.failures else "the model gives no finite result"
+
     def _note(self, failure: SimulationFailure) -> None:
         if len(self.failures) < CRITERIA.fit.failures_kept:
             self.failures.append(str(failure))

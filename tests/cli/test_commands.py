@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from pam_cosim import study
-from pam_cosim.fitting import read_parameters
+from pam_cosim.fitting import METHODS, read_parameters
 from pam_cosim.simulation import Trajectory
 from tests.cli.conftest import Outcome
 from tests.fitting.models import TRUE_C_D, TRUE_N
@@ -156,7 +156,7 @@ def test_fit_writes_parameters_that_compare_reads(command: Command, place: Path,
     assert read_parameters(place / "p.ssv") == pytest.approx(values)
 
 
-@pytest.mark.parametrize("method", study.METHODS)
+@pytest.mark.parametrize("method", METHODS)
 def test_every_method_finds_the_same(command: Command, place: Path, data: Path, method: str) -> None:
     done(command("fit", "data", "--method", method, "-o", "p.json"))
     assert read_parameters(place / "p.json") == pytest.approx({"orifice.C_d": TRUE_C_D, "tank.n": TRUE_N}, rel=0.02)

@@ -15,7 +15,7 @@ def test_swarm_is_reported_by_itself(process: Callable[..., Outcome], data: Path
     for part in ("swarm of 50 particles", "by generation", "its own best particle", "the descent from there comes to"):
         assert part in found.out
     written = json.loads((place / "fit.json").read_text())
-    own = written["swarm"]
+    own = written["search"]
     assert len(own["chi2_by_generation"]) == 11 and own["generations"] == 10 and own["particles"] == 50
     assert own["chi2_by_generation"] == sorted(own["chi2_by_generation"], reverse=True)
     assert own["chi2_reduced"] >= written["chi2_reduced"]

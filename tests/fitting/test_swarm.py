@@ -9,10 +9,10 @@ import pytest
 
 from pam_cosim import study
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.fitting import swarm_search
+from pam_cosim.fitting import FitOptions, fit
 from pam_cosim.fitting.free import Free, base_parameters
+from pam_cosim.fitting.methods.particle_swarm import COMMON_PULL, GENERATIONS, INERTIA, OWN_PULL, PARTICLES, swarm
 from pam_cosim.fitting.objective import Objective
-from pam_cosim.fitting.swarm import COMMON_PULL, GENERATIONS, INERTIA, OWN_PULL, PARTICLES, swarm
 from pam_cosim.simulation import Simulator
 from tests.fitting.models import TRUE_C_D, TRUE_N, vessel_data
 
@@ -81,8 +81,8 @@ def test_swarm_passes_by_where_nothing_can_be_computed() -> None:
 def test_fit_tells_what_the_swarm_did_and_what_the_descent_made_of_it() -> None:
     data = vessel_data()
     found = study.fit(data, method="particle-swarm")
-    assert found.swarm is not None
-    own = found.swarm
+    assert found.search is not None
+    own = found.search
     assert own.generations == 10 and own.evaluations == 550 and len(own.chi2_reduced) == 11
     with Simulator(study.build("VesselOrifice")) as simulator:
         free = base_parameters(data, simulator.interface)
@@ -93,20 +93,20 @@ def test_fit_tells_what_the_swarm_did_and_what_the_descent_made_of_it() -> None:
     assert found.values != own.parameters
     assert found.values == pytest.approx({"orifice.C_d": TRUE_C_D, "tank.n": TRUE_N}, rel=0.02)
     plain = json.loads(json.dumps(found.as_dict()))
-    assert plain["swarm"]["chi2_by_generation"] == list(own.chi2_reduced)
-    assert plain["swarm"]["best_particle"]["orifice.C_d"] == {"value": own.parameters["orifice.C_d"], "unit": "1"}
-    assert plain["chi2_reduced"] <= plain["swarm"]["chi2_reduced"]
+    assert plain["search"]["chi2_by_generation"] == list(own.chi2_reduced)
+    assert plain["search"]["best_particle"]["orifice.C_d"] == {"value": own.parameters["orifice.C_d"], "unit": "1"}
+    assert plain["chi2_reduced"] <= plain["search"]["chi2_reduced"]
     text = str(found)
     for part in ("by generation", "its own best particle", "the descent from there"):
         assert part in text
-    assert study.fit(data).swarm is None
+    assert study.fit(data).search is None
 
 
 def test_swarm_of_a_model_that_never_runs_says_why() -> None:
     data = vessel_data(fit=())
     with Simulator(study.build("VesselOrifice")) as simulator, pytest.raises(SimulationFailure, match="no particle"):
         simulator.run = _breaks  # type: ignore[method-assign]
-        swarm_search(simulator, data, [Free("orifice.C_d", 0.5, 1.1, 0.7, "1")])
+        fit(simulator, data, [Free("orifice.C_d", 0.5, 1.1, 0.7, "1")], options=FitOptions("particle-swarm"))
 
 
 def _breaks(*_: object, **__: object) -> None:

@@ -1,0 +1,28 @@
+"""What a method returns."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Protocol
+
+from pam_cosim.fitting.descent import Descent
+from pam_cosim.fitting.solve import Problem
+
+
+class Record(Protocol):
+    """What a method did on its own way, for reports: it prints itself, and gives plain data for JSON."""
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON, SI units."""
+
+
+@dataclass(frozen=True)
+class Solution:
+    """The point that a method found, with the slopes there, and what it did on the way where that is worth telling."""
+
+    end: Descent
+    record: Record | None = None
+
+
+Method = Callable[[Problem], Solution]

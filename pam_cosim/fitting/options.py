@@ -1,0 +1,30 @@
+"""How a fit goes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from pam_cosim.criteria import CRITERIA
+
+
+@dataclass(frozen=True)
+class FitOptions:
+    """How a fit goes; the defaults suit a fit that stands alone.
+
+    Attributes:
+        method: name of the method, as in ``fitting.METHODS``.
+        evaluations: of each descent, at most.
+        descents: how many of all starts are followed, the best first; each further one only where those before did
+            not reach the noise.
+        screened_starts: how many of all starts make a few steps first, so that those are followed which came
+            farthest; 0: none.
+        tolerance: relative, of the solver; None: tight enough for the noise and for finite differences.
+        precision: a descent ends where a step takes away less than this part of the chi-square.
+    """
+
+    method: str = "least-squares"
+    evaluations: int = CRITERIA.fit.evaluations
+    descents: int = CRITERIA.fit.descents
+    screened_starts: int = 0
+    tolerance: float | None = None
+    precision: float = CRITERIA.fit.precision

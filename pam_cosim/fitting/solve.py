@@ -1,0 +1,133 @@
+"""From start points to the lowest residuals: descents from the best starts, until the noise is reached."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.stats import qmc
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.errors import SimulationFailure
+from pam_cosim.fitting.descent import Descent, descend
+from pam_cosim.fitting.free import Free
+from pam_cosim.fitting.objective import Objective
+from pam_cosim.fitting.options import FitOptions
+
+Progress = Callable[[int, float], None]
+
+
+@dataclass(frozen=True)
+class Problem:
+    """What a method has to solve.
+
+    Attributes:
+        objective: residuals and slopes as a function of the search coordinates.
+        starts: points to start from, by name [SI], the parameters' own start values first.
+        options: how the fit goes.
+        progress: called with the number of evaluations and the present reduced chi-square.
+    """
+
+    objective: Objective
+    starts: Sequence[Mapping[str, float]]
+    options: FitOptions
+    progress: Progress | None = None
+
+    def report(self, cost: float) -> None:
+        """Tells the present sum of squares, where it is finite."""
+        if self.progress is not None and np.isfinite(cost):
+            self.progress(self.objective.evaluations, cost / max(self.objective.size, 1))
+
+
+def solve(problem: Problem) -> Descent:
+    """The lowest point that descents from the best starts come to.
+
+    Raises:
+        SimulationFailure: the model breaks down at every start.
+    """
+    objective, options = problem.objective, problem.options
+    best: Descent | None = None
+    starts = _starts(objective, _points(objective.free, problem.starts))
+    if options.screened_starts > options.descents:
+        starts = _winners(problem, starts)
+    for start in itertools.islice(starts, options.descents):
+        reached = _descend(problem, start)
+        if best is None or reached.cost < best.cost:
+            best = reached
+        if best.cost <= CRITERIA.fit.at_noise * objective.size:
+            break  # nothing is left that another start could find
+    return best or _descend(problem, _rescue(objective))
+
+
+def spread_starts(free: Sequence[Free], count: int = CRITERIA.fit.spread_starts) -> list[dict[str, float]]:
+    """Start values spread evenly over the bounds by a Sobol sequence; the same ones every time."""
+    if not free:
+        return []
+    points = qmc.Sobol(len(free), seed=0).random(count)
+    ends = [(f.to_z(f.low), f.to_z(f.high)) for f in free]
+    return [
+        {f.name: f.to_value(low + u * (high - low)) for f, (low, high), u in zip(free, ends, point, strict=True)}
+        for point in points
+    ]
+
+
+def _points(free: Sequence[Free], starts: Sequence[Mapping[str, float]]) -> list[Array]:
+    """Search coordinates of the starts, within the bounds, each point once."""
+    points: list[Array] = []
+    for start in starts:
+        values = {f.name: start.get(f.name, f.start) for f in free}
+        z = np.array([f.to_z(min(max(values[f.name], f.low), f.high)) for f in free])
+        if not any(np.array_equal(z, other) for other in points):
+            points.append(z)
+    return points
+
+
+def _starts(objective: Objective, points: Sequence[Array]) -> Iterator[Array]:
+    """The points at which every run can be simulated, the best first as far as a glance tells."""
+    scored = [(objective.glance(z) if len(points) > 1 else 0.0, i) for i, z in enumerate(points)]
+    for score, i in sorted(scored):
+        if np.isfinite(score) and np.isfinite(_cost(objective.residuals(points[i]))):
+            yield points[i]
+
+
+def _winners(problem: Problem, starts: Iterator[Array]) -> Iterator[Array]:
+    """Where a few steps from the best starts lead, the lowest first: a glance does not tell one valley from another."""
+    options = problem.options
+    few = replace(problem, options=replace(options, evaluations=CRITERIA.fit.screening_evaluations))
+    ends = [_descend(few, start) for start in itertools.islice(starts, options.screened_starts)]
+    yield from (d.z for d in sorted(ends, key=lambda d: d.cost))
+
+
+def _cost(residuals: Array) -> float:
+    return float(residuals @ residuals)
+
+
+def _rescue(objective: Objective) -> Array:
+    """The first of a fixed sequence of points within the bounds at which the model runs."""
+    low, high = objective.bounds
+    if len(low):
+        for u in qmc.Sobol(len(low), seed=0).random(CRITERIA.fit.rescue_starts):
+            z: Array = low + u * (high - low)
+            if np.isfinite(_cost(objective.residuals(z))):
+                return z
+    raise SimulationFailure(f"no start value within the bounds can be simulated: {objective.first_failure}")
+
+
+def _descend(problem: Problem, start: Array) -> Descent:
+    objective, options = problem.objective, problem.options
+
+    def residuals(z: Array) -> Array:
+        e = objective.residuals(z)
+        problem.report(_cost(e))
+        return e
+
+    def jacobian(z: Array) -> Array:
+        return objective.jacobian(z, objective.residuals(z))
+
+    if not len(start):
+        e = objective.residuals(start)
+        return Descent(_cost(e), start, np.zeros((len(e), 0)))
+    return descend(residuals, jacobian, start, objective.bounds, options.precision, options.evaluations)
