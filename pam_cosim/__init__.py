@@ -13,6 +13,7 @@ pam.add(diagnosis.verdict.effects, to=data.model, output="Better.mo")
 
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError, ModelError, SimulationFailure
+from pam_cosim.products import load, save
 from pam_cosim.simulation import Inputs, Trajectory
 from pam_cosim.study import (
     SweepPoint,
@@ -22,6 +23,7 @@ from pam_cosim.study import (
     compare,
     describe,
     diagnose,
+    draw,
     effects,
     fit,
     read,
@@ -43,9 +45,12 @@ __all__ = [
     "compare",
     "describe",
     "diagnose",
+    "draw",
     "effects",
     "fit",
+    "load",
     "read",
+    "save",
     "simulate",
     "sweep",
 ]

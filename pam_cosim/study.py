@@ -21,6 +21,7 @@ from pam_cosim.fitting import fit as _fit
 from pam_cosim.fmu import build_model, read_interface
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet, read_data_set
+from pam_cosim.products import Product
 from pam_cosim.settings import Setting, resolve
 from pam_cosim.simulation import Inputs, IsolatedSimulator, Simulator, Trajectory
 
@@ -156,6 +157,17 @@ def diagnose(
 ) -> Diagnosis:
     """Finds the effect that ``model`` (default: the bench of the data set) lacks; see ``diagnosis.diagnose``."""
     return _diagnose(data, model, files=_paths(files), say=say, workers=workers, explain=explain)
+
+
+def draw(product: Product, path: Path | str) -> None:
+    """Draws a product of a study as PNG: its signals over time, its ledger, or the error coming down.
+
+    Raises:
+        InputError: there is nothing to draw, or the file cannot be written.
+    """
+    from pam_cosim.reporting import draw as _draw  # half a second for matplotlib, which no worker needs
+
+    _draw(product, path)
 
 
 def effects(files: Paths = ()) -> list[EffectClass]:

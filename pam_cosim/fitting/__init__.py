@@ -4,7 +4,7 @@ from pam_cosim.fitting.combinations import Combination
 from pam_cosim.fitting.estimate import Estimate, estimates
 from pam_cosim.fitting.fit import Fit, fit, structures
 from pam_cosim.fitting.free import Free, base_parameters, free_from_variable
-from pam_cosim.fitting.methods import METHODS, summary
+from pam_cosim.fitting.methods import METHODS, Record, summary
 from pam_cosim.fitting.noise import complete_noise
 from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.parameter_file import read_parameters, write_parameters
@@ -19,6 +19,7 @@ __all__ = [
     "Fit",
     "FitOptions",
     "Free",
+    "Record",
     "Structure",
     "Systematic",
     "base_parameters",

@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import singledispatch
 from pathlib import Path
+from typing import Any
 
 from pam_cosim.comparison import Comparison
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, write_bytes
+from pam_cosim.fitting import Fit
+from pam_cosim.ledger import Ledger
 from pam_cosim.reporting.diagnosis_page import layers_of, rungs_of
 from pam_cosim.reporting.figures.course import course
 from pam_cosim.reporting.figures.curves import draw_curves, legend
 from pam_cosim.reporting.figures.layer import SPARSE, rivals
+from pam_cosim.reporting.figures.ledger import ledger_figure
 from pam_cosim.reporting.figures.panels import panels
 from pam_cosim.reporting.figures.showcase import showcase
 from pam_cosim.reporting.labels import model_labels
@@ -21,6 +26,17 @@ from pam_cosim.reporting.telling import most_telling
 from pam_cosim.simulation import Trajectory
 
 
+@singledispatch
+def draw(product: Any, path: Path | str) -> None:
+    """Draws a product of a study as PNG: its signals over time, or the error coming down.
+
+    Raises:
+        InputError: nothing to draw, another kind of thing, or the file cannot be written.
+    """
+    raise InputError(f"a {type(product).__name__} cannot be drawn", Path(path))
+
+
+@draw.register
 def plot_trajectory(trajectory: Trajectory, path: Path | str) -> None:
     """Draws every signal of a simulation, one panel each, as PNG.
 
@@ -34,6 +50,12 @@ def plot_trajectory(trajectory: Trajectory, path: Path | str) -> None:
         write_bytes(Path(path), png(course(trajectory)))
 
 
+@draw.register
+def _(product: Fit, path: Path | str) -> None:
+    plot_comparison(product.comparison, path)
+
+
+@draw.register
 def plot_comparison(comparison: Comparison, path: Path | str, against: Sequence[Comparison] = ()) -> None:
     """Draws measured and modelled signals of all runs, one column a run, as PNG.
 
@@ -51,6 +73,14 @@ def plot_comparison(comparison: Comparison, path: Path | str, against: Sequence[
         write_bytes(Path(path), png(figure))
 
 
+@draw.register
+def _(product: Ledger, path: Path | str) -> None:
+    check_writable(Path(path))
+    with drawing():
+        write_bytes(Path(path), png(ledger_figure(product)))
+
+
+@draw.register
 def error_ladder_figure(diagnosis: Diagnosis, path: Path | str) -> None:
     """Draws the diagnosis in one picture, 1350 pixels wide: the most telling course and the error coming down.
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.fitting.methods.solution import Solution
+from pam_cosim.fitting.methods.solution import Record, Solution
 from pam_cosim.fitting.solve import Problem, solve
 
 PARTICLES = 50
@@ -69,7 +69,7 @@ def swarm(
 
 
 @dataclass(frozen=True)
-class SwarmSearch:
+class SwarmSearch(Record):
     """What a particle swarm did by itself, before any descent.
 
     Attributes:

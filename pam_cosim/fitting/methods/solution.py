@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Protocol
 
 from pam_cosim.fitting.descent import Descent
 from pam_cosim.fitting.solve import Problem
 
 
-class Record(Protocol):
+@dataclass(frozen=True)
+class Record(ABC):
     """What a method did on its own way, for reports: it prints itself, and gives plain data for JSON."""
 
+    @abstractmethod
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
 

@@ -1,0 +1,116 @@
+"""Every product of a study is saved and loaded with every number as it was, draws itself, and holds nothing to run."""
+
+from __future__ import annotations
+
+import pickle
+from dataclasses import fields, is_dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import pam_cosim as pam
+from pam_cosim.diagnosis.learning_library import Form, Quantity, Shape
+from tests.fitting.models import vessel_data
+from tests.reporting.synthetic import make_comparison, make_data, make_diagnosis, make_fit
+from tests.reporting.test_ledger_learned_next import make_learned, make_ledger
+
+DATA = make_data()
+PRODUCTS = {
+    "comparison": make_comparison(DATA, 2.0),
+    "fit": make_fit(DATA, 2.0),
+    "ledger": make_ledger(),
+    "ambiguous": make_diagnosis("ambiguous", DATA),
+    "unknown": make_diagnosis("unknown", DATA, learned=make_learned(DATA), ledger=make_ledger()),
+}
+
+
+def same(a: Any, b: Any) -> None:
+    """Equal in every field, arrays to the bit, not-a-number equal to itself."""
+    assert type(a) is type(b), (type(a), type(b))
+    if isinstance(a, np.ndarray):
+        assert a.dtype == b.dtype
+        np.testing.assert_array_equal(a, b)
+    elif is_dataclass(a):
+        for f in fields(a):
+            same(getattr(a, f.name), getattr(b, f.name))
+    elif isinstance(a, dict):
+        assert list(a) == list(b)
+        for key in a:
+            same(a[key], b[key])
+    elif isinstance(a, (list, tuple)):
+        assert len(a) == len(b)
+        for one, other in zip(a, b, strict=True):
+            same(one, other)
+    else:
+        assert a == b or (a != a and b != b)
+
+
+@pytest.mark.parametrize("name", PRODUCTS)
+def test_what_is_loaded_is_what_was_saved(name: str, tmp_path: Path) -> None:
+    product = PRODUCTS[name]
+    same(pam.load(pam.save(product, tmp_path / "product.npz")), product)
+
+
+def test_real_products(tmp_path: Path) -> None:
+    """A trajectory, and a fit with the record of its swarm: fitted, saved, loaded, printed, drawn."""
+    run = pam.simulate("VesselOrifice", stop_time=1.0)
+    same(pam.load(pam.save(run, tmp_path / "run.npz")), run)
+    fit = pam.fit(vessel_data(), method="particle-swarm")
+    again = pam.load(pam.save(fit, tmp_path / "fit.npz"))
+    same(again, fit)
+    assert str(again) == str(fit) and "swarm of 50 particles" in str(again) and again.as_dict() == fit.as_dict()
+    for product in (run, again):
+        pam.draw(product, tmp_path / "picture.png")
+        assert (tmp_path / "picture.png").read_bytes().startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize("name", PRODUCTS)
+def test_every_product_draws_and_prints_itself(name: str, tmp_path: Path) -> None:
+    pam.draw(PRODUCTS[name], tmp_path / "picture.png")
+    assert (tmp_path / "picture.png").stat().st_size > 5000
+    assert len(str(PRODUCTS[name])) > 40
+
+
+def test_a_formula_with_a_shape(tmp_path: Path) -> None:
+    """The parts of a learned term that the synthetic one lacks."""
+    from pam_cosim.diagnosis.learning import Learned, LearnedTerm
+
+    q = Quantity("x", "m", 0.05, False)
+    form = Form("(exp(x/x_1) - 1)", (q,), Shape("x_1", q, 0.02, 0.005, 0.25), "(exp(x/{shape}) - 1)")
+    term = LearnedTerm("T", "force", "f", "m", "N", (Learned(5.1, 0.1, form),), 0.9, 0.95, {"valve.C_A": 0.01})
+    learned = make_learned(DATA)
+    diagnosis = make_diagnosis("unknown", DATA, learned=type(learned)(term, learned.model))
+    same(pam.load(pam.save(diagnosis, tmp_path / "d.npz")), diagnosis)
+
+
+@pytest.mark.parametrize("damage", ["text", "empty", "cut", "pickle", "other npz", "unknown kind", "missing"])
+def test_a_file_that_is_none_is_refused(damage: str, tmp_path: Path) -> None:
+    file = tmp_path / "product.npz"
+    pam.save(PRODUCTS["fit"], file)
+    whole = file.read_bytes()
+    if damage == "text":
+        file.write_text("hello")
+    elif damage == "empty":
+        file.write_bytes(b"")
+    elif damage == "cut":
+        file.write_bytes(whole[: len(whole) // 2])
+    elif damage == "pickle":
+        file.write_bytes(pickle.dumps({"a": 1}))
+    elif damage == "other npz":
+        np.savez(file, a=np.zeros(3))
+    elif damage == "unknown kind":
+        np.savez(file, product=np.frombuffer(b'{"kind": "Path", "content": "/etc/passwd"}', dtype=np.uint8))
+    else:
+        file.unlink()
+    with pytest.raises(pam.InputError, match="product.npz"):
+        pam.load(file)
+
+
+def test_what_is_no_product_is_not_saved(tmp_path: Path) -> None:
+    with pytest.raises(pam.InputError, match="a dict cannot be saved"):
+        pam.save({}, tmp_path / "x.npz")  # type: ignore[arg-type]
+    with pytest.raises(pam.InputError, match="a dict cannot be drawn"):
+        pam.draw({}, tmp_path / "x.png")
+    assert not list(tmp_path.iterdir())
