@@ -13,7 +13,7 @@ def _find(name: str) -> Path:
 
 
 def modelica_root() -> Path:
-    """Directory that holds the package ``PneumaticMuscle``."""
+    """Directory that holds the packages of the Modelica library."""
     return _find("modelica")
 
 

@@ -9,9 +9,12 @@ from pathlib import Path
 
 import numpy as np
 
+from pam_cosim.catalogue import EffectClass, compose, effect_classes
+from pam_cosim.catalogue import benches as _benches
 from pam_cosim.comparison import Comparison
 from pam_cosim.comparison import compare as _compare
-from pam_cosim.compiler import EffectClass, compose, effect_classes, read_library
+from pam_cosim.compiler import read_library
+from pam_cosim.compiler.names import last
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis import diagnose as _diagnose
 from pam_cosim.errors import InputError, SimulationFailure
@@ -76,14 +79,9 @@ def opened(
     return Simulator(build_model(model, _paths(files), sensitivities=tuple(free), where_smooth=True))
 
 
-def benches() -> list[str]:
-    """Names of the benches of the library."""
-    tree = read_library()
-    return [
-        name.rpartition(".")[2]
-        for name, info in tree.classes.items()
-        if name.rpartition(".")[0] == "PneumaticMuscle.Benches" and info.kind == "model" and not info.partial
-    ]
+def benches(files: Paths = ()) -> list[str]:
+    """Names of the benches of the library, and of those among ``files``."""
+    return [last(bench) for bench in _benches(read_library(files=_paths(files)))]
 
 
 def read(folder: Path | str, *, model: str | None = None, files: Paths = ()) -> DataSet:
@@ -92,7 +90,7 @@ def read(folder: Path | str, *, model: str | None = None, files: Paths = ()) -> 
     Raises:
         InputError: with file, line and column of what cannot be used.
     """
-    return read_data_set(Path(folder), lambda name: describe(name, files), model=model)
+    return read_data_set(Path(folder), lambda name: describe(name, files), model=model, benches=lambda: benches(files))
 
 
 def compare(

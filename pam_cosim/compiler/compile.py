@@ -21,6 +21,7 @@ from pam_cosim.compiler.instance import Instance
 from pam_cosim.compiler.instantiation import Instantiator
 from pam_cosim.compiler.library import Library
 from pam_cosim.compiler.ode import Ode, Statement
+from pam_cosim.compiler.part import parts_of
 from pam_cosim.compiler.scope import Class, Lookup
 from pam_cosim.compiler.start import beginning
 from pam_cosim.errors import ModelError
@@ -143,7 +144,7 @@ class _Assembly:
             description=root.ancestors[0].definition.description,
             d=_column(delayed.delayed),
             delays=tuple(delayed.delays),
-            effects=metadata.effects(root),
+            parts=parts_of(root),
             libraries=metadata.libraries(root),
             statements=statements,
         )

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 from pam_cosim.compiler.arithmetic import simplified
-from pam_cosim.compiler.effects import EFFECT
 from pam_cosim.compiler.evaluation import EnumerationLiteral, Evaluator
 from pam_cosim.compiler.instance import Instance
 from pam_cosim.compiler.syntax import Literal, Modification, Unary
@@ -75,17 +74,6 @@ def experiment(instance: Instance) -> dict[str, Any]:
         if argument is not None:
             return _settings(argument.modification, ancestor.definition.qualified_name)
     return {}
-
-
-def effects(root: Instance) -> tuple[tuple[str, str], ...]:
-    """Name and class of every component that is an effect."""
-    found = []
-    for node in root.nodes():
-        classes = [ancestor.definition for ancestor in node.ancestors]
-        if EFFECT in (definition.qualified_name for definition in classes):
-            own = next(definition for definition in classes if definition.alias is None)
-            found.append((node.name, own.qualified_name))
-    return tuple(found)
 
 
 def libraries(root: Instance) -> tuple[tuple[str, str], ...]:

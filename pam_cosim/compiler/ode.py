@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 import casadi as ca
 
+from pam_cosim.compiler.part import Part
 from pam_cosim.interface import Interface, Variable
 
 
@@ -59,7 +60,7 @@ class Ode:
         delays: what each element of ``d`` stands for.
         sensitivities: parameters with respect to which the states' derivatives follow the states in ``x``: state by
             state, each by these parameters in order.
-        effects: the effects in the model: name of the component, full name of its class.
+        parts: the components of the model that are no variables, with the classes that they consist of.
         libraries: packages that the model is made of, with their versions.
         statements: what must hold while the model runs.
     """
@@ -78,7 +79,7 @@ class Ode:
     d: ca.SX = field(default_factory=lambda: ca.SX(0, 1))
     delays: tuple[Delay, ...] = ()
     sensitivities: tuple[str, ...] = ()
-    effects: tuple[tuple[str, str], ...] = ()
+    parts: tuple[Part, ...] = ()
     libraries: tuple[tuple[str, str], ...] = ()
     statements: tuple[Statement, ...] = ()
 

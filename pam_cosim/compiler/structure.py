@@ -9,26 +9,8 @@ from pathlib import Path
 from pam_cosim.compiler.compile import instantiate
 from pam_cosim.compiler.instance import Instance
 from pam_cosim.compiler.instantiation import Instantiator
+from pam_cosim.compiler.part import Part, component_nodes, parts_of
 from pam_cosim.compiler.syntax import ClassDefinition
-
-
-@dataclass(frozen=True)
-class Part:
-    """A component that is no variable.
-
-    Attributes:
-        path: dotted name from the model; empty for the model itself.
-        type: full name of its class.
-        bases: full names of all classes it consists of, itself included.
-        connectors: its connectors, with the full names of their classes.
-        parameters: its public parameters.
-    """
-
-    path: str
-    type: str
-    bases: tuple[str, ...]
-    connectors: dict[str, str]
-    parameters: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -64,22 +46,8 @@ def read_structure(model: str, *, files: Sequence[Path] = (), root: Path | None 
         ModelError: the model cannot be found or put together.
     """
     instantiator, top = instantiate(model, files=files, root=root)
-    nodes = [node for node in top.nodes() if node.kind not in ("connector", "record")]
-    slots = [slot for node in nodes for slot in _slots(node, instantiator)]
-    return Structure(top.ancestors[0].definition.qualified_name, tuple(map(_part, nodes)), tuple(slots))
-
-
-def _part(node: Instance) -> Part:
-    bases = dict.fromkeys(ancestor.definition.qualified_name for ancestor in node.ancestors)
-    public = {name: child for name, child in node.children.items() if "protected" not in child.prefixes}
-    connectors = {
-        name: child.type.definition.qualified_name
-        for name, child in public.items()
-        if child.kind == "connector" and child.type is not None and child.present
-    }
-    parameters = tuple(name for name, child in public.items() if child.variability == "parameter")
-    first = next(a.definition for a in node.ancestors if a.definition.alias is None)
-    return Part(node.name, first.qualified_name, tuple(bases), connectors, parameters)
+    slots = [slot for node in component_nodes(top) for slot in _slots(node, instantiator)]
+    return Structure(top.ancestors[0].definition.qualified_name, parts_of(top), tuple(slots))
 
 
 def _slots(node: Instance, instantiator: Instantiator) -> list[Slot]:

@@ -6,8 +6,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from pam_cosim.catalogue import effect_classes
 from pam_cosim.comparison import without_outliers
-from pam_cosim.compiler import effect_classes, read_library
+from pam_cosim.compiler import read_library
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial, role_summary
 from pam_cosim.diagnosis.evidence import incomplete, rank
 from pam_cosim.diagnosis.explanation import LearnedModel, learned_term, ledger_of

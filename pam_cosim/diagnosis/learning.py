@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
 from pam_cosim.arrays import Array
-from pam_cosim.compiler import ClassTree, compose, effect_classes, read_library
+from pam_cosim.catalogue import compose, effect_classes
+from pam_cosim.compiler import ClassTree, read_library
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Attempt, Candidate
 from pam_cosim.diagnosis.learning_library import Form, Quantity, forms, quantities

@@ -6,8 +6,8 @@ import textwrap
 from collections.abc import Sequence
 from typing import Protocol
 
+from pam_cosim.catalogue import EFFECT, library_of
 from pam_cosim.compiler import ClassTree
-from pam_cosim.compiler.effects import EFFECT
 from pam_cosim.diagnosis.learning_library import Form, Quantity
 from pam_cosim.ledger import Entry
 from pam_cosim.ledger.books import TERM
@@ -56,11 +56,12 @@ def modelica_text(tree: ClassTree, name: str, entry: Entry, terms: Sequence[Adde
     absent = ",".join(f"c_{i}=0" for i in range(1, len(terms) + 1))
     says = 'final family="learned"'
     lines = [f'model {name} "Term in the balance of {entry.balance} that describes what a measurement lacks"']
-    if tree.is_subtype(entry.base, EFFECT):
+    effect = f"{library_of(entry.base)}.{EFFECT}"
+    if tree.is_subtype(entry.base, effect):
         lines.append(f'  extends {entry.base}({says}, final absent="{absent}");')
     else:
         lines.append(f"  extends {entry.base};")
-        lines.append(f'  extends {EFFECT}({says}, final balance="{entry.balance}");')
+        lines.append(f'  extends {effect}({says}, final balance="{entry.balance}");')
     body, shapes = [], dict[str, str]()
     for i, t in enumerate(terms, 1):
         reach = _rounded(_REACH * abs(t.coefficient))

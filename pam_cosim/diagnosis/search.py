@@ -8,7 +8,8 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 
-from pam_cosim.compiler import ClassTree, EffectClass, Structure, compose_on, qualified, read_structure
+from pam_cosim.catalogue import EffectClass, compose_on, qualified
+from pam_cosim.compiler import ClassTree, Structure, read_structure
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
 from pam_cosim.diagnosis.evidence import rank

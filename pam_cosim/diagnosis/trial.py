@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from pam_cosim.compiler import Composition, EffectClass
+from pam_cosim.catalogue import Composition, EffectClass
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Attempt, Candidate, FailedTrial
 from pam_cosim.diagnosis.pruning import pruned

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from xml.etree import ElementTree as Xml
 
+from pam_cosim.catalogue import effects_in
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import ModelError
 from pam_cosim.fmu.cache import digest
@@ -103,7 +104,7 @@ def contents(parent: Xml.Element, ode: Ode) -> None:
     parent = Xml.SubElement(parent, "Contents")
     for name, version in ode.libraries:
         Xml.SubElement(parent, "Library", {"name": name, "version": version})
-    for component, effect in ode.effects:
+    for component, effect in effects_in(ode.parts):
         Xml.SubElement(parent, "Effect", {"name": effect, "component": component})
 
 

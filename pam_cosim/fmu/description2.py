@@ -43,7 +43,7 @@ def model_description(ode: Ode, entries: Sequence[Entry], guid: str, tool: str, 
     shared.units(root, [entry.variable for entry in entries])
     shared.log_categories(root)
     shared.default_experiment(root, ode)
-    if ode.libraries or ode.effects:
+    if ode.libraries:
         annotations = Xml.SubElement(root, "VendorAnnotations")
         shared.contents(Xml.SubElement(annotations, "Tool", {"name": shared.TOOL}), ode)
     variables = Xml.SubElement(root, "ModelVariables")

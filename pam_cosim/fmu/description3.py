@@ -52,7 +52,7 @@ def model_description(ode: Ode, entries: Sequence[Entry], token: str, tool: str)
             real["derivative"] = str(references[entry.derivative_of])
         Xml.SubElement(variables, "Float64", shared.scalar_attributes(entry) | real)
     _structure(root, ode, entries)
-    if ode.libraries or ode.effects:
+    if ode.libraries:
         annotations = Xml.SubElement(root, "Annotations")
         shared.contents(Xml.SubElement(annotations, "Annotation", {"type": shared.TOOL}), ode)
     return shared.document(root)

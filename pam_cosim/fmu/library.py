@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from pathlib import Path
 
+from pam_cosim.catalogue import full_name
 from pam_cosim.compiler import Ode, compile_model, flat_hash, smooth_parameters, with_sensitivities
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.build import cached_fmu
 from pam_cosim.fmu.cache import cached, digest
-from pam_cosim.resources import modelica_root
-
-_PLACES = ("PneumaticMuscle.Benches", "PneumaticMuscle")
-"""Packages whose classes may be called without them; the first that has one counts."""
 
 
 def build_model(
@@ -47,15 +43,7 @@ def build_model(
         if not Path(model).exists():
             raise InputError("there is no such file", model)
         return Path(model)
-    return _build(_full_name(model), files, platforms, sensitivities, where_smooth, fmi)
-
-
-def _full_name(model: str) -> str:
-    """With its packages, if it is a class of the library."""
-    if not re.fullmatch(r"\w+(\.\w+)*", model):
-        return model
-    names = (f"{place}.{model}" for place in _PLACES)
-    return next((n for n in names if modelica_root().joinpath(*n.split(".")).with_suffix(".mo").is_file()), model)
+    return _build(full_name(model, files), files, platforms, sensitivities, where_smooth, fmi)
 
 
 def _build(

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from pam_cosim.compiler import ClassTree, Composition, EffectClass, Ode, compile_model, compose, unknown_terms
+from pam_cosim.catalogue import Composition, EffectClass, compose, unknown_terms
+from pam_cosim.compiler import ClassTree, Ode, compile_model
 
 TERM = "missing"
 """What every class of a hole calls its term."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from pam_cosim.errors import InputError, ModelError
@@ -16,19 +16,26 @@ from pam_cosim.measurement.units import UnitError, quantity
 from pam_cosim.measurement.wording import did_you_mean, shown
 
 
-def read_data_set(folder: Path, describe: Callable[[str], Interface], *, model: str | None = None) -> DataSet:
+def read_data_set(
+    folder: Path,
+    describe: Callable[[str], Interface],
+    *,
+    model: str | None = None,
+    benches: Callable[[], Sequence[str]] = tuple,
+) -> DataSet:
     """Reads a data set and converts it to the units of its bench.
 
     Args:
         folder: the folder, or its ``experiment.toml``.
         describe: gives the interface of a bench by name; raises ``InputError`` when there is none.
         model: read the data for this model instead of the one the file names.
+        benches: names to offer where the file names none.
 
     Raises:
         InputError: whatever is wrong in the folder, with file, line and column or key.
     """
     document = read_experiment(_experiment_file(Path(folder)))
-    name = model or _model_of(document)
+    name = model or _model_of(document, benches)
     interface = describe(name) if model else _interface(document, name, describe)
     content = document.content
     parameters = known_values(document, interface, content.parameters, "parameters")
@@ -59,12 +66,13 @@ def _experiment_file(folder: Path) -> Path:
     raise InputError(f"a data set is a folder with {FILE_NAME} and CSV files; this is not one", folder)
 
 
-def _model_of(document: ExperimentFile) -> str:
+def _model_of(document: ExperimentFile, benches: Callable[[], Sequence[str]]) -> str:
     """The bench's name; a ``.mo`` or ``.fmu`` file beside the experiment is meant relative to it."""
     name = document.content.model
     if not name:
-        message = 'model is missing: name the bench, for example model = "PneumaticMuscle.Benches.Isotonic"'
-        raise document.error(message, "model")
+        known = ", ".join(benches())
+        one_of = f", one of {known}, or a Modelica class, a .mo or an .fmu file" if known else ""
+        raise document.error(f'model is missing: name the bench as model = "..."{one_of}', "model")
     return str(file_inside(document, name, "model")) if name.endswith((".mo", ".fmu")) else name
 
 

@@ -4,7 +4,8 @@ import shutil
 
 import pytest
 
-from pam_cosim.compiler import compile_model, compose, flat_hash, read_library, read_structure
+from pam_cosim.catalogue import compose
+from pam_cosim.compiler import compile_model, flat_hash, read_library, read_structure
 from pam_cosim.compiler.expression_parser import ExpressionParser
 from pam_cosim.compiler.lexer import tokenise
 from pam_cosim.compiler.printing import expression_text

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from pam_cosim import study
-from pam_cosim.compiler import compile_model, effect_classes, read_library
+from pam_cosim.catalogue import effect_classes
+from pam_cosim.compiler import compile_model, read_library
 from pam_cosim.diagnosis import Candidate
 from pam_cosim.diagnosis.learning import LearnedTerm, learn, refitted, try_learned
 from pam_cosim.diagnosis.learning_library import forms, quantities

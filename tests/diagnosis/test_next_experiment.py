@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from pam_cosim import study
-from pam_cosim.compiler import compose, read_library
+from pam_cosim.catalogue import compose
+from pam_cosim.compiler import read_library
 from pam_cosim.diagnosis import Candidate
 from pam_cosim.diagnosis.next_experiment import next_experiment, told_apart
 from pam_cosim.diagnosis.prediction import Hypothesis

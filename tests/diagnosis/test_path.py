@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from pam_cosim.compiler import effect_classes, read_library
+from pam_cosim.catalogue import effect_classes
+from pam_cosim.compiler import read_library
 from pam_cosim.diagnosis import Candidate
 from pam_cosim.diagnosis.path import find_path
 from pam_cosim.diagnosis.search import Search

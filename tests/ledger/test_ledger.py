@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 
 from pam_cosim import study
-from pam_cosim.compiler import effect_classes, read_library, unknown_terms
+from pam_cosim.catalogue import effect_classes, unknown_terms
+from pam_cosim.compiler import read_library
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import complete_noise
 from pam_cosim.fmu import build_model, build_source

@@ -8,7 +8,8 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
-from pam_cosim.compiler import ClassTree, Composition, EffectClass, compile_model, compose, effect_classes, read_library
+from pam_cosim.catalogue import Composition, EffectClass, compose, effect_classes
+from pam_cosim.compiler import ClassTree, compile_model, read_library
 from pam_cosim.errors import ModelError
 from pam_cosim.fmu import build_model, build_source
 from pam_cosim.interface import Interface, Variable

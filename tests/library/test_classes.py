@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pam_cosim.compiler import compile_model
-from pam_cosim.compiler.catalogue import ClassInfo
+from pam_cosim.compiler.class_tree import ClassInfo
 from pam_cosim.errors import ModelError
 from pam_cosim.fmu import build_model
 from pam_cosim.resources import modelica_root

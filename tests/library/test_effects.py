@@ -8,7 +8,8 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from pam_cosim.compiler import EffectClass, Ode, compile_model
+from pam_cosim.catalogue import EffectClass
+from pam_cosim.compiler import Ode, compile_model
 from pam_cosim.fmu import read_interface
 from tests.library.shelf import (
     absent,

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from scipy.ndimage import binary_erosion
 
-from pam_cosim.compiler import compose
+from pam_cosim.catalogue import compose
 from pam_cosim.fmu import build_model, build_source
 from pam_cosim.simulation import Inputs, Simulator, Trajectory
 from tests.library.shelf import tree

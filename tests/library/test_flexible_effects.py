@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy.signal import lsim
 
-from pam_cosim.compiler import EffectClass
+from pam_cosim.catalogue import EffectClass
 from pam_cosim.interface import Interface
 from tests.library.rig_spans import left_of
 from tests.library.shelf import BENCH, base, built, effects, homes, law_bench, noise, on_bench, run

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
-from pam_cosim.compiler import names
-from pam_cosim.compiler.catalogue import ClassTree
+from pam_cosim.catalogue.place import EFFECT, is_effect, libraries
+from pam_cosim.compiler import ClassTree, Part, names
 from pam_cosim.errors import ModelError
 
-EFFECT = "PneumaticMuscle.Interfaces.Effect"
 UNKNOWN = "unknown"  # the family of terms without a law, which are no hypotheses
 
 
@@ -61,13 +61,18 @@ def unknown_terms(tree: ClassTree) -> list[EffectClass]:
 
 @lru_cache(maxsize=8)
 def _declared(tree: ClassTree) -> tuple[EffectClass, ...]:
-    found = [_effect(tree, name) for name in tree.subtypes(EFFECT) if not tree.classes[name].partial]
-    names: dict[str, EffectClass] = {}
-    for effect in found:
-        if effect.name in names:
+    every = dict.fromkeys(name for library in libraries(tree) for name in tree.subtypes(f"{library}.{EFFECT}"))
+    declared: dict[str, EffectClass] = {}
+    for effect in (_effect(tree, name) for name in every if not tree.classes[name].partial):
+        if effect.name in declared:
             raise ModelError(f"there are two effects named {effect.name}", effect.file)
-        names[effect.name] = effect
-    return tuple(sorted(found, key=lambda e: (e.family, e.name)))
+        declared[effect.name] = effect
+    return tuple(sorted(declared.values(), key=lambda e: (e.family, e.name)))
+
+
+def effects_in(parts: Sequence[Part]) -> list[tuple[str, str]]:
+    """Name and class of every component that is an effect."""
+    return [(part.path, part.type) for part in parts if is_effect(part.bases)]
 
 
 def _effect(tree: ClassTree, name: str) -> EffectClass:
@@ -84,7 +89,7 @@ def _effect(tree: ClassTree, name: str) -> EffectClass:
         for c in tree.components(name)
         if "parameter" in c.prefixes
         and not c.prefixes & {"protected", "final"}
-        and tree.is_subtype(c.owner, EFFECT)
+        and is_effect([c.owner, *tree.bases(c.owner)])
         and {"min", "max"} <= c.modifications.keys()
     ]
     return EffectClass(

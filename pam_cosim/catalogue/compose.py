@@ -14,11 +14,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from pam_cosim.compiler import names
-from pam_cosim.compiler.catalogue import ClassTree
-from pam_cosim.compiler.effects import EFFECT, EffectClass, effect_classes, unknown_terms
+from pam_cosim.catalogue.effects import EffectClass, effect_classes, unknown_terms
+from pam_cosim.catalogue.place import is_effect, qualified
+from pam_cosim.compiler import ClassTree, Part, Slot, Structure, names, read_structure
 from pam_cosim.compiler.printing import string_text
-from pam_cosim.compiler.structure import Part, Slot, Structure, read_structure
 from pam_cosim.errors import InputError
 
 
@@ -73,8 +72,11 @@ class _Draft:
         )
 
     def _lies_beside(self, effect: EffectClass) -> bool:
-        bases = [b for b in self.tree.bases(effect.qualified_name) if self.tree.is_subtype(b, EFFECT)]
+        bases = [b for b in self.tree.bases(effect.qualified_name) if self._is_effect(b)]
         return any(self._connectors(b) for b in bases)
+
+    def _is_effect(self, name: str) -> bool:
+        return is_effect([name, *self.tree.bases(name)])
 
     def _slots(self, effect: EffectClass) -> list[Slot]:
         bases = self.tree.bases(effect.qualified_name)
@@ -83,7 +85,7 @@ class _Draft:
             for slot in self.structure.slots
             if slot.constraint in bases
             and (slot.path, slot.name) not in self.filled
-            and not self.tree.is_subtype(slot.current, EFFECT)
+            and not self._is_effect(slot.current)
         ]
 
     def _redeclare(self, effect: EffectClass, slot: Slot) -> None:
@@ -98,7 +100,7 @@ class _Draft:
         needed = {c.name for c in self.tree.components(effect.qualified_name) if self._is_connector(c.type)}
         found = []
         for part in self.structure.parts:
-            if not part.path or names.parent(part.path) or EFFECT in part.bases:
+            if not part.path or names.parent(part.path) or is_effect(part.bases):
                 continue
             shared = [b for b in bases if b in part.bases and needed and needed <= self._connectors(b)]
             if shared:
@@ -178,15 +180,6 @@ def compose_on(
     made = base + "With" + "And".join(names.unquoted(names.last(w)) for w in effects)
     chosen = names.identifier(name or made)
     return Composition(chosen, _text(chosen, structure, draft, [known[e] for e in effects]), draft.parameters)
-
-
-def qualified(tree: ClassTree, model: str) -> str:
-    """The full name of a class of the library: of a bench by its short name, of others from the library on.
-
-    ``Isotonic`` and ``Examples.ButylIsotonic`` will do; anything else as it is.
-    """
-    names = (f"PneumaticMuscle.Benches.{model}", model, f"PneumaticMuscle.{model}")
-    return next((name for name in names if name in tree.classes), model)
 
 
 def _nested(redeclarations: Sequence[tuple[str, str]]) -> list[str]:

@@ -1,0 +1,25 @@
+"""The catalogue: class tree to effects. Which effects and benches there are, where they fit, composed models.
+
+What makes a Modelica package a library is said in ``place``; ``effects`` reads what its effects say of themselves;
+``compose`` puts them where their types say that they belong. No effect and no library has a name here.
+"""
+
+from pam_cosim.catalogue.compose import Composition, compose, compose_on
+from pam_cosim.catalogue.effects import EffectClass, effect_classes, effects_in, unknown_terms
+from pam_cosim.catalogue.model import full_name
+from pam_cosim.catalogue.place import EFFECT, benches, library_of, qualified
+
+__all__ = [
+    "EFFECT",
+    "Composition",
+    "EffectClass",
+    "benches",
+    "compose",
+    "compose_on",
+    "effect_classes",
+    "effects_in",
+    "full_name",
+    "library_of",
+    "qualified",
+    "unknown_terms",
+]

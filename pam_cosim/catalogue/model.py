@@ -1,0 +1,27 @@
+"""The full name of a model, without reading a library where its folders tell."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from pathlib import Path
+
+from pam_cosim.catalogue.place import meant, qualified
+from pam_cosim.compiler import read_library
+from pam_cosim.resources import modelica_root
+
+
+def full_name(model: str, files: Sequence[Path] = ()) -> str:
+    """The name of a model with its packages, as ``qualified`` has it; a file or an unknown name as it is.
+
+    Raises:
+        ModelError: the user's files cannot be read.
+    """
+    if not re.fullmatch(r"\w+(\.\w+)*", model):
+        return model
+    root = modelica_root()
+    packages = [file.parent.name for file in sorted(root.glob("*/package.mo"))]
+    for name in meant(model, packages):
+        if root.joinpath(*name.split(".")).with_suffix(".mo").is_file():
+            return name
+    return qualified(read_library(files=files), model) if files else model

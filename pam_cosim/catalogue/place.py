@@ -1,0 +1,57 @@
+"""Where a library keeps what the catalogue asks for: the agreement that makes a Modelica package a library.
+
+A library is a package without a parent that has the partial class ``Interfaces.Effect``, which all its effects extend.
+Its models of rigs are in its package ``Benches``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from pam_cosim.compiler import ClassTree, names
+
+EFFECT = "Interfaces.Effect"
+BENCHES = "Benches"
+
+
+def libraries(tree: ClassTree) -> list[str]:
+    """Names of the libraries, the project's own first."""
+    suffix = f".{EFFECT}"
+    return [name.removesuffix(suffix) for name in tree.classes if _is_effect_base(name)]
+
+
+def library_of(name: str) -> str:
+    """The package without a parent that a class belongs to."""
+    return names.parts(name)[0]
+
+
+def is_effect(bases: Iterable[str]) -> bool:
+    """Whether a class is an effect, by the full names of all classes that it consists of."""
+    return any(map(_is_effect_base, bases))
+
+
+def _is_effect_base(name: str) -> bool:
+    return ".".join(names.parts(name)[1:]) == EFFECT
+
+
+def benches(tree: ClassTree) -> list[str]:
+    """Full names of the benches."""
+    homes = [f"{library}.{BENCHES}" for library in libraries(tree)]
+    return [
+        name
+        for name, info in tree.classes.items()
+        if names.parent(name) in homes and info.kind == "model" and not info.partial
+    ]
+
+
+def qualified(tree: ClassTree, model: str) -> str:
+    """The full name of a class of a library: of a bench by its short name, of others from the library on.
+
+    ``Isotonic`` and ``Examples.ButylIsotonic`` will do; anything else as it is.
+    """
+    return next((name for name in meant(model, libraries(tree)) if name in tree.classes), model)
+
+
+def meant(model: str, packages: Sequence[str]) -> list[str]:
+    """What a name may stand for, the likeliest first."""
+    return [*(f"{p}.{BENCHES}.{model}" for p in packages), model, *(f"{p}.{model}" for p in packages)]

@@ -1,0 +1,55 @@
+"""The language stands apart from what is written in it."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import pytest
+
+from pam_cosim.resources import modelica_root
+
+PACKAGE = Path(__file__).parents[2] / "pam_cosim"
+LIBRARY = [folder for folder in modelica_root().iterdir() if (folder / "package.mo").is_file()]
+
+
+def modules(room: str) -> list[Path]:
+    found = sorted((PACKAGE / room).rglob("*.py"))
+    assert found
+    return found
+
+
+def imported(file: Path) -> set[str]:
+    """Modules of the project that a module imports, also within functions and for type checkers."""
+    nodes = list(ast.walk(ast.parse(file.read_text(encoding="utf-8"))))
+    names = {n.module for n in nodes if isinstance(n, ast.ImportFrom) and n.module}
+    names |= {a.name for n in nodes if isinstance(n, ast.Import) for a in n.names}
+    return {name for name in names if name.startswith("pam_cosim.")}
+
+
+def test_no_library_has_a_name_in_the_compiler() -> None:
+    """Nor does an effect: the names of the library's folders and of its classes are not in the source."""
+    assert LIBRARY
+    words = {package.name for package in LIBRARY}
+    words |= {file.stem for package in LIBRARY for file in (package / "Effects").rglob("*.mo")} - {"package"}
+    assert len(words) > 50
+    told = [(file.name, word) for file in modules("compiler") for word in words if word in file.read_text()]
+    assert not told
+
+
+def test_no_library_has_a_name_in_python() -> None:
+    told = [
+        file.relative_to(PACKAGE).as_posix()
+        for file in modules(".")
+        for package in LIBRARY
+        if package.name in file.read_text(encoding="utf-8")
+    ]
+    assert not told
+
+
+@pytest.mark.parametrize("room, before", [("compiler", ()), ("catalogue", ("compiler",))])
+def test_a_room_imports_only_from_the_rooms_before(room: str, before: tuple[str, ...]) -> None:
+    shared = {p.stem for p in PACKAGE.glob("*.py")} - {"study", "cli"}
+    allowed = {room, *before, *shared}
+    strangers = {(f.name, name) for f in modules(room) for name in imported(f) if name.split(".")[1] not in allowed}
+    assert not strangers
