@@ -19,11 +19,11 @@ from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis import diagnose as _diagnose
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.files import check_writable, make_folder, write_bytes, write_text
-from pam_cosim.fitting import Fit, FitOptions, base_parameters, complete_noise
+from pam_cosim.fitting import Fit, FitOptions, base_parameters
 from pam_cosim.fitting import fit as _fit
 from pam_cosim.fmu import build_model, read_interface
 from pam_cosim.interface import Interface
-from pam_cosim.measurement import DataSet, read_data_set
+from pam_cosim.measurement import DataSet, complete_noise, read_data_set
 from pam_cosim.products import Product
 from pam_cosim.settings import Setting, resolve
 from pam_cosim.simulation import Inputs, IsolatedSimulator, Simulator, Trajectory

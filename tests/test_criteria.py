@@ -12,7 +12,7 @@ from pam_cosim.criteria import every_criterion
 from pam_cosim.reporting.criteria_page import criteria_page
 
 ROOT = Path(__file__).parents[1]
-FITTING = ("combinations", "estimate", "fit", "noise", "structure", "systematic")
+FITTING = ("combinations", "estimate", "fit", "solve")
 DECIDING = (
     *sorted((ROOT / "pam_cosim/comparison").glob("*.py")),
     *sorted((ROOT / "pam_cosim/diagnosis").glob("*.py")),

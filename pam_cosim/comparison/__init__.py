@@ -2,13 +2,22 @@
 
 from pam_cosim.comparison.compare import Comparison, compare
 from pam_cosim.comparison.outliers import outliers, without_outliers
+from pam_cosim.comparison.reproducibility import Reproducibility, reproducibility
+from pam_cosim.comparison.residual_statistics import (
+    ResidualStatistics,
+    lag_one,
+    residual_statistics,
+    series_of,
+    stated_of,
+)
 from pam_cosim.comparison.residuals import RunComparison, simulate_run, start_time
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.comparison.where import Rule, where
-from pam_cosim.comparison.whiteness import lag_one
 
 __all__ = [
     "Comparison",
+    "Reproducibility",
+    "ResidualStatistics",
     "Rule",
     "RunComparison",
     "SignalScore",
@@ -16,9 +25,13 @@ __all__ = [
     "compare",
     "lag_one",
     "outliers",
+    "reproducibility",
+    "residual_statistics",
     "score",
+    "series_of",
     "simulate_run",
     "start_time",
+    "stated_of",
     "where",
     "without_outliers",
 ]

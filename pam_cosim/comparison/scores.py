@@ -7,8 +7,8 @@ from dataclasses import asdict, dataclass
 
 import numpy as np
 
+from pam_cosim.comparison.residual_statistics import lag_one
 from pam_cosim.comparison.residuals import RunComparison
-from pam_cosim.comparison.whiteness import lag_one
 from pam_cosim.measurement import Signal
 
 
@@ -25,8 +25,9 @@ class SignalScore:
         chi2_reduced: mean square of the difference in noise standard deviations; NaN without a known noise.
         noise_rmse: the noise's standard deviation, the lowest rmse a model can honestly reach.
         samples: how many samples were compared.
-        autocorrelation: of neighbouring differences, about zero; ``whiteness``: the same in standard deviations of
-            white noise. Above four the differences are not white: a wrong model, or an instrument that drifts.
+        autocorrelation: of neighbouring differences, about zero.
+        whiteness_score: the same in standard deviations of white noise; the larger, the less they are white, because
+            of a wrong model or of an instrument that drifts.
     """
 
     rmse: float
@@ -40,7 +41,7 @@ class SignalScore:
     noise_rmse: float
     samples: int
     autocorrelation: float = float("nan")
-    whiteness: float = float("nan")
+    whiteness_score: float = float("nan")
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON; a number that does not exist is None."""
@@ -65,7 +66,7 @@ def score_signal(runs: Sequence[RunComparison], signal: Signal) -> SignalScore |
     rmse = float(np.sqrt(np.mean(e**2)))
     span = float(np.ptp(y))
     worst = int(np.argmax(np.abs(e)))
-    correlation, whiteness = lag_one(error)
+    correlation, whiteness_score = lag_one(error)
     sigma = signal.sigma if signal.sigma is not None else np.nan
     return SignalScore(
         rmse=rmse,
@@ -79,7 +80,7 @@ def score_signal(runs: Sequence[RunComparison], signal: Signal) -> SignalScore |
         noise_rmse=float(sigma),
         samples=len(e),
         autocorrelation=correlation,
-        whiteness=whiteness,
+        whiteness_score=whiteness_score,
     )
 
 

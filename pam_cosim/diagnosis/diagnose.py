@@ -19,10 +19,10 @@ from pam_cosim.diagnosis.search import Search, describe_fit
 from pam_cosim.diagnosis.verdict import Verdict, explained, judge, rivals
 from pam_cosim.diagnosis.workers import wake
 from pam_cosim.errors import InputError
-from pam_cosim.fitting import Fit, complete_noise, fit
+from pam_cosim.fitting import Fit, fit
 from pam_cosim.fmu import build_model
 from pam_cosim.ledger import Ledger
-from pam_cosim.measurement import ROLES, DataSet
+from pam_cosim.measurement import ROLES, DataSet, complete_noise
 from pam_cosim.quantities import readable
 from pam_cosim.simulation import Simulator
 
@@ -104,7 +104,7 @@ class Diagnosis:
                 )
         lines += [f"  {n} = {e}" for n, e in self.final.parameters.items()]
         if self.learned is not None:
-            residuals = self.learned.model.fit.structure
+            residuals = self.learned.model.fit.residuals
             left = residuals["holdout" if residuals["holdout"].samples else "fit"]
             lines.append(f"  What is missing, described (not explained): {self.learned.term}")
             lines.append(f"  with it the chi-square is {left.chi2_reduced:.3g}")

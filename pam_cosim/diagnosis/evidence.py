@@ -6,27 +6,28 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
+from pam_cosim.comparison import Reproducibility, ResidualStatistics, reproducibility
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.fitting import Fit, Structure, Systematic, systematic
+from pam_cosim.fitting import Fit
 from pam_cosim.measurement import ROLES
 
 
-def _correlated(s: Structure) -> bool:
-    return s.score > (
+def _correlated(s: ResidualStatistics) -> bool:
+    return s.whiteness_score > (
         CRITERIA.residuals.correlated
         if s.samples >= CRITERIA.residuals.many_samples
         else CRITERIA.residuals.correlated_of_few
     )
 
 
-def foretold(fit: Fit) -> Systematic:
+def foretold(fit: Fit) -> Reproducibility:
     """How much of a fit's residual in one run the other runs foretell."""
     sigma = {n: s.sigma for n, s in fit.comparison.data.signals.items() if s.fitted and s.sigma}
-    return systematic(fit.comparison.runs, sigma)
+    return reproducibility(fit.comparison.runs, sigma)
 
 
-def structured(s: Structure, repeated: Systematic | None = None) -> bool:
+def structured(s: ResidualStatistics, repeated: Reproducibility | None = None) -> bool:
     """Whether residuals hold something that is not noise.
 
     Many samples show it by their correlation in time, and by its size: less than a twentieth of the noise's
@@ -45,19 +46,19 @@ def structured(s: Structure, repeated: Systematic | None = None) -> bool:
     return visible or s.chi2_reduced > 1 + CRITERIA.residuals.level_of_few * math.sqrt(2 / s.samples)
 
 
-def coherent(s: Structure) -> bool:
+def coherent(s: ResidualStatistics) -> bool:
     """Whether residuals are correlated and larger than noise, if ever so slightly, be it a drift of the instruments."""
     return structured(s) or (
         s.samples >= CRITERIA.residuals.many_samples and _correlated(s) and s.excess > CRITERIA.residuals.slight_excess
     )
 
 
-def leaves_structure(s: Structure, repeated: Systematic | None = None) -> bool:
+def leaves_structure(s: ResidualStatistics, repeated: Reproducibility | None = None) -> bool:
     """Whether residuals of a model that explains much are still coherent: more than a fifth of the noise's variance."""
     return (
         bool(s.samples)
         and _correlated(s)
-        and s.excess > CRITERIA.residuals.remaining_excess * max(1.0, s.level)
+        and s.excess > CRITERIA.residuals.remaining_excess * max(1.0, s.noise_floor)
         and _comes_again(s, repeated)
     )
 
@@ -65,38 +66,38 @@ def leaves_structure(s: Structure, repeated: Systematic | None = None) -> bool:
 def incomplete(fit: Fit) -> bool:
     """Whether a model that explains much leaves structure all the same, in runs that were fitted or in others."""
     repeated = foretold(fit)
-    return any(leaves_structure(s, repeated) for s in fit.structure.values())
+    return any(leaves_structure(s, repeated) for s in fit.residuals.values())
 
 
-def _comes_again(s: Structure, repeated: Systematic | None) -> bool:
+def _comes_again(s: ResidualStatistics, repeated: Reproducibility | None) -> bool:
     if (
         repeated is None
         or math.isnan(repeated.variance)
-        or s.excess > CRITERIA.residuals.large_excess * max(1.0, s.level)
+        or s.excess > CRITERIA.residuals.large_excess * max(1.0, s.noise_floor)
     ):
         return True
     return (
-        repeated.variance > CRITERIA.residuals.repeated * max(1.0, s.level)
+        repeated.variance > CRITERIA.residuals.repeated * max(1.0, s.noise_floor)
         and repeated.score > CRITERIA.residuals.repeated_score
     )
 
 
 def scale(fits: Sequence[Fit]) -> tuple[float, float]:
     """Noise variance and samples per independent sample, both as the best model leaves them."""
-    best = min((f.structure["fit"] for f in fits), key=lambda s: s.chi2)
+    best = min((f.residuals["fit"] for f in fits), key=lambda s: s.chi2)
     time = best.correlation_time if _correlated(best) else 1.0
     return max(1.0, best.chi2_reduced), time
 
 
 def bic(fit: Fit, variance: float, time: float) -> float:
     """Bayesian information criterion with the effective number of samples."""
-    s = fit.structure["fit"]
+    s = fit.residuals["fit"]
     return s.chi2 / (variance * time) + fit.freedom * price(fit, time)
 
 
 def price(fit: Fit, time: float) -> float:
     """What a parameter costs in the criterion."""
-    return math.log(max(fit.structure["fit"].samples / time, CRITERIA.evidence.least_samples))
+    return math.log(max(fit.residuals["fit"].samples / time, CRITERIA.evidence.least_samples))
 
 
 def rank(base: Fit, candidates: Sequence[Candidate]) -> list[Candidate]:
@@ -142,7 +143,7 @@ def convincing(base: Fit, candidate: Candidate) -> bool:
 
 def as_good(fewer: Fit, full: Candidate) -> bool:
     """Whether a model with fewer effects does as well as a fuller one: by the evidence, and on runs not fitted."""
-    a, b = fewer.structure["holdout"], full.fit.structure["holdout"]
+    a, b = fewer.residuals["holdout"], full.fit.residuals["holdout"]
     worse = bool(b.samples) and a.chi2 > CRITERIA.evidence.as_good * b.chi2
     return not worse and not convincing(fewer, rank(fewer, [full])[0])
 
@@ -152,9 +153,9 @@ def clears(base: Fit, fit: Fit) -> bool:
 
     A small excess that does not come again in other runs may be a drift, which no effect takes away in all of them.
     """
-    roles = [r for r in ROLES if base.structure[r].samples]
-    before = sum(base.structure[r].excess * base.structure[r].samples for r in roles)
-    after = sum(fit.structure[r].excess * fit.structure[r].samples for r in roles)
+    roles = [r for r in ROLES if base.residuals[r].samples]
+    before = sum(base.residuals[r].excess * base.residuals[r].samples for r in roles)
+    after = sum(fit.residuals[r].excess * fit.residuals[r].samples for r in roles)
     return after < CRITERIA.evidence.cleared * before and _better(base, fit)
 
 
@@ -171,7 +172,7 @@ def alone(base: Fit, tried: Sequence[Candidate]) -> Candidate | None:
     ranked = rank(base, [c for c in tried if len(c.effects) == 1])
     left: dict[str, float] = {}
     for c in ranked:
-        left[c.family] = min(left.get(c.family, math.inf), c.fit.structure["fit"].excess)
+        left[c.family] = min(left.get(c.family, math.inf), c.fit.residuals["fit"].excess)
     family = min(left, key=lambda f: left[f], default="")
     if any(excess < CRITERIA.evidence.apart * left[family] for other, excess in left.items() if other != family):
         return None
@@ -180,18 +181,18 @@ def alone(base: Fit, tried: Sequence[Candidate]) -> Candidate | None:
 
 
 def _carries(base: Fit, fit: Fit) -> bool:
-    both = [(base.structure[r], fit.structure[r]) for r in ROLES if base.structure[r].samples]
+    both = [(base.residuals[r], fit.residuals[r]) for r in ROLES if base.residuals[r].samples]
     return all(after.excess <= CRITERIA.evidence.beyond_doubt * before.excess for before, after in both)
 
 
 def promising(base: Fit, candidate: Candidate) -> bool:
     """Whether a candidate is a step forward, be it not the last: what it leaves may be another effect's."""
-    before, after = base.structure["fit"], candidate.fit.structure["fit"]
+    before, after = base.residuals["fit"], candidate.fit.residuals["fit"]
     return (
         candidate.delta_bic < 0 and after.chi2 < CRITERIA.evidence.step * before.chi2 and _better(base, candidate.fit)
     )
 
 
 def _better(base: Fit, fit: Fit) -> bool:
-    before, after = base.structure["holdout"], fit.structure["holdout"]
+    before, after = base.residuals["holdout"], fit.residuals["holdout"]
     return not before.samples or after.chi2 < before.chi2

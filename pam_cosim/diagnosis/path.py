@@ -25,7 +25,7 @@ from pam_cosim.fitting import Fit
 
 def find_path(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidate]]:
     """The effects that are needed, in the order in which they were found, and all that were tried."""
-    missing = any(coherent(s) for s in base.structure.values())
+    missing = any(coherent(s) for s in base.residuals.values())
     tried = search.round((), base, below=math.inf if missing else 0.0)
     first = _steps(base, tried) if missing else []
     if missing and (not first or (_unsolved(first[0]) and _nearly(base, first[0]))):
@@ -56,7 +56,7 @@ def find_path(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidat
 
 def _nearly(base: Fit, c: Candidate) -> bool:
     """Whether an effect takes away so much that a better form of it may do the rest, rather than a second effect."""
-    before, after = base.structure["fit"], c.fit.structure["fit"]
+    before, after = base.residuals["fit"], c.fit.residuals["fit"]
     return after.excess < CRITERIA.search.better_form * before.excess
 
 
@@ -99,7 +99,7 @@ def _second(search: Search, base: Fit, first: Sequence[Candidate], tried: list[C
     pairs: list[Candidate] = []
     for start in starts:
         search.say(f"with {_told(start)}")
-        below = CRITERIA.search.second_leaves * start.fit.structure["fit"].excess if one else math.inf
+        below = CRITERIA.search.second_leaves * start.fit.residuals["fit"].excess if one else math.inf
         found = search.round(start.effects, start.fit, singles, below=below)
         tried += found
         pairs += _steps(start.fit, found)[:1]
@@ -116,7 +116,7 @@ def _second(search: Search, base: Fit, first: Sequence[Candidate], tried: list[C
 def _plain(one: Candidate, singles: Sequence[Candidate]) -> Candidate:
     """The best law of the same family, where a general member does not take away most of what that leaves."""
     laws = [c for c in singles if c.family == one.family and not c.general]
-    law = min(laws, key=lambda c: c.fit.structure["fit"].excess, default=one)
+    law = min(laws, key=lambda c: c.fit.residuals["fit"].excess, default=one)
     return law if one.general and not _nearly(law.fit, one) else one
 
 
@@ -157,7 +157,7 @@ def _step(present: Fit, best: Candidate, repeats: bool) -> bool:
 
 def _structured(found: Fit) -> bool:
     repeated = foretold(found)
-    return any(structured(s, repeated) for s in found.structure.values())
+    return any(structured(s, repeated) for s in found.residuals.values())
 
 
 def _needed(search: Search, base: Fit, path: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
@@ -194,7 +194,7 @@ def _merged(search: Search, base: Fit, path: Sequence[Candidate], tried: list[Ca
     while len(path) > 1:
         full = path[-1]
         found = search.fewer(
-            [c.effect for c in path], full.fit.values, CRITERIA.search.better_form * base.structure["fit"].excess
+            [c.effect for c in path], full.fit.values, CRITERIA.search.better_form * base.residuals["fit"].excess
         )
         tried += found
         enough = [c for c in found if as_good(c.fit, full)]
@@ -236,7 +236,7 @@ def _lower(tried: list[Candidate], known: Candidate | None, fresh: Candidate) ->
     if known is None:
         tried.append(fresh)
         return fresh
-    if fresh.fit.structure["fit"].chi2 >= known.fit.structure["fit"].chi2:
+    if fresh.fit.residuals["fit"].chi2 >= known.fit.residuals["fit"].chi2:
         return known
     tried[tried.index(known)] = fresh
     return fresh

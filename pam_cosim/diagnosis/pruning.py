@@ -28,8 +28,8 @@ def pruned(
         found: the fit with all of them.
         precision: at which a descent ends.
     """
-    level = max(1.0, found.structure["fit"].level)
-    if found.structure["fit"].excess > CRITERIA.search.pruning_excess * level:
+    level = max(1.0, found.residuals["fit"].noise_floor)
+    if found.residuals["fit"].excess > CRITERIA.search.pruning_excess * level:
         return found
     variance, time = scale([found])
     worth = variance * time * price(found, time)  # chi-square that a parameter must take away
@@ -41,7 +41,7 @@ def pruned(
         left = [replace(f, start=best.values[f.name]) for f in free if f.name != name and f.name not in held]
         zeros = dict.fromkeys([*held, name], 0.0)
         less = fit(simulator, data, left, fixed=zeros, options=options)
-        if less.structure["fit"].chi2 - best.structure["fit"].chi2 > worth:
+        if less.residuals["fit"].chi2 - best.residuals["fit"].chi2 > worth:
             needed.add(name)
             continue
         held[name] = replace(best.parameters[name], value=0.0, at_bound=False, determined=False, held=True)

@@ -73,7 +73,7 @@ class Search:
         found = self._brief(first)
         if first and not found:
             raise SimulationFailure(f"no effect could be tried; {self.failed[-1].effect}: {self.failed[-1].failure}")
-        if not any(c.fit.structure["fit"].excess < below for c in found):
+        if not any(c.fit.residuals["fit"].excess < below for c in found):
             return rank(present, found)
         leading = self._deep(trials, found)
         if not any(at_noise(c.fit) for c in leading):
@@ -167,7 +167,7 @@ class Search:
         less = [_exchanged([e for e in effects if e != left], self.shelf, _richer) for left in reversed(effects)]
         alike = {frozenset(names): names for some in less for names in some}
         trials = self._composed(list(alike.values()), start)
-        near = [c for c in self._brief(trials) if c.fit.structure["fit"].excess < below]
+        near = [c for c in self._brief(trials) if c.fit.residuals["fit"].excess < below]
         return self._run("to the end, with one effect less,", [_started(t) for t in _onwards(trials, near)])
 
     def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:
@@ -262,18 +262,18 @@ def worth_refitting(candidates: Sequence[Candidate]) -> list[Candidate]:
 
 
 def _by_error(candidates: Sequence[Candidate]) -> list[Candidate]:
-    fitted = [(c.fit.structure["fit"].chi2, c.effect, c) for c in candidates]
+    fitted = [(c.fit.residuals["fit"].chi2, c.effect, c) for c in candidates]
     return [c for _, _, c in sorted(fitted, key=lambda entry: entry[:2])]
 
 
 def _near(candidates: Sequence[Candidate]) -> list[Candidate]:
     """Those whose error beyond the noise a few more steps may still bring down to that of the best; best first."""
     ordered = _by_error(candidates)
-    found = [(c.fit.structure["fit"], c) for c in ordered]
+    found = [(c.fit.residuals["fit"], c) for c in ordered]
     if not found:
         return []
     samples = found[0][0].samples
-    floor = min(max(s.level, 0.0) for s, _ in found) * samples
+    floor = min(max(s.noise_floor, 0.0) for s, _ in found) * samples
     limit = (
         floor
         + CRITERIA.search.within_reach * max(found[0][0].chi2 - floor, 0.0)
@@ -288,8 +288,8 @@ def _leading_families(candidates: Sequence[Candidate], count: int) -> list[str]:
 
 def at_noise(found: Fit) -> bool:
     """Whether the residuals of the fitted runs are down at the level of the noise."""
-    s = found.structure["fit"]
-    return s.excess < CRITERIA.search.at_noise * max(1.0, s.level)
+    s = found.residuals["fit"]
+    return s.excess < CRITERIA.search.at_noise * max(1.0, s.noise_floor)
 
 
 def _simple(trials: Sequence[Trial]) -> list[Trial]:

@@ -70,7 +70,7 @@ def rivals(best: Candidate, ranked: Sequence[Candidate]) -> list[Candidate]:
 
 
 def _refuted(rival: Fit, best: Fit) -> bool:
-    a, b = rival.structure["holdout"], best.structure["holdout"]
+    a, b = rival.residuals["holdout"], best.residuals["holdout"]
     if a.samples and (a.chi2 - b.chi2) / max(1.0, b.chi2_reduced) > CRITERIA.evidence.very_strong:
         return True
     signals = best.comparison.data.signals
@@ -92,7 +92,7 @@ def judge(
     """
     if not path:
         repeated = foretold(base)
-        if any(structured(base.structure[r], repeated) for r in ROLES):
+        if any(structured(base.residuals[r], repeated) for r in ROLES):
             return Verdict("unknown", (), (), "The residual has structure, and no listed effect explains it.")
         return Verdict("none_missing", (), (), "The residual is noise: nothing is missing that these data could show.")
     last = path[-1]
@@ -112,7 +112,7 @@ def judge(
         families += tuple(c.family for c in others)
         effects += tuple(c.effect for c in others)
         return Verdict("ambiguous", families, effects, f"These data cannot separate {names}.")
-    loud = last.fit.structure["fit"].chi2_reduced
+    loud = last.fit.residuals["fit"].chi2_reduced
     noise = f"; the noise is {loud**0.5:.2g} times the stated one" if loud > CRITERIA.fit.loud else ""
     return Verdict(
         "identified", families, effects, f"{text}; what remains is noise{noise}.{_open(path)}{_caution(last.fit)}"
@@ -132,7 +132,7 @@ def _open(path: Sequence[Candidate]) -> str:
 
 def _caution(found: Fit) -> str:
     """What keeps an explanation from being beyond doubt: no run that checks it, or a fit that ends at a bound."""
-    checked = found.structure["holdout"].samples
+    checked = found.residuals["holdout"].samples
     text = "" if checked else " No run was held out: nothing but what was fitted speaks for it."
     names = [n for n, e in found.parameters.items() if e.at_bound]
     if names:
@@ -142,7 +142,7 @@ def _caution(found: Fit) -> str:
 
 def explained(before: Fit, after: Fit) -> float:
     """Share of the squared error beyond the noise that is gone, on holdout runs where there are any; at most 1."""
-    role = "holdout" if before.structure["holdout"].samples else "fit"
-    a, b = before.structure[role], after.structure[role]
+    role = "holdout" if before.residuals["holdout"].samples else "fit"
+    a, b = before.residuals[role], after.residuals[role]
     excess = a.chi2 - a.samples
     return min((a.chi2 - b.chi2) / excess, 1.0) if excess > 0 else 0.0

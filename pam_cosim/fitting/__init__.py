@@ -2,15 +2,12 @@
 
 from pam_cosim.fitting.combinations import Combination
 from pam_cosim.fitting.estimate import Estimate, estimates
-from pam_cosim.fitting.fit import Fit, fit, structures
+from pam_cosim.fitting.fit import Fit, fit
 from pam_cosim.fitting.free import Free, base_parameters, free_from_variable
 from pam_cosim.fitting.methods import METHODS, Record, summary
-from pam_cosim.fitting.noise import complete_noise
 from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.parameter_file import read_parameters, write_parameters
 from pam_cosim.fitting.solve import spread_starts
-from pam_cosim.fitting.structure import Structure, series_of, structure
-from pam_cosim.fitting.systematic import Systematic, systematic
 
 __all__ = [
     "METHODS",
@@ -20,19 +17,12 @@ __all__ = [
     "FitOptions",
     "Free",
     "Record",
-    "Structure",
-    "Systematic",
     "base_parameters",
-    "complete_noise",
     "estimates",
     "fit",
     "free_from_variable",
     "read_parameters",
-    "series_of",
     "spread_starts",
-    "structure",
-    "structures",
     "summary",
-    "systematic",
     "write_parameters",
 ]

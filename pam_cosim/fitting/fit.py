@@ -7,7 +7,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pam_cosim.comparison import Comparison, compare
+from pam_cosim.comparison import (
+    Comparison,
+    ResidualStatistics,
+    compare,
+    residual_statistics,
+    series_of,
+    stated_of,
+)
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.fitting.combinations import Combination, combinations
@@ -17,7 +24,6 @@ from pam_cosim.fitting.methods import METHODS, Record
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.solve import Problem, Progress
-from pam_cosim.fitting.structure import Structure, series_of, stated_of, structure
 from pam_cosim.measurement import ROLES, DataSet
 from pam_cosim.simulation import AnySimulator
 
@@ -30,7 +36,7 @@ class Fit:
         model: name of the model.
         parameters: estimates by name.
         comparison: the fitted model against all runs.
-        structure: what the residuals are like, per role ("fit", "holdout").
+        residuals: what the residuals are like, per role ("fit", "holdout").
         evaluations: simulations of the set of fit runs that it took.
         failures: breakdowns of the simulation on the way, in the words of the solver.
         combinations: pairs of parameters of which only the product or the ratio is determined.
@@ -41,7 +47,7 @@ class Fit:
     model: str
     parameters: dict[str, Estimate]
     comparison: Comparison
-    structure: dict[str, Structure]
+    residuals: dict[str, ResidualStatistics]
     evaluations: int
     failures: tuple[str, ...] = ()
     combinations: tuple[Combination, ...] = ()
@@ -68,14 +74,14 @@ class Fit:
             "combinations": [c.as_dict() for c in self.combinations],
             "method": self.method,
             "search": self.search.as_dict() if self.search else None,
-            "chi2_reduced": self.structure["fit"].chi2_reduced,
+            "chi2_reduced": self.residuals["fit"].chi2_reduced,
             "comparison": self.comparison.as_dict(),
         }
 
     def __str__(self) -> str:
         lines = [str(self.comparison)]
         if self.search:
-            reached = self.structure["fit"].chi2_reduced
+            reached = self.residuals["fit"].chi2_reduced
             lines += [str(self.search), f"  the descent from there comes to chi2 {reached:.4g}:"]
         return "\n".join([*lines, describe(self.parameters), *(f"  {c}" for c in self.combinations)])
 
@@ -114,7 +120,7 @@ def fit(
     solution = METHODS[options.method](problem)
     end = solution.end
     comparison = compare(simulator, data, objective.values(end.z), objective.tolerance)
-    by_role = structures(comparison)
+    by_role = statistics_by_role(comparison)
     spread = _spread(by_role["fit"])
     parameters = estimates(chosen, end.z, end.jacobian, objective.bounds, spread)
     return Fit(
@@ -130,18 +136,18 @@ def fit(
     )
 
 
-def structures(comparison: Comparison) -> dict[str, Structure]:
+def statistics_by_role(comparison: Comparison) -> dict[str, ResidualStatistics]:
     """What the residuals of a comparison are like, per role ("fit", "holdout")."""
     signals = comparison.data.signals
     sigma = {n: s.sigma for n, s in signals.items() if s.fitted and s.sigma}
-    found: dict[str, Structure] = {}
+    found: dict[str, ResidualStatistics] = {}
     for role in ROLES:
         runs = [r for r in comparison.runs if r.run.role == role]
-        found[role] = structure(series_of(runs, sigma), stated_of(runs, signals))
+        found[role] = residual_statistics(series_of(runs, sigma), stated_of(runs, signals))
     return found
 
 
-def _spread(s: Structure) -> float:
+def _spread(s: ResidualStatistics) -> float:
     """Residuals beyond the declared noise, and correlated ones, widen the intervals."""
-    time = s.correlation_time if s.score > CRITERIA.residuals.correlated else 1.0
+    time = s.correlation_time if s.whiteness_score > CRITERIA.residuals.correlated else 1.0
     return float(np.sqrt(max(1.0, s.chi2_reduced) * time))

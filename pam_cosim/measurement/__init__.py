@@ -1,7 +1,7 @@
 """The measurement room: a folder with ``experiment.toml`` and CSV files becomes a ``DataSet``."""
 
 from pam_cosim.measurement.data_set import ROLES, DataSet, FreeParameter, Role, Run, Signal
-from pam_cosim.measurement.noise import estimate_noise, with_noise
+from pam_cosim.measurement.noise import complete_noise, estimate_noise, with_noise
 from pam_cosim.measurement.read import read_data_set
 from pam_cosim.measurement.recording import Recording, read_recording
 from pam_cosim.measurement.units import UnitError, convert, quantity
@@ -17,6 +17,7 @@ __all__ = [
     "Signal",
     "UnitError",
     "convert",
+    "complete_noise",
     "estimate_noise",
     "quantity",
     "read_data_set",

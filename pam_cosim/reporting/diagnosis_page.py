@@ -149,7 +149,7 @@ def _ranking_picture(diagnosis: Diagnosis, fitted: Sequence[Candidate], palette:
         Bar(f"{' + '.join(c.effects)} ({words(c.family)})", _share(diagnosis, c), c.balance, _added(diagnosis, c))
         for c in fitted
     ]
-    runs = "holdout" if diagnosis.base.structure["holdout"].samples else "fitted"
+    runs = "holdout" if diagnosis.base.residuals["holdout"].samples else "fitted"
     return ranking_picture(bars[:_MOST_BARS], palette, max(len(bars) - _MOST_BARS, 0), runs)
 
 

@@ -5,19 +5,20 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import SimpleNamespace
 
+from pam_cosim.comparison import ResidualStatistics
 from pam_cosim.diagnosis import Candidate
-from pam_cosim.fitting import Estimate, Fit, Structure
+from pam_cosim.fitting import Estimate, Fit
 
 SAMPLES = 1000
 NOISE = 1.0  # chi2 of a residual that is noise
 
 
-def statistics(chi2: float, score: float = 0.0, time: float = 1.0, samples: int = SAMPLES) -> Structure:
+def statistics(chi2: float, score: float = 0.0, time: float = 1.0, samples: int = SAMPLES) -> ResidualStatistics:
     """``chi2`` reduced; the white part of the residual is that of the noise."""
-    return Structure(chi2 * samples, samples, min(chi2, NOISE), score, time)
+    return ResidualStatistics(chi2 * samples, samples, min(chi2, NOISE), score, time)
 
 
-EMPTY = Structure(0.0, 0, float("nan"), 0.0, 1.0)
+EMPTY = ResidualStatistics(0.0, 0, float("nan"), 0.0, 1.0)
 
 
 def fitted(

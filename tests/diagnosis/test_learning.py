@@ -16,9 +16,9 @@ from pam_cosim.diagnosis import Candidate
 from pam_cosim.diagnosis.learning import LearnedTerm, learn, refitted, try_learned
 from pam_cosim.diagnosis.learning_library import forms, quantities
 from pam_cosim.errors import InputError
-from pam_cosim.fitting import Fit, complete_noise
+from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger, keep_ledger
-from pam_cosim.measurement import DataSet
+from pam_cosim.measurement import DataSet, complete_noise
 from tests.reference.effects import effect_of
 from tests.systems.rig import write_light_data
 from tests.systems.unlisted import UNLISTED

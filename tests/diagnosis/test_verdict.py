@@ -22,7 +22,7 @@ def test_none_missing() -> None:
 
 def test_structure_in_the_holdout_runs_alone_is_enough_to_object() -> None:
     odd = fitted(1.0, holdout=2.0)
-    odd.structure["holdout"] = BASE.structure["holdout"]
+    odd.residuals["holdout"] = BASE.residuals["holdout"]
     assert judge(odd, [], []).kind == "unknown"
 
 
@@ -93,7 +93,7 @@ def test_what_leaves_structure_is_unknown_whatever_its_rivals() -> None:
 def test_structure_in_the_holdout_runs_alone_makes_rivals_unknown() -> None:
     dry = candidate("Dry", fitted(1.0, holdout=1.0), "dry_friction")
     assert dry.fit is not None
-    dry.fit.structure["holdout"] = LOUD.structure["holdout"]
+    dry.fit.residuals["holdout"] = LOUD.residuals["holdout"]
     rate = candidate("Rate", fitted(1.0, holdout=1.0), "rate_friction")
     assert judge(LOUD, [dry], [rate]).kind == "unknown"
 

@@ -61,8 +61,8 @@ def test_muscle(bench: Bench, tmp_path: Path) -> None:
         e = found.parameters[name]
         assert e.low <= true <= e.high, (name, str(e))
         assert (e.high - e.low) / true < 0.02
-    assert 0.85 < found.structure["fit"].chi2_reduced < 1.15
-    assert 0.85 < found.structure["holdout"].chi2_reduced < 1.15
+    assert 0.85 < found.residuals["fit"].chi2_reduced < 1.15
+    assert 0.85 < found.residuals["holdout"].chi2_reduced < 1.15
     assert found.freedom == 2
 
 

@@ -89,7 +89,7 @@ def test_fit_tells_what_the_swarm_did_and_what_the_descent_made_of_it() -> None:
         objective = Objective(simulator, data, data.fit_runs, free, tolerance=1e-6)
         there = objective.cost(np.array([f.to_z(own.parameters[f.name]) for f in free])) / objective.size
     assert there == pytest.approx(own.chi2_reduced[-1], rel=1e-4)
-    assert found.structure["fit"].chi2_reduced <= own.chi2_reduced[-1]
+    assert found.residuals["fit"].chi2_reduced <= own.chi2_reduced[-1]
     assert found.values != own.parameters
     assert found.values == pytest.approx({"orifice.C_d": TRUE_C_D, "tank.n": TRUE_N}, rel=0.02)
     plain = json.loads(json.dumps(found.as_dict()))

@@ -15,10 +15,9 @@ from pam_cosim import study
 from pam_cosim.catalogue import effect_classes, unknown_terms
 from pam_cosim.compiler import read_library
 from pam_cosim.errors import InputError
-from pam_cosim.fitting import complete_noise
 from pam_cosim.fmu import build_model, build_source
 from pam_cosim.ledger import Entry, Ledger, binned, keep_ledger, mapped
-from pam_cosim.measurement import DataSet, Signal
+from pam_cosim.measurement import DataSet, Signal, complete_noise
 from pam_cosim.simulation import Inputs, Simulator
 from tests.fitting.models import recording
 from tests.reference.effects import effect_of

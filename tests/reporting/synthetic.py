@@ -7,9 +7,9 @@ from pathlib import Path
 
 import numpy as np
 
-from pam_cosim.comparison import Comparison, Rule, RunComparison, score
+from pam_cosim.comparison import Comparison, Rule, RunComparison, residual_statistics, score, series_of
 from pam_cosim.diagnosis import Candidate, Diagnosis, FailedTrial, LeftInSignal, MissingTerm, NextExperiment, Verdict
-from pam_cosim.fitting import Estimate, Fit, series_of, structure
+from pam_cosim.fitting import Estimate, Fit
 from pam_cosim.measurement import DataSet, Run, Signal
 
 SIGNALS = {"p": Signal("p", "Pa", 500.0), "x": Signal("x", "m", 0.2e-3), "T": Signal("T", "K", 0.3, estimated=True)}
@@ -55,7 +55,7 @@ def make_fit(data, error, parameters=None):
     comparison = make_comparison(data, error)
     sigma = {n: s.sigma for n, s in data.signals.items() if s.sigma is not None}
     by_role = {
-        role: structure(series_of([r for r in comparison.runs if r.run.role == role], sigma))
+        role: residual_statistics(series_of([r for r in comparison.runs if r.run.role == role], sigma))
         for role in ("fit", "holdout")
     }
     found = {"valve.C_A": Estimate(0.712, 0.701, 0.723, "1")} if parameters is None else parameters

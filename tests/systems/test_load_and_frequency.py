@@ -40,7 +40,7 @@ def test_verdict_is_the_effect_of_the_paper(found: Diagnosis) -> None:
 def test_error_falls_to_the_noise_on_conditions_that_were_not_fitted(found: Diagnosis) -> None:
     before, after = (f.comparison.scores["holdout"]["x"].rmse for f in (found.base, found.final))
     assert before > 5e-4 and after < 1.05e-4
-    assert found.final.structure["holdout"].chi2_reduced < 1.1
+    assert found.final.residuals["holdout"].chi2_reduced < 1.1
 
 
 def test_coefficients_come_back(found: Diagnosis) -> None:

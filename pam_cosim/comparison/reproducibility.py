@@ -13,12 +13,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison import RunComparison
+from pam_cosim.comparison.residuals import RunComparison
 from pam_cosim.criteria import CRITERIA
 
 
 @dataclass(frozen=True)
-class Systematic:
+class Reproducibility:
     """How much of a residual other runs foretell.
 
     Attributes:
@@ -30,7 +30,7 @@ class Systematic:
     score: float
 
 
-def systematic(runs: Sequence[RunComparison], sigma: Mapping[str, float]) -> Systematic:
+def reproducibility(runs: Sequence[RunComparison], sigma: Mapping[str, float]) -> Reproducibility:
     """Judges the residuals of all runs together.
 
     Args:
@@ -38,7 +38,7 @@ def systematic(runs: Sequence[RunComparison], sigma: Mapping[str, float]) -> Sys
         sigma: noise level [SI] of each signal that counts.
     """
     if not runs:
-        return Systematic(float("nan"), float("nan"))
+        return Reproducibility(float("nan"), float("nan"))
     gains: dict[int, float] = {}
     total = 0
     tables = _features(runs)
@@ -62,10 +62,10 @@ def systematic(runs: Sequence[RunComparison], sigma: Mapping[str, float]) -> Sys
             )
             gains[number] = gains.get(number, 0.0) + float(np.sum(e**2) - np.sum((e - x @ weights) ** 2))
     if total == 0 or len(gains) < 2:
-        return Systematic(float("nan"), float("nan"))
+        return Reproducibility(float("nan"), float("nan"))
     found = np.array([gains[k] for k in sorted(gains)])
     error = float(np.std(found, ddof=1)) * np.sqrt(len(found))
-    return Systematic(float(found.sum()) / total, float(found.sum()) / error if error > 0 else 0.0)
+    return Reproducibility(float(found.sum()) / total, float(found.sum()) / error if error > 0 else 0.0)
 
 
 def _parts(runs: Sequence[RunComparison]) -> list[tuple[int, slice]]:

@@ -9,29 +9,29 @@ import numpy as np
 from scipy.optimize import nnls
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison import RunComparison, lag_one
+from pam_cosim.comparison.residuals import RunComparison
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement import Signal
 
 
 @dataclass(frozen=True)
-class Structure:
+class ResidualStatistics:
     """Statistics of weighted residuals, all signals and runs together.
 
     Attributes:
         chi2: sum of squares; ``samples`` their number.
-        noise: mean square that neighbouring samples do not share (von Neumann): the white part.
-        score: standard score of "the residuals are white"; above 4 they are not.
+        white_variance: mean square that neighbouring samples do not share (von Neumann): the white part.
+        whiteness_score: of "the residuals are white", in standard deviations (``lag_one``).
         correlation_time: how many samples make one independent one, at least 1.
-        level: mean square that noise explains, white or not: the stated one, or an estimate.
+        noise_floor: mean square that noise explains, white or not: the stated one, or an estimate.
     """
 
     chi2: float
     samples: int
-    noise: float
-    score: float
+    white_variance: float
+    whiteness_score: float
     correlation_time: float
-    level: float = 1.0
+    noise_floor: float = 1.0
 
     @property
     def chi2_reduced(self) -> float:
@@ -41,7 +41,7 @@ class Structure:
     @property
     def excess(self) -> float:
         """Mean square beyond the noise, in noise variances."""
-        return max(self.chi2_reduced - self.level, 0.0)
+        return max(self.chi2_reduced - self.noise_floor, 0.0)
 
 
 def series_of(runs: Sequence[RunComparison], sigma: dict[str, float]) -> list[Array]:
@@ -60,7 +60,7 @@ def stated_of(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> l
     return [not s.estimated for r in runs for n, s in signals.items() if s.fitted and s.sigma and r.run.sample_count(n)]
 
 
-def structure(series: Sequence[Array], stated: Sequence[bool] | None = None) -> Structure:
+def residual_statistics(series: Sequence[Array], stated: Sequence[bool] | None = None) -> ResidualStatistics:
     """Statistics of ``series``, weighted residuals in time order.
 
     Args:
@@ -72,13 +72,13 @@ def structure(series: Sequence[Array], stated: Sequence[bool] | None = None) -> 
     samples = sum(len(e) for e in series)
     steps = float(sum(np.sum(np.diff(e) ** 2) for e in series))
     pairs = sum(max(len(e) - 1, 0) for e in series)
-    noise = steps / (2 * pairs) if pairs else float("nan")
-    _, score = lag_one(series)
-    level = noise if stated is None else _level(series, stated)
-    return Structure(chi2, samples, noise, score, _correlation_time(series), level)
+    white_variance = steps / (2 * pairs) if pairs else float("nan")
+    _, whiteness_score = lag_one(series)
+    noise_floor = white_variance if stated is None else _noise_floor(series, stated)
+    return ResidualStatistics(chi2, samples, white_variance, whiteness_score, _correlation_time(series), noise_floor)
 
 
-def _level(series: Sequence[Array], stated: Sequence[bool]) -> float:
+def _noise_floor(series: Sequence[Array], stated: Sequence[bool]) -> float:
     """Mean square that noise explains: of stated noise at least its own variance, else the estimate for red noise."""
     total, samples = 0.0, 0
     for known in (True, False):
@@ -94,6 +94,22 @@ def _steps(series: Sequence[Array], lag: int) -> float:
     """Half the mean square difference of samples at a distance."""
     squares = sum(float(np.sum((e[lag:] - e[:-lag]) ** 2)) for e in series)
     return squares / (2 * sum(len(e) - lag for e in series))
+
+
+def lag_one(series: Sequence[Array]) -> tuple[float, float]:
+    """Correlation of neighbours about zero over all series, and how many standard deviations of white noise that is.
+
+    Args:
+        series: residuals in time order, missing samples left out; each series has a scale of its own.
+    """
+    weighted, pairs = 0.0, 0
+    for e in series:
+        power = float(np.sum(e**2))
+        if len(e) > 2 and power > 0:
+            n = len(e) - 1
+            weighted += n * float(np.sum(e[1:] * e[:-1])) / power
+            pairs += n
+    return (weighted / pairs, weighted / float(np.sqrt(pairs))) if pairs else (0.0, 0.0)
 
 
 def red_noise(series: Sequence[Array]) -> float:
