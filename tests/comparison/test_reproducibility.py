@@ -9,8 +9,8 @@ import pytest
 from numpy.typing import NDArray
 
 from pam_cosim.comparison import RunComparison, reproducibility
-from tests.fitting.models import recording
 from tests.comparison.test_residual_statistics import red, white
+from tests.fitting.models import recording
 
 Array = NDArray[np.float64]
 TIME = np.linspace(0.0, 10.0, 501)
