@@ -40,7 +40,7 @@ LADDER = {
     "wall with films, balance of energy": (FILMS, ("EnergyGas",)),
     "wall as printed, balance of energy": (PRINTED, ("EnergyGas",)),
 }
-FILM = FreeParameter("muscle.gas.h", 0.01, 500, 10)  # as in Effects.EnergyGas; the printed wall has no film
+FILM = FreeParameter("muscle.gas.h", 0.01, 500, 10)  # as in Effects.GasEnergy.EnergyGas; the printed wall has no film
 SIGNALS = {"p": ("kPa", 1e-3), "x": ("mm", 1e3), "T": ("K", 1.0)}
 AXES = (
     ("p", "gauge pressure [kPa]", 1e-3, 0.0),

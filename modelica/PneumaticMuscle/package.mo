@@ -4,7 +4,8 @@ package PneumaticMuscle "Pneumatic artificial muscles, their valves and vessels,
 absolute; the signals of a bench are what instruments read, gauge pressures.</p>
 <p>DP, DY and AM are cited by equation number, other works by authors and year; <code>UsersGuide.References</code>
 lists them all.</p>
-<p>A class of <code>Effects</code> is one physical effect that the base model lacks. Where it attaches is said
+<p>A class of <code>Effects</code> is one physical effect that the base model lacks, in the package of its family. Where
+it attaches is said
 by the interface it extends:</p>
 <ul>
 <li>it extends <code>Interfaces.ForceEffect</code> or <code>Interfaces.GasPortEffect</code>, or has otherwise the same

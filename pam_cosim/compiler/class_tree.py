@@ -284,6 +284,12 @@ def read_library(root: Path | None = None, files: Sequence[Path] = ()) -> ClassT
     """The class tree of the library directory ``root`` (by default the project's own) and of the user's files.
 
     Raises:
-        ModelError: a syntax error, with its place.
+        ModelError: a syntax error, or a class of the user's that extends what does not exist, with its place.
     """
-    return ClassTree(Library(modelica_root() if root is None else root, files))
+    library = Library(modelica_root() if root is None else root, files)
+    lookup = Lookup(library)
+    for definition in (node for classes in library.user_classes.values() for node in classes):
+        for clause in definition.extends:
+            if lookup.base(lookup.of(definition), clause) is None:
+                raise lookup.missing(clause.type, definition, "base class")
+    return ClassTree(library)

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import casadi as ca
 
-from pam_cosim.compiler import metadata, names
+from pam_cosim.compiler import metadata
 from pam_cosim.compiler.arithmetic import Shown
 from pam_cosim.compiler.assertions import Assertion
 from pam_cosim.compiler.blocks import solve
@@ -77,20 +77,13 @@ def _find(model: str, library: Library, lookup: Lookup) -> Class:
         return lookup.of(models[-1])
     found = lookup.qualified(model)
     if found is None:
-        raise ModelError(f"there is no model '{model}'{_similar(model, library)}")
+        raise ModelError(f"there is no model '{model}'{library.similar(model, 'model')}")
     definition = found.definition
     if definition.kind in _NOT_MODELS:
         raise definition.source.error(f"'{model}' is a {definition.kind}, not a model", definition.at)
     if definition.partial:
         raise definition.source.error(f"'{model}' is partial: compile a model that extends it", definition.at)
     return found
-
-
-def _similar(model: str, library: Library) -> str:
-    """A hint: models of the same last name."""
-    last = names.last(model).lower()
-    known = [node.qualified_name for node in library.walk() if node.name.lower() == last and node.kind == "model"]
-    return f"; did you mean {' or '.join(known)}?" if known else ""
 
 
 @dataclass

@@ -176,6 +176,8 @@ class Instantiator:
     def _check_constraint(self, new: Class, limit: Class | None, at: int) -> None:
         if limit is None or limit.definition.kind == "function":
             return
+        if new.definition.alias is not None and new.outer is not None:
+            self.lookup.require(new.outer, new.definition.alias.type, new.outer.definition)
         wanted = self._public_names(limit)
         offered = set(self._public_names(new))
         missing = [name for name in wanted if name not in offered]
@@ -206,10 +208,8 @@ class Instantiator:
     def _report_missing_base(self, of: Class) -> None:
         definition = of.definition
         for extends in definition.extends:
-            found = self.lookup.bases(Class(replace(definition, extends=[extends]), of.outer))
-            if not found:
-                name, place = extends.type.text, definition.qualified_name
-                raise definition.source.error(f"base class '{name}' not found in {place}", extends.type.at)
+            if self.lookup.base(of, extends) is None:
+                raise self.lookup.missing(extends.type, definition, "base class")
 
     def _check_names(self, modification: Mod, instance: Instance, where: str) -> None:
         for name, entry in modification.entries.items():
@@ -381,9 +381,7 @@ class Instantiator:
                 return _Type(name.text, None, modification)
             if name.text in ENUMERATIONS:
                 return _Type("enumeration", None, modification)
-            raise scope.definition.source.error(
-                f"class '{name.text}' not found in {scope.definition.qualified_name}", name.at
-            )
+            raise self.lookup.missing(name, scope.definition)
         return self._follow(found, modification, 0)
 
     def _follow(self, of: Class, modification: Mod, depth: int) -> _Type:
@@ -397,9 +395,7 @@ class Instantiator:
         base = self.lookup.find(of.outer, names, alias.type.absolute)
         place = of.outer or self.lookup.static_scope(definition)
         if base is None and alias.type.text not in PRIMITIVES:
-            raise definition.source.error(
-                f"class '{alias.type.text}' not found in {definition.qualified_name}", alias.type.at
-            )
+            raise self.lookup.missing(alias.type, definition)
         own = merge(merge(of.over, bind(alias.modification, place, alias.at)), of.under)
         if base is None:
             found = _Type(alias.type.text, of, merge(modification, own))

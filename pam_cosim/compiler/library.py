@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from difflib import get_close_matches
 from pathlib import Path
 
 from pam_cosim.compiler import names
@@ -58,6 +59,16 @@ class Library:
             node = stack.pop()
             yield node
             stack.extend(reversed(node.classes.values()))
+
+    def similar(self, name: str, kind: str = "") -> str:
+        """A hint to classes of the same last name, or of one that is nearly the same; empty where there are none."""
+        by_name: dict[str, list[str]] = {}
+        for node in self.walk():
+            if (node.parent is None or node.parent.kind == "package") and kind in ("", node.kind):
+                by_name.setdefault(node.name.lower(), []).append(node.qualified_name)
+        last = names.last(name).lower()
+        near = by_name.get(last) or [n for close in get_close_matches(last, by_name, n=2) for n in by_name[close]]
+        return f"; did you mean {' or '.join(near)}?" if near else ""
 
     def _read_user_file(self, file: Path) -> list[ClassDefinition]:
         within, classes = parse_source(_read(file))

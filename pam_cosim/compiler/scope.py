@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 from pam_cosim.compiler import names
 from pam_cosim.compiler.library import Library
-from pam_cosim.compiler.syntax import ClassDefinition, TypeName
+from pam_cosim.compiler.syntax import ClassDefinition, Extends, TypeName
+from pam_cosim.errors import ModelError
 
 if TYPE_CHECKING:
     from pam_cosim.compiler.instance import Instance
@@ -87,8 +88,13 @@ class Lookup:
         """
         found = self.find(scope, name.names, name.absolute)
         if found is None:
-            raise holder.source.error(f"class '{name.text}' not found in {holder.qualified_name}", name.at)
+            raise self.missing(name, holder)
         return found
+
+    def missing(self, name: TypeName, holder: ClassDefinition, what: str = "class") -> ModelError:
+        """The error that a name in the text of ``holder`` means no class, with the classes that it may stand for."""
+        text = f"{what} '{name.text}' not found in {holder.qualified_name}{self.library.similar(name.text)}"
+        return holder.source.error(text, name.at)
 
     def first(self, scope: Scope | None, name: str, absolute: bool = False) -> Class | None:
         """The class that a single name means: here, or in an enclosing class, or at the root."""
@@ -122,17 +128,15 @@ class Lookup:
         definition = of.definition
         if definition.alias is not None:
             target = definition.alias.type
-            found = [self.find(of.outer, target.names, target.absolute)]
-        else:
-            found = []
-            for extends in definition.extends:
-                # the name of a base class must not be looked up among what is inherited
-                names, absolute = extends.type.names, extends.type.absolute
-                own = definition.classes.get(names[0]) if not absolute else None
-                here = Class(own, self.inside(of)) if own is not None else self._imported(definition, names[0])
-                first = here or self.first(of.outer, names[0], absolute)
-                found.append(self._descend(first, names[1:]))
-        return [base for base in found if base is not None]
+            return [base for base in [self.find(of.outer, target.names, target.absolute)] if base is not None]
+        return [base for clause in definition.extends if (base := self.base(of, clause)) is not None]
+
+    def base(self, of: Class, clause: Extends) -> Class | None:
+        """The class that one ``extends`` of a class names; its name is not looked up among what is inherited."""
+        names, absolute = clause.type.names, clause.type.absolute
+        own = of.definition.classes.get(names[0]) if not absolute else None
+        here = Class(own, self.inside(of)) if own is not None else self._imported(of.definition, names[0])
+        return self._descend(here or self.first(of.outer, names[0], absolute), names[1:])
 
     def inside(self, of: Class) -> Scope:
         """The place inside a class that is not instantiated."""

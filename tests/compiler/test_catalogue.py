@@ -107,4 +107,4 @@ def test_each_component_is_modified_once():
     composition = compose(read_library(), "Isotonic", ["ValveDelay", "UnequalAreas", "EnergyGas"])
     assert composition is not None
     assert composition.text.count("valve(") == composition.text.count("muscle(") == 1
-    assert "Drive = PneumaticMuscle.Effects.ValveDelay, redeclare model Area" in composition.text
+    assert "Drive = PneumaticMuscle.Effects.ValveDynamics.ValveDelay, redeclare model Area" in composition.text

@@ -47,6 +47,11 @@ def benches() -> tuple[str, ...]:
     return tuple(n for n, c in tree().classes.items() if n.rpartition(".")[0] + "." == package and c.kind == "model")
 
 
+def qualified(effect: str) -> str:
+    """The full name of an effect's class."""
+    return next(e.qualified_name for e in effects() if e.name == effect)
+
+
 @cache
 def composed(bench: str, effect: str) -> Composition | None:
     """The bench with an effect; None where it finds no place."""

@@ -14,7 +14,7 @@ from pam_cosim.fmu import build_source
 from pam_cosim.interface import Interface
 from pam_cosim.simulation import Inputs, Simulator
 from tests.library.ode import Model
-from tests.library.shelf import BENCH, on_bench
+from tests.library.shelf import BENCH, on_bench, qualified
 
 Array = np.ndarray
 
@@ -143,7 +143,7 @@ HARNESS = """model Harness "An effect on an imposed path under an imposed pressu
   input Real x_wanted(unit="m", start=0); input Real p_wanted(unit="Pa", start=1e5);
   output Real f(unit="N") = effect.f;
   inner PneumaticMuscle.Components.Ambient ambient;
-  PneumaticMuscle.Effects.{effect} effect(L0=0.24, D0=0.02, turns=2, t_wall=0.254e-3);
+  {effect} effect(L0=0.24, D0=0.02, turns=2, t_wall=0.254e-3);
   PneumaticMuscle.Components.Fixed ceiling(s0=0.24);
   PneumaticMuscle.Components.ImposedPosition hand(s_wanted=x_wanted, tau=2e-4);
   PneumaticMuscle.Components.Regulator regulator(p_wanted=p_wanted);
@@ -153,7 +153,7 @@ end Harness;"""
 
 DRIVE = """model Harness "A drive of a valve"
   input Real u(unit="A", start=0); output Real y(unit="A") = drive.y[1];
-  PneumaticMuscle.Effects.{effect} drive(u={{u, 0}});
+  {effect} drive(u={{u, 0}});
 end Harness;"""
 
 
@@ -170,7 +170,7 @@ def course_misses(
     weight: Array | float = 1.0,
 ) -> float:
     """As ``Law.misses``, for the course of a harness's only output under ``inputs``, each (times,)."""
-    with Simulator(build_source("Harness", text.format(effect=effect))) as simulator:
+    with Simulator(build_source("Harness", text.format(effect=qualified(effect)))) as simulator:
         names = [n for n in simulator.interface.parameters if n.rpartition(".")[0] == part]
         own = coefficients(simulator.interface, [n for n in names if n.rpartition(".")[2] not in _GEOMETRY])
         output = next(iter(simulator.interface.outputs))

@@ -17,9 +17,9 @@ MASS_OFF = -0.0374  # of the gas that passed: what DP (59) with (60) loses in fi
 ENERGY_OFF = -0.0543  # of the enthalpy that flowed in: heat that n = 1.2 takes out of a vessel without a wall
 LIBRARY = "PneumaticMuscle"
 ENERGY_TANK = f"""model Tank extends {LIBRARY}.Benches.TankFilling(
-  tank(redeclare model Gas = {LIBRARY}.Effects.EnergyGas)); end Tank;"""
+  tank(redeclare model Gas = {LIBRARY}.Effects.GasEnergy.EnergyGas)); end Tank;"""
 ENERGY_MUSCLE = f"""model Muscle extends {LIBRARY}.Benches.Isotonic(
-  muscle(redeclare model Gas = {LIBRARY}.Effects.EnergyGas)); end Muscle;"""
+  muscle(redeclare model Gas = {LIBRARY}.Effects.GasEnergy.EnergyGas)); end Muscle;"""
 
 
 def mass(v: Values, owner: str) -> float:
@@ -104,7 +104,7 @@ def test_polytropic_vessel_needs_heat_that_nothing_gives() -> None:
 # Virtual work: F = -p dV/dL for every sleeve whose force is derived from its volume.
 
 BY_WORK = (
-    "Components.CylindricalBraid",
+    "Laws.Forces.CylindricalBraid",
     "Laws.Forces.Gaylord",
     "Laws.Forces.ThreeElementShape",
     "Laws.Forces.TothovaPitel",

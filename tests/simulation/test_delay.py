@@ -75,7 +75,7 @@ def test_valves_that_open_late() -> None:
         {"u_in": np.array([0.35, 0.35, 0.0, 0.0, 0.0]), "u_out": np.array([0.0, 0.0, 0.0, 0.0, 0.35])},
     )
     model = "model Late extends PneumaticMuscle.Benches.Isotonic(valve(redeclare model Drive = "
-    model += "PneumaticMuscle.Effects.ValveDelay)); end Late;"
+    model += "PneumaticMuscle.Effects.ValveDynamics.ValveDelay)); end Late;"
     runs = []
     for path, shift in ((build_model("Isotonic"), 0.0), (build_source("Late", model), delay)):
         with Simulator(path) as simulator:

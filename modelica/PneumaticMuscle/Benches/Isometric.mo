@@ -11,7 +11,7 @@ model Isometric "A muscle whose contraction is imposed, driven by current-driven
     annotation (choicesAllMatching=true);
   replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"
     annotation (choicesAllMatching=true);
-  replaceable model Line = Components.DirectLine constrainedby Interfaces.Line "Line between valves and muscle"
+  replaceable model Line = Laws.Lines.DirectLine constrainedby Interfaces.Line "Line between valves and muscle"
     annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings";
   Components.Supply supply(p_gauge=p_supply) "Air supply";

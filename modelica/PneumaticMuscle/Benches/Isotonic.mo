@@ -10,7 +10,7 @@ model Isotonic "A muscle that lifts a hanging mass, driven by current-driven val
     annotation (choicesAllMatching=true);
   replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"
     annotation (choicesAllMatching=true);
-  replaceable model Line = Components.DirectLine constrainedby Interfaces.Line "Line between valves and muscle"
+  replaceable model Line = Laws.Lines.DirectLine constrainedby Interfaces.Line "Line between valves and muscle"
     annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings";
   Components.Supply supply(p_gauge=p_supply) "Air supply";

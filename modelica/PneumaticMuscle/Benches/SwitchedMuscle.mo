@@ -10,7 +10,7 @@ model SwitchedMuscle "A muscle of imposed contraction that on-off valves fill fr
     annotation (choicesAllMatching=true);
   replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"
     annotation (choicesAllMatching=true);
-  replaceable model Line = Components.DirectLine constrainedby Interfaces.Line "Line between valves and muscle"
+  replaceable model Line = Laws.Lines.DirectLine constrainedby Interfaces.Line "Line between valves and muscle"
     annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings";
   Components.Supply supply(p_gauge=p_supply) "Source";

@@ -9,7 +9,7 @@ model TankFilling "A tank that is filled and emptied through current-driven valv
     annotation (choicesAllMatching=true);
   replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"
     annotation (choicesAllMatching=true);
-  replaceable model Line = Components.DirectLine constrainedby Interfaces.Line "Line between valves and tank"
+  replaceable model Line = Laws.Lines.DirectLine constrainedby Interfaces.Line "Line between valves and tank"
     annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings";
   Components.Supply supply(p_gauge=p_supply) "Air supply";

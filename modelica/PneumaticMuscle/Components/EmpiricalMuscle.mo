@@ -7,7 +7,7 @@ model EmpiricalMuscle "The empirical muscle of Dzahir and Yamamoto, DY (5)-(16)"
     annotation (choicesAllMatching=true);
   replaceable model Friction = Laws.Frictions.LoadAndRate constrainedby Interfaces.ForceElement "Law of friction"
     annotation (choicesAllMatching=true);
-  replaceable model Elasticity = StretchedSleeve constrainedby Interfaces.SleeveElasticity "Law of the stretched sleeve"
+  replaceable model Elasticity = Laws.Elasticities.StretchedSleeve constrainedby Interfaces.SleeveElasticity "Law of the stretched sleeve"
     annotation (choicesAllMatching=true);
   Braid braid(L0=L0, D0=D0, turns=turns, t_wall=t_wall) "Static force";
   Friction friction(L0=L0, D0=D0, turns=turns, t_wall=t_wall) "Hysteresis";

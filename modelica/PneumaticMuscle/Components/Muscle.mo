@@ -17,15 +17,15 @@ model Muscle "McKibben muscle of Doumit and Pardoel; default parameters: latex b
   parameter Types.Length w(min=1e-5, max=0.01) = 0.254e-3 "Width of a fibre" annotation (Dialog(group="Geometry"));
   parameter Types.Length z(min=1e-5, max=0.01) = 0.254e-3 "Length of a crossing along a fibre"
     annotation (Dialog(group="Geometry"));
-  replaceable model Gas = PolytropicMuscleGas constrainedby Interfaces.Gas "Law of the gas"
+  replaceable model Gas = Laws.Gases.PolytropicMuscleGas constrainedby Interfaces.Gas "Law of the gas"
     annotation (choicesAllMatching=true);
-  replaceable model Wall = FilmWall constrainedby Interfaces.Wall "Law of the wall"
+  replaceable model Wall = Laws.Heat.FilmWall constrainedby Interfaces.Wall "Law of the wall"
     annotation (choicesAllMatching=true);
-  replaceable model Surroundings = StillAir constrainedby Interfaces.Surroundings "What the wall gives its heat to"
+  replaceable model Surroundings = Laws.Heat.StillAir constrainedby Interfaces.Surroundings "What the wall gives its heat to"
     annotation (choicesAllMatching=true);
-  replaceable model FrictionHeat = LostFrictionHeat constrainedby Interfaces.FrictionHeat "Heat of friction"
+  replaceable model FrictionHeat = Laws.Heat.LostFrictionHeat constrainedby Interfaces.FrictionHeat "Heat of friction"
     annotation (choicesAllMatching=true);
-  replaceable model Braid = CylindricalBraid constrainedby Interfaces.Braid "Law of the sleeve"
+  replaceable model Braid = Laws.Forces.CylindricalBraid constrainedby Interfaces.Braid "Law of the sleeve"
     annotation (choicesAllMatching=true);
   outer Ambient ambient "Surroundings";
 protected
@@ -38,9 +38,9 @@ public
     h_film=h_film) "Gas in the bladder";
   Wall wall(A=max(0, Constants.pi*braid.D*braid.L - A_fibre), h_film=gas.h_wall, k=k_wall, t=t_wall) "Bladder as a wall";
   Surroundings surroundings "What the wall gives its heat to";
-  FibreFriction fibreFriction(L0=L0, D0=D0, turns=turns, t_wall=t_wall, A_ff=crossings*w*z, mu_d=mu_d, K_f=K_f)
+  Laws.Frictions.FibreFriction fibreFriction(L0=L0, D0=D0, turns=turns, t_wall=t_wall, A_ff=crossings*w*z, mu_d=mu_d, K_f=K_f)
     "Friction of fibre on fibre";
-  BladderFriction bladderFriction(L0=L0, D0=D0, turns=turns, t_wall=t_wall, A_fb=A_fibre, mu_fb=mu_fb)
+  Laws.Frictions.BladderFriction bladderFriction(L0=L0, D0=D0, turns=turns, t_wall=t_wall, A_fb=A_fibre, mu_fb=mu_fb)
     "Friction between fibres and bladder";
   FrictionHeat frictionHeat(P_fibre=fibreFriction.f*fibreFriction.v, P_bladder=bladderFriction.f*bladderFriction.v)
     "Heat of friction";

@@ -9,7 +9,7 @@ model ReviewedValves "Inlet and exhaust valve with a place for the law of flow"
     annotation (Dialog(group="Flow"));
   replaceable model Flow = Laws.Flows.Isentropic constrainedby Laws.Flows.Flow "Law of the flow"
     annotation (choicesAllMatching=true);
-  replaceable model Area = LinearArea constrainedby Interfaces.ValveArea "Law of the effective areas"
+  replaceable model Area = Laws.Valves.LinearArea constrainedby Interfaces.ValveArea "Law of the effective areas"
     annotation (choicesAllMatching=true);
   Area area(u={u_in, u_out}, p_a={supply.p, port.p}, p_b={port.p, exhaust.p}, C_A=C_A) "From current to effective area";
   Flow inlet(A=area.A[1]) "Inlet valve";

@@ -10,11 +10,11 @@ model Tank "A rigid vessel"
   parameter Boolean startIsReference = false
     "true: the polytropic law starts from p_start and T_start; false: from the ambient, DP (60)"
     annotation (Dialog(group="Start"));
-  replaceable model Gas = PolytropicVesselGas constrainedby Interfaces.Gas "Law of the gas"
+  replaceable model Gas = Laws.Gases.PolytropicVesselGas constrainedby Interfaces.Gas "Law of the gas"
     annotation (choicesAllMatching=true);
-  replaceable model Wall = MetalWall constrainedby Interfaces.Wall "Law of the wall"
+  replaceable model Wall = Laws.Heat.MetalWall constrainedby Interfaces.Wall "Law of the wall"
     annotation (choicesAllMatching=true);
-  replaceable model Surroundings = StillAir constrainedby Interfaces.Surroundings "What the wall gives its heat to"
+  replaceable model Surroundings = Laws.Heat.StillAir constrainedby Interfaces.Surroundings "What the wall gives its heat to"
     annotation (choicesAllMatching=true);
   outer Ambient ambient "Surroundings";
   final parameter Types.Area A = 2.5*Constants.pi*(2*V/Constants.pi)^(2/3) "Inner surface of a cylinder twice as long as wide";

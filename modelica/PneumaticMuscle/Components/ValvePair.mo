@@ -7,9 +7,9 @@ model ValvePair "An inlet and an exhaust valve, current-driven, of one make, DP 
   input Types.Current u_out "Current of the exhaust valve";
   parameter Real C_A(unit="1", min=0.1, max=3) = 0.699 "Calibration of the effective area, both valves"
     annotation (Dialog(group="Flow"));
-  replaceable model Drive = ImmediateDrive constrainedby Interfaces.ValveDrive "Dynamics of the valves"
+  replaceable model Drive = Laws.Valves.ImmediateDrive constrainedby Interfaces.ValveDrive "Dynamics of the valves"
     annotation (choicesAllMatching=true);
-  replaceable model Area = LinearArea constrainedby Interfaces.ValveArea "Law of the effective areas"
+  replaceable model Area = Laws.Valves.LinearArea constrainedby Interfaces.ValveArea "Law of the effective areas"
     annotation (choicesAllMatching=true);
   Drive drive(u={u_in, u_out}) "From command to current";
   Area area(u=drive.y, p_a={supply.p, port.p}, p_b={port.p, exhaust.p}, C_A=C_A) "From current to effective area";

@@ -3,7 +3,7 @@ model ConstantFrictionLoad "The vertical load with Coulomb and viscous friction 
   extends Benches.VerticalLoad(muscle(redeclare model Friction = Laws.Frictions.CoulombViscous));
   annotation (experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
 <p>DY's existing model, which cannot follow loops at several loads and frequencies at once.
-<code>Effects.LoadFrequencyFriction</code> makes it theirs, Fig. 6b; <code>docs/stories/dzahir-yamamoto-friction.md</code>
+<code>Effects.RateFriction.LoadFrequencyFriction</code> makes it theirs, Fig. 6b; <code>docs/stories/dzahir-yamamoto-friction.md</code>
 finds it from data.</p>
 </html>"));
 end ConstantFrictionLoad;

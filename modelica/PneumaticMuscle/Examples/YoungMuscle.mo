@@ -1,6 +1,6 @@
 within PneumaticMuscle.Examples;
 model YoungMuscle "A bladder of Hooke's rubber"
-  extends ReviewedBench(muscle(redeclare model Force = Laws.Forces.Gaylord, redeclare model Bladder = Effects.YoungBladder));
+  extends ReviewedBench(muscle(redeclare model Force = Laws.Forces.Gaylord, redeclare model Bladder = Effects.Elasticity.YoungBladder));
   annotation (experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
 <p>Ferraresi's bladder, discussed after DP (12).</p>
 </html>"));

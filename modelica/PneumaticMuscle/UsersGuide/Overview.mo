@@ -13,6 +13,6 @@ diagnosis tries on a measurement.</p>
 <p>No model has events. Corners, signs and stops are rounded over less than an instrument resolves; where, is said
 in the class. All expressions have finite derivatives throughout the range of operation.</p>
 <p>Two laws of the base model contradict each other as printed: the energy balance DP (59) and the polytropic temperature
-DP (60). The base model keeps both, since that is the published model; <code>Effects.EnergyGas</code> mends it.</p>
+DP (60). The base model keeps both, since that is the published model; <code>Effects.GasEnergy.EnergyGas</code> mends it.</p>
 </html>"));
 end Overview;

@@ -20,7 +20,7 @@ equation
     *energy[1].muscle.wall.t/(energy[1].muscle.wall.k*energy[1].muscle.wall.A);
   annotation (experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
 <p>All with h_c = k/t_b, DP (45) as printed. With the power law reading of DP (60) the pressure stalls. With
-<code>Effects.EnergyGas</code> the muscle fills, the gas warms by 4.5 K while it fills (8.6 K for a moment), returns to ambient
+<code>Effects.GasEnergy.EnergyGas</code> the muscle fills, the gas warms by 4.5 K while it fills (8.6 K for a moment), returns to ambient
 and cools by 5 K while it is vented: of the size that DP's model has in Fig. 12 (about 4 K for n_g = 1.4), with the shape that
 DP measured (a rise, then a fall below the initial value).</p>
 <p>DP print (60) as t/T = (n_g - 1)/n_g p/P, in one line, and say that it \"relies on pressure variation\". Where the wall

@@ -1,7 +1,6 @@
 within PneumaticMuscle.Laws;
 package Flows "Mass flow rate through an opening"
   annotation (Documentation(info="<html>
-<p>Each but one extends <code>Flow</code>; <code>IttoKogiso</code> extends <code>Interfaces.ValveArea</code> and is
-redeclared as the <code>Area</code> of a pair of valves.</p>
+<p>Each extends <code>Flow</code> and is redeclared as the <code>Flow</code> of a pair of valves.</p>
 </html>"));
 end Flows;

@@ -16,7 +16,7 @@ protected
   Real V_D(unit="m2") "Slope of the volume by diameter at one length";
 equation
   assert(margin > 0, "the three-element shape of DP (13) exists only while (D - d)/2 < L_z: the muscle is so thick that "
-    + "the cones cannot span the step from the connectors; contract less or use Components.CylindricalBraid");
+    + "the cones cannot span the step from the connectors; contract less or use Laws.Forces.CylindricalBraid");
   D = sqrt(max(b^2 - L^2, 1e-8))/(turns*Constants.pi);
   L_L = sqrt(Functions.smoothMax(a, rounding*L_z^2));
   L_L_D = a_D*0.5*(1 + a/sqrt(a^2 + (rounding*L_z^2)^2))/(2*L_L);

@@ -1,6 +1,6 @@
 within PneumaticMuscle.Laws.Gases;
 model Sorge "Polytropic filling of a volume that changes, DP (11)"
-  extends Components.PolytropicVesselGas;
+  extends Laws.Gases.PolytropicVesselGas;
   annotation (Documentation(info="<html>
 <p>p_dot = n p/V ((G_in - G_out)/rho_0 (p_0/p)^(1/n) - V_dot), DP (11) as
 printed, after Sorge 2015; differentiating p/p_0 = (rho/rho_0)^n with rho = m/V confirms it. With rho_0 = p_0/(R T_0) and T = T_0 (p/p_0)^((n - 1)/n) it is

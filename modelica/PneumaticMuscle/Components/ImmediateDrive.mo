@@ -1,9 +1,0 @@
-within PneumaticMuscle.Components;
-model ImmediateDrive "The valves follow their currents at once, as DP assume"
-  extends Interfaces.ValveDrive;
-equation
-  y = u;
-  annotation (Documentation(info="<html>
-<p>y = u: DP leave out the dynamics of the valves.</p>
-</html>"));
-end ImmediateDrive;

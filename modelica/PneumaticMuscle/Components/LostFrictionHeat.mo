@@ -1,9 +1,0 @@
-within PneumaticMuscle.Components;
-model LostFrictionHeat "The heat of friction does not reach the gas"
-  extends Interfaces.FrictionHeat;
-equation
-  heatPort.Q_flow = 0;
-  annotation (Documentation(info="<html>
-<p>Q_flow = 0: DP (43) leaves out the heat of friction.</p>
-</html>"));
-end LostFrictionHeat;

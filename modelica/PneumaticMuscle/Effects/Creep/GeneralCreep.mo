@@ -1,0 +1,45 @@
+within PneumaticMuscle.Effects.Creep;
+model GeneralCreep "The bladder's spring, of any law, relaxes over decades of time, and recovers in another"
+  extends Member(final general=true, final absent="k_1=0, k_2=0, k_3=0");
+  parameter Types.TranslationalStiffness k_1(min=0, max=2e4, nominal=300) = 150 "Stiffness that relaxes first"
+    annotation (Dialog(group="Effect"));
+  parameter Types.TranslationalStiffness k_2(min=0, max=2e4, nominal=300) = 150 "Stiffness that relaxes later"
+    annotation (Dialog(group="Effect"));
+  parameter Types.TranslationalStiffness k_3(min=0, max=2e4, nominal=300) = 150 "Stiffness that relaxes last"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Time tau(min=0.02, max=20, nominal=0.5) = 0.3 "Time in which the first relaxes"
+    annotation (Dialog(group="Effect"));
+  parameter Real spread(unit="1", min=2, max=12, nominal=5) = 7 "How many times later each next one relaxes"
+    annotation (Dialog(group="Effect"));
+  parameter Real thinning(unit="1", min=0, max=10, nominal=0.3) = 0.03 "How much faster they relax at a load of the reference contraction"
+    annotation (Dialog(group="Effect"));
+  parameter Real recovery(unit="1", min=0.1, max=10, nominal=1) = 1 "Times of recovery by those of relaxation"
+    annotation (Dialog(group="Effect"));
+  parameter Real a(unit="1", min=-1, max=2.5, nominal=0.3) = 0 "Relative growth of all stiffnesses per eighth of the length"
+    annotation (Dialog(group="Effect"));
+  parameter Real b(unit="1", min=-0.3, max=0.5, nominal=0.1) = 0 "Half of the change of that growth"
+    annotation (Dialog(group="Effect"));
+  Types.Length q[3] "Parts of the spring's load that have relaxed, as contractions";
+protected
+  constant Types.Length x_reference = 0.01 "Contraction to which thinning refers";
+  constant Types.Length y_smooth = 2e-4 "Load over which relaxation and recovery change roles";
+  Real by[3](each unit="1") "Factor on the times: 1 in relaxation, recovery where the load has fallen";
+  Real s(unit="1") = 8*x/L0 - 1 "Contraction beyond the reference, an eighth of the length, by the reference";
+  Types.Length y = x*exp(s*(a + b*s)) "Contraction that a linear spring would need for the same load";
+initial equation
+  q = {y, y, y};
+equation
+  for i in 1:3 loop
+    by[i] = 0.5*(1 + recovery) + 0.5*(1 - recovery)*(y - q[i])/sqrt((y - q[i])^2 + y_smooth^2);
+    by[i]*spread^(i - 1)*tau*der(q[i]) = (y - q[i])*(1 + thinning*((y - q[i])/x_reference)^2);
+  end for;
+  f = k_1*(y - q[1]) + k_2*(y - q[2]) + k_3*(y - q[3]);
+  annotation (defaultComponentName="creep", Documentation(info="<html>
+<p>f = sum of k_i (y - q_i), tau_i q_i_dot = (y - q_i) (1 + thinning (y - q_i)^2/(10 mm)^2), tau_i = tau spread^(i-1), times
+recovery where y < q_i, y = x exp(a s + b s^2), s = 8 x/L0 - 1. Source: the quasi-linear viscoelasticity of Fung 1981,
+where the load that a spring of any law would carry relaxes by one reduced function of time; that function as in
+FlexibleCreep, which is the case a = b = 0, recovery = 1; filled rubber recovers more
+slowly than it relaxes. Typical as there, a 0 to 1, recovery 1 to 5.</p>
+<p>Fingerprint: as FlexibleCreep, larger (or smaller) at large contraction than in proportion.</p>
+</html>"));
+end GeneralCreep;

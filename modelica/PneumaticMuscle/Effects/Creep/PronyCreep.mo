@@ -1,0 +1,23 @@
+within PneumaticMuscle.Effects.Creep;
+model PronyCreep "The bladder relaxes with two time constants, a decade apart"
+  extends Member(final absent="k_1=0, k_2=0");
+  parameter Types.TranslationalStiffness k_1(min=0, max=2e4, nominal=300) = 200 "Stiffness that relaxes first"
+    annotation (Dialog(group="Effect"));
+  parameter Types.TranslationalStiffness k_2(min=0, max=2e4, nominal=300) = 200 "Stiffness that relaxes ten times later"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Time tau(min=0.1, max=1e3, nominal=2) = 1 "Time in which the first relaxes"
+    annotation (Dialog(group="Effect"));
+  Types.Length q[2] "Parts of the contraction that have relaxed";
+initial equation
+  q = {x, x};
+equation
+  tau*der(q[1]) = x - q[1];
+  10*tau*der(q[2]) = x - q[2];
+  f = k_1*(x - q[1]) + k_2*(x - q[2]);
+  annotation (defaultComponentName="creep", Documentation(info="<html>
+<p>Two Maxwell elements in parallel. Source: the generalised Maxwell model, a Prony series with one term a
+decade as is usual for rubber (Ferry 1980). Typical as for
+MaxwellCreep.</p>
+<p>Fingerprint: as MaxwellCreep, fast at first and slow later, like the logarithm of time.</p>
+</html>"));
+end PronyCreep;

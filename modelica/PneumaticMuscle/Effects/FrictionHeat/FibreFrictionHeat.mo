@@ -1,0 +1,14 @@
+within PneumaticMuscle.Effects.FrictionHeat;
+model FibreFrictionHeat "The work of friction of fibre on fibre heats the gas"
+  extends Interfaces.FrictionHeat;
+  extends Member(final absent="share=0");
+  parameter Real share(unit="1", min=0, max=1, nominal=1) = 0.9 "Share of the work that reaches the gas"
+    annotation (Dialog(group="Effect"));
+equation
+  heatPort.Q_flow = -share*P_fibre;
+  annotation (Documentation(info="<html>
+<p>Q_flow = share f_ff v. Source: DP (68)-(69), whose work is positive both ways. Typical 0.3 to 1.</p>
+<p>Fingerprint: as FrictionHeat, with heating in extension as well as in contraction, in proportion to the
+square of slow speeds.</p>
+</html>"));
+end FibreFrictionHeat;

@@ -1,0 +1,35 @@
+within PneumaticMuscle.Effects.Leak;
+model GeneralLeak "Gas escapes by any smooth law of gauge pressure and contraction"
+  extends Interfaces.MuscleTerminals;
+  extends Member(final general=true, final absent="G=0");
+  parameter Real G(unit="kg/(s.Pa)", min=0, max=1e-9, nominal=1e-11) = 1e-11 "Conductance at 100 kPa and full length"
+    annotation (Dialog(group="Effect"));
+  parameter Real a(unit="1", min=-1, max=2.5, nominal=0.5) = 0 "Exponent of the conductance at 100 kPa"
+    annotation (Dialog(group="Effect"));
+  parameter Real b(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "Half of what the exponent gains where the pressure grows by e"
+    annotation (Dialog(group="Effect"));
+  parameter Real g(unit="1", min=-4, max=2, nominal=0.3) = 0 "What the logarithm of the conductance gains per 100 kPa beyond 100 kPa"
+    annotation (Dialog(group="Effect"));
+  parameter Real growth(unit="1", min=-2, max=3, nominal=0.3) = 0.1 "What it gains with the contraction, per eighth of the length"
+    annotation (Dialog(group="Effect"));
+  parameter Real bend(unit="1", min=-0.5, max=0.5, nominal=0.1) = 0 "Half of what that gains there"
+    annotation (Dialog(group="Effect"));
+protected
+  constant Types.Pressure p_reference = 1e5 "Pressure at which the law equals G p";
+  Real q(unit="1") = (port.p - ambient.p)/p_reference "Gauge pressure by the reference";
+  Real s(unit="1") = 8*(1 - (flange_b.s - flange_a.s)/L0) "Contraction by an eighth of the length";
+equation
+  port.m_flow = G*p_reference*Functions.curvedPower(q, a, b, 0.01)*exp(g*(q - 1) + s*(growth + bend*s));
+  port.H_flow = port.m_flow*Constants.cp*Functions.upstreamTemperature(port.p, ambient.p, port.T, ambient.T);
+  flange_a.f = 0;
+  flange_b.f = 0;
+  annotation (defaultComponentName="leak", Documentation(info="<html>
+<p>m_flow = G p_gauge |q|^(a + b ln|q|) exp(g (q - 1) + growth s + bend s^2), q = p_gauge/100 kPa, s = 8 x/L0: as
+FlexibleLeak, times exponentials of the pressure and of the contraction. Source: first terms of the expansion of the
+logarithm of the conductance; lips are pressed shut or open by the pressure, pores and end fittings open as the bladder
+is stretched. What
+pressure presses shut, p exp(-p/p_0), and what opens with the exponential of the contraction are met exactly, one that
+opens at 50 kPa within 3 %. Gas flows out where the pressure is above the ambient one, whatever the coefficients are. Typical as FlexibleLeak, g -1 to 0.5, growth 0 to 1.</p>
+<p>Fingerprint: as FlexibleLeak, another at another contraction.</p>
+</html>"));
+end GeneralLeak;

@@ -1,0 +1,36 @@
+within PneumaticMuscle.Effects.MovingMass;
+model GeneralMass "Moving parts of any inertia and weight, and a part that is dragged along with slip"
+  extends Member(final general=true, final absent="m=0, m_weight=0, m_slip=0");
+  parameter Types.Mass m(min=0, max=100, nominal=1) = 1 "Inertia at full length, referred to the load end"
+    annotation (Dialog(group="Effect"));
+  parameter Real a(unit="1", min=-1, max=2, nominal=0.3) = 0 "Relative growth of the inertia per reference contraction"
+    annotation (Dialog(group="Effect"));
+  parameter Real b(unit="1", min=-0.4, max=0.6, nominal=0.1) = 0 "Half of the change of that growth"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Mass m_weight(min=0, max=100, nominal=0.5) = 0.3 "Mass that hangs on the muscle at full length"
+    annotation (Dialog(group="Effect"));
+  parameter Real c(unit="1", min=-1, max=1.5, nominal=0.3) = 0 "Relative growth of the weight per reference contraction"
+    annotation (Dialog(group="Effect"));
+  parameter Real d(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "Half of the change of that growth"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Mass m_slip(min=0, max=100, nominal=1) = 0.3 "Inertia that is dragged along"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Time tau(min=2e-3, max=10, nominal=0.1) = 0.1 "Time in which it takes up the speed"
+    annotation (Dialog(group="Effect"));
+  Types.Velocity w(start=0, fixed=true) "Speed of what is dragged along";
+protected
+  constant Real e_reference(unit="1") = 0.125 "Reference contraction, by the length";
+  constant Real e_smooth(unit="1") = 0.01 "Contraction over which the growth begins";
+  Types.Length x_size = sqrt(x^2 + (e_smooth*L0)^2) "Rounded size of the contraction";
+  Real s(unit="1") = 0.5*(x + x_size)/(e_reference*L0) "Contraction by the reference, zero beyond full length";
+equation
+  tau*der(w) = v - w;
+  f = m*exp(s*(a + b*s))*(der(v) + 0.5*(a + 2*b*s)*s/x_size*v^2) + m_weight*Constants.g*exp(s*(c + d*s)) + m_slip*(v - w)/tau;
+  annotation (defaultComponentName="movingMass", Documentation(info="<html>
+<p>f = m(x) v_dot + m'(x) v^2/2 + w(x) + m_slip (v - w)/tau, tau w_dot = v - w, m(x) = m exp(a s + b s^2), w(x) = m_weight
+g exp(c s + d s^2), s = 8 x/L0. Source: Lagrange's equation as in FlexibleMass, see there, with one more term of the
+inertia; a body that a fluid, a belt or a cord drags along with a slip in proportion to the force is a Maxwell
+element whose spring is replaced by its inertia. Typical as there, m_slip 0.1 to 20 kg, tau 0.02 to 1 s.</p>
+<p>Fingerprint: as FlexibleMass; slow motion feels all of the inertia, a jerk only a part.</p>
+</html>"));
+end GeneralMass;

@@ -1,0 +1,26 @@
+within PneumaticMuscle.Effects.PressureOffset;
+model GeneralGauge "The pressure reading is any smooth function of the pressure"
+  extends Interfaces.Manometer;
+  extends Member(final general=true,
+    final absent="offset=0, gain=1, bend=0, c=0, d=0");
+  parameter Types.GaugePressure offset(min=-5e4, max=5e4, nominal=1e3) = 1e3 "What the reading has too much at ambient pressure"
+    annotation (Dialog(group="Effect"));
+  parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.01 "Slope of the reading at ambient pressure"
+    annotation (Dialog(group="Effect"));
+  parameter Real bend(unit="1", min=-0.5, max=0.5, nominal=0.03) = 0.01 "Coefficient of the second power, per 100 kPa"
+    annotation (Dialog(group="Effect"));
+  parameter Real c(unit="1", min=-0.3, max=0.3, nominal=0.03) = 0 "Coefficient of the third power, per 100 kPa squared"
+    annotation (Dialog(group="Effect"));
+  parameter Real d(unit="1", min=-0.1, max=0.1, nominal=0.01) = 0 "Coefficient of the fourth power, per 100 kPa cubed"
+    annotation (Dialog(group="Effect"));
+protected
+  constant Types.Pressure p_reference = 1e5 "Pressure to which the coefficients refer";
+  Real q(unit="1") = (port.p - ambient.p)/p_reference "Gauge pressure by the reference";
+equation
+  p = offset + p_reference*q*(gain + q*(bend + q*(c + d*q)));
+  annotation (Documentation(info="<html>
+<p>p = offset + 100 kPa (gain q + bend q^2 + c q^3 + d q^4), q = p_gauge/100 kPa. Source: zero, span and linearity error
+of a transducer's data sheet, the last as a polynomial. Typical as FlexibleGauge.</p>
+<p>Fingerprint: as FlexibleGauge.</p>
+</html>"));
+end GeneralGauge;

@@ -1,0 +1,15 @@
+within PneumaticMuscle.Effects.PressureOffset;
+model PressureOffset "The pressure reading is off by a constant"
+  extends Interfaces.Manometer;
+  extends Member(final absent="offset=0");
+  parameter Types.GaugePressure offset(min=-5e4, max=5e4, nominal=1e3) = 3e3 "What the reading has too much"
+    annotation (Dialog(group="Effect"));
+equation
+  p = port.p - ambient.p + offset;
+  annotation (Documentation(info="<html>
+<p>p = p_gauge + offset. Source: zero error, the first line of a transducer's data sheet; typical 0.1 to 2 % of
+full scale.</p>
+<p>Fingerprint: the pressure is off by the same amount everywhere, before the start too; contraction and
+temperature are right.</p>
+</html>"));
+end PressureOffset;

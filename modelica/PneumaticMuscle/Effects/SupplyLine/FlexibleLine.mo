@@ -1,0 +1,28 @@
+within PneumaticMuscle.Effects.SupplyLine;
+model FlexibleLine "A tube between valves and muscle that is laminar at small and turbulent at large flow"
+  extends Interfaces.Line;
+  extends Member(final absent="G=1e-6, A=5e-6, V=2e-7");
+  parameter Real G(unit="kg/(s.Pa)", min=2e-10, max=1e-6, nominal=3e-9) = 1e-8 "Conductance of small flows at ambient pressure"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Area A(min=2e-8, max=5e-6, nominal=3e-7) = 4e-7 "Effective area for large flows"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Volume V(min=2e-7, max=5e-4, nominal=1e-5) = 2e-6 "Volume of the tube, at the valve end"
+    annotation (Dialog(group="Effect"));
+protected
+  Laws.Lines.LineGas gas(V=V) "Gas in the line, at the valve end";
+  Laws.Lines.RoughTube resistance(G=G, A=A) "Tube";
+initial equation
+  gas.p = port_b.p;
+  gas.T = port_b.T;
+equation
+  connect(port_a, gas.port);
+  connect(gas.port, resistance.port_a);
+  connect(resistance.port_b, port_b);
+  annotation (Documentation(info="<html>
+<p>p_a^2 - p_b^2 = 2 p_atm/G m_flow + R T/A^2 m_flow |m_flow|, <code>Laws.Lines.RoughTube</code>. Source:
+Forchheimer 1901, for isothermal flow of an ideal gas. With a large A it is LaminarLine, with a large G the
+elliptic law that ISO 6358 gives long tubes; the isentropic orifice, choked or not, is met within 9 %, with a laminar
+tube in series within 7 %, Blasius' law within 4 %. Typical as for LaminarLine and LongLine.</p>
+<p>Fingerprint: as LongLine.</p>
+</html>"));
+end FlexibleLine;

@@ -1,0 +1,25 @@
+within PneumaticMuscle.Effects.SupplyLine;
+model LaminarLine "A thin tube between valves and muscle"
+  extends Interfaces.Line;
+  extends Member(final absent="G=1e-6");
+  parameter Real G(unit="kg/(s.Pa)", min=2e-10, max=1e-6, nominal=3e-9) = 3e-9 "Conductance at ambient pressure"
+    annotation (Dialog(group="Effect"));
+protected
+  constant Types.Volume V_fitting = 2e-7 "Volume between valve and line, as small as a fitting can be";
+  Laws.Lines.LineGas gas(V=V_fitting) "Gas in the line, at the valve end";
+  Laws.Lines.LaminarTube resistance(G=G) "Tube";
+initial equation
+  gas.p = port_b.p;
+  gas.T = port_b.T;
+equation
+  connect(port_a, gas.port);
+  connect(gas.port, resistance.port_a);
+  connect(resistance.port_b, port_b);
+  annotation (Documentation(info="<html>
+<p>m_flow = G (p_a^2 - p_b^2)/(2 p_atm): isothermal laminar flow of a gas through a tube, G = pi d^4
+rho_atm/(128 mu l). Source: Hagen and Poiseuille with the density of an ideal gas. A fitting's volume of 0.2 mL
+keeps the pressure at the valve a state. Typical: 1 m of 1.5 mm tube 8e-9, of 1 mm tube 1.6e-9 kg/(s.Pa); at
+1e-6 it is not felt.</p>
+<p>Fingerprint: as OrificeLine; it throttles least at high pressure and most near ambient pressure.</p>
+</html>"));
+end LaminarLine;

@@ -1,0 +1,25 @@
+within PneumaticMuscle.Effects.SupplyLine;
+model OrificeLine "A narrow place between valves and muscle"
+  extends Interfaces.Line;
+  extends Member(final absent="A=5e-6");
+  parameter Types.Area A(min=2e-8, max=5e-6, nominal=3e-7) = 3e-7 "Effective area of the narrowest place"
+    annotation (Dialog(group="Effect"));
+protected
+  constant Types.Volume V_fitting = 2e-7 "Volume between valve and line, as small as a fitting can be";
+  Laws.Lines.LineGas gas(V=V_fitting) "Gas in the line, at the valve end";
+  Components.Orifice resistance(A=A) "Narrow place";
+initial equation
+  gas.p = port_b.p;
+  gas.T = port_b.T;
+equation
+  connect(port_a, gas.port);
+  connect(gas.port, resistance.port_a);
+  connect(resistance.port_b, port_b);
+  annotation (Documentation(info="<html>
+<p>Isentropic flow through a second orifice in series with the valve. Source: DP (40)-(42); fittings and short
+tubes by their sonic conductance as in ISO 6358. A fitting's volume of 0.2 mL between the two keeps the pressure
+there a state. Typical 1e-7 to 2e-6 m2 (an open valve of DP: 2.6e-7); at 5e-6 it is not felt.</p>
+<p>Fingerprint: filling and venting are slower when the valve is wide open and right when it is nearly shut; the
+holds are right.</p>
+</html>"));
+end OrificeLine;

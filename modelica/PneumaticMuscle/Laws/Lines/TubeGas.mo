@@ -1,0 +1,15 @@
+within PneumaticMuscle.Laws.Lines;
+model TubeGas "The gas in a thin tube: a rigid volume at the temperature of its surroundings"
+  Interfaces.GasPort port "Gas port";
+  parameter Types.Volume V "Volume" annotation (Dialog(group="Geometry"));
+  Types.AbsolutePressure p "Absolute pressure";
+  outer Components.Ambient ambient "Surroundings";
+equation
+  port.p = p;
+  port.T = ambient.T;
+  V*der(p) = Constants.R*ambient.T*port.m_flow;
+  annotation (Documentation(info="<html>
+<p>V p_dot = R T_atm m_flow: the wall of a thin tube is large beside the gas in it and takes or gives whatever heat
+there is. The start is left to the line.</p>
+</html>"));
+end TubeGas;
