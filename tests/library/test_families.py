@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from pam_cosim.compiler import read_library
+from pam_cosim.catalogue import effect_classes
+from pam_cosim.compiler import compile_model, read_library
 from pam_cosim.errors import ModelError
 from pam_cosim.resources import modelica_root
 from tests.library.shelf import effects, tree
@@ -16,7 +17,10 @@ PACKAGES = sorted(p.parent.name for p in (modelica_root() / "PneumaticMuscle" / 
 
 
 def test_a_package_holds_a_family() -> None:
-    places = {effect.family: {e.qualified_name.split(".")[2] for e in effects() if e.family == effect.family} for effect in effects()}
+    places = {
+        effect.family: {e.qualified_name.split(".")[2] for e in effects() if e.family == effect.family}
+        for effect in effects()
+    }
     assert places == {family: {"".join(map(str.capitalize, family.split("_")))} for family in places}
     assert sorted(p for (p,) in places.values()) == PACKAGES and len(PACKAGES) == 16
 
