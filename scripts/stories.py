@@ -10,9 +10,9 @@ sys.path.insert(0, str(ROOT))
 import pam_cosim as pam  # noqa: E402
 from pam_cosim.files import write_json  # noqa: E402
 from pam_cosim.reporting import diagnosis_report, error_ladder_figure, write_report  # noqa: E402
-from tests.reference import rig  # noqa: E402
-from tests.reference.effects import effect_of  # noqa: E402
-from tests.reference.plan import default_plan  # noqa: E402
+from rig import measurement  # noqa: E402
+from rig.named import effect_of  # noqa: E402
+from rig.plan import default_plan  # noqa: E402
 
 OUTPUT = ROOT / "demo"
 HIDDEN = "elasticity:exponential"  # a spring law that no effect of the catalogue has
@@ -38,7 +38,9 @@ def main() -> None:
         pam.build(bench, ROOT / "fmu" / "build" / f"{bench}.fmu")
     tell("tank-discharge", ROOT / "examples" / "tank-discharge", "a real vessel: 16.2 L of air through a 2.71 mm hole")
     folder = OUTPUT / "hidden-effect-data"
-    rig.write_data_set(folder, rig.measure(default_plan(), [effect_of(HIDDEN)], seed=1), title=HIDDEN_TITLE)
+    measurement.write_data_set(
+        folder, measurement.measure(default_plan(), [effect_of(HIDDEN)], seed=1), title=HIDDEN_TITLE
+    )
     tell("hidden-effect", folder, "six runs of a muscle with a rubber bladder that its model leaves out")
 
 

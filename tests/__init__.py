@@ -1,1 +1,1 @@
-"""Tests; a package, so that `tests.reference` can be run as a module."""
+"""Tests; a package, so that a test can import the helpers of another."""

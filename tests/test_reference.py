@@ -14,9 +14,7 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.signal import lsim
 
-from tests.reference.effects import EFFECTS, effect_name, effect_of
-from tests.reference.effects.base import Now, Rest
-from tests.reference.effects.force import (
+from rig.catalogue.force import (
     Coulomb,
     Creep,
     Dahl,
@@ -25,11 +23,12 @@ from tests.reference.effects.force import (
     MooneyRivlin,
     TonduEnds,
 )
-from tests.reference.effects.gas import DeadVolume, LaminarLeak
-from tests.reference.effects.heat import FrictionHeat, GasEnergy, WarmWall
-from tests.reference.effects.sensor import PressureGain, ThermocoupleLag
-from tests.reference.effects.valve import BackPressure, ValveDeadTime, ValveLag
-from tests.reference.flow import (
+from rig.catalogue.gas import DeadVolume, LaminarLeak
+from rig.catalogue.heat import FrictionHeat, GasEnergy, WarmWall
+from rig.catalogue.sensor import PressureGain, ThermocoupleLag
+from rig.catalogue.valve import BackPressure, ValveDeadTime, ValveLag
+from rig.effect import Now, Rest
+from rig.flow import (
     FLOW_CONSTANT,
     P_ATM,
     R_CRITICAL,
@@ -40,12 +39,13 @@ from tests.reference.flow import (
     flow_function,
     mass_flow,
 )
-from tests.reference.muscle import MuscleParameters, simulate_muscle
-from tests.reference.plan import default_plan, random_plan
-from tests.reference.quadrature import Approach
-from tests.reference.rig import SIZES, TRUTH, Noise, effect_size, main, measure, simulate_plan, write_data_set
-from tests.reference.schedule import Phase, Schedule
-from tests.reference.tank import Vessel, orifice_port, simulate_vessel, valve_ports
+from rig.measurement import SIZES, TRUTH, Noise, effect_size, main, measure, simulate_plan, write_data_set
+from rig.muscle import MuscleParameters, simulate_muscle
+from rig.named import EFFECTS, effect_name, effect_of
+from rig.plan import default_plan, random_plan
+from rig.quadrature import Approach
+from rig.schedule import Phase, Schedule
+from rig.tank import Vessel, orifice_port, simulate_vessel, valve_ports
 
 TIMES = np.arange(1001) / 100
 STEP = Schedule.of([Phase(5.0, u_in=0.35), Phase(5.0, u_out=0.35)])

@@ -24,9 +24,9 @@ from benchmarks.hidden_effects import table  # noqa: E402
 from benchmarks.hidden_effects.noise import SIGNALS, Sensors, disturb, draw_sensors  # noqa: E402
 from benchmarks.hidden_effects.plans import draw_muscle, draw_plan  # noqa: E402
 from benchmarks.hidden_effects.sizes import Bench, FreeParameter, Ruler, Signals, calibrated  # noqa: E402
-from tests.reference.effects import effect_parameters  # noqa: E402
-from tests.reference.effects.base import Effect  # noqa: E402
-from tests.reference.muscle import MuscleParameters  # noqa: E402
+from rig.effect import Effect  # noqa: E402
+from rig.muscle import MuscleParameters  # noqa: E402
+from rig.named import effect_parameters  # noqa: E402
 
 Random = np.random.Generator
 SEEDS = {"tuning": 4711, "score": 830519}

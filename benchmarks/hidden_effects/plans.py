@@ -8,9 +8,9 @@ from math import pi, sin, tan
 
 import numpy as np
 
-from tests.reference.flow import G
-from tests.reference.muscle import MuscleParameters
-from tests.reference.schedule import Currents, Phase, SampledSchedule, Schedule
+from rig.flow import G
+from rig.muscle import MuscleParameters
+from rig.schedule import Currents, Phase, SampledSchedule, Schedule
 
 RATE = 100  # Hz
 Random = np.random.Generator

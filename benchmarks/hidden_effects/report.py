@@ -303,7 +303,7 @@ def report(results: Sequence[Result]) -> str:
     lines = [
         "# Hidden effects: the blind score", "",
         f"{len(results)} cases of the set `{'`, `'.join(sorted({str(r['set']) for r in results}))}`. The data come "
-        "from a simulator that shares no code with the software (`tests/reference`, `benchmarks/hidden_effects`). "
+        "from a simulator that shares no code with the software (`rig`). "
         "Size means: root mean square of what the effect changes, on the signal that shows it most, in standard "
         "deviations of that signal's noise, after the six free base parameters moved to make up for it; of two "
         "effects the smaller one. Right means: identified with exactly the hidden families.", "",

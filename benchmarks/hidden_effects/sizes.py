@@ -9,8 +9,8 @@ import numpy as np
 
 from benchmarks.hidden_effects.noise import SIGNALS
 from benchmarks.hidden_effects.plans import TestRun
-from tests.reference.effects.base import Effect
-from tests.reference.muscle import MuscleParameters, simulate_muscle
+from rig.effect import Effect
+from rig.muscle import MuscleParameters, simulate_muscle
 
 Array = np.ndarray
 Signals = dict[str, Array]

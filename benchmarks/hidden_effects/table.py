@@ -16,7 +16,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from benchmarks.hidden_effects.physics import (
+from rig.catalogue import force as known_force
+from rig.catalogue import gas as known_gas
+from rig.catalogue import heat as known_heat
+from rig.catalogue import sensor as known_sensor
+from rig.catalogue import valve as known_valve
+from rig.effect import Effect
+from rig.muscle import MuscleParameters
+from rig.seen import (
     attachments,
     boundary_layers,
     conduits,
@@ -42,13 +49,6 @@ from benchmarks.hidden_effects.physics import (
     thermal,
     valves,
 )
-from tests.reference.effects import force as known_force
-from tests.reference.effects import gas as known_gas
-from tests.reference.effects import heat as known_heat
-from tests.reference.effects import sensor as known_sensor
-from tests.reference.effects import valve as known_valve
-from tests.reference.effects.base import Effect
-from tests.reference.muscle import MuscleParameters
 
 SETS = ("tuning", "score")
 Make = Callable[[np.random.Generator, MuscleParameters], Callable[[float], Effect]]

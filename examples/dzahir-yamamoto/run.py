@@ -20,7 +20,7 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 sys.path[:0] = [str(HERE), str(ROOT)]
 
-import rig  # noqa: E402
+import vertical_rig as rig  # noqa: E402
 
 import pam_cosim as pam  # noqa: E402
 from examples.raw_data import markdown_table  # noqa: E402

@@ -27,10 +27,10 @@ from examples.raw_data import asked_for, markdown_table  # noqa: E402
 from pam_cosim.files import write_text  # noqa: E402
 from pam_cosim.fitting import Fit  # noqa: E402
 from pam_cosim.measurement import FreeParameter  # noqa: E402
-from tests.reference import rig  # noqa: E402
-from tests.reference.effects.heat import GasEnergy  # noqa: E402
-from tests.reference.plan import Run  # noqa: E402
-from tests.reference.schedule import Phase  # noqa: E402
+from rig import measurement  # noqa: E402
+from rig.catalogue.heat import GasEnergy  # noqa: E402
+from rig.plan import Run  # noqa: E402
+from rig.schedule import Phase  # noqa: E402
 
 PRINTED = "PneumaticMuscle.Examples.PrintedWallIsotonic"
 FILMS = "PneumaticMuscle.Benches.Isotonic"
@@ -71,10 +71,10 @@ PLAN = (
 
 def write_data(folder: Path, seed: int = 1) -> None:
     """The three runs with noise; the same seed gives the same numbers."""
-    muscle = rig.TRUTH
+    muscle = measurement.TRUTH
     hidden = GasEnergy(h=muscle.k_wall / muscle.t_wall)  # DP (45) as printed, without films
-    measured = rig.measure(PLAN, [hidden], seed=seed)
-    rig.write_data_set(folder, measured, title="Latex muscle, wall as printed, balances of mass and energy")
+    measured = measurement.measure(PLAN, [hidden], seed=seed)
+    measurement.write_data_set(folder, measured, title="Latex muscle, wall as printed, balances of mass and energy")
     description = folder / "experiment.toml"
     description.write_text(description.read_text(encoding="utf-8").replace(FILMS, PRINTED), encoding="utf-8")
 

@@ -7,12 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from benchmarks.hidden_effects.physics import force, gas, heat
 from pam_cosim.simulation import Simulator
+from rig.measurement import TRUTH
+from rig.muscle import simulate_muscle
+from rig.seen import force, gas, heat
 from tests.library.shelf import NOISE, built, effects, on_bench, values
 from tests.library.test_effects_against_rig import BENCH, RUN, TIMES, _drive
-from tests.reference.muscle import simulate_muscle
-from tests.reference.rig import TRUTH
 
 WALL = TRUTH.t_wall / TRUTH.k_wall
 SHAPE = (TRUTH.length, TRUTH.fibre_squared, TRUTH.turns, TRUTH.fibre_area)

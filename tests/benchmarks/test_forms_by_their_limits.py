@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from benchmarks.hidden_effects.physics import faults, mechanics, pneumatics, thermal
-from tests.reference.effects.base import Now, Rest
-from tests.reference.effects.force import Dahl, MooneyRivlin
-from tests.reference.flow import GAMMA, P_ATM, T_ATM, R
-from tests.reference.muscle import MuscleParameters, simulate_muscle
-from tests.reference.schedule import Phase, SampledSchedule, Schedule
+from rig.catalogue.force import Dahl, MooneyRivlin
+from rig.effect import Now, Rest
+from rig.flow import GAMMA, P_ATM, T_ATM, R
+from rig.muscle import MuscleParameters, simulate_muscle
+from rig.schedule import Phase, SampledSchedule, Schedule
+from rig.seen import faults, mechanics, pneumatics, thermal
 
 REST = Rest(0.0, 1e-4, T_ATM, (0.0, 0.0))
 

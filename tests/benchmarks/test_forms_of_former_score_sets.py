@@ -8,7 +8,11 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from benchmarks.hidden_effects.physics import (
+from rig.catalogue.force import Creep, MooneyRivlin
+from rig.flow import GAMMA, P_ATM, T_ATM, R
+from rig.muscle import MuscleParameters
+from rig.schedule import Phase, Schedule
+from rig.seen import (
     attachments,
     disturbances,
     films,
@@ -18,11 +22,7 @@ from benchmarks.hidden_effects.physics import (
     rubbing,
     valves,
 )
-from tests.benchmarks.rig_states import REST, held, now_at
-from tests.reference.effects.force import Creep, MooneyRivlin
-from tests.reference.flow import GAMMA, P_ATM, T_ATM, R
-from tests.reference.muscle import MuscleParameters
-from tests.reference.schedule import Phase, Schedule
+from rig.states import REST, held, now_at
 
 
 def test_little_stretched_ogden_rubber_is_neo_hookean_and_strays_further_on():

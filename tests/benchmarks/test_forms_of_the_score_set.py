@@ -13,7 +13,13 @@ from scipy.integrate import solve_ivp
 from benchmarks.hidden_effects import table
 from benchmarks.hidden_effects.cases import _draw_bench, _fitting_noise
 from benchmarks.hidden_effects.noise import draw_sensors
-from benchmarks.hidden_effects.physics import (
+from benchmarks.hidden_effects.sizes import Ruler, calibrated
+from rig.catalogue.force import Coulomb, Creep, MooneyRivlin
+from rig.catalogue.heat import WarmWall
+from rig.flow import GAMMA, P_ATM, T_ATM, R, mass_flow
+from rig.muscle import MuscleParameters
+from rig.schedule import Phase, SampledSchedule, Schedule
+from rig.seen import (
     boundary_layers,
     conduits,
     elastomers,
@@ -23,14 +29,8 @@ from benchmarks.hidden_effects.physics import (
     spools,
     terminations,
 )
-from benchmarks.hidden_effects.physics.heat import EnergyGas, TwoLayerWall
-from benchmarks.hidden_effects.sizes import Ruler, calibrated
-from tests.benchmarks.rig_states import REST, held, now_at
-from tests.reference.effects.force import Coulomb, Creep, MooneyRivlin
-from tests.reference.effects.heat import WarmWall
-from tests.reference.flow import GAMMA, P_ATM, T_ATM, R, mass_flow
-from tests.reference.muscle import MuscleParameters
-from tests.reference.schedule import Phase, SampledSchedule, Schedule
+from rig.seen.heat import EnergyGas, TwoLayerWall
+from rig.states import REST, held, now_at
 
 OWN = {"elastomers", "sliding", "terminations", "spools", "conduits", "boundary_layers", "probes", "mishaps"}
 NEW = [form for form in (*table.FORMS, *table.STRANGE) if form.sets == ("score",) and not form.catalogue]

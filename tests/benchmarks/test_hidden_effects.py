@@ -20,12 +20,12 @@ from benchmarks.hidden_effects.plans import draw_muscle, draw_plan
 from benchmarks.hidden_effects.report import main as report_main
 from benchmarks.hidden_effects.report import wilson
 from benchmarks.hidden_effects.sizes import Bench, Ruler
-from tests.reference.effects.force import Creep, LinearSpring
-from tests.reference.effects.gas import LaminarLeak
-from tests.reference.effects.sensor import PressureOffset, ThermocoupleLag
-from tests.reference.effects.valve import ValveLag
-from tests.reference.muscle import MuscleParameters, simulate_muscle
-from tests.reference.schedule import SampledSchedule
+from rig.catalogue.force import Creep, LinearSpring
+from rig.catalogue.gas import LaminarLeak
+from rig.catalogue.sensor import PressureOffset, ThermocoupleLag
+from rig.catalogue.valve import ValveLag
+from rig.muscle import MuscleParameters, simulate_muscle
+from rig.schedule import SampledSchedule
 
 CASES = 300
 
@@ -93,7 +93,7 @@ def test_every_family_has_a_form_of_either_kind_in_both_sets():
 
 def test_the_simulation_does_not_import_the_software():
     here = Path(__file__).parents[2]
-    for file in [*(here / "benchmarks/hidden_effects").rglob("*.py"), *(here / "tests/reference").rglob("*.py")]:
+    for file in [*(here / "benchmarks/hidden_effects").rglob("*.py"), *(here / "rig").rglob("*.py")]:
         if file.name == "one.py":
             continue
         for node in ast.walk(ast.parse(file.read_text())):

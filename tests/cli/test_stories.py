@@ -12,9 +12,9 @@ from pathlib import Path
 
 import pytest
 
+from rig import measurement
 from tests.cli.conftest import ROOT, Outcome
 from tests.cli.test_commands import done
-from tests.reference import rig
 
 STORIES = sorted((ROOT / "docs" / "stories").glob("*.md"))
 
@@ -56,8 +56,8 @@ def test_vessel(command: Callable[..., Outcome], place: Path) -> None:
 def test_muscle(command: Callable[..., Outcome], place: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """All but the diagnosis, which the tests of whole systems make."""
     python, *rest = lines(page("muscle"))
-    assert python[:3] == ["python", "-m", "tests.reference.rig"]
-    rig.main(python[3:])
+    assert python[:3] == ["python", "-m", "rig"]
+    measurement.main(python[3:])
     for words in rest:
         if words[1] != "diagnose":
             done(command(*words[1:]))
@@ -83,7 +83,7 @@ def test_class_of_the_library_goes_by_its_shorter_name(command: Callable[..., Ou
 def test_friction(command: Callable[..., Outcome], place: Path) -> None:
     """All but the diagnosis, which the tests of whole systems make."""
     write, *rest = lines(page("dzahir-yamamoto-friction"))
-    assert write[0] == "python" and write[1].endswith("rig.py")
+    assert write[0] == "python" and write[1].endswith("vertical_rig.py")
     subprocess.run([sys.executable, ROOT / write[1], *write[2:]], check=True, capture_output=True)
     for words in rest:
         if words[:2] in (["pam-cosim", "compare"], ["pam-cosim", "add"]):

@@ -19,9 +19,9 @@ from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger, keep_ledger
 from pam_cosim.measurement import DataSet, complete_noise
-from tests.reference.effects import effect_of
-from tests.systems.rig import write_light_data
-from tests.systems.unlisted import UNLISTED
+from rig.named import effect_of
+from rig.seen.unlisted import UNLISTED
+from rig.short import write_light_data
 
 HIDDEN = {
     "ripple": UNLISTED["ripple"],

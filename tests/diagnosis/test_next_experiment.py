@@ -13,7 +13,7 @@ from pam_cosim.diagnosis.next_experiment import next_experiment, told_apart
 from pam_cosim.diagnosis.prediction import Hypothesis
 from pam_cosim.fitting import Estimate, Fit
 from pam_cosim.measurement import DataSet, read_data_set
-from tests.systems.rig import write_light_data
+from rig.short import write_light_data
 
 
 @pytest.fixture(scope="module")

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.measurement import DataSet, FreeParameter, Run, Signal
-from tests.reference.flow import P_ATM
-from tests.reference.tank import Vessel, orifice_port, simulate_vessel
+from rig.flow import P_ATM
+from rig.tank import Vessel, orifice_port, simulate_vessel
 
 Array = NDArray[np.float64]
 

@@ -14,9 +14,9 @@ from pam_cosim.fitting import fit, spread_starts
 from pam_cosim.fitting.free import base_parameters
 from pam_cosim.measurement import FreeParameter, read_data_set
 from pam_cosim.simulation import Simulator
+from rig.measurement import TRUTH
+from rig.short import write_light_data
 from tests.fitting.models import C_D, TRUE_C_D, TRUE_N, N, discharge, vessel_data
-from tests.reference.rig import TRUTH
-from tests.systems.rig import write_light_data
 
 TRUE = {"orifice.C_d": TRUE_C_D, "tank.n": TRUE_N}
 Bench = Callable[[str], Path]

@@ -19,12 +19,12 @@ from pam_cosim.fmu import build_model, build_source
 from pam_cosim.ledger import Entry, Ledger, binned, keep_ledger, mapped
 from pam_cosim.measurement import DataSet, Signal, complete_noise
 from pam_cosim.simulation import Inputs, Simulator
+from rig.flow import P_ATM
+from rig.measurement import TRUTH
+from rig.muscle import simulate_muscle
+from rig.named import effect_of
+from rig.short import PLAN, write_light_data
 from tests.fitting.models import recording
-from tests.reference.effects import effect_of
-from tests.reference.flow import P_ATM
-from tests.reference.muscle import simulate_muscle
-from tests.reference.rig import TRUTH
-from tests.systems.rig import PLAN, write_light_data
 
 BALANCE = {
     "elasticity:linear": "force",

@@ -8,12 +8,12 @@ from dataclasses import replace
 import numpy as np
 
 from pam_cosim.simulation import Inputs, Simulator
+from rig.effect import Effect
+from rig.measurement import TRUTH, Noise
+from rig.muscle import simulate_muscle
+from rig.plan import Run, default_plan
 from tests.library.shelf import BENCH, built, on_bench
 from tests.library.spans import coefficients, misses
-from tests.reference.effects.base import Effect
-from tests.reference.muscle import simulate_muscle
-from tests.reference.plan import Run, default_plan
-from tests.reference.rig import TRUTH, Noise
 
 Array = np.ndarray
 TIMES = np.linspace(0, 10, 501)

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from pam_cosim.simulation import Inputs, Simulator
+from rig.measurement import TRUTH
+from rig.muscle import simulate_muscle
+from rig.named import effect_of
+from rig.plan import default_plan
 from tests.library.shelf import BENCH, NOISE, built, effects, on_bench, values
-from tests.reference.effects import effect_of
-from tests.reference.muscle import simulate_muscle
-from tests.reference.plan import default_plan
-from tests.reference.rig import TRUTH
 
 TIMES = np.linspace(0, 10, 501)
 RUN = default_plan()[2]  # fills, holds and vents in parts under a small load

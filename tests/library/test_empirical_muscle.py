@@ -25,7 +25,7 @@ WEIGHT = 10 * 9.80665  # N, of the default load
 
 @cache
 def rig() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("dzahir_yamamoto_rig", EXAMPLE / "rig.py")
+    spec = importlib.util.spec_from_file_location("dzahir_yamamoto_rig", EXAMPLE / "vertical_rig.py")
     assert spec is not None and spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     sys.modules[spec.name] = module

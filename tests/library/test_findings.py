@@ -9,7 +9,7 @@ import pytest
 
 from pam_cosim.fmu import build_model, build_source
 from pam_cosim.simulation import Inputs, Simulator, Trajectory
-from tests.reference.flow import flow_function
+from rig.flow import flow_function
 
 
 @cache

@@ -12,10 +12,8 @@ from scipy.signal import lsim
 
 from pam_cosim.catalogue import EffectClass
 from pam_cosim.interface import Interface
-from tests.library.rig_spans import left_of
-from tests.library.shelf import BENCH, base, built, effects, homes, law_bench, noise, on_bench, run
-from tests.library.spans import DRIVE, HARNESS, Law, course_misses
-from tests.library.unlisted import (
+from rig.effect import Effect
+from rig.seen.laws import (
     Arm,
     Bead,
     Chamber,
@@ -32,7 +30,9 @@ from tests.library.unlisted import (
     Spiral,
     ThinningCreep,
 )
-from tests.reference.effects.base import Effect
+from tests.library.rig_spans import left_of
+from tests.library.shelf import BENCH, base, built, effects, homes, law_bench, noise, on_bench, run
+from tests.library.spans import DRIVE, HARNESS, Law, course_misses
 
 BESIDE = ("RealGas", "SideVolume", "ThermocoupleStem", "UnevenFriction")
 FLEXIBLE = [e for e in effects() if e.name.startswith("Flexible") or e.name in BESIDE or e.general]

@@ -7,8 +7,8 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from pam_cosim.simulation import Inputs, Simulator
+from rig.flow import GAMMA, P_ATM, T_ATM, R, mass_flow, valve_area
 from tests.library.shelf import built, effects, on_bench, values
-from tests.reference.flow import GAMMA, P_ATM, T_ATM, R, mass_flow, valve_area
 
 BENCH = "PneumaticMuscle.Benches.TankFilling"
 TIMES = np.linspace(0, 30, 301)

@@ -7,7 +7,7 @@ import pytest
 
 from pam_cosim import study
 from pam_cosim.simulation import Inputs, Simulator
-from tests.reference.flow import P_ATM, T_ATM, R, mass_flow
+from rig.flow import P_ATM, T_ATM, R, mass_flow
 
 L0, D0, TURNS = 0.24, 0.02, 2.0
 SWITCHED = "PneumaticMuscle.Benches.SwitchedMuscle"

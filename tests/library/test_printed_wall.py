@@ -7,10 +7,10 @@ import pytest
 
 from pam_cosim.fmu import build_model
 from pam_cosim.simulation import Inputs, Simulator, Trajectory
-from tests.reference.effects.heat import GasEnergy
-from tests.reference.flow import T_ATM
-from tests.reference.muscle import MuscleParameters, simulate_muscle
-from tests.reference.schedule import Phase, Schedule
+from rig.catalogue.heat import GasEnergy
+from rig.flow import T_ATM
+from rig.muscle import MuscleParameters, simulate_muscle
+from rig.schedule import Phase, Schedule
 
 TIMES = np.linspace(0, 10, 2001)
 MUSCLE = MuscleParameters()

@@ -9,7 +9,7 @@ import pytest
 
 from pam_cosim.fmu import build_model
 from pam_cosim.simulation import Inputs, Simulator, Trajectory
-from tests.reference.flow import P_ATM, T_ATM, G, R, mass_flow
+from rig.flow import P_ATM, T_ATM, G, R, mass_flow
 
 L0, D0, TURNS = 0.24, 0.02, 2.0
 FIBRE2 = L0**2 + (TURNS * np.pi * D0) ** 2

@@ -9,8 +9,8 @@ import pytest
 
 from pam_cosim.fmu import build_model
 from pam_cosim.simulation import Inputs, Simulator
-from tests.reference.quadrature import Approach
-from tests.reference.tank import Vessel, valve_ports
+from rig.quadrature import Approach
+from rig.tank import Vessel, valve_ports
 
 VOLUMES = (2.1e-3, 1.85e-3, 1.6e-3, 1.35e-3, 1.1e-3, 0.85e-3, 0.6e-3, 0.35e-3)  # m3
 SUPPLIES = (207e3, 138e3)  # Pa gauge

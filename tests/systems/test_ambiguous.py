@@ -8,6 +8,12 @@ import numpy as np
 
 from pam_cosim import study
 from pam_cosim.measurement import DataSet
+from rig.flow import P_ATM
+from rig.measurement import TRUTH
+from rig.muscle import simulate_muscle
+from rig.named import effect_of
+from rig.schedule import Phase, Schedule
+from rig.tank import Vessel, orifice_port, simulate_vessel
 from tests.fitting.models import (
     DIAMETER,
     KNOWN,
@@ -19,12 +25,6 @@ from tests.fitting.models import (
     data_set,
     recording,
 )
-from tests.reference.effects import effect_of
-from tests.reference.flow import P_ATM
-from tests.reference.muscle import simulate_muscle
-from tests.reference.rig import TRUTH
-from tests.reference.schedule import Phase, Schedule
-from tests.reference.tank import Vessel, orifice_port, simulate_vessel
 
 
 def _one_hold(seed: int) -> DataSet:

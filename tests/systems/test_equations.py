@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from pam_cosim.simulation import Inputs, Simulator, Trajectory
-from tests.reference.quadrature import Approach
-from tests.reference.tank import Vessel, valve_ports
+from rig.quadrature import Approach
+from rig.tank import Vessel, valve_ports
 
 Bench = Callable[[str], Path]
 CALIBRATION = 0.699

@@ -11,12 +11,12 @@ import pytest
 
 from pam_cosim import Diagnosis, study
 from pam_cosim.measurement import DataSet, FreeParameter
+from rig.named import effect_of
+from rig.schedule import Phase, Schedule
+from rig.seen.unlisted import UNLISTED
+from rig.short import write_light_data
+from rig.tank import Vessel, simulate_vessel, valve_ports
 from tests.fitting.models import data_set, recording
-from tests.reference.effects import effect_of
-from tests.reference.schedule import Phase, Schedule
-from tests.reference.tank import Vessel, simulate_vessel, valve_ports
-from tests.systems.rig import write_light_data
-from tests.systems.unlisted import UNLISTED
 
 _FILM = 2 / (1 / 20.0 - 0.254e-3 / 0.14)  # two films and the wall make 20 W/(m2 K)
 

@@ -10,6 +10,10 @@ import pytest
 
 from pam_cosim import study
 from pam_cosim.measurement import DataSet, FreeParameter
+from rig.effect import Effect
+from rig.flow import P_ATM
+from rig.named import effect_of
+from rig.tank import Vessel, orifice_port, simulate_vessel
 from tests.fitting.models import (
     C_D,
     DIAMETER,
@@ -25,10 +29,6 @@ from tests.fitting.models import (
     recording,
     vessel_data,
 )
-from tests.reference.effects import effect_of
-from tests.reference.effects.base import Effect
-from tests.reference.flow import P_ATM
-from tests.reference.tank import Vessel, orifice_port, simulate_vessel
 
 HERE = Path(__file__).parent
 TIMES = np.linspace(0.0, 60.0, 201)

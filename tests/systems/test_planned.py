@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.reference.schedule import Phase
-from tests.systems.rig import measure_light, planned
+from rig.schedule import Phase
+from rig.short import measure_light, planned
 
 PROPOSED = """\
 # run run-02, u_in times 1.25

@@ -1,0 +1,240 @@
+"""The isotonic Doumit-Pardoel chain: valves, gas, braid, load.
+
+States are internal energy U = p V/(gamma - 1) [J], contraction x [m], speed v [m/s], then those of the
+effects. With U the energy balance (43) needs neither p_dot nor V_dot.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from math import pi, sqrt, tanh
+
+import numpy as np
+
+from rig.effect import Effect, LineEffect, Now, Rest
+from rig.flow import GAMMA, P_ATM, T_ATM, G, R, mass_flow, valve_area
+from rig.integrate import Array, integrate
+from rig.schedule import Currents, Schedule
+
+
+@dataclass(frozen=True)
+class MuscleParameters:
+    """Doumit and Pardoel (2017), table 1 (latex); what they leave open as in the base model's description."""
+
+    calibration: float = 0.699  # C_A, both valves
+    length: float = 0.24  # L0, m
+    diameter: float = 0.02  # D0, m
+    turns: float = 2.0  # n
+    fibres: float = 216.0  # N
+    fibre_width: float = 0.254e-3  # w, m
+    crossing_length: float = 0.254e-3  # z, m
+    mu_fb: float = 0.015
+    mu_d: float = 0.8
+    k_f: float = 1.0  # s/m
+    k_wall: float = 0.14  # W/(m K)
+    t_wall: float = 0.254e-3  # m
+    h_film: float = 20.0  # W/(m2 K), inside and outside
+    n_g: float = 1.2
+    load: float = 2.27  # kg
+    stop_stiffness: float = 2e5  # N/m
+    stop_damping: float = 500.0  # N s/m
+
+    @cached_property
+    def fibre_squared(self) -> float:
+        """b^2 [m2], the geometry closed at rest."""
+        return self.length**2 + (self.turns * pi * self.diameter) ** 2
+
+    @cached_property
+    def crossings(self) -> float:
+        """q (47)."""
+        return 2 * self.turns * (self.fibres / 2) ** 2 - self.fibres / 2
+
+    @cached_property
+    def fibre_area(self) -> float:
+        """Area [m2] of the bladder that the fibres cover (48)."""
+        free_length = sqrt(self.fibre_squared) * self.fibres - self.crossing_length * self.crossings / 2
+        return self.fibre_width * free_length
+
+    @cached_property
+    def crossing_area(self) -> float:
+        """A_ff [m2], all crossings together (72)."""
+        return self.crossings * self.fibre_width * self.crossing_length
+
+    @cached_property
+    def heat_coefficient(self) -> float:
+        """h_c [W/(m2 K)] of film, wall and film in series."""
+        return 1 / (2 / self.h_film + self.t_wall / self.k_wall)
+
+    def volume(self, x: float) -> float:
+        """Gas volume [m3] of the cylinder at contraction x [m]."""
+        length = self.length - x
+        return length * (self.fibre_squared - length * length) / (4 * pi * self.turns**2)
+
+    def volume_slope(self, x: float) -> float:
+        """dV/dx [m2]; gauge pressure times this is the muscle force (virtual work)."""
+        length = self.length - x
+        return (3 * length * length - self.fibre_squared) / (4 * pi * self.turns**2)
+
+    def bare_area(self, x: float) -> float:
+        """A_q [m2], bladder area that the fibres leave bare (46)."""
+        length = self.length - x
+        girth = sqrt(self.fibre_squared - length * length) / self.turns
+        return max(0.0, girth * length - self.fibre_area)
+
+
+@dataclass(frozen=True)
+class Trajectory:
+    """What ideal instruments read, and the speed; arrays of one shape (times,)."""
+
+    time: Array  # s
+    p: Array  # Pa gauge
+    x: Array  # m
+    temperature: Array  # K
+    v: Array  # m/s
+
+
+_ATOL = (1e-8, 1e-10, 1e-9)
+_CP = GAMMA * R / (GAMMA - 1)  # J/(kg K)
+
+
+class _Rig:
+    """The right-hand side for one run."""
+
+    def __init__(self, parameters: MuscleParameters, p_supply: float, effects: Sequence[Effect]) -> None:
+        self.par, self.effects = parameters, tuple(effects)
+        self.p_source = p_supply + P_ATM
+        self.slices, at = [], 3
+        for effect in self.effects:
+            self.slices.append(slice(at, at + len(effect.atol)))
+            at += len(effect.atol)
+        self.film = parameters.heat_coefficient
+        for effect in self.effects:
+            self.film = effect.film(self.film)
+        self.dead_volume = sum(effect.extra_volume() for effect in self.effects)
+        self.mass = parameters.load + sum(effect.hanging_mass() for effect in self.effects)
+        self.resting_mass = parameters.load + sum(effect.resting_mass() for effect in self.effects)
+        self.line = next((k for k, effect in enumerate(self.effects) if isinstance(effect, LineEffect)), None)
+
+    def start(self) -> list[float]:
+        """At rest on the stop, filled with ambient air."""
+        x = -self.resting_mass * G / self.par.stop_stiffness
+        pv = P_ATM * (self.par.volume(x) + self.dead_volume)
+        rest = Rest(x, pv / (R * T_ATM), T_ATM, (0.0, 0.0))
+        return [pv / (GAMMA - 1), x, 0.0, *(value for e in self.effects for value in e.initial(rest))]
+
+    def gas(self, y: Sequence[float]) -> tuple[float, float]:
+        """Absolute pressure [Pa] and temperature [K]."""
+        pv = (GAMMA - 1) * y[0]
+        p = pv / (self.par.volume(y[1]) + self.dead_volume)
+        temperature = T_ATM * (p / P_ATM) ** ((self.par.n_g - 1) / self.par.n_g)
+        for effect, own in zip(self.effects, self.slices, strict=True):
+            temperature = effect.temperature(y[own], pv, temperature)
+        return p, temperature
+
+    def rates(self, y: Sequence[float], command: Currents) -> list[float]:
+        """Time derivatives of all states."""
+        par, x, v = self.par, y[1], y[2]
+        p, temperature = self.gas(y)
+        gauge = p - P_ATM
+        currents, leak, extra, factor, wall = command, 0.0, 0.0, 1.0, T_ATM
+        film, source, inertia, pull_factor = self.film, self.p_source, self.mass, 1.0
+        side_mass, side_enthalpy, other_heat = 0.0, 0.0, 0.0
+        for effect, own in zip(self.effects, self.slices, strict=True):
+            q = y[own]
+            currents = effect.current(q, currents)
+            leak += effect.leak(p, temperature)
+            extra += effect.force(q, x, v, gauge)
+            inertia += effect.balanced_mass(x)
+            factor *= effect.shape_factor(x, gauge)
+            pull_factor *= effect.pull_factor(x, gauge)
+            wall = effect.wall_temperature(q, wall)
+            film = effect.film_now(q, film, p, temperature)
+            source = effect.supply(q, source)
+            other_heat += effect.heat(q)
+            lost = effect.exchange(q, p, temperature)
+            side_mass, side_enthalpy = side_mass + lost[0], side_enthalpy + lost[1]
+
+        valves, line_rates = self._inflow(y, (source, p, temperature), currents)
+        net = valves[0] - leak - side_mass
+        enthalpy_in = valves[1] - side_enthalpy - _CP * leak * (temperature if leak > 0 else T_ATM)
+        heat = film * par.bare_area(x) * (wall - temperature)
+
+        fibre = gauge * par.crossing_area * par.mu_d * tanh(par.k_f * v)
+        bladder = gauge * par.mu_fb * par.fibre_area
+        stop = max(0.0, -par.stop_stiffness * x - par.stop_damping * v) if x < 0 else 0.0
+        pull = pull_factor * gauge * par.volume_slope(factor * x)
+        acceleration = (pull - fibre - bladder - extra + stop - self.mass * G) / inertia
+
+        rubbed = sum(effect.friction_heat_of(fibre * v, bladder * v) for effect in self.effects)
+        energy_rate = heat + other_heat + rubbed + enthalpy_in - p * par.volume_slope(x) * v
+        now = Now(x, v, gauge, temperature, command, net, heat)
+        rates = [energy_rate, v, acceleration]
+        for k, (effect, own) in enumerate(zip(self.effects, self.slices, strict=True)):
+            rates.extend(line_rates if k == self.line else effect.rates(y[own], now))
+        return rates
+
+    def _inflow(
+        self, y: Sequence[float], pressures: tuple[float, float, float], currents: Currents
+    ) -> tuple[tuple[float, float], tuple[float, ...]]:
+        """Gas [kg/s] and enthalpy [W] into the muscle, and the rates of the line if there is one.
+
+        pressures: of the supply and of the gas [Pa], and the gas's temperature [K].
+        """
+        source, p, temperature = pressures
+        if self.line is None:
+            return self._valves(source, p, temperature, currents), ()
+        line, q = self.effects[self.line], y[self.slices[self.line]]
+        assert isinstance(line, LineEffect)
+        valves = self._valves(source, *line.node(q), currents)
+        return line.into_muscle(q, p, temperature), line.line_rates(q, valves, p, temperature)
+
+    def _valves(self, source: float, p: float, temperature: float, currents: Currents) -> tuple[float, float]:
+        """Gas [kg/s] and enthalpy [W] that both valves let into gas at p [Pa]."""
+        areas = (valve_area(currents[0], self.par.calibration), valve_area(currents[1], self.par.calibration))
+        for effect in self.effects:
+            areas = effect.areas(areas, currents)
+        area_in, area_out = areas
+        for effect in self.effects:
+            area_in *= effect.valve_factor(max(p, source), min(p, source))
+            area_out *= effect.valve_factor(max(p, P_ATM), min(p, P_ATM))
+        m_in = mass_flow(area_in, source, T_ATM, p, temperature)
+        m_out = mass_flow(area_out, p, temperature, P_ATM, T_ATM)
+        enthalpy = m_in * (T_ATM if m_in > 0 else temperature) - m_out * (temperature if m_out > 0 else T_ATM)
+        return m_in - m_out, _CP * enthalpy
+
+    def reading(self, y: Sequence[float]) -> tuple[float, float, float]:
+        """What the sensors show: gauge pressure [Pa], contraction [m] and temperature [K]."""
+        p, temperature = self.gas(y)
+        gauge, x = p - P_ATM, y[1]
+        for effect, own in zip(self.effects, self.slices, strict=True):
+            temperature = effect.reading(y[own], temperature)
+            gauge = effect.pressure_shown(y[own], gauge)
+            x = effect.position_shown(y[own], x)
+        return gauge, x, temperature
+
+
+def simulate_muscle(
+    parameters: MuscleParameters,
+    p_supply: float,
+    schedule: Schedule,
+    times: Array,
+    effects: Sequence[Effect] = (),
+    rtol: float = 1e-8,
+    method: str | None = None,
+) -> Trajectory:
+    """Simulate one isotonic run from rest on the stop at times[0].
+
+    p_supply: gauge [Pa]; times: increasing, shape (n,) [s]; method: of solve_ivp, by default BDF with stiff
+    effects, else LSODA. Raises RuntimeError when integration fails.
+    """
+    rig = _Rig(parameters, p_supply, effects)
+    late = schedule.delayed(sum(effect.delay() for effect in rig.effects))
+    for effect in rig.effects:
+        late = effect.drive(late)
+    atol = (*_ATOL, *(value for effect in rig.effects for value in effect.atol))
+    method = method or ("BDF" if any(effect.stiff for effect in rig.effects) else "LSODA")
+    states = integrate(rig.rates, rig.start(), late, times, atol, rtol, method)
+    readings = np.array([rig.reading(column) for column in states.T.tolist()])
+    return Trajectory(times, readings[:, 0], readings[:, 1], readings[:, 2], states[2])

@@ -1,0 +1,100 @@
+"""Data of the independent rig, short enough for tests that run on every change.
+
+python -m rig.short --effect elasticity:linear --seed 1 OUT_FOLDER
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import sys
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from rig.measurement import TRUTH, Measurement, Noise, write_data_set
+from rig.muscle import simulate_muscle
+from rig.named import Effect, effect_of
+from rig.plan import Run
+from rig.schedule import Phase
+from rig.seen.unlisted import UNLISTED
+
+DURATION, RATE = 4.0, 50.0  # s, Hz
+
+
+def _fill(duration: float, current: float = 0.35) -> Phase:
+    return Phase(duration, u_in=current)
+
+
+def _vent(duration: float) -> Phase:
+    return Phase(duration, u_out=0.35)
+
+
+def _hold(duration: float) -> Phase:
+    return Phase(duration)
+
+
+PLAN = (
+    Run(2.27, 207e3, (_fill(0.5), _hold(0.4), _fill(0.9, 0.3), _hold(0.4), _vent(0.4), _hold(0.4), _vent(1.0))),
+    Run(4.0, 240e3, (_fill(1.2, 0.3), _hold(0.8), _vent(0.5), _hold(0.6), _vent(0.9)), "holdout"),
+)
+"""One run to fit and one to judge: filling fast and slow, holding at three levels, venting in parts."""
+
+
+def measure_light(effects: Sequence[Effect] = (), seed: int = 0, further: Sequence[Run] = ()) -> list[Measurement]:
+    """Both runs, and those asked for further, with the rig's usual noise."""
+    rng = np.random.default_rng([seed, 7])
+    sigma = Noise().as_dict()
+    measured = []
+    for run in (*PLAN, *further):
+        duration = DURATION if run in PLAN else sum(phase.duration for phase in run.phases)
+        times = np.arange(round(duration * RATE) + 1) / RATE
+        found = simulate_muscle(replace(TRUTH, load=run.load), run.p_supply, run.schedule, times, effects)
+        clean = {"p": found.p, "x": found.x, "T": found.temperature}
+        noisy = {name: y + sigma[name] * rng.standard_normal(len(y)) for name, y in clean.items()}
+        measured.append(Measurement(run, times, noisy))
+    return measured
+
+
+def write_light_data(folder: Path, effects: Sequence[Effect] = (), seed: int = 0, further: Sequence[Run] = ()) -> Path:
+    """A data set of the Isotonic bench."""
+    write_data_set(folder, measure_light(effects, seed, further))
+    return folder
+
+
+def planned(file: Path, load: float) -> Run:
+    """The run that ``pam-cosim diagnose --next`` wrote, from one supply, with steps of the currents."""
+    with open(file, newline="") as lines:
+        rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    times, u_in, u_out = (np.array([float(r[c]) for r in rows]) for c in ("time [s]", "u_in [A]", "u_out [A]"))
+    phases = [
+        Phase(float(later - at), u_in=float(a), u_out=float(b))
+        for at, later, a, b in zip(times[:-1], times[1:], u_in[:-1], u_out[:-1], strict=True)
+        if later > at
+    ]
+    return Run(load, float(rows[0]["p_supply [kPa]"]) * 1e3, tuple(phases))
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Command line; returns the exit status."""
+    parser = argparse.ArgumentParser(prog="python -m rig.short", description=__doc__)
+    parser.add_argument("folder", type=Path, help="data set to write")
+    shown = f"FAMILY:FORM as in rig.measurement --list; {' or '.join(UNLISTED)}, which no catalogue holds"
+    parser.add_argument("--effect", action="append", default=[], help=shown)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--further", type=Path, help="a run to make as well, from 'pam-cosim diagnose --next'")
+    parser.add_argument("--load", type=float, default=2.27, help="of the further run [kg]")
+    options = parser.parse_args(arguments)
+    try:
+        effects = [UNLISTED.get(text) or effect_of(text) for text in options.effect]
+    except ValueError as error:
+        parser.error(str(error))
+    further = [planned(options.further, options.load)] if options.further else []
+    write_light_data(options.folder, effects, options.seed, further)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,159 @@
+"""Vessels of constant volume: the tank with valves (63)-(66) and a vessel with an orifice.
+
+The polytropic law is kept as p = p_ref (m/m_ref)^n with the gas mass m as the state; that is (66) integrated
+once. Energy is carried along for effects that take the pressure from it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from math import pi, pow
+
+import numpy as np
+
+from rig.effect import Effect, Now, Rest
+from rig.flow import GAMMA, P_ATM, T_ATM, R, mass_flow, valve_area
+from rig.integrate import Array, integrate
+from rig.schedule import Currents, Schedule
+
+FAMILIES = ("none", "leak", "valve_dynamics", "gas_energy", "thermocouple_lag", "pressure_offset")
+"""Families of effects that a vessel knows; the others belong to a muscle."""
+
+Ports = Callable[[float, float, Currents], Iterable[tuple[float, float]]]
+"""Absolute pressure [Pa], temperature [K], currents [A] -> flows into the vessel [kg/s], outer temperatures."""
+
+
+@dataclass(frozen=True)
+class Vessel:
+    """A volume of gas with p V^n constant per mass, through the point (p_ref, t_ref)."""
+
+    volume: float = 2.1e-3  # m3
+    n: float = 1.2
+    p_ref: float = P_ATM  # Pa absolute
+    t_ref: float = T_ATM  # K
+    h: float = 0.0  # W/(m2 K), used by effects with an energy balance
+
+    @cached_property
+    def mass_ref(self) -> float:
+        """Gas mass [kg] at the reference point."""
+        return self.p_ref * self.volume / (R * self.t_ref)
+
+    @cached_property
+    def wall_area(self) -> float:
+        """Inner surface [m2] of a cylinder as high as wide."""
+        return 1.5 * pi * pow(4 * self.volume / pi, 2 / 3)
+
+    def pressure(self, mass: float) -> float:
+        """Absolute pressure [Pa] with this gas mass [kg]."""
+        return self.p_ref * pow(mass / self.mass_ref, self.n)
+
+    def temperature(self, p: float) -> float:
+        """Temperature [K] at absolute pressure p [Pa] (60)."""
+        return self.t_ref * pow(p / self.p_ref, (self.n - 1) / self.n)
+
+    def mass(self, p: float) -> float:
+        """Gas mass [kg] at absolute pressure p [Pa]."""
+        return self.mass_ref * pow(p / self.p_ref, 1 / self.n)
+
+
+@dataclass(frozen=True)
+class VesselTrajectory:
+    """What ideal instruments read; arrays of one shape (times,)."""
+
+    time: Array  # s
+    p: Array  # Pa gauge
+    temperature: Array  # K
+
+
+def valve_ports(p_supply: float, calibration: float) -> Ports:
+    """Valves from a supply at p_supply [Pa gauge] and to ambient."""
+
+    def flows(p: float, temperature: float, currents: Currents) -> Iterable[tuple[float, float]]:
+        area_in, area_out = (valve_area(u, calibration) for u in currents)
+        yield mass_flow(area_in, p_supply + P_ATM, T_ATM, p, temperature), T_ATM
+        yield mass_flow(area_out, P_ATM, T_ATM, p, temperature), T_ATM
+
+    return flows
+
+
+def orifice_port(diameter: float, c_d: float, p_outside: float) -> Ports:
+    """An orifice [m] to surroundings at p_outside [Pa gauge] and T_atm."""
+    area = c_d * pi / 4 * diameter**2
+
+    def flows(p: float, temperature: float, currents: Currents) -> Iterable[tuple[float, float]]:
+        yield mass_flow(area, p_outside + P_ATM, T_ATM, p, temperature), T_ATM
+
+    return flows
+
+
+def simulate_vessel(
+    vessel: Vessel,
+    ports: Ports,
+    times: Array,
+    p_start: float = 0.0,
+    schedule: Schedule | None = None,
+    effects: Sequence[Effect] = (),
+    rtol: float = 1e-9,
+) -> VesselTrajectory:
+    """Pressure and temperature from p_start [Pa gauge], at the vessel's polytropic temperature there.
+
+    times: increasing, shape (n,) [s]. Raises ValueError for an effect that is not among FAMILIES, RuntimeError
+    when integration fails.
+    """
+    for effect in effects:
+        if effect.family not in FAMILIES:
+            raise ValueError(f"a vessel cannot have an effect of the family {effect.family}")
+    schedule = schedule or Schedule((), ())
+    late = schedule.delayed(sum(effect.delay() for effect in effects))
+    slices, at = [], 2
+    for effect in effects:
+        slices.append(slice(at, at + len(effect.atol)))
+        at += len(effect.atol)
+    with_energy = any(effect.energy_balance for effect in effects)
+    film = vessel.h
+    for effect in effects:
+        film = effect.film(film)
+
+    def gas(y: Sequence[float]) -> tuple[float, float]:
+        p = (GAMMA - 1) * y[1] / vessel.volume if with_energy else vessel.pressure(y[0])
+        temperature = vessel.temperature(p)
+        for effect, own in zip(effects, slices, strict=True):
+            temperature = effect.temperature(y[own], p * vessel.volume, temperature)
+        return p, temperature
+
+    def rates(y: Sequence[float], command: Currents) -> list[float]:
+        p, temperature = gas(y)
+        currents, net, enthalpy = command, 0.0, 0.0
+        for effect, own in zip(effects, slices, strict=True):
+            currents = effect.current(y[own], currents)
+            net -= effect.leak(p, temperature)
+        enthalpy = net * (temperature if net < 0 else T_ATM)
+        for flow, outer in ports(p, temperature, currents):
+            net += flow
+            enthalpy += flow * (outer if flow > 0 else temperature)
+        heat = film * vessel.wall_area * (T_ATM - temperature)
+        now = Now(0.0, 0.0, p - P_ATM, temperature, command, net, heat)
+        result = [net, GAMMA * R / (GAMMA - 1) * enthalpy + heat]
+        for effect, own in zip(effects, slices, strict=True):
+            result.extend(effect.rates(y[own], now))
+        return result
+
+    def reading(y: Sequence[float]) -> tuple[float, float]:
+        p, temperature = gas(y)
+        for effect, own in zip(effects, slices, strict=True):
+            temperature = effect.reading(y[own], temperature)
+        gauge = p - P_ATM
+        for effect in effects:
+            gauge = effect.pressure_reading(gauge)
+        return gauge, temperature
+
+    p_absolute = p_start + P_ATM
+    rest = Rest(0.0, vessel.mass(p_absolute), vessel.temperature(p_absolute), (0.0, 0.0))
+    start = [rest.gas_mass, p_absolute * vessel.volume / (GAMMA - 1)]
+    start += [value for effect in effects for value in effect.initial(rest)]
+    atol = (1e-6 * rest.gas_mass * rtol, 1e-6 * start[1] * rtol, *(a for e in effects for a in e.atol))
+    states = integrate(rates, start, late, times, atol, rtol)
+    readings = np.array([reading(column) for column in states.T.tolist()])
+    return VesselTrajectory(times, readings[:, 0], readings[:, 1])
