@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+import pytest
 
 from pam_cosim import study
 from pam_cosim.measurement import DataSet
@@ -48,6 +49,7 @@ def _one_hold(seed: int) -> DataSet:
     return data_set("PneumaticMuscle.Benches.Isotonic", [run], {"p": 500.0, "x": 0.2e-3}, parameters=known)
 
 
+@pytest.mark.full
 def test_one_hold_cannot_separate_what_shortens_the_stroke(workers: int | None) -> None:
     found = study.diagnose(_one_hold(1), workers=workers)
     verdict = found.verdict

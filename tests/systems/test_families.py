@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 from math import pi
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -32,7 +34,13 @@ HIDDEN = {
 }
 
 
-@pytest.mark.parametrize("hidden", HIDDEN)
+def but_first_in_full(cases: Iterable[Any]) -> list[Any]:
+    """The first case at every change, the others in the full tier."""
+    first, *others = cases
+    return [first, *(pytest.param(case, marks=pytest.mark.full) for case in others)]
+
+
+@pytest.mark.parametrize("hidden", but_first_in_full(HIDDEN))
 def test_hidden_effect_is_found(tmp_path: Path, workers: int | None, hidden: str) -> None:
     family = hidden.partition(":")[0]
     data = study.read(write_light_data(tmp_path / "d", [effect_of(hidden)], seed=1))
@@ -51,6 +59,7 @@ def test_hidden_effect_is_found(tmp_path: Path, workers: int | None, hidden: str
     assert sum(found.balance.values()) == pytest.approx(1.0)
 
 
+@pytest.mark.full
 def test_family_is_found_where_its_form_is_not_listed(tmp_path: Path, workers: int | None) -> None:
     found = study.diagnose(
         study.read(write_light_data(tmp_path / "d", [UNLISTED["pressed_lip"]], seed=1)), workers=workers
@@ -63,11 +72,12 @@ def test_family_is_found_where_its_form_is_not_listed(tmp_path: Path, workers: i
     assert held and not any(e.determined for e in held)
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", but_first_in_full(range(3)))
 def test_muscle_that_lacks_nothing(tmp_path: Path, workers: int | None, seed: int) -> None:
     _nothing(study.diagnose(study.read(write_light_data(tmp_path / "d", seed=seed)), workers=workers))
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("seed", range(3, 10))
 def test_tank_that_lacks_nothing(tmp_path: Path, workers: int | None, seed: int) -> None:
     _nothing(study.diagnose(_tank(seed), workers=workers))

@@ -31,18 +31,21 @@ def found(example: ModuleType, workers: int | None, tmp_path_factory: pytest.Tem
     return study.diagnose(study.read(folder), workers=workers)
 
 
+@pytest.mark.full
 def test_verdict_is_the_effect_of_the_paper(found: Diagnosis) -> None:
     assert found.verdict.kind == "identified", found.verdict
     assert found.verdict.effects == ("LoadFrequencyFriction",)
     assert max(found.balance, key=lambda b: found.balance[b]) == "force"
 
 
+@pytest.mark.full
 def test_error_falls_to_the_noise_on_conditions_that_were_not_fitted(found: Diagnosis) -> None:
     before, after = (f.comparison.scores["holdout"]["x"].rmse for f in (found.base, found.final))
     assert before > 5e-4 and after < 1.05e-4
     assert found.final.residuals["holdout"].chi2_reduced < 1.1
 
 
+@pytest.mark.full
 def test_coefficients_come_back(found: Diagnosis) -> None:
     own = found.final.values
     assert own["damper.ab"] == pytest.approx(0.12, rel=0.02)
@@ -51,6 +54,7 @@ def test_coefficients_come_back(found: Diagnosis) -> None:
     assert own["muscle.D0"] == pytest.approx(0.02, rel=1e-3)
 
 
+@pytest.mark.full
 def test_example_draws_the_loops_and_tables_them_as_the_paper_does(
     example: ModuleType, found: Diagnosis, tmp_path: Path
 ) -> None:

@@ -71,12 +71,14 @@ def test_own_effect_is_found_when_its_file_is_named(workers: int | None) -> None
     assert c_d.low <= TRUE_C_D <= c_d.high
 
 
+@pytest.mark.full
 def test_without_the_file_it_is_a_leak_of_a_form_that_is_not_listed(workers: int | None) -> None:
     found = study.diagnose(_cracked(), workers=workers)
     assert (found.verdict.kind, found.verdict.families) == ("identified", ("leak",)), found.verdict
     assert found.verdict.effects == ("FlexibleLeak",)
 
 
+@pytest.mark.full
 def test_own_bench(workers: int | None) -> None:
     measured = _emptied(effect_of("gas_energy:film:h=12"), 1)
     run = recording(TIMES, {"pressure": measured["p"], "temperature": measured["T"]})

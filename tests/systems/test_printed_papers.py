@@ -29,6 +29,7 @@ def rig(temperature: ModuleType, tmp_path_factory: pytest.TempPathFactory) -> Pa
     return folder
 
 
+@pytest.mark.full
 def test_paper_points_to_the_energy_of_its_gas(rig: Path, workers: int | None) -> None:
     diagnosis = study.diagnose(study.read(rig), workers=workers)
     assert diagnosis.verdict.kind == "identified", diagnosis.verdict
@@ -38,6 +39,7 @@ def test_paper_points_to_the_energy_of_its_gas(rig: Path, workers: int | None) -
     assert before["T"].rmse > 8 and after["T"].rmse < 0.33
 
 
+@pytest.mark.full
 def test_error_falls_rung_by_rung(temperature: ModuleType, rig: Path, tmp_path: Path) -> None:
     """Only the printed wall with the balance of energy reaches the noise; films cannot."""
     fits = [temperature.fitted(rig, rung, tmp_path) for rung in temperature.LADDER]

@@ -43,6 +43,7 @@ def kilopascals(found, role):  # type: ignore[no-untyped-def]
     return found.comparison.scores[role]["p"].rmse / 1e3
 
 
+@pytest.mark.full
 def test_tube_dead_time_and_dead_volume_explain_most_of_the_jump(robot: ModuleType, tmp_path: Path) -> None:
     bare, full = (robot.fitted(stage, tmp_path) for stage in (robot.STAGES[0], robot.FINAL))
     assert kilopascals(bare, "fit") > 80 and kilopascals(bare, "holdout") > 75
@@ -53,11 +54,13 @@ def test_tube_dead_time_and_dead_volume_explain_most_of_the_jump(robot: ModuleTy
     assert 0.012 < full.parameters["valve.drive.dead_time"].value < 0.022
 
 
+@pytest.mark.full
 def test_what_is_left_of_the_jump_is_not_noise(robot: ModuleType, tmp_path: Path) -> None:
     full = robot.fitted(robot.FINAL, tmp_path)
     assert full.comparison.chi2_reduced("holdout") > 10
 
 
+@pytest.mark.full
 def test_droop_and_contraction_cannot_be_left_out(robot: ModuleType, tmp_path: Path) -> None:
     droop, held = (robot.fitted(replace(stage), tmp_path) for stage in robot.COUNTER[:2])
     assert kilopascals(droop, "holdout") > 15
@@ -92,6 +95,7 @@ def test_discharge_predicts_the_filling(vessel: ModuleType, tmp_path: Path) -> N
     assert c_d.low <= 0.84 <= c_d.high
 
 
+@pytest.mark.full
 def test_nitrogen_is_cooled_and_warmed_by_free_convection(vessel: ModuleType, tmp_path: Path) -> None:
     found = vessel.fitted("nitrogen", ("FreeConvectionGas",), ("p", "T"), tmp_path)
     c, c_d = found.parameters["tank.gas.c"], found.parameters["orifice.C_d"]
