@@ -8,6 +8,9 @@ from typing import ClassVar, NamedTuple
 
 from rig.schedule import Currents, Schedule
 
+State = Sequence[float]
+"""An effect's own states."""
+
 
 class Rest(NamedTuple):
     """The state before the test, from which an effect takes its own initial state."""
@@ -44,11 +47,11 @@ class Effect:
         """Own states at the start, as many as `atol` has."""
         return ()
 
-    def rates(self, q: Sequence[float], now: Now) -> tuple[float, ...]:
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
         """Time derivatives of the own states."""
         return ()
 
-    def force(self, q: Sequence[float], x: float, v: float, p_gauge: float) -> float:
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
         """Force [N] on the load; positive opposes contraction."""
         return 0.0
 
@@ -92,11 +95,11 @@ class Effect:
         """As friction_heat, from the powers [W] of fibre on fibre and of fibres on the bladder."""
         return self.friction_heat(fibre + bladder)
 
-    def heat(self, q: Sequence[float]) -> float:
+    def heat(self, q: State) -> float:
         """Further heat [W] to the gas."""
         return 0.0
 
-    def wall_temperature(self, q: Sequence[float], outside: float) -> float:
+    def wall_temperature(self, q: State, outside: float) -> float:
         """Temperature [K] that the gas exchanges heat with."""
         return outside
 
@@ -104,7 +107,7 @@ class Effect:
         """Gas lost to ambient [kg/s] at absolute pressure p [Pa]."""
         return 0.0
 
-    def exchange(self, q: Sequence[float], p: float, temperature: float) -> tuple[float, float]:
+    def exchange(self, q: State, p: float, temperature: float) -> tuple[float, float]:
         """Gas [kg/s] and its enthalpy [W] that leave the muscle for a side chamber whose states are q."""
         return 0.0, 0.0
 
@@ -112,7 +115,7 @@ class Effect:
         """The currents that reach the valves when these are commanded."""
         return schedule
 
-    def current(self, q: Sequence[float], command: Currents) -> Currents:
+    def current(self, q: State, command: Currents) -> Currents:
         """Currents [A] that set the valve areas."""
         return command
 
@@ -120,7 +123,7 @@ class Effect:
         """Effective areas [m2] of inlet and exhaust valve from the calibrated ones."""
         return areas
 
-    def supply(self, q: Sequence[float], p: float) -> float:
+    def supply(self, q: State, p: float) -> float:
         """Absolute pressure [Pa] in front of the inlet valve."""
         return p
 
@@ -132,15 +135,15 @@ class Effect:
         """Heat transfer coefficient [W/(m2 K)] between gas and surroundings."""
         return h
 
-    def film_now(self, q: Sequence[float], h: float, p: float, temperature: float) -> float:
+    def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
         """As film, where it depends on the state of the gas."""
         return h
 
-    def temperature(self, q: Sequence[float], pressure_volume: float, polytropic: float) -> float:
+    def temperature(self, q: State, pressure_volume: float, polytropic: float) -> float:
         """Gas temperature [K] from p V [J] or from the polytropic law."""
         return polytropic
 
-    def reading(self, q: Sequence[float], temperature: float) -> float:
+    def reading(self, q: State, temperature: float) -> float:
         """What the temperature sensor shows [K]."""
         return temperature
 
@@ -148,11 +151,11 @@ class Effect:
         """What the pressure sensor shows [Pa gauge]."""
         return p_gauge
 
-    def pressure_shown(self, q: Sequence[float], p_gauge: float) -> float:
+    def pressure_shown(self, q: State, p_gauge: float) -> float:
         """As pressure_reading, with own states."""
         return self.pressure_reading(p_gauge)
 
-    def position_shown(self, q: Sequence[float], x: float) -> float:
+    def position_shown(self, q: State, x: float) -> float:
         """What the displacement sensor shows [m]."""
         return x
 
@@ -161,16 +164,14 @@ class Effect:
 class LineEffect(Effect):
     """A line between valves and muscle; `q` is the gas in it. The muscle then meets the valves through it alone."""
 
-    def node(self, q: Sequence[float]) -> tuple[float, float]:
+    def node(self, q: State) -> tuple[float, float]:
         """Absolute pressure [Pa] and temperature [K] at the valves."""
         raise NotImplementedError
 
-    def into_muscle(self, q: Sequence[float], p: float, temperature: float) -> tuple[float, float]:
+    def into_muscle(self, q: State, p: float, temperature: float) -> tuple[float, float]:
         """Gas [kg/s] and enthalpy [W] that flow into the muscle at p [Pa] and temperature [K]."""
         raise NotImplementedError
 
-    def line_rates(
-        self, q: Sequence[float], from_valves: tuple[float, float], p: float, temperature: float
-    ) -> tuple[float, ...]:
+    def line_rates(self, q: State, from_valves: tuple[float, float], p: float, temperature: float) -> tuple[float, ...]:
         """Time derivatives of q, with gas [kg/s] and enthalpy [W] that come from the valves."""
         raise NotImplementedError

@@ -10,6 +10,10 @@ P_ATM = 101_325.0  # Pa
 T_ATM = 293.15  # K
 G = 9.80665  # m/s2
 
+CP = GAMMA * R / (GAMMA - 1)  # J/(kg K)
+CV = R / (GAMMA - 1)  # J/(kg K)
+RHO = P_ATM / (R * T_ATM)  # kg/m3, near that of ISO 8778
+
 R_CRITICAL = (2 / (GAMMA + 1)) ** (GAMMA / (GAMMA - 1))
 FLOW_CONSTANT = sqrt(GAMMA / R * (2 / (GAMMA + 1)) ** ((GAMMA + 1) / (GAMMA - 1)))
 R_LAMINAR = 0.999

@@ -4,28 +4,27 @@ from __future__ import annotations
 
 from dataclasses import fields, replace
 
-from rig.catalogue.force import (
-    Coulomb,
-    Creep,
-    CubicSpring,
-    Dahl,
-    ExponentialSpring,
-    HangingMass,
-    KangEnds,
-    LinearSpring,
-    MooneyRivlin,
-    PowerViscous,
-    PressureViscous,
-    TonduEnds,
-    Viscous,
-)
-from rig.catalogue.gas import DeadVolume, LaminarLeak, OrificeLeak
-from rig.catalogue.heat import FrictionHeat, GasEnergy, WarmWall
-from rig.catalogue.sensor import PressureGain, PressureOffset, ThermocoupleLag
-from rig.catalogue.valve import BackPressure, ValveDeadTime, ValveLag, ValveSecondOrder
+from rig.catalogue.creep import Creep
+from rig.catalogue.dead_volume import DeadVolume
+from rig.catalogue.dry_friction import Coulomb, Dahl
+from rig.catalogue.elasticity import CubicSpring, LinearSpring, MooneyRivlin
+from rig.catalogue.end_shape import KangEnds, TonduEnds
+from rig.catalogue.friction_heat import FrictionHeat
+from rig.catalogue.gas_energy import GasEnergy
+from rig.catalogue.leak import LaminarLeak, OrificeLeak
+from rig.catalogue.moving_mass import HangingMass
+from rig.catalogue.pressure_offset import PressureGain, PressureOffset
+from rig.catalogue.rate_friction import PowerViscous, PressureViscous, Viscous
+from rig.catalogue.thermocouple_lag import ThermocoupleLag
+from rig.catalogue.valve_area import BackPressure
+from rig.catalogue.valve_dynamics import ValveDeadTime, ValveLag, ValveSecondOrder
+from rig.catalogue.wall_heat import WarmWall
 from rig.effect import Effect
+from rig.seen.elasticity import ExponentialSpring
+from rig.seen.leak import PressedLip
+from rig.seen.none_of_these import Coupled, Ripple
 
-__all__ = ["EFFECTS", "Effect", "effect_name", "effect_of", "effect_parameters"]
+__all__ = ["EFFECTS", "UNLISTED", "Effect", "effect_name", "effect_of", "effect_parameters"]
 
 EFFECTS: tuple[type[Effect], ...] = (
     Effect,
@@ -45,6 +44,11 @@ EFFECTS: tuple[type[Effect], ...] = (
     FrictionHeat,
     PressureOffset, PressureGain,
 )  # fmt: skip
+
+"""Effects with an ordinary size, by which a command line can ask for them."""
+
+UNLISTED: dict[str, Effect] = {"ripple": Ripple(), "coupled": Coupled(), "pressed_lip": PressedLip()}
+"""Effects that the catalogue does not hold, to see what a diagnosis makes of them."""
 
 
 def effect_name(effect: Effect | type[Effect]) -> str:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 Currents = tuple[float, float]  # u_in, u_out [A]
+LONGEST = 12.0  # s, more than any run lasts
 
 
 @dataclass(frozen=True)

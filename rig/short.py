@@ -16,10 +16,9 @@ import numpy as np
 
 from rig.measurement import TRUTH, Measurement, Noise, write_data_set
 from rig.muscle import simulate_muscle
-from rig.named import Effect, effect_of
+from rig.named import UNLISTED, Effect, effect_of
 from rig.plan import Run
 from rig.schedule import Phase
-from rig.seen.unlisted import UNLISTED
 
 DURATION, RATE = 4.0, 50.0  # s, Hz
 

@@ -14,19 +14,20 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.signal import lsim
 
-from rig.catalogue.force import (
-    Coulomb,
-    Creep,
-    Dahl,
-    HangingMass,
-    LinearSpring,
-    MooneyRivlin,
-    TonduEnds,
-)
-from rig.catalogue.gas import DeadVolume, LaminarLeak
-from rig.catalogue.heat import FrictionHeat, GasEnergy, WarmWall
-from rig.catalogue.sensor import PressureGain, ThermocoupleLag
-from rig.catalogue.valve import BackPressure, ValveDeadTime, ValveLag
+from rig.catalogue.creep import Creep
+from rig.catalogue.dead_volume import DeadVolume
+from rig.catalogue.dry_friction import Coulomb, Dahl
+from rig.catalogue.elasticity import LinearSpring, MooneyRivlin
+from rig.catalogue.end_shape import TonduEnds
+from rig.catalogue.friction_heat import FrictionHeat
+from rig.catalogue.gas_energy import GasEnergy
+from rig.catalogue.leak import LaminarLeak
+from rig.catalogue.moving_mass import HangingMass
+from rig.catalogue.pressure_offset import PressureGain
+from rig.catalogue.thermocouple_lag import ThermocoupleLag
+from rig.catalogue.valve_area import BackPressure
+from rig.catalogue.valve_dynamics import ValveDeadTime, ValveLag
+from rig.catalogue.wall_heat import WarmWall
 from rig.effect import Now, Rest
 from rig.flow import (
     FLOW_CONSTANT,

@@ -28,7 +28,7 @@ from pam_cosim.files import write_text  # noqa: E402
 from pam_cosim.fitting import Fit  # noqa: E402
 from pam_cosim.measurement import FreeParameter  # noqa: E402
 from rig import measurement  # noqa: E402
-from rig.catalogue.heat import GasEnergy  # noqa: E402
+from rig.catalogue.gas_energy import GasEnergy  # noqa: E402
 from rig.plan import Run  # noqa: E402
 from rig.schedule import Phase  # noqa: E402
 

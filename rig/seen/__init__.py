@@ -1,1 +1,44 @@
-"""Forms of effects that the catalogue lacks and that were looked at while the diagnosis was made or improved."""
+"""Forms of effects that the catalogue lacks and that were looked at while the diagnosis was made or improved.
+
+One module a family; `none_of_these` has those in no family.
+"""
+
+from rig.seen import (
+    creep,
+    dead_volume,
+    dry_friction,
+    elasticity,
+    end_shape,
+    friction_heat,
+    gas_energy,
+    leak,
+    moving_mass,
+    none_of_these,
+    pressure_offset,
+    rate_friction,
+    supply_line,
+    thermocouple_lag,
+    valve_area,
+    valve_dynamics,
+    wall_heat,
+)
+
+__all__ = [
+    "creep",
+    "dead_volume",
+    "dry_friction",
+    "elasticity",
+    "end_shape",
+    "friction_heat",
+    "gas_energy",
+    "leak",
+    "moving_mass",
+    "none_of_these",
+    "pressure_offset",
+    "rate_friction",
+    "supply_line",
+    "thermocouple_lag",
+    "valve_area",
+    "valve_dynamics",
+    "wall_heat",
+]

@@ -8,30 +8,30 @@ import numpy as np
 import pytest
 
 from pam_cosim.simulation import Simulator
+from rig import catalogue
 from rig.measurement import TRUTH
 from rig.muscle import simulate_muscle
-from rig.seen import force, gas, heat
 from tests.library.shelf import NOISE, built, effects, on_bench, values
 from tests.library.test_effects_against_rig import BENCH, RUN, TIMES, _drive
 
 WALL = TRUTH.t_wall / TRUTH.k_wall
 SHAPE = (TRUTH.length, TRUTH.fibre_squared, TRUTH.turns, TRUTH.fibre_area)
 SAME = {
-    "YoungBladder": (force.YoungTube(6e5), {"E": 6e5}),
-    "MaxwellSlipFriction": (force.MaxwellSlip(8.0, 2e-3), {"F_c": 8, "d": 2e-3}),
-    "LoadRateFriction": (force.LoadRate(0.5, *SHAPE[:3]), {"ab": 0.5}),
-    "PronyCreep": (force.Prony(300.0, 0.5, 0.8), {"k_1": 300, "k_2": 150, "tau": 0.8}),
-    "KerscherEnds": (force.KerscherEnds(0.1, 0.1), {"c_3": 0.1, "eps_0": 0.1}),
-    "BalancedMass": (force.BalancedMass(3.0), {"m": 3}),
-    "CurrentOffsetArea": (gas.CurrentOffset(0.01), {"u_0": 0.01}),
-    "UnequalAreas": (gas.UnequalAreas(0.85), {"r": 0.85}),
-    "LongLine": (gas.LongTube(5e-6, 4e-7), {"A": 4e-7, "V": 5e-6}),
-    "OrificeLine": (gas.OrificeTube(2e-7, 4e-7), {"A": 4e-7}),
-    "LaminarLine": (gas.LaminarTube(2e-7, 4e-9), {"G": 4e-9}),
-    "ConvectiveGas": (heat.StirredGas(8.0, WALL, 30.0), {"h_0": 8, "h_1": 30}),
-    "StorageWall": (heat.StorageWall(0.4, 2.0, TRUTH.h_film, WALL / 2, *SHAPE), {"C": 0.4, "r": 2}),
-    "FibreFrictionHeat": (heat.FibreHeat(1.0), {"share": 1}),
-    "ThermocoupleSheath": (heat.Sheath(0.15, 0.3), {"tau": 0.15, "r": 0.3}),
+    "YoungBladder": (catalogue.elasticity.YoungTube(6e5), {"E": 6e5}),
+    "MaxwellSlipFriction": (catalogue.dry_friction.MaxwellSlip(8.0, 2e-3), {"F_c": 8, "d": 2e-3}),
+    "LoadRateFriction": (catalogue.rate_friction.LoadRate(0.5, *SHAPE[:3]), {"ab": 0.5}),
+    "PronyCreep": (catalogue.creep.Prony(300.0, 0.5, 0.8), {"k_1": 300, "k_2": 150, "tau": 0.8}),
+    "KerscherEnds": (catalogue.end_shape.KerscherEnds(0.1, 0.1), {"c_3": 0.1, "eps_0": 0.1}),
+    "BalancedMass": (catalogue.moving_mass.BalancedMass(3.0), {"m": 3}),
+    "CurrentOffsetArea": (catalogue.valve_area.CurrentOffset(0.01), {"u_0": 0.01}),
+    "UnequalAreas": (catalogue.valve_area.UnequalAreas(0.85), {"r": 0.85}),
+    "LongLine": (catalogue.supply_line.LongTube(5e-6, 4e-7), {"A": 4e-7, "V": 5e-6}),
+    "OrificeLine": (catalogue.supply_line.OrificeTube(2e-7, 4e-7), {"A": 4e-7}),
+    "LaminarLine": (catalogue.supply_line.LaminarTube(2e-7, 4e-9), {"G": 4e-9}),
+    "ConvectiveGas": (catalogue.gas_energy.StirredGas(8.0, WALL, 30.0), {"h_0": 8, "h_1": 30}),
+    "StorageWall": (catalogue.wall_heat.StorageWall(0.4, 2.0, TRUTH.h_film, WALL / 2, *SHAPE), {"C": 0.4, "r": 2}),
+    "FibreFrictionHeat": (catalogue.friction_heat.FibreHeat(1.0), {"share": 1}),
+    "ThermocoupleSheath": (catalogue.thermocouple_lag.Sheath(0.15, 0.3), {"tau": 0.15, "r": 0.3}),
 }
 
 

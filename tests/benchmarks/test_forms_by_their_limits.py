@@ -8,12 +8,13 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from rig.catalogue.force import Dahl, MooneyRivlin
+from rig import seen
+from rig.catalogue.dry_friction import Dahl
+from rig.catalogue.elasticity import MooneyRivlin
 from rig.effect import Now, Rest
 from rig.flow import GAMMA, P_ATM, T_ATM, R
 from rig.muscle import MuscleParameters, simulate_muscle
 from rig.schedule import Phase, SampledSchedule, Schedule
-from rig.seen import faults, mechanics, pneumatics, thermal
 
 REST = Rest(0.0, 1e-4, T_ATM, (0.0, 0.0))
 
@@ -24,13 +25,13 @@ def _now(x: float = 0.0, v: float = 0.0, p_gauge: float = 0.0, heat: float = 0.0
 
 @pytest.mark.parametrize("x", [0.005, 0.03, 0.07])
 def test_long_chains_of_gent_are_neo_hookean(x):
-    found = mechanics.GentTube(mu=2e5, limit=1e6).force((), x, 0.0, 0.0)
+    found = seen.elasticity.GentTube(mu=2e5, limit=1e6).force((), x, 0.0, 0.0)
     assert found == pytest.approx(MooneyRivlin(c10=1e5, c01=0.0).force((), x, 0.0, 0.0), rel=1e-5)
-    assert mechanics.GentTube(mu=2e5, limit=3.0).force((), x, 0.0, 0.0) > found
+    assert seen.elasticity.GentTube(mu=2e5, limit=3.0).force((), x, 0.0, 0.0) > found
 
 
 def test_bouc_wen_of_first_order_is_dahl():
-    own, known = mechanics.BoucWen(8.0, 1e-3, 1.0, 1.0), Dahl(8.0, 8e3)
+    own, known = seen.dry_friction.BoucWen(8.0, 1e-3, 1.0, 1.0), Dahl(8.0, 8e3)
 
     def rates(t: float, y: np.ndarray) -> list[float]:
         now = _now(v=0.02 * np.cos(2 * pi * t))
@@ -42,7 +43,7 @@ def test_bouc_wen_of_first_order_is_dahl():
 
 
 def test_bouc_wen_dissipates_in_a_closed_cycle_and_stays_bounded():
-    own = mechanics.BoucWen(n=2.0, g=0.5)
+    own = seen.dry_friction.BoucWen(n=2.0, g=0.5)
 
     def rates(t: float, y: np.ndarray) -> list[float]:
         v = 0.02 * np.cos(2 * pi * t)
@@ -54,7 +55,7 @@ def test_bouc_wen_dissipates_in_a_closed_cycle_and_stays_bounded():
 
 
 def test_rocker_keeps_its_energy():
-    own = mechanics.Rocker(m=3.0, radius=0.15)
+    own = seen.moving_mass.Rocker(m=3.0, radius=0.15)
 
     def rates(t: float, y: np.ndarray) -> list[float]:
         return [y[1], -own.force((), y[0], y[1], 0.0) / own.balanced_mass(y[0])]
@@ -66,13 +67,13 @@ def test_rocker_keeps_its_energy():
 
 
 def test_flywheel_is_a_mass_for_slow_movements():
-    own = mechanics.SlippingFlywheel(m=3.0, tau=0.01)
+    own = seen.moving_mass.SlippingFlywheel(m=3.0, tau=0.01)
     y = solve_ivp(lambda t, y: own.rates(y, _now(v=0.2 * t)), (0.0, 1.0), [0.0], rtol=1e-9, atol=1e-12).y
     assert own.force(y[:, -1], 0.0, 0.2, 0.0) == pytest.approx(3.0 * 0.2, rel=1e-4)
 
 
 def test_hose_balances_enthalpy_with_energy_and_work():
-    own = pneumatics.Hose(1e-5, 5e-6)
+    own = seen.dead_volume.Hose(1e-5, 5e-6)
     q = np.array(own.initial(REST))
     assert own._gas(q) == pytest.approx((P_ATM, T_ATM))
     fill = solve_ivp(lambda t, y: own.rates(y, _now(p_gauge=1e5)), (0.0, 1.0), q, rtol=1e-9, atol=(1e-13, 1e-9))
@@ -88,27 +89,27 @@ def test_hose_balances_enthalpy_with_energy_and_work():
 
 def test_critical_ratio_of_the_nozzle_changes_little_and_a_lower_one_throttles():
     for p_down in (1.1e5, 1.5e5, 2.2e5, 2.9e5):
-        assert pneumatics.CriticalRatio(0.0).valve_factor(3e5, p_down) == pytest.approx(1.0, abs=0.03)
-    assert pneumatics.CriticalRatio(0.3).valve_factor(3e5, 1.5e5) < 0.97
-    assert pneumatics.CriticalRatio(0.3).valve_factor(3e5, 0.3e5) == pytest.approx(1.0)
+        assert seen.valve_area.CriticalRatio(0.0).valve_factor(3e5, p_down) == pytest.approx(1.0, abs=0.03)
+    assert seen.valve_area.CriticalRatio(0.3).valve_factor(3e5, 1.5e5) < 0.97
+    assert seen.valve_area.CriticalRatio(0.3).valve_factor(3e5, 0.3e5) == pytest.approx(1.0)
 
 
 def test_blasius_drop_goes_with_flow_to_seven_quarters():
-    tube = pneumatics.BlasiusTube(c=2e-10)
+    tube = seen.supply_line.BlasiusTube(c=2e-10)
     flows = [tube.flow(p, T_ATM, 2e5, T_ATM) for p in (2.5e5, 3e5)]
     drops = [p * p - 4e10 for p in (2.5e5, 3e5)]
     assert np.log(drops[1] / drops[0]) / np.log(flows[1] / flows[0]) == pytest.approx(7 / 4, rel=1e-3)
 
 
 def test_thick_wall_keeps_its_heat():
-    own = thermal.ThickWall(capacity=1.0, tau=8.0, g_out=0.0)
+    own = seen.wall_heat.ThickWall(capacity=1.0, tau=8.0, g_out=0.0)
     y = solve_ivp(lambda t, y: own.rates(y, _now(heat=-0.5)), (0.0, 4.0), own.initial(REST), rtol=1e-9, atol=1e-9).y
     assert np.mean(y[:, -1]) - T_ATM == pytest.approx(0.5 * 4.0 / 1.0, rel=1e-6)
     assert list(y[:, -1]) == sorted(y[:, -1], reverse=True)
 
 
 def test_diaphragm_solves_its_cubic():
-    own = thermal.StiffeningDiaphragm(0.2, 1.5e5)
+    own = seen.pressure_offset.StiffeningDiaphragm(0.2, 1.5e5)
     for p in (-1e4, 0.0, 5e4, 2.5e5):
         shown = own.pressure_reading(p)
         assert shown + 0.2 * shown**3 / 1.5e5**2 == pytest.approx(p, rel=1e-9, abs=1e-6)
@@ -122,8 +123,8 @@ def test_diaphragm_solves_its_cubic():
     ],
 )
 def test_what_faults_do_to_the_command(schedule):
-    skewed = faults.ClockSkew(0.02).drive(schedule)
-    pushed = faults.Nudge(start=0.7, duration=0.6).drive(schedule)
+    skewed = seen.none_of_these.ClockSkew(0.02).drive(schedule)
+    pushed = seen.none_of_these.Nudge(start=0.7, duration=0.6).drive(schedule)
     for t in (0.2, 0.8, 1.2, 1.4):
         assert skewed.at(1.02 * t) == pytest.approx(schedule.at(t))
         assert pushed.at(t) == schedule.at(t)
@@ -135,7 +136,7 @@ def test_a_short_push_is_not_stepped_over():
     schedule = Schedule.of([Phase(1.0, u_in=0.3), Phase(9.0)])
     base, pushed = (
         simulate_muscle(MuscleParameters(), 2e5, schedule, times, effects, 1e-6, "LSODA").x
-        for effects in ((), (faults.Nudge(20.0, 4.0, 0.3),))
+        for effects in ((), (seen.none_of_these.Nudge(20.0, 4.0, 0.3),))
     )
     away = np.abs(pushed - base)
     assert away[(times > 4.05) & (times < 4.3)].max() > 1e-4

@@ -20,10 +20,12 @@ from benchmarks.hidden_effects.plans import draw_muscle, draw_plan
 from benchmarks.hidden_effects.report import main as report_main
 from benchmarks.hidden_effects.report import wilson
 from benchmarks.hidden_effects.sizes import Bench, Ruler
-from rig.catalogue.force import Creep, LinearSpring
-from rig.catalogue.gas import LaminarLeak
-from rig.catalogue.sensor import PressureOffset, ThermocoupleLag
-from rig.catalogue.valve import ValveLag
+from rig.catalogue.creep import Creep
+from rig.catalogue.elasticity import LinearSpring
+from rig.catalogue.leak import LaminarLeak
+from rig.catalogue.pressure_offset import PressureOffset
+from rig.catalogue.thermocouple_lag import ThermocoupleLag
+from rig.catalogue.valve_dynamics import ValveLag
 from rig.muscle import MuscleParameters, simulate_muscle
 from rig.schedule import SampledSchedule
 

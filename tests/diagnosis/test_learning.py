@@ -19,8 +19,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger, keep_ledger
 from pam_cosim.measurement import DataSet, complete_noise
-from rig.named import effect_of
-from rig.seen.unlisted import UNLISTED
+from rig.named import UNLISTED, effect_of
 from rig.short import write_light_data
 
 HIDDEN = {

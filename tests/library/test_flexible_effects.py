@@ -13,23 +13,16 @@ from scipy.signal import lsim
 from pam_cosim.catalogue import EffectClass
 from pam_cosim.interface import Interface
 from rig.effect import Effect
-from rig.seen.laws import (
-    Arm,
-    Bead,
-    Chamber,
-    DissipatedHeat,
-    FallingFriction,
-    FilmGas,
-    GrowingDamper,
-    LateHeat,
-    LayeredWall,
-    Lever,
-    LimitedRate,
-    RisingHeat,
-    Shares,
-    Spiral,
-    ThinningCreep,
-)
+from rig.seen.creep import EyringCreep
+from rig.seen.dead_volume import Chamber
+from rig.seen.dry_friction import FallingFriction
+from rig.seen.friction_heat import DissipatedHeat, LateHeat, RisingHeat
+from rig.seen.gas_energy import FilmGas
+from rig.seen.moving_mass import Arm, Lever, WeightedLever
+from rig.seen.rate_friction import GrowingDamper
+from rig.seen.thermocouple_lag import Bead, Shares
+from rig.seen.valve_dynamics import LimitedRate
+from rig.seen.wall_heat import LayeredWall
 from tests.library.rig_spans import left_of
 from tests.library.shelf import BENCH, base, built, effects, homes, law_bench, noise, on_bench, run
 from tests.library.spans import DRIVE, HARNESS, Law, course_misses
@@ -500,13 +493,13 @@ NEAR = {
 """Where a fit begins, if not at the start values: a diagnosis tries ten times more and less of each."""
 
 UNLISTED: dict[str, tuple[str, float, Effect]] = {
-    "lever": ("FlexibleMass", 0.1, Lever()),
-    "drum": ("FlexibleMass", 0.03, Spiral()),
+    "lever": ("FlexibleMass", 0.1, WeightedLever()),
+    "drum": ("FlexibleMass", 0.03, Lever(m=3.0, x_0=0.04)),
     "arm": ("FlexibleMass", 0.1, Arm()),
     "falling friction": ("FlexibleDryFriction", 0.5, FallingFriction()),
     "friction that grows with contraction": ("UnevenFriction", 0.1, GrowingDamper()),
     "friction mainly in contraction": ("UnevenFriction", 0.05, GrowingDamper(c=300, x_0=1e3, back=0.3)),
-    "thinning creep": ("FlexibleCreep", 0.1, ThinningCreep()),
+    "thinning creep": ("FlexibleCreep", 0.1, EyringCreep()),
     "throttled chamber": ("SideVolume", 0.3, Chamber()),
     "throttled chamber that cools": ("SideVolume", 0.4, Chamber(ua=0.1)),
     "limited rate": ("FlexibleDrive", 0.02, LimitedRate()),

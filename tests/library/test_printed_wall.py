@@ -7,7 +7,7 @@ import pytest
 
 from pam_cosim.fmu import build_model
 from pam_cosim.simulation import Inputs, Simulator, Trajectory
-from rig.catalogue.heat import GasEnergy
+from rig.catalogue.gas_energy import GasEnergy
 from rig.flow import T_ATM
 from rig.muscle import MuscleParameters, simulate_muscle
 from rig.schedule import Phase, Schedule

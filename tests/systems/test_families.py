@@ -13,9 +13,8 @@ import pytest
 
 from pam_cosim import Diagnosis, study
 from pam_cosim.measurement import DataSet, FreeParameter
-from rig.named import effect_of
+from rig.named import UNLISTED, effect_of
 from rig.schedule import Phase, Schedule
-from rig.seen.unlisted import UNLISTED
 from rig.short import write_light_data
 from rig.tank import Vessel, simulate_vessel, valve_ports
 from tests.fitting.models import data_set, recording

@@ -1,0 +1,47 @@
+"""Ends that are no cylinder: the muscle's pull by contraction and pressure."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import exp
+
+from rig.effect import Effect
+
+
+@dataclass(frozen=True)
+class TonduEnds(Effect):
+    """The ends contract less: contraction counts k times in the force (Tondu and Lopez)."""
+
+    family = "end_shape"
+    form = "tondu"
+    k: float = 1.06
+
+    def contraction_factor(self, p_gauge: float) -> float:
+        return self.k
+
+
+@dataclass(frozen=True)
+class KangEnds(Effect):
+    """Contraction counts q(P) = 1 + c1 exp(-P/p0) times in the force (Kang)."""
+
+    family = "end_shape"
+    form = "kang"
+    c1: float = 0.2
+    p0: float = 1.0e5  # Pa
+
+    def contraction_factor(self, p_gauge: float) -> float:
+        return 1 + self.c1 * exp(-p_gauge / self.p0)
+
+
+@dataclass(frozen=True)
+class KerscherEnds(Effect):
+    """The pull is 1 + c exp(-eps/eps_0) times the cylinder's."""
+
+    family = "end_shape"
+    form = "kerscher"
+    c: float = 0.1
+    eps_0: float = 0.1
+    length: float = 0.24  # m
+
+    def pull_factor(self, x: float, p_gauge: float) -> float:
+        return 1 + self.c * exp(-x / self.length / self.eps_0)

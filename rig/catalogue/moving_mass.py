@@ -1,0 +1,31 @@
+"""Masses that move with the load, with their weight or without. Positive forces oppose contraction."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rig.effect import Effect
+
+
+@dataclass(frozen=True)
+class HangingMass(Effect):
+    """The rig's own moving mass hangs on the muscle too: inertia and weight."""
+
+    family = "moving_mass"
+    form = "hanging"
+    m: float = 0.8  # kg
+
+    def hanging_mass(self) -> float:
+        return self.m
+
+
+@dataclass(frozen=True)
+class BalancedMass(Effect):
+    """Inertia without weight."""
+
+    family = "moving_mass"
+    form = "balanced"
+    m: float = 3.0  # kg
+
+    def balanced_mass(self, x: float) -> float:
+        return self.m

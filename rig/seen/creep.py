@@ -1,0 +1,188 @@
+"""Rubber that relaxes: forces that fade while the contraction is held. Positive forces oppose contraction."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import expm1, sinh
+from typing import ClassVar
+
+from rig.effect import Effect, Now, Rest, State
+from rig.flow import T_ATM
+
+_DECADES = tuple(0.1 * 10 ** (0.625 * i) for i in range(5))  # s
+_WLF = (6.4, 142.0)  # [-] and [K]: the universal constants 17.44 and 51.6 K, moved from -70 degC, latex's, to 20 degC
+
+
+@dataclass(frozen=True)
+class FractionalCreep(Effect):
+    """Relaxation by a power of time, as five Maxwell elements from 0.1 s to 31.6 s: weights tau^-a."""
+
+    family = "creep"
+    form = "fractional"
+    atol: ClassVar[tuple[float, ...]] = (1e-10,) * 5
+    k: float = 200.0  # N/m, at 1 s
+    a: float = 0.3
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (rest.x,) * 5
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        return tuple((now.x - r) / tau for r, tau in zip(q, _DECADES, strict=True))
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return float(self.k * sum((x - r) * tau**-self.a for r, tau in zip(q, _DECADES, strict=True)))
+
+
+@dataclass(frozen=True)
+class EyringCreep(Effect):
+    """A Maxwell element whose dashpot thins when it is loaded: q' = (x_0/tau) sinh((x - q)/x_0)."""
+
+    family = "creep"
+    form = "eyring"
+    atol: ClassVar[tuple[float, ...]] = (1e-10,)
+    k: float = 400.0  # N/m
+    tau: float = 2.0  # s
+    x_0: float = 0.015  # m
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (rest.x,)
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        return (self.x_0 / self.tau * sinh(max(-20.0, min(20.0, (now.x - q[0]) / self.x_0))),)
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.k * (x - q[0])
+
+
+@dataclass(frozen=True)
+class FungCreep(Effect):
+    """Quasi-linear viscoelasticity: one relaxation time acts on a spring that stiffens, e = x_0 (exp(x/x_0) - 1).
+
+    Source: Y. C. Fung, Biomechanics: Mechanical Properties of Living Tissues (1981), section 7.6.
+    """
+
+    family = "creep"
+    form = "fung"
+    atol: ClassVar[tuple[float, ...]] = (1e-10,)
+    k: float = 200.0  # N/m
+    tau: float = 1.5  # s
+    x_0: float = 0.04  # m
+
+    def _stretch(self, x: float) -> float:
+        return self.x_0 * expm1(min(x / self.x_0, 6.0))
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (self._stretch(rest.x),)
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        return ((self._stretch(now.x) - q[0]) / self.tau,)
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.k * (self._stretch(x) - q[0])
+
+
+@dataclass(frozen=True)
+class FlowingRubber(Effect):
+    """A spring whose dashpot flows by a power m of its load: q' = e/tau (d + (e/x_0)^2)^((m - 1)/2), force k e.
+
+    e = x - q. The exponent is 2 to 5 for filled rubber, so that relaxation is quick at first and has a long tail.
+    Source: J. S. Bergstrom, M. C. Boyce, Constitutive modeling of the large strain time-dependent behavior of
+    elastomers, J. Mech. Phys. Solids 46 (1998) 931; d = 0.01 keeps a little flow at rest.
+    """
+
+    family = "creep"
+    form = "power_flow"
+    atol: ClassVar[tuple[float, ...]] = (1e-10,)
+    k: float = 400.0  # N/m
+    tau: float = 2.0  # s
+    x_0: float = 0.015  # m
+    m: float = 3.0
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (rest.x,)
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        stretched = now.x - q[0]
+        return (stretched / self.tau * (0.01 + (stretched / self.x_0) ** 2) ** ((self.m - 1) / 2),)
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.k * (x - q[0])
+
+
+@dataclass(frozen=True)
+class SlowRecovery(Effect):
+    """Rubber that recovers later than it gave way: a Maxwell element with tau under load and r tau after it.
+
+    Source: A. N. Gent, Engineering with Rubber, 3rd ed. (2012), on creep and its incomplete recovery.
+    """
+
+    family = "creep"
+    form = "slow_recovery"
+    atol: ClassVar[tuple[float, ...]] = (1e-10,)
+    k: float = 400.0  # N/m
+    tau: float = 1.0  # s
+    r: float = 4.0
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (rest.x,)
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        stretched = now.x - q[0]
+        return (stretched / (self.tau if stretched > 0 else self.r * self.tau),)
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.k * (x - q[0])
+
+
+@dataclass(frozen=True)
+class HardeningCreep(Effect):
+    """A spring k e whose dashpot hardens as it flows: q' = e/tau (x_0/(x_0 + |q|))^m, e = x - q.
+
+    Primary creep by strain hardening, as of cords and braids of polyethylene or polyamide. Source: F. H. Norton, The
+    Creep of Steel at High Temperatures (1929), with the hardening of R. W. Bailey, Proc. Inst. Mech. Eng. 131 (1935)
+    131; here with a load to the first power.
+    """
+
+    family = "creep"
+    form = "strain_hardening"
+    atol: ClassVar[tuple[float, ...]] = (1e-10,)
+    k: float = 400.0  # N/m
+    tau: float = 0.3  # s
+    x_0: float = 5e-3  # m
+    m: float = 2.0
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (rest.x,)
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        return ((now.x - q[0]) / self.tau * (self.x_0 / (self.x_0 + abs(q[0]))) ** self.m,)
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.k * (x - q[0])
+
+
+@dataclass(frozen=True)
+class WarmCreep(Effect):
+    """A Maxwell element of rubber that flows quicker when the gas is warm: tau 10^(-c1 theta/(c2 + theta)).
+
+    theta is half of what the gas is above ambient, as in the middle of a thin bladder. Source: M. L. Williams,
+    R. F. Landel, J. D. Ferry, The temperature dependence of relaxation mechanisms in amorphous polymers, J. Am. Chem.
+    Soc. 77 (1955) 3701.
+    """
+
+    family = "creep"
+    form = "time_temperature"
+    atol: ClassVar[tuple[float, ...]] = (1e-10,)
+    k: float = 400.0  # N/m
+    tau: float = 1.5  # s, at ambient temperature
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (rest.x,)
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        theta = max(-60.0, (now.temperature - T_ATM) / 2)
+        shift = 10 ** (-_WLF[0] * theta / (_WLF[1] + theta))
+        return ((now.x - q[0]) / (self.tau * shift),)
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.k * (x - q[0])

@@ -1,0 +1,189 @@
+"""Springs and rubber: forces of the contraction alone. Positive forces oppose contraction."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import atan, exp, log1p, pi, sqrt
+
+from rig.effect import Effect, State
+
+_TRELOAR = ((6.3e5, 1.3), (1.2e3, 5.0), (-1e4, -2.0))  # Pa and exponents of vulcanised natural rubber
+_TRELOAR_MODULUS = sum(mu * alpha for mu, alpha in _TRELOAR) / 2  # Pa
+
+
+@dataclass(frozen=True)
+class ExponentialSpring(Effect):
+    """A spring that stiffens exponentially: F0 (exp(x/x0) - 1)."""
+
+    family = "elasticity"
+    form = "exponential"
+    f0: float = 5.0  # N
+    x0: float = 0.04  # m
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.f0 * (exp(x / self.x0) - 1)
+
+
+@dataclass(frozen=True)
+class ArctanSpring(Effect):
+    """A spring that yields: F0 atan(x/x0)."""
+
+    family = "elasticity"
+    form = "arctan"
+    f0: float = 12.0  # N
+    x0: float = 0.02  # m
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.f0 * atan(x / self.x0)
+
+
+@dataclass(frozen=True)
+class LogSpring(Effect):
+    """A spring that softens slowly: F0 ln(1 + x/x0)."""
+
+    family = "elasticity"
+    form = "logarithmic"
+    f0: float = 8.0  # N
+    x0: float = 0.015  # m
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.f0 * log1p(x / self.x0) if x > 0 else self.f0 * x / self.x0
+
+
+@dataclass(frozen=True)
+class LockingSpring(Effect):
+    """Chains that lock: k x/(1 - (x/x_lock)^2), finite up to 0.97 x_lock."""
+
+    family = "elasticity"
+    form = "locking"
+    k: float = 120.0  # N/m
+    x_lock: float = 0.12  # m
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        share = min(abs(x) / self.x_lock, 0.97)
+        return self.k * x / (1 - share * share)
+
+
+@dataclass(frozen=True)
+class BraidedTube(Effect):
+    """A thin tube of rubber that follows the braid; left to define: its law."""
+
+    length: float = 0.24  # m
+    diameter: float = 0.02  # m
+    thickness: float = 0.254e-3  # m
+    turns: float = 2.0
+
+    @property
+    def tangent(self) -> float:
+        """Square of length by turned girth: the hoop stretch squared is 1 + tangent (1 - axial stretch squared)."""
+        return (self.length / (self.turns * pi * self.diameter)) ** 2
+
+    @property
+    def wall(self) -> float:
+        """Volume of the rubber [m3]."""
+        return pi * self.diameter * self.thickness * self.length
+
+
+@dataclass(frozen=True)
+class GentTube(BraidedTube):
+    """A thin tube of Gent's rubber that follows the braid: W = -mu J/2 ln(1 - (I1 - 3)/J), by virtual work.
+
+    Its chains have a finite length, so that it locks at I1 = 3 + J; finite here up to 0.95 J.
+    Source: A. N. Gent, A new constitutive relation for rubber, Rubber Chem. Technol. 69 (1996) 59.
+    """
+
+    family = "elasticity"
+    form = "gent"
+    mu: float = 2.4e5  # Pa
+    limit: float = 5.0  # J
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        a, tangent = 1 - x / self.length, self.tangent
+        s, s_a = 1 + tangent * (1 - a * a), -2 * tangent * a  # hoop stretch squared, and its slope
+        invariant = a * a + s + 1 / (a * a * s)
+        slope = 2 * a + s_a - 2 / (a**3 * s) - s_a / (a * s) ** 2
+        used = min((invariant - 3) / self.limit, 0.95)
+        return -self.wall / self.length * self.mu / 2 * slope / (1 - used)
+
+
+@dataclass(frozen=True)
+class OgdenTube(BraidedTube):
+    """A thin tube of Ogden's rubber that follows the braid: W = sum mu/alpha (a^alpha + c^alpha + (a c)^-alpha - 3).
+
+    Axial stretch a, hoop stretch c; Ogden's three terms for Treloar's rubber, times one factor; by virtual work.
+    Source: R. W. Ogden, Large deformation isotropic elasticity, Proc. R. Soc. Lond. A 326 (1972) 565.
+    """
+
+    family = "elasticity"
+    form = "ogden"
+    modulus: float = 2.4e5  # Pa, shear modulus at rest
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        a, tangent = 1 - x / self.length, self.tangent
+        c = sqrt(1 + tangent * (1 - a * a))
+        c_a = -tangent * a / c
+        thinner = c + a * c_a  # slope of a c
+        slope = sum(
+            mu * (a ** (alpha - 1) + c ** (alpha - 1) * c_a - (a * c) ** (-alpha - 1) * thinner)
+            for mu, alpha in _TRELOAR
+        )
+        return float(-self.wall / self.length * self.modulus / _TRELOAR_MODULUS * slope)
+
+
+@dataclass(frozen=True)
+class SlackCord(Effect):
+    """An elastic cord that hangs slack at rest and comes taut at x_0, rounded over 1 mm: k (x - x_0) beyond.
+
+    Return springs and safety cords are fastened with play; reasoned here.
+    """
+
+    family = "elasticity"
+    form = "slack_cord"
+    k: float = 400.0  # N/m
+    x_0: float = 0.02  # m
+    rounded: float = 1e-3  # m
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        over = x - self.x_0
+        return self.k * (over + sqrt(over * over + self.rounded * self.rounded)) / 2
+
+
+@dataclass(frozen=True)
+class YeohTube(BraidedTube):
+    """A thin tube of Yeoh's rubber that follows the braid: W = c1 J - r2 c1 J^2 + r3 c1 J^3, J = I1 - 3.
+
+    The second coefficient is negative and the third positive for filled rubber: soft in between, stiff in the end.
+    Source: O. H. Yeoh, Some forms of the strain energy function for rubber, Rubber Chem. Technol. 66 (1993) 754.
+    """
+
+    family = "elasticity"
+    form = "yeoh"
+    c1: float = 1.2e5  # Pa
+    r2: float = 0.08
+    r3: float = 0.01
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        a, tangent = 1 - x / self.length, self.tangent
+        s, s_a = 1 + tangent * (1 - a * a), -2 * tangent * a  # hoop stretch squared, and its slope
+        j = a * a + s + 1 / (a * a * s) - 3
+        j_a = 2 * a + s_a - 2 / (a**3 * s) - s_a / (a * s) ** 2
+        return -self.wall / self.length * self.c1 * (1 - 2 * self.r2 * j + 3 * self.r3 * j * j) * j_a
+
+
+@dataclass(frozen=True)
+class SideSpring(Effect):
+    """A spring from the load to a post beside the rig: k x (1 - l/sqrt(d^2 + x^2)).
+
+    It lies across the way at rest, d long and l unstretched, so that it pulls along the way only once it is turned.
+    The large-displacement truss of every textbook, e.g. J. M. T. Thompson, G. W. Hunt, Elastic Instability Phenomena
+    (1984).
+    """
+
+    family = "elasticity"
+    form = "side_spring"
+    k: float = 1000.0  # N/m
+    d: float = 0.08  # m
+    unstretched: float = 0.9  # l by d
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.k * x * (1 - self.unstretched * self.d / sqrt(self.d * self.d + x * x))

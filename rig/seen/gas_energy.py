@@ -1,0 +1,204 @@
+"""The gas's temperature from the balances of mass and energy, and the films at the wall."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import sqrt
+from typing import ClassVar
+
+from rig.catalogue.gas_energy import EnergyGas
+from rig.effect import Effect, Now, Rest, State
+from rig.flow import P_ATM, T_ATM, R
+
+
+@dataclass(frozen=True)
+class FreeConvectionGas(EnergyGas):
+    """The film grows with the temperature difference: h (0.5 + 0.5 (|T - T_atm|/10 K)^(1/3))."""
+
+    form = "free_convection"
+
+    def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
+        return self._through(self.h * (0.5 + 0.5 * (((temperature - T_ATM) ** 2 + 0.01) / 100) ** (1 / 6)))
+
+
+@dataclass(frozen=True)
+class DenseGas(EnergyGas):
+    """The film grows with the density: h (p/p_atm)^a."""
+
+    form = "dense"
+    a: float = 0.6
+
+    def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
+        return self._through(self.h * (p / P_ATM) ** self.a)
+
+
+@dataclass(frozen=True)
+class ConductiveGas(EnergyGas):
+    """The film of still gas is as thick as the muscle: h D0/D (T/T_atm)^0.8. Second state: the contraction.
+
+    Nu = h D/k is a constant without forced flow; air's conductivity grows about as T^0.8.
+    Source: F. P. Incropera, D. P. DeWitt, Fundamentals of Heat and Mass Transfer, chapter 8 and table A.4.
+    """
+
+    form = "conductive"
+    atol: ClassVar[tuple[float, ...]] = (1e-14, 1e-8)
+    length: float = 0.24  # m
+    fibre_squared: float = 0.0734  # m2
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (rest.gas_mass, rest.x)
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        return now.net_mass_flow, now.v
+
+    def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
+        at_rest = self.fibre_squared - self.length**2
+        narrower = sqrt(at_rest / (self.fibre_squared - (self.length - q[1]) ** 2))
+        return self._through(self.h * narrower * (temperature / T_ATM) ** 0.8)
+
+
+@dataclass(frozen=True)
+class WoschniGas(EnergyGas):
+    """The film of an engine's cylinder: h (p/p_atm)^0.8 (T/T_atm)^-0.53 (1 + |w|/w_0)^0.8, w the speed of the end.
+
+    The second state is w: it follows the speed with 20 ms, as the gas that it stirs does.
+    Source: G. Woschni, SAE paper 670931 (1967), without the factor of the bore.
+    """
+
+    form = "woschni"
+    atol: ClassVar[tuple[float, ...]] = (1e-14, 1e-8)
+    w_0: float = 0.03  # m/s
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (rest.gas_mass, 0.0)
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        return now.net_mass_flow, (now.v - q[1]) / 0.02
+
+    def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
+        stirred = (1 + sqrt(q[1] ** 2 + 1e-8) / self.w_0) ** 0.8
+        return self._through(self.h * (p / P_ATM) ** 0.8 * (temperature / T_ATM) ** -0.53 * stirred)
+
+
+@dataclass(frozen=True)
+class RenewedFilm(EnergyGas):
+    """The film thickens by diffusion and flow renews it: h s^(-1/2) with s' = (1 - s)/tau - s |m_net|/m_0.
+
+    s, the second state, is the square of the film's thickness, at most that of still gas.
+    Source: P. V. Danckwerts, Significance of liquid-film coefficients in gas absorption, Ind. Eng. Chem. 43 (1951)
+    1460: the coefficient goes as the square root of the rate at which the surface is renewed.
+    """
+
+    form = "renewed_film"
+    atol: ClassVar[tuple[float, ...]] = (1e-14, 1e-8)
+    tau: float = 1.0  # s
+    m_0: float = 3e-5  # kg
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (rest.gas_mass, 1.0)
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        renewed = sqrt(now.net_mass_flow**2 + 1e-16) / self.m_0
+        return now.net_mass_flow, (1 - q[1]) / self.tau - q[1] * renewed
+
+    def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
+        return self._through(self.h / sqrt(max(q[1], 1e-3)))
+
+
+@dataclass(frozen=True)
+class EnclosedConvection(EnergyGas):
+    """Still gas conducts, warm or cold gas turns over: h (1 + ((p/p_atm)^2 |T - T_atm|/dT)^(1/4)).
+
+    The Rayleigh number of an enclosure goes with the density squared and the difference of temperatures.
+    Source: S. W. Churchill, H. H. S. Chu, Int. J. Heat Mass Transf. 18 (1975) 1049, the laminar term.
+    """
+
+    form = "enclosed_convection"
+    difference: float = 20.0  # K, dT: convection then doubles what still gas of ambient pressure conducts
+
+    def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
+        away = sqrt((temperature - T_ATM) ** 2 + 1e-2)
+        return self._through(self.h * (1 + ((p / P_ATM) ** 2 * away / self.difference) ** 0.25))
+
+
+@dataclass(frozen=True)
+class DecayingTurbulence(EnergyGas):
+    """Flow in or out makes turbulence, which decays by itself: u' = b |m_net| - u^2/l; film h + h_1 (u/1 m/s)^0.8.
+
+    Second state: u. Left alone, it falls as l/t. Source: H. Tennekes, J. L. Lumley, A First Course in Turbulence
+    (1972), section 3.2, on the decay; the exponent is that of turbulent flow over walls.
+    """
+
+    form = "turbulence"
+    atol: ClassVar[tuple[float, ...]] = (1e-14, 1e-7)
+    h_1: float = 15.0  # W/(m2 K)
+    eddy: float = 0.02  # m, l
+    b: float = 2e6  # m/(s kg)
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (rest.gas_mass, 0.0)
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        return now.net_mass_flow, self.b * abs(now.net_mass_flow) - q[1] * abs(q[1]) / self.eddy
+
+    def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
+        return self._through(self.h + self.h_1 * (q[1] ** 2 + 1e-8) ** 0.4)
+
+
+@dataclass(frozen=True)
+class GasSpring(EnergyGas):
+    """Heat leads the temperature: K (T_w - T) + c K (T_b - T), where gas near the wall follows, T_b' = (T - T_b)/tau.
+
+    Second state: T_b. Compressed gas gives off more heat than its mean temperature says while that still rises.
+    Source: A. A. Kornhauser, J. L. Smith, The effects of heat transfer on gas spring performance, J. Energy Resour.
+    Technol. 115 (1993) 70, whose complex Nusselt number is this for one time constant.
+    """
+
+    form = "gas_spring"
+    atol: ClassVar[tuple[float, ...]] = (1e-14, 1e-6)
+    c: float = 1.0
+    tau: float = 0.3  # s
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (rest.gas_mass, rest.temperature)
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        return now.net_mass_flow, (now.temperature - q[1]) / self.tau
+
+    def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
+        return self._through(self.h) * (1 + self.c)
+
+    def wall_temperature(self, q: State, outside: float) -> float:
+        return (outside + self.c * q[1]) / (1 + self.c)
+
+
+@dataclass(frozen=True)
+class FilmGas(Effect):
+    """Mass and energy balance; the film is h (p/p_atm)^a + h_1 (|m_jet|/0.1 g/s)^k, the jet dies away in tau.
+
+    With a second virial coefficient b [m3/kg] the temperature is that of p V = m (R T + b p).
+    """
+
+    energy_balance: ClassVar[bool] = True
+    atol: ClassVar[tuple[float, ...]] = (1e-14, 1e-10)
+    h: float = 15.0  # W/(m2 K)
+    a: float = 0.5
+    h_1: float = 30.0  # W/(m2 K)
+    k: float = 0.8
+    tau: float = 0.05  # s
+    b: float = 0.0
+    wall: float = 1.8e-3  # m2 K/W, t/k
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return rest.gas_mass / (1 + self.b * P_ATM / (R * T_ATM)), 0.0
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        return now.net_mass_flow, (now.net_mass_flow - q[1]) / self.tau
+
+    def temperature(self, q: State, pressure_volume: float, polytropic: float) -> float:
+        p = P_ATM * (polytropic / T_ATM) ** 6  # the rig's polytropic law backwards, its exponent is 1.2
+        return (pressure_volume / q[0] - self.b * p) / R
+
+    def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
+        film = self.h * (p / P_ATM) ** self.a + self.h_1 * ((q[1] ** 2 + 1e-16) / 1e-8) ** (self.k / 2)
+        return float(1 / (2 / film + self.wall))

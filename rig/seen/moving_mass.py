@@ -1,0 +1,193 @@
+"""Masses that move with the load, with their weight or without. Positive forces oppose contraction."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import cos, pi
+from typing import ClassVar
+
+from rig.effect import Effect, Now, Rest, State
+from rig.flow import G
+
+
+@dataclass(frozen=True)
+class Counterweight(Effect):
+    """A mass over a pulley that pulls up with a part of the weight that it has inertia: m with net weight w m."""
+
+    family = "moving_mass"
+    form = "counterweight"
+    m: float = 1.5  # kg
+    w: float = 0.25
+
+    def hanging_mass(self) -> float:
+        return self.w * self.m
+
+    def balanced_mass(self, x: float) -> float:
+        return (1 - self.w) * self.m
+
+
+@dataclass(frozen=True)
+class Lever(Effect):
+    """A balanced lever whose ratio changes: inertia m(x) = m (1 + x/x_0) and the force m' v^2/2 that goes with it."""
+
+    family = "moving_mass"
+    form = "lever"
+    m: float = 2.0  # kg
+    x_0: float = 0.05  # m
+
+    def balanced_mass(self, x: float) -> float:
+        return self.m * (1 + max(x, 0.0) / self.x_0)
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.m / self.x_0 * v * v / 2 if x > 0 else 0.0
+
+
+@dataclass(frozen=True)
+class Rocker(Effect):
+    """A balanced rocker arm of radius r whose end the load moves along a line: inertia m/(1 - (x/r)^2).
+
+    The arm's angle is asin(x/r), its energy m r^2 angle'^2/2; the force m'(x) v^2/2 goes with it (Lagrange).
+    """
+
+    family = "moving_mass"
+    form = "rocker"
+    m: float = 3.0  # kg, the arm's moment of inertia over r^2
+    radius: float = 0.15  # m
+
+    def _room(self, x: float) -> float:
+        return max(1 - (x / self.radius) ** 2, 0.1)
+
+    def balanced_mass(self, x: float) -> float:
+        return self.m / self._room(x)
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        room = self._room(x)
+        return self.m * x / (self.radius * room) ** 2 * v * v if room > 0.1 else 0.0
+
+
+@dataclass(frozen=True)
+class SlippingFlywheel(Effect):
+    """A pulley of inertia m that the cord drags along with viscous slip: force m (v - w)/tau with w' = (v - w)/tau.
+
+    Slow movements carry it in full, quick ones slip over it.
+    """
+
+    family = "moving_mass"
+    form = "slipping_flywheel"
+    atol: ClassVar[tuple[float, ...]] = (1e-9,)
+    m: float = 3.0  # kg, moment of inertia over radius squared
+    tau: float = 0.03  # s
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (0.0,)
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        return ((now.v - q[0]) / self.tau,)
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.m * (v - q[0]) / self.tau
+
+
+@dataclass(frozen=True)
+class BeltedFlywheel(Effect):
+    """A balanced flywheel behind an elastic belt, far above the movements that it is to follow.
+
+    States: the flywheel's place [m] and speed [m/s] along the belt.
+    """
+
+    family = "moving_mass"
+    form = "belted_flywheel"
+    atol: ClassVar[tuple[float, ...]] = (1e-9, 1e-8)
+    m: float = 3.0  # kg, moment of inertia over radius squared
+    frequency: float = 12.0  # Hz, of the flywheel on the held belt
+    damping: float = 0.2  # ratio
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (rest.x, 0.0)
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        omega = 2 * pi * self.frequency
+        return self.m * (omega * omega * (x - q[0]) + 2 * self.damping * omega * (v - q[1]))
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        return q[1], self.force(q, now.x, now.v, now.p_gauge) / self.m
+
+
+@dataclass(frozen=True)
+class WindingDrum(Effect):
+    """The cord turns a drum and winds up on it in layers, so that the radius grows: inertia m/(1 + x/x_0)^2.
+
+    The force m'(x) v^2/2 goes with it (Lagrange).
+    """
+
+    family = "moving_mass"
+    form = "winding_drum"
+    m: float = 3.0  # kg, moment of inertia over the square of the bare drum's radius
+    x_0: float = 0.1  # m
+
+    def balanced_mass(self, x: float) -> float:
+        return self.m / (1 + x / self.x_0) ** 2
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return -self.m / self.x_0 * v * v / (1 + x / self.x_0) ** 3
+
+
+@dataclass(frozen=True)
+class SideSled(Effect):
+    """A sled on a level rail d beside the way, drawn along it by a cord: inertia m (a + x)^2/(d^2 + (a + x)^2).
+
+    The cord's length sqrt(d^2 + (a + x)^2) grows with the load's way; the force m'(x) v^2/2 goes with it (Lagrange).
+    """
+
+    family = "moving_mass"
+    form = "side_sled"
+    m: float = 4.0  # kg
+    a: float = 0.04  # m
+    d: float = 0.08  # m
+
+    def balanced_mass(self, x: float) -> float:
+        along = (self.a + x) ** 2
+        return self.m * along / (self.d**2 + along)
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.m * (self.a + x) * self.d**2 / (self.d**2 + (self.a + x) ** 2) ** 2 * v * v
+
+
+@dataclass(frozen=True)
+class WeightedLever(Effect):
+    """A mass on a lever of the ratio 1 + x/x_0: inertia m (1 + x/x_0)^2, weight in proportion to the ratio."""
+
+    m: float = 3.0  # kg
+    x_0: float = 0.08  # m
+    share: float = 0.3  # of the weight, the rest is balanced
+
+    def balanced_mass(self, x: float) -> float:
+        return self.m * self._ratio(x) ** 2
+
+    def resting_mass(self) -> float:
+        return self.share * self.m
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        inertial = self.m * self._ratio(x) / self.x_0 * v * v if x > 0 else 0.0
+        return inertial + self.share * self.m * G * self._ratio(x)
+
+    def _ratio(self, x: float) -> float:
+        return 1 + max(x, 0.0) / self.x_0
+
+
+@dataclass(frozen=True)
+class Arm(Effect):
+    """A weight on an arm that turns by x/r: constant inertia, weight by the cosine of its angle."""
+
+    m: float = 2.0  # kg
+    r: float = 0.1  # m
+    angle: float = -0.2  # rad, at the start
+
+    def balanced_mass(self, x: float) -> float:
+        return self.m
+
+    def resting_mass(self) -> float:
+        return 0.5 * self.m * cos(self.angle)
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return 0.5 * self.m * G * cos(self.angle + max(x, 0.0) / self.r)

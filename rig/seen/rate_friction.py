@@ -1,0 +1,173 @@
+"""Friction that grows with the speed. Positive forces oppose contraction."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import asinh, sqrt
+from typing import ClassVar
+
+from rig.effect import Effect, Now, Rest, State
+
+
+@dataclass(frozen=True)
+class Eyring(Effect):
+    """Friction that saturates: c v_0 asinh(v/v_0)."""
+
+    family = "rate_friction"
+    form = "eyring"
+    c: float = 500.0  # N s/m
+    v_0: float = 0.01  # m/s
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.c * self.v_0 * asinh(v / self.v_0)
+
+
+@dataclass(frozen=True)
+class GrowingViscous(Effect):
+    """Viscous friction that grows with contraction: c v (1 + x/x_0)."""
+
+    family = "rate_friction"
+    form = "growing"
+    c: float = 120.0  # N s/m
+    x_0: float = 0.02  # m
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.c * v * (1 + max(x, 0.0) / self.x_0)
+
+
+@dataclass(frozen=True)
+class OneSidedViscous(Effect):
+    """A damper that works mainly in contraction: c v, and share c v in extension."""
+
+    family = "rate_friction"
+    form = "one_sided"
+    c: float = 300.0  # N s/m
+    share: float = 0.3
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.c * v * (1.0 if v > 0 else self.share)
+
+
+@dataclass(frozen=True)
+class FilmFriction(Effect):
+    """Fibres that slide on a film of grease: c sqrt(p |v|) sign v, smooth below 1 mm/s.
+
+    On a full film the coefficient of friction goes as the square root of viscosity times speed over pressure (the
+    rising branch of the Stribeck curve), so the force, coefficient times pressure, goes as sqrt(p |v|).
+    Source: B. J. Hamrock, S. R. Schmid, B. O. Jacobson, Fundamentals of Fluid Film Lubrication, 2nd ed. (2004).
+    """
+
+    family = "rate_friction"
+    form = "film"
+    c: float = 0.12  # N/sqrt(Pa m/s)
+    eps: float = 1e-3  # m/s
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.c * sqrt(max(p_gauge, 0.0)) * v / sqrt(sqrt(v * v + self.eps * self.eps))
+
+
+@dataclass(frozen=True)
+class OrificeDamper(Effect):
+    """A dashpot whose oil is pressed through a hole: c v (1 + |v|/v_0), the square from the oil's inertia."""
+
+    family = "rate_friction"
+    form = "orifice_damper"
+    c: float = 100.0  # N s/m
+    v_0: float = 0.02  # m/s
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.c * v * (1 + abs(v) / self.v_0)
+
+
+@dataclass(frozen=True)
+class EddyBrake(Effect):
+    """A geared eddy-current brake: c v/(1 + (v/v_k)^2), which brakes most at its critical speed v_k.
+
+    Source: W. R. Smythe, On eddy currents in a rotating disk, Trans. AIEE 61 (1942) 681.
+    """
+
+    family = "rate_friction"
+    form = "eddy_brake"
+    c: float = 300.0  # N s/m
+    v_k: float = 0.08  # m/s
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.c * v / (1 + (v / self.v_k) ** 2)
+
+
+@dataclass(frozen=True)
+class ShearedMatrix(Effect):
+    """A braid in a soft viscous matrix, which its fibres shear as they turn: c v/sin^2 of the braid angle.
+
+    The fibres turn by v/(b sin), and the work on the matrix goes with the square of that. Derived by virtual power.
+    """
+
+    family = "rate_friction"
+    form = "sheared_matrix"
+    c: float = 60.0  # N s/m
+    length: float = 0.24  # m
+    fibre_squared: float = 0.0734  # m2
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.c * v / (1 - (self.length - x) ** 2 / self.fibre_squared)
+
+
+@dataclass(frozen=True)
+class ThixotropicGrease(Effect):
+    """Grease that breaks down when sheared and sets again at rest: c v (r + (1 - r) s), s' = (1 - s)/tau - s |v|/d.
+
+    Source: F. Moore, The rheology of ceramic slips and bodies, Trans. Brit. Ceram. Soc. 58 (1959) 470; J. Mewis,
+    N. J. Wagner, Thixotropy, Adv. Colloid Interface Sci. 147 (2009) 214.
+    """
+
+    family = "rate_friction"
+    form = "thixotropic"
+    atol: ClassVar[tuple[float, ...]] = (1e-6,)
+    c: float = 400.0  # N s/m, of grease that has set
+    r: float = 0.3
+    d: float = 0.01  # m
+    tau: float = 2.0  # s
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (1.0,)
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        return ((1 - q[0]) / self.tau - q[0] * abs(now.v) / self.d,)
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.c * v * (self.r + (1 - self.r) * q[0])
+
+
+@dataclass(frozen=True)
+class ViscousBladder(Effect):
+    """The bladder's rubber is viscous beside its springiness (Kelvin-Voigt) and follows the braid.
+
+    The power is 4 eta times the wall's volume times (e_a^2 + e_h^2 + e_a e_h), with the rates of stretching e_a = -v/L
+    along and e_h = L v/(b^2 - L^2) around. Derived by virtual power; source of the power: G. K. Batchelor, An
+    Introduction to Fluid Dynamics (1967), section 3.4.
+    """
+
+    family = "rate_friction"
+    form = "viscous_bladder"
+    eta: float = 1e5  # Pa s
+    wall: float = 3.8e-6  # m3, volume of the rubber
+    length: float = 0.24  # m
+    fibre_squared: float = 0.0734  # m2
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        length = self.length - x
+        around = length / (self.fibre_squared - length * length)
+        along = -1 / length
+        return 4 * self.eta * self.wall * v * (along * along + around * around + along * around)
+
+
+@dataclass(frozen=True)
+class GrowingDamper(Effect):
+    """Friction c v (1 + x/x_0), in extension a share of it."""
+
+    c: float = 120.0  # N s/m
+    x_0: float = 0.02  # m
+    back: float = 1.0
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.c * v * (1 + max(x, 0.0) / self.x_0) * (1.0 if v > 0 else self.back)

@@ -1,0 +1,229 @@
+"""Valves that follow their command late."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import sqrt, tanh
+from typing import ClassVar
+
+from rig.effect import Effect, Now, Rest, State
+from rig.schedule import LONGEST, Currents, Schedule
+
+
+@dataclass(frozen=True)
+class SlowRateValve(Effect):
+    """The current that acts moves at a limited rate: u' = rate tanh((command - u)/u_0)."""
+
+    family = "valve_dynamics"
+    form = "rate_limit"
+    atol: ClassVar[tuple[float, ...]] = (1e-8, 1e-8)
+    time_per_amp: float = 0.3  # s/A
+    u_0: float = 0.01  # A
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (0.0, 0.0)
+
+    def _rate(self, command: float, u: float) -> float:
+        gap = (command - u) / self.u_0
+        return gap / sqrt(1 + gap * gap) / self.time_per_amp
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        return self._rate(now.command[0], q[0]), self._rate(now.command[1], q[1])
+
+    def current(self, q: State, command: Currents) -> Currents:
+        return q[0], q[1]
+
+
+@dataclass(frozen=True)
+class DelayedLagValve(Effect):
+    """A dead time and then a first-order lag, of equal size."""
+
+    family = "valve_dynamics"
+    form = "delayed_lag"
+    atol: ClassVar[tuple[float, ...]] = (1e-9, 1e-9)
+    tau: float = 0.03  # s
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (0.0, 0.0)
+
+    def delay(self) -> float:
+        return self.tau
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        return (now.command[0] - q[0]) / self.tau, (now.command[1] - q[1]) / self.tau
+
+    def current(self, q: State, command: Currents) -> Currents:
+        return q[0], q[1]
+
+
+@dataclass(frozen=True)
+class TwoSpeedValve(Effect):
+    """The currents act through a lag that is `ratio` times longer when they fall than when they rise."""
+
+    family = "valve_dynamics"
+    form = "two_speeds"
+    atol: ClassVar[tuple[float, ...]] = (1e-9, 1e-9)
+    tau: float = 0.06  # s
+    ratio: float = 0.5
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (0.0, 0.0)
+
+    def _rate(self, command: float, u: float) -> float:
+        return (command - u) / (self.tau if command > u else self.ratio * self.tau)
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        return self._rate(now.command[0], q[0]), self._rate(now.command[1], q[1])
+
+    def current(self, q: State, command: Currents) -> Currents:
+        return q[0], q[1]
+
+
+@dataclass(frozen=True)
+class EddyValve(Effect):
+    """A part of the magnetic force comes at once, the rest when eddy currents in the iron have died away.
+
+    Reasoned from the diffusion of flux into a solid core: its skin follows the coil, its inside comes late.
+    """
+
+    family = "valve_dynamics"
+    form = "eddy_currents"
+    atol: ClassVar[tuple[float, ...]] = (1e-9, 1e-9)
+    tau: float = 0.1  # s
+    at_once: float = 0.5
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (0.0, 0.0)
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        return (now.command[0] - q[0]) / self.tau, (now.command[1] - q[1]) / self.tau
+
+    def current(self, q: State, command: Currents) -> Currents:
+        a, b = (self.at_once * u + (1 - self.at_once) * late for u, late in zip(command, q, strict=True))
+        return a, b
+
+
+@dataclass(frozen=True)
+class SaturatingCoil(Effect):
+    """The coil's inductance falls as its iron saturates, L/(1 + (u/u_s)^2): u' = (command - u)(1 + (u/u_s)^2)/tau.
+
+    Source: N. D. Vaughan, J. B. Gamble, The modeling and simulation of a proportional solenoid valve, J. Dyn. Syst.
+    Meas. Control 118 (1996) 120, on the inductance that depends on the current.
+    """
+
+    family = "valve_dynamics"
+    form = "saturating_coil"
+    atol: ClassVar[tuple[float, ...]] = (1e-9, 1e-9)
+    tau: float = 0.1  # s
+    u_s: float = 0.2  # A
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (0.0, 0.0)
+
+    def _rate(self, command: float, u: float) -> float:
+        return (command - u) * (1 + (u / self.u_s) ** 2) / self.tau
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        return self._rate(now.command[0], q[0]), self._rate(now.command[1], q[1])
+
+    def current(self, q: State, command: Currents) -> Currents:
+        return q[0], q[1]
+
+
+@dataclass(frozen=True)
+class PilotStage(Effect):
+    """The spool moves by what flows through a pilot orifice, the root of what it is off: u' = sqrt(u_r |e|) sign(e)/T.
+
+    e = command - u, smooth below 2 mA. The spool arrives in a finite time, 2 T after a step of u_r.
+    Source: H. E. Merritt, Hydraulic Control Systems (1967), chapter 7, on two-stage valves.
+    """
+
+    family = "valve_dynamics"
+    form = "pilot_stage"
+    atol: ClassVar[tuple[float, ...]] = (1e-8, 1e-8)
+    time: float = 0.04  # s, T
+    u_r: float = 0.35  # A
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (0.0, 0.0)
+
+    def _rate(self, command: float, u: float) -> float:
+        off = command - u
+        return sqrt(self.u_r) * off / sqrt(sqrt(off * off + 4e-6)) / self.time
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        return self._rate(now.command[0], q[0]), self._rate(now.command[1], q[1])
+
+    def current(self, q: State, command: Currents) -> Currents:
+        return q[0], q[1]
+
+
+@dataclass(frozen=True)
+class HeldCommand(Effect):
+    """The output stage passes a command on once in a cycle and holds it in between.
+
+    Programmable controllers and fieldbus valve terminals have cycles of 10 to 100 ms. Source: K. J. Astrom,
+    B. Wittenmark, Computer-Controlled Systems (1997), chapter 2, on zero-order hold.
+    """
+
+    family = "valve_dynamics"
+    form = "held_command"
+    cycle: float = 0.05  # s
+    first: float = 0.5  # of the cycle
+
+    def drive(self, schedule: Schedule) -> Schedule:
+        starts: list[float] = []
+        felt: list[Currents] = []
+        for k in range(int(LONGEST / self.cycle)):
+            t = (self.first + k) * self.cycle
+            command = schedule.at(t)
+            if not felt or command != felt[-1]:
+                starts.append(t)
+                felt.append(command)
+        return Schedule(tuple(starts), tuple(felt))
+
+
+@dataclass(frozen=True)
+class ThreeLags(Effect):
+    """Driver, coil and spool follow one another, three equal first-order lags in series.
+
+    Source: H. E. Merritt, Hydraulic Control Systems (1967), chapter 5, on the chain from amplifier to spool.
+    """
+
+    family = "valve_dynamics"
+    form = "three_lags"
+    atol: ClassVar[tuple[float, ...]] = (1e-9,) * 6
+    tau: float = 0.02  # s, of each
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (0.0,) * 6
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        before = (now.command[0], q[0], q[1], now.command[1], q[3], q[4])
+        return tuple((a - b) / self.tau for a, b in zip(before, q, strict=True))
+
+    def current(self, q: State, command: Currents) -> Currents:
+        return q[2], q[5]
+
+
+@dataclass(frozen=True)
+class LimitedRate(Effect):
+    """The currents that act follow at a limited rate, up or down: rate tanh(gap/u_0), slower or faster down."""
+
+    atol: ClassVar[tuple[float, ...]] = (1e-8, 1e-8)
+    rate: float = 3.0  # A/s
+    u_0: float = 0.01  # A
+    down: float = 1.0  # rate down by that up
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return 0.0, 0.0
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        a, b = (self._toward(u - y) for u, y in zip(now.command, q, strict=True))
+        return a, b
+
+    def current(self, q: State, command: Currents) -> Currents:
+        return q[0], q[1]
+
+    def _toward(self, gap: float) -> float:
+        return self.rate * (1.0 if gap > 0 else self.down) * tanh(gap / self.u_0)
