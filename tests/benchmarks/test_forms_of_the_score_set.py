@@ -26,18 +26,18 @@ from rig.schedule import Phase, SampledSchedule, Schedule
 from rig.seen.wall_heat import TwoLayerWall
 from rig.states import REST, held, now_at
 
-OWN = {"elastomers", "sliding", "terminations", "spools", "conduits", "boundary_layers", "probes", "mishaps"}
 NEW = [form for form in (*table.FORMS, *table.STRANGE) if form.sets == ("score",) and not form.catalogue]
 
 
-def test_score_set_takes_what_the_catalogue_lacks_from_its_own_files():
+def test_forms_lie_in_the_folder_and_the_family_that_the_table_says():
+    """A form that nobody looked at is in no set but the score's; those of the last score are `seen` by now."""
     muscle = MuscleParameters()
     for form in (*table.FORMS, *table.STRANGE):
-        if form.catalogue:
-            continue
         effect = form.make(np.random.default_rng(1), muscle)(min(1.0, form.high))
-        assert (type(effect).__module__.rsplit(".", 1)[1] in OWN) is (form.sets == ("score",)), form.name
-        assert effect.family == form.family
+        _, folder, family, *_ = type(effect).__module__.split(".")
+        assert (folder == "catalogue") is form.catalogue, form.name
+        assert folder != "blind" or form.sets == ("score",), form.name
+        assert effect.family == form.family == family
 
 
 @pytest.fixture(scope="module")
