@@ -67,13 +67,9 @@ class Effect:
         """Inertia without weight [kg] that moves with the load."""
         return 0.0
 
-    def contraction_factor(self, p_gauge: float) -> float:
-        """By what the contraction counts in the law of the muscle's force."""
-        return 1.0
-
     def shape_factor(self, x: float, p_gauge: float) -> float:
-        """As contraction_factor, where it depends on the contraction [m] too."""
-        return self.contraction_factor(p_gauge)
+        """By what the contraction x [m] counts in the law of the muscle's force."""
+        return 1.0
 
     def pull_factor(self, x: float, p_gauge: float) -> float:
         """Factor on the muscle's pull."""
@@ -87,13 +83,9 @@ class Effect:
         """Factor on the area of a valve between these absolute pressures [Pa]."""
         return 1.0
 
-    def friction_heat(self, power: float) -> float:
-        """Share [W] of the power of friction that heats the gas."""
+    def friction_heat(self, fibre: float, bladder: float) -> float:
+        """Heat [W] to the gas, from the powers [W] of fibre on fibre and of fibres on the bladder."""
         return 0.0
-
-    def friction_heat_of(self, fibre: float, bladder: float) -> float:
-        """As friction_heat, from the powers [W] of fibre on fibre and of fibres on the bladder."""
-        return self.friction_heat(fibre + bladder)
 
     def heat(self, q: State) -> float:
         """Further heat [W] to the gas."""
@@ -131,12 +123,11 @@ class Effect:
         """Time [s] by which the currents come late."""
         return 0.0
 
-    def film(self, h: float) -> float:
-        """Heat transfer coefficient [W/(m2 K)] between gas and surroundings."""
-        return h
+    def film(self, q: State, h: float, p: float, temperature: float) -> float:
+        """Heat transfer coefficient [W/(m2 K)] between gas and surroundings, h without the effect.
 
-    def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
-        """As film, where it depends on the state of the gas."""
+        Effects on the wall are asked before those on the gas, whose laws know the flow at it.
+        """
         return h
 
     def temperature(self, q: State, pressure_volume: float, polytropic: float) -> float:
@@ -147,13 +138,9 @@ class Effect:
         """What the temperature sensor shows [K]."""
         return temperature
 
-    def pressure_reading(self, p_gauge: float) -> float:
+    def pressure_shown(self, q: State, p_gauge: float) -> float:
         """What the pressure sensor shows [Pa gauge]."""
         return p_gauge
-
-    def pressure_shown(self, q: State, p_gauge: float) -> float:
-        """As pressure_reading, with own states."""
-        return self.pressure_reading(p_gauge)
 
     def position_shown(self, q: State, x: float) -> float:
         """What the displacement sensor shows [m]."""

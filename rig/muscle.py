@@ -109,9 +109,8 @@ class _Rig:
         for effect in self.effects:
             self.slices.append(slice(at, at + len(effect.atol)))
             at += len(effect.atol)
-        self.film = parameters.heat_coefficient
-        for effect in self.effects:
-            self.film = effect.film(self.film)
+        states = zip(self.effects, self.slices, strict=True)
+        self.at_the_wall = sorted(states, key=lambda pair: pair[0].energy_balance)
         self.dead_volume = sum(effect.extra_volume() for effect in self.effects)
         self.mass = parameters.load + sum(effect.hanging_mass() for effect in self.effects)
         self.resting_mass = parameters.load + sum(effect.resting_mass() for effect in self.effects)
@@ -139,7 +138,7 @@ class _Rig:
         p, temperature = self.gas(y)
         gauge = p - P_ATM
         currents, leak, extra, factor, wall = command, 0.0, 0.0, 1.0, T_ATM
-        film, source, inertia, pull_factor = self.film, self.p_source, self.mass, 1.0
+        source, inertia, pull_factor = self.p_source, self.mass, 1.0
         side_mass, side_enthalpy, other_heat = 0.0, 0.0, 0.0
         for effect, own in zip(self.effects, self.slices, strict=True):
             q = y[own]
@@ -150,7 +149,6 @@ class _Rig:
             factor *= effect.shape_factor(x, gauge)
             pull_factor *= effect.pull_factor(x, gauge)
             wall = effect.wall_temperature(q, wall)
-            film = effect.film_now(q, film, p, temperature)
             source = effect.supply(q, source)
             other_heat += effect.heat(q)
             lost = effect.exchange(q, p, temperature)
@@ -159,6 +157,9 @@ class _Rig:
         valves, line_rates = self._inflow(y, (source, p, temperature), currents)
         net = valves[0] - leak - side_mass
         enthalpy_in = valves[1] - side_enthalpy - _CP * leak * (temperature if leak > 0 else T_ATM)
+        film = par.heat_coefficient
+        for effect, own in self.at_the_wall:
+            film = effect.film(y[own], film, p, temperature)
         heat = film * par.bare_area(x) * (wall - temperature)
 
         fibre = gauge * par.crossing_area * par.mu_d * tanh(par.k_f * v)
@@ -167,7 +168,7 @@ class _Rig:
         pull = pull_factor * gauge * par.volume_slope(factor * x)
         acceleration = (pull - fibre - bladder - extra + stop - self.mass * G) / inertia
 
-        rubbed = sum(effect.friction_heat_of(fibre * v, bladder * v) for effect in self.effects)
+        rubbed = sum(effect.friction_heat(fibre * v, bladder * v) for effect in self.effects)
         energy_rate = heat + other_heat + rubbed + enthalpy_in - p * par.volume_slope(x) * v
         now = Now(x, v, gauge, temperature, command, net, heat)
         rates = [energy_rate, v, acceleration]

@@ -112,9 +112,7 @@ def simulate_vessel(
         slices.append(slice(at, at + len(effect.atol)))
         at += len(effect.atol)
     with_energy = any(effect.energy_balance for effect in effects)
-    film = vessel.h
-    for effect in effects:
-        film = effect.film(film)
+    at_the_wall = sorted(zip(effects, slices, strict=True), key=lambda pair: pair[0].energy_balance)
 
     def gas(y: Sequence[float]) -> tuple[float, float]:
         p = (GAMMA - 1) * y[1] / vessel.volume if with_energy else vessel.pressure(y[0])
@@ -133,6 +131,9 @@ def simulate_vessel(
         for flow, outer in ports(p, temperature, currents):
             net += flow
             enthalpy += flow * (outer if flow > 0 else temperature)
+        film = vessel.h
+        for effect, own in at_the_wall:
+            film = effect.film(y[own], film, p, temperature)
         heat = film * vessel.wall_area * (T_ATM - temperature)
         now = Now(0.0, 0.0, p - P_ATM, temperature, command, net, heat)
         result = [net, GAMMA * R / (GAMMA - 1) * enthalpy + heat]
@@ -142,11 +143,10 @@ def simulate_vessel(
 
     def reading(y: Sequence[float]) -> tuple[float, float]:
         p, temperature = gas(y)
+        gauge = p - P_ATM
         for effect, own in zip(effects, slices, strict=True):
             temperature = effect.reading(y[own], temperature)
-        gauge = p - P_ATM
-        for effect in effects:
-            gauge = effect.pressure_reading(gauge)
+            gauge = effect.pressure_shown(y[own], gauge)
         return gauge, temperature
 
     p_absolute = p_start + P_ATM

@@ -16,7 +16,7 @@ class TonduEnds(Effect):
     form = "tondu"
     k: float = 1.06
 
-    def contraction_factor(self, p_gauge: float) -> float:
+    def shape_factor(self, x: float, p_gauge: float) -> float:
         return self.k
 
 
@@ -29,7 +29,7 @@ class KangEnds(Effect):
     c1: float = 0.2
     p0: float = 1.0e5  # Pa
 
-    def contraction_factor(self, p_gauge: float) -> float:
+    def shape_factor(self, x: float, p_gauge: float) -> float:
         return 1 + self.c1 * exp(-p_gauge / self.p0)
 
 

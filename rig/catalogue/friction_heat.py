@@ -15,8 +15,8 @@ class FrictionHeat(Effect):
     form = "share"
     share: float = 1.0
 
-    def friction_heat(self, power: float) -> float:
-        return self.share * power
+    def friction_heat(self, fibre: float, bladder: float) -> float:
+        return self.share * (fibre + bladder)
 
 
 @dataclass(frozen=True)
@@ -27,5 +27,5 @@ class FibreHeat(Effect):
     form = "fibre"
     share: float = 1.0
 
-    def friction_heat_of(self, fibre: float, bladder: float) -> float:
+    def friction_heat(self, fibre: float, bladder: float) -> float:
         return self.share * fibre

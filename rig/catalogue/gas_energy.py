@@ -25,7 +25,7 @@ class GasEnergy(Effect):
     def rates(self, q: State, now: Now) -> tuple[float, ...]:
         return (now.net_mass_flow,)
 
-    def film(self, h: float) -> float:
+    def film(self, q: State, h: float, p: float, temperature: float) -> float:
         return self.h
 
     def temperature(self, q: State, pressure_volume: float, polytropic: float) -> float:
@@ -70,5 +70,5 @@ class StirredGas(EnergyGas):
     def rates(self, q: State, now: Now) -> tuple[float, ...]:
         return now.net_mass_flow, (now.net_mass_flow - q[1]) / self.tau
 
-    def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
+    def film(self, q: State, h: float, p: float, temperature: float) -> float:
         return self._through(self.h + self.h_1 * ((q[1] ** 2 + 1e-14) / 1e-8) ** 0.4)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rig.effect import Effect
+from rig.effect import Effect, State
 
 
 @dataclass(frozen=True)
@@ -15,7 +15,7 @@ class PressureOffset(Effect):
     form = "constant"
     offset: float = 5.0e3  # Pa
 
-    def pressure_reading(self, p_gauge: float) -> float:
+    def pressure_shown(self, q: State, p_gauge: float) -> float:
         return p_gauge + self.offset
 
 
@@ -27,5 +27,5 @@ class PressureGain(Effect):
     form = "gain"
     gain: float = 1.05
 
-    def pressure_reading(self, p_gauge: float) -> float:
+    def pressure_shown(self, q: State, p_gauge: float) -> float:
         return self.gain * p_gauge

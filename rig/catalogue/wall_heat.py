@@ -52,7 +52,7 @@ class StorageWall(Effect):
     def initial(self, rest: Rest) -> tuple[float, ...]:
         return (T_ATM,)
 
-    def film(self, h: float) -> float:
+    def film(self, q: State, h: float, p: float, temperature: float) -> float:
         return 1 / (1 / self.h_film + self.half_wall)
 
     def rates(self, q: State, now: Now) -> tuple[float, ...]:

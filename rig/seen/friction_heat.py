@@ -17,7 +17,7 @@ class RisingHeat(Effect):
     form = "contraction"
     share: float = 1.0
 
-    def friction_heat_of(self, fibre: float, bladder: float) -> float:
+    def friction_heat(self, fibre: float, bladder: float) -> float:
         return self.share * (fibre + bladder) if bladder > 0 else 0.0
 
 
@@ -54,7 +54,7 @@ class BladderHeat(Effect):
     form = "bladder"
     share: float = 1.0
 
-    def friction_heat_of(self, fibre: float, bladder: float) -> float:
+    def friction_heat(self, fibre: float, bladder: float) -> float:
         return self.share * abs(bladder)
 
 
@@ -118,5 +118,5 @@ class MovingContact(Effect):
 class DissipatedHeat(Effect):
     """All friction heats the gas, that on the bladder in extension too."""
 
-    def friction_heat_of(self, fibre: float, bladder: float) -> float:
+    def friction_heat(self, fibre: float, bladder: float) -> float:
         return fibre + sqrt(bladder * bladder)

@@ -17,7 +17,7 @@ class FreeConvectionGas(EnergyGas):
 
     form = "free_convection"
 
-    def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
+    def film(self, q: State, h: float, p: float, temperature: float) -> float:
         return self._through(self.h * (0.5 + 0.5 * (((temperature - T_ATM) ** 2 + 0.01) / 100) ** (1 / 6)))
 
 
@@ -28,7 +28,7 @@ class DenseGas(EnergyGas):
     form = "dense"
     a: float = 0.6
 
-    def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
+    def film(self, q: State, h: float, p: float, temperature: float) -> float:
         return self._through(self.h * (p / P_ATM) ** self.a)
 
 
@@ -51,7 +51,7 @@ class ConductiveGas(EnergyGas):
     def rates(self, q: State, now: Now) -> tuple[float, ...]:
         return now.net_mass_flow, now.v
 
-    def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
+    def film(self, q: State, h: float, p: float, temperature: float) -> float:
         at_rest = self.fibre_squared - self.length**2
         narrower = sqrt(at_rest / (self.fibre_squared - (self.length - q[1]) ** 2))
         return self._through(self.h * narrower * (temperature / T_ATM) ** 0.8)
@@ -75,7 +75,7 @@ class WoschniGas(EnergyGas):
     def rates(self, q: State, now: Now) -> tuple[float, ...]:
         return now.net_mass_flow, (now.v - q[1]) / 0.02
 
-    def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
+    def film(self, q: State, h: float, p: float, temperature: float) -> float:
         stirred = (1 + sqrt(q[1] ** 2 + 1e-8) / self.w_0) ** 0.8
         return self._through(self.h * (p / P_ATM) ** 0.8 * (temperature / T_ATM) ** -0.53 * stirred)
 
@@ -101,7 +101,7 @@ class RenewedFilm(EnergyGas):
         renewed = sqrt(now.net_mass_flow**2 + 1e-16) / self.m_0
         return now.net_mass_flow, (1 - q[1]) / self.tau - q[1] * renewed
 
-    def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
+    def film(self, q: State, h: float, p: float, temperature: float) -> float:
         return self._through(self.h / sqrt(max(q[1], 1e-3)))
 
 
@@ -116,7 +116,7 @@ class EnclosedConvection(EnergyGas):
     form = "enclosed_convection"
     difference: float = 20.0  # K, dT: convection then doubles what still gas of ambient pressure conducts
 
-    def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
+    def film(self, q: State, h: float, p: float, temperature: float) -> float:
         away = sqrt((temperature - T_ATM) ** 2 + 1e-2)
         return self._through(self.h * (1 + ((p / P_ATM) ** 2 * away / self.difference) ** 0.25))
 
@@ -141,7 +141,7 @@ class DecayingTurbulence(EnergyGas):
     def rates(self, q: State, now: Now) -> tuple[float, ...]:
         return now.net_mass_flow, self.b * abs(now.net_mass_flow) - q[1] * abs(q[1]) / self.eddy
 
-    def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
+    def film(self, q: State, h: float, p: float, temperature: float) -> float:
         return self._through(self.h + self.h_1 * (q[1] ** 2 + 1e-8) ** 0.4)
 
 
@@ -165,7 +165,7 @@ class GasSpring(EnergyGas):
     def rates(self, q: State, now: Now) -> tuple[float, ...]:
         return now.net_mass_flow, (now.temperature - q[1]) / self.tau
 
-    def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
+    def film(self, q: State, h: float, p: float, temperature: float) -> float:
         return self._through(self.h) * (1 + self.c)
 
     def wall_temperature(self, q: State, outside: float) -> float:
@@ -199,6 +199,6 @@ class FilmGas(Effect):
         p = P_ATM * (polytropic / T_ATM) ** 6  # the rig's polytropic law backwards, its exponent is 1.2
         return (pressure_volume / q[0] - self.b * p) / R
 
-    def film_now(self, q: State, h: float, p: float, temperature: float) -> float:
+    def film(self, q: State, h: float, p: float, temperature: float) -> float:
         film = self.h * (p / P_ATM) ** self.a + self.h_1 * ((q[1] ** 2 + 1e-16) / 1e-8) ** (self.k / 2)
         return float(1 / (2 / film + self.wall))

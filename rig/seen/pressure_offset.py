@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import asinh, exp, sinh, sqrt
 
-from rig.effect import Effect
+from rig.effect import Effect, State
 
 
 @dataclass(frozen=True)
@@ -17,7 +17,7 @@ class OffsetAndGain(Effect):
     gain: float = 1.05
     p_0: float = 8e4  # Pa
 
-    def pressure_reading(self, p_gauge: float) -> float:
+    def pressure_shown(self, q: State, p_gauge: float) -> float:
         return p_gauge + (self.gain - 1) * (p_gauge - self.p_0)
 
 
@@ -31,7 +31,7 @@ class CurvedPressure(Effect):
     c: float = 1.0
     p_0: float = 2e5  # Pa
 
-    def pressure_reading(self, p_gauge: float) -> float:
+    def pressure_shown(self, q: State, p_gauge: float) -> float:
         return p_gauge + self.offset * (1 + self.c * (p_gauge / self.p_0) ** 2)
 
 
@@ -44,7 +44,7 @@ class SaturatingPressure(Effect):
     offset: float = 5e3  # Pa
     p_0: float = 2e5  # Pa
 
-    def pressure_reading(self, p_gauge: float) -> float:
+    def pressure_shown(self, q: State, p_gauge: float) -> float:
         return p_gauge + self.offset * exp(-p_gauge / self.p_0)
 
 
@@ -61,7 +61,7 @@ class StiffeningDiaphragm(Effect):
     c: float = 0.05
     p_0: float = 1.5e5  # Pa
 
-    def pressure_reading(self, p_gauge: float) -> float:
+    def pressure_shown(self, q: State, p_gauge: float) -> float:
         # the real root of the cubic, whose slope is above 0 everywhere
         scale = 2 * self.p_0 / sqrt(3 * self.c)
         return scale * sinh(asinh(3 * p_gauge / (scale)) / 3)
@@ -79,7 +79,7 @@ class BowedManometer(Effect):
     bow: float = 3e3  # Pa
     p_fs: float = 3e5  # Pa, full scale
 
-    def pressure_reading(self, p_gauge: float) -> float:
+    def pressure_shown(self, q: State, p_gauge: float) -> float:
         share = p_gauge / self.p_fs
         return p_gauge + 4 * self.bow * share * (1 - share)
 
@@ -97,5 +97,5 @@ class UnbalancedBridge(Effect):
     c: float = 0.03
     p_fs: float = 3e5  # Pa, full scale
 
-    def pressure_reading(self, p_gauge: float) -> float:
+    def pressure_shown(self, q: State, p_gauge: float) -> float:
         return p_gauge / (1 + self.c * p_gauge / self.p_fs)

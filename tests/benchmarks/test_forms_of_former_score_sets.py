@@ -188,16 +188,16 @@ def test_leaks_grow_by_their_powers():
 
 def test_film_is_that_of_still_gas_at_rest_and_goes_with_the_root_of_renewal():
     own = seen.gas_energy.RenewedFilm(h=10.0, wall=0.0, tau=1.0, m_0=3e-5)
-    still = own.film_now(own.initial(REST), 0.0, P_ATM, T_ATM)
+    still = own.film(own.initial(REST), 0.0, P_ATM, T_ATM)
     assert still == pytest.approx(5.0)
-    flowing = own.film_now(held(own, now_at(flow=9e-5), 8.0), 0.0, P_ATM, T_ATM)
+    flowing = own.film(held(own, now_at(flow=9e-5), 8.0), 0.0, P_ATM, T_ATM)
     assert flowing == pytest.approx(still * sqrt(1 + 3.0), rel=1e-3)
 
 
 def test_enclosed_gas_turns_over_with_density_squared():
     own = seen.gas_energy.EnclosedConvection(h=10.0, wall=0.0, difference=20.0)
-    assert own.film_now((), 0.0, P_ATM, T_ATM + 20.0) == pytest.approx(10.0, rel=1e-4)
-    assert own.film_now((), 0.0, 4 * P_ATM, T_ATM - 20.0) == pytest.approx(15.0, rel=1e-4)
+    assert own.film((), 0.0, P_ATM, T_ATM + 20.0) == pytest.approx(10.0, rel=1e-4)
+    assert own.film((), 0.0, 4 * P_ATM, T_ATM - 20.0) == pytest.approx(15.0, rel=1e-4)
 
 
 def test_pressed_layers_keep_their_heat_and_touch_better_under_pressure():
@@ -233,7 +233,7 @@ def test_bead_without_buoyancy_is_a_lag():
 
 def test_bowed_manometer_is_right_at_both_ends():
     own = seen.pressure_offset.BowedManometer(3e3, 3e5)
-    assert [own.pressure_reading(p) - p for p in (0.0, 1.5e5, 3e5)] == pytest.approx([0.0, 3e3, 0.0])
+    assert [own.pressure_shown((), p) - p for p in (0.0, 1.5e5, 3e5)] == pytest.approx([0.0, 3e3, 0.0])
 
 
 def test_loose_contact_cuts_the_current_off_and_its_edges_are_switches():

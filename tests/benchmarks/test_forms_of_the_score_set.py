@@ -270,11 +270,11 @@ def test_labyrinth_of_many_turns_goes_with_the_root_of_their_number():
 
 def test_turbulence_decays_as_length_over_time():
     own = seen.gas_energy.DecayingTurbulence(h=8.0, wall=0.0, h_1=15.0, eddy=0.02, b=2e6)
-    assert own.film_now(own.initial(REST), 0.0, P_ATM, T_ATM) == pytest.approx(4.0, abs=0.01)
+    assert own.film(own.initial(REST), 0.0, P_ATM, T_ATM) == pytest.approx(4.0, abs=0.01)
     stirred = held(own, now_at(flow=-1e-4), 2.0)
     assert stirred[1] == pytest.approx(sqrt(2e6 * 1e-4 * 0.02), rel=1e-6)
     assert held(own, now_at(), 1.0, list(stirred))[1] == pytest.approx(0.02 / 1.0, rel=0.02)
-    assert own.film_now([1e-4, 1.0], 0.0, P_ATM, T_ATM) == pytest.approx(11.5, rel=1e-6)
+    assert own.film([1e-4, 1.0], 0.0, P_ATM, T_ATM) == pytest.approx(11.5, rel=1e-6)
 
 
 def test_gas_spring_in_the_end_only_loses_what_goes_through_the_wall():
@@ -282,7 +282,7 @@ def test_gas_spring_in_the_end_only_loses_what_goes_through_the_wall():
     q = held(own, now_at(temperature=T_ATM + 20.0), 6.0)
 
     def heat(states: Sequence[float]) -> float:
-        film = own.film_now(states, 0.0, P_ATM, T_ATM + 20.0)
+        film = own.film(states, 0.0, P_ATM, T_ATM + 20.0)
         return film * (own.wall_temperature(states, T_ATM) - T_ATM - 20.0)
 
     through = plain._through(20.0)
@@ -333,9 +333,9 @@ def test_long_wire_ends_as_a_fin():
 
 def test_bridge_is_right_at_small_pressures_and_off_by_its_share_at_full_scale():
     own = seen.pressure_offset.UnbalancedBridge(0.05, 3e5)
-    assert own.pressure_reading(10.0) == pytest.approx(10.0, rel=1e-5)
-    assert own.pressure_reading(3e5) == pytest.approx(3e5 / 1.05)
-    assert seen.pressure_offset.UnbalancedBridge(-0.05, 3e5).pressure_reading(3e5) > 3e5
+    assert own.pressure_shown((), 10.0) == pytest.approx(10.0, rel=1e-5)
+    assert own.pressure_shown((), 3e5) == pytest.approx(3e5 / 1.05)
+    assert seen.pressure_offset.UnbalancedBridge(-0.05, 3e5).pressure_shown((), 3e5) > 3e5
 
 
 def test_lamp_goes_on_and_off_at_switches():
