@@ -1,5 +1,6 @@
 within PneumaticMuscle;
 package Constants "Constants of air and of the earth"
+  extends Icons.Package;
   constant Types.SpecificHeatCapacity R = 287.05 "Specific gas constant of air";
   constant Real gamma(unit="1") = 1.4 "Ratio of specific heats, DP Table 1";
   constant Types.SpecificHeatCapacity cp = gamma*R/(gamma - 1) "Specific heat capacity at constant pressure, DP (23)";

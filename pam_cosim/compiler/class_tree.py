@@ -24,6 +24,8 @@ from pam_cosim.compiler.syntax import (
 from pam_cosim.errors import ModelError
 from pam_cosim.resources import modelica_root
 
+_GRAPHICAL = frozenset(("Icon", "Diagram"))
+
 
 @dataclass(frozen=True)
 class BaseInfo:
@@ -83,7 +85,7 @@ class ClassInfo:
     Attributes:
         name: full name.
         kind: ``model``, ``package``, ``function``, ``connector``, ``record``, ``type`` or ``block``.
-        annotations: top-level annotations as text, by name.
+        annotations: top-level annotations as text, by name, but for graphics.
         documentation: the ``info`` string of the Documentation annotation.
     """
 
@@ -213,7 +215,7 @@ class ClassTree:
             replaceables=tuple(
                 self._replaceable(node, nested) for nested in node.classes.values() if "replaceable" in nested.prefixes
             ),
-            annotations={argument.name: argument_text(argument) for argument in node.annotation.arguments},
+            annotations={a.name: argument_text(a) for a in node.annotation.arguments if a.name not in _GRAPHICAL},
             documentation=value.value if isinstance(value, Literal) and isinstance(value.value, str) else "",
             file=node.source.file,
             line=line,

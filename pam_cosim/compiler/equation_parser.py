@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from pam_cosim.compiler.expression_parser import ExpressionParser
 from pam_cosim.compiler.syntax import (
     Assignment,
@@ -56,7 +58,10 @@ class EquationParser(ExpressionParser):
             equation = self.simple(section)
         self.string_comment()
         if self.accept("annotation"):
+            start = self.offset
             self.skip_parentheses()
+            if isinstance(equation, Connect):
+                return replace(equation, annotation=(start, self.offset))
         return equation
 
     def simple(self, section: str) -> Equation:

@@ -55,6 +55,7 @@ class Lookup:
     def __init__(self, library: Library) -> None:
         self.library = library
         self._static: dict[ClassDefinition, Scope] = {}
+        self._static_bases: dict[ClassDefinition, list[Class]] = {}
 
     def static_scope(self, definition: ClassDefinition) -> Scope:
         """The place of a class that is not part of an instance."""
@@ -125,6 +126,14 @@ class Lookup:
 
     def bases(self, of: Class) -> list[Class]:
         """The classes that a class extends or is short for, as far as they are found; built-in types are not."""
+        parent = of.definition.parent
+        if of.outer is not (None if parent is None else self.static_scope(parent)):
+            return self._bases(of)
+        if of.definition not in self._static_bases:
+            self._static_bases[of.definition] = self._bases(of)
+        return self._static_bases[of.definition]
+
+    def _bases(self, of: Class) -> list[Class]:
         definition = of.definition
         if definition.alias is not None:
             target = definition.alias.type

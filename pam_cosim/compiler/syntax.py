@@ -158,6 +158,7 @@ class Connect(Equation):
 
     left: Reference
     right: Reference
+    annotation: tuple[int, int] = (0, 0)  # where its text begins and ends
 
 
 @dataclass(eq=False, repr=False, slots=True)

@@ -1,5 +1,6 @@
 within PneumaticMuscle.Benches;
 model Antagonistic "Two muscles that pull a pulley against each other"
+  extends Icons.Bench;
   input Types.Current u_in_1(start=0.35) "Current of the first inlet valve";
   input Types.Current u_out_1(start=0) "Current of the first exhaust valve";
   input Types.Current u_in_2(start=0.25) "Current of the second inlet valve";
@@ -8,41 +9,72 @@ model Antagonistic "Two muscles that pull a pulley against each other"
   output Types.GaugePressure p_1 "Gauge pressure in the first muscle";
   output Types.GaugePressure p_2 "Gauge pressure in the second muscle";
   output Types.Length x "Travel of the rim, towards the first muscle";
-  inner Components.Ambient ambient "Surroundings";
-  Components.Supply supply(p_gauge=p_supply) "Air supply";
-  Components.Atmosphere atmosphere "Outlet";
-  Components.ValvePair valve_1(u_in=u_in_1, u_out=u_out_1) "Valves of the first muscle";
-  Components.ValvePair valve_2(u_in=u_in_2, u_out=u_out_2) "Valves of the second muscle";
-  Components.Muscle muscle_1 "First muscle";
-  Components.Muscle muscle_2 "Second muscle";
-  Components.Fixed frame_1(s0=muscle_1.L0) "Where the first muscle is fixed";
-  Components.Fixed frame_2(s0=muscle_2.L0) "Where the second muscle is fixed";
-  Components.Stop stop_1(L0=muscle_1.L0) "Full extension of the first muscle";
-  Components.Stop stop_2(L0=muscle_2.L0) "Full extension of the second muscle";
-  Components.Pulley pulley "Pulley";
-  Sensors.GaugePressure manometer_1 "Pressure transducer";
-  Sensors.GaugePressure manometer_2 "Pressure transducer";
+  inner Components.Ambient ambient "Surroundings"
+    annotation (Placement(transformation(extent={{-20,60},{20,100}})));
+  Components.Supply supply(p_gauge=p_supply) "Air supply"
+    annotation (Placement(transformation(extent={{-240,90},{-200,130}})));
+  Components.Atmosphere atmosphere "Outlet"
+    annotation (Placement(transformation(extent={{-240,-130},{-200,-90}})));
+  Components.ValvePair valve_1(u_in=u_in_1, u_out=u_out_1) "Valves of the first muscle"
+    annotation (Placement(transformation(extent={{-180,-20},{-140,20}})));
+  Components.ValvePair valve_2(u_in=u_in_2, u_out=u_out_2) "Valves of the second muscle"
+    annotation (Placement(transformation(extent={{180,-20},{140,20}})));
+  Components.Muscle muscle_1 "First muscle"
+    annotation (Placement(transformation(extent={{-100,-20},{-60,20}})));
+  Components.Muscle muscle_2 "Second muscle"
+    annotation (Placement(transformation(extent={{100,-20},{60,20}})));
+  Components.Fixed frame_1(s0=muscle_1.L0) "Where the first muscle is fixed"
+    annotation (Placement(transformation(extent={{-100,55},{-60,95}})));
+  Components.Fixed frame_2(s0=muscle_2.L0) "Where the second muscle is fixed"
+    annotation (Placement(transformation(extent={{60,55},{100,95}})));
+  Components.Stop stop_1(L0=muscle_1.L0) "Full extension of the first muscle"
+    annotation (Placement(transformation(extent={{-50,-20},{-10,20}})));
+  Components.Stop stop_2(L0=muscle_2.L0) "Full extension of the second muscle"
+    annotation (Placement(transformation(extent={{10,-20},{50,20}})));
+  Components.Pulley pulley "Pulley"
+    annotation (Placement(transformation(extent={{-20,-100},{20,-60}})));
+  Sensors.GaugePressure manometer_1 "Pressure transducer"
+    annotation (Placement(transformation(extent={{-140,55},{-100,95}})));
+  Sensors.GaugePressure manometer_2 "Pressure transducer"
+    annotation (Placement(transformation(extent={{100,55},{140,95}})));
 equation
-  connect(supply.port, valve_1.supply);
-  connect(supply.port, valve_2.supply);
-  connect(valve_1.port, muscle_1.port);
-  connect(valve_2.port, muscle_2.port);
-  connect(valve_1.exhaust, atmosphere.port);
-  connect(valve_2.exhaust, atmosphere.port);
-  connect(muscle_1.port, manometer_1.port);
-  connect(muscle_2.port, manometer_2.port);
-  connect(muscle_1.flange_a, pulley.flange_1);
-  connect(muscle_2.flange_a, pulley.flange_2);
-  connect(muscle_1.flange_b, frame_1.flange);
-  connect(muscle_2.flange_b, frame_2.flange);
-  connect(muscle_1.flange_a, stop_1.flange_a);
-  connect(muscle_1.flange_b, stop_1.flange_b);
-  connect(muscle_2.flange_a, stop_2.flange_a);
-  connect(muscle_2.flange_b, stop_2.flange_b);
+  connect(supply.port, valve_1.supply)
+    annotation (Line(points={{-200,110}, {-190,110}, {-190,12}, {-180,12}}, color={0,90,160}));
+  connect(supply.port, valve_2.supply)
+    annotation (Line(points={{-200,110}, {190,110}, {190,12}, {180,12}}, color={0,90,160}));
+  connect(valve_1.port, muscle_1.port)
+    annotation (Line(points={{-140,0}, {-100,0}}, color={0,90,160}));
+  connect(valve_2.port, muscle_2.port)
+    annotation (Line(points={{140,0}, {100,0}}, color={0,90,160}));
+  connect(valve_1.exhaust, atmosphere.port)
+    annotation (Line(points={{-180,-12}, {-190,-12}, {-190,-110}, {-200,-110}}, color={0,90,160}));
+  connect(valve_2.exhaust, atmosphere.port)
+    annotation (Line(points={{180,-12}, {190,-12}, {190,-110}, {-200,-110}}, color={0,90,160}));
+  connect(muscle_1.port, manometer_1.port)
+    annotation (Line(points={{-100,0}, {-120,0}, {-120,55}}, color={0,90,160}));
+  connect(muscle_2.port, manometer_2.port)
+    annotation (Line(points={{100,0}, {120,0}, {120,55}}, color={0,90,160}));
+  connect(muscle_1.flange_a, pulley.flange_1)
+    annotation (Line(points={{-80,-20}, {-80,-40}, {-12,-40}, {-12,-60}}, color={0,110,60}));
+  connect(muscle_2.flange_a, pulley.flange_2)
+    annotation (Line(points={{80,-20}, {80,-40}, {12,-40}, {12,-60}}, color={0,110,60}));
+  connect(muscle_1.flange_b, frame_1.flange)
+    annotation (Line(points={{-80,20}, {-80,55}}, color={0,110,60}));
+  connect(muscle_2.flange_b, frame_2.flange)
+    annotation (Line(points={{80,20}, {80,55}}, color={0,110,60}));
+  connect(muscle_1.flange_a, stop_1.flange_a)
+    annotation (Line(points={{-80,-20}, {-80,-40}, {-30,-40}, {-30,-20}}, color={0,110,60}));
+  connect(muscle_1.flange_b, stop_1.flange_b)
+    annotation (Line(points={{-80,20}, {-80,40}, {-30,40}, {-30,20}}, color={0,110,60}));
+  connect(muscle_2.flange_a, stop_2.flange_a)
+    annotation (Line(points={{80,-20}, {80,-40}, {30,-40}, {30,-20}}, color={0,110,60}));
+  connect(muscle_2.flange_b, stop_2.flange_b)
+    annotation (Line(points={{80,20}, {80,40}, {30,40}, {30,20}}, color={0,110,60}));
   p_1 = manometer_1.p;
   p_2 = manometer_2.p;
   x = pulley.r*pulley.phi;
-  annotation (experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
+  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-250,-140},{250,140}})),
+    experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
 <p>Two muscles of DP on a pulley, each with its valves; both are contracted by <code>pulley.x_0</code> in the middle
 position, so that each has room to extend. They fill alike in volume and pressure until the one that is filled faster turns
 the pulley; the angle is x/<code>pulley.r</code>.</p>

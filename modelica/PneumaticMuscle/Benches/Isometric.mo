@@ -1,5 +1,6 @@
 within PneumaticMuscle.Benches;
 model Isometric "A muscle whose contraction is imposed, driven by current-driven valves; its pull is measured"
+  extends Icons.Bench;
   input Types.Current u_in(start=0.35) "Current of the inlet valve";
   input Types.Current u_out(start=0) "Current of the exhaust valve";
   input Types.GaugePressure p_supply(start=207e3) "Gauge pressure of the supply";
@@ -13,31 +14,52 @@ model Isometric "A muscle whose contraction is imposed, driven by current-driven
     annotation (choicesAllMatching=true);
   replaceable model Line = Laws.Lines.DirectLine constrainedby Interfaces.Line "Line between valves and muscle"
     annotation (choicesAllMatching=true);
-  inner Components.Ambient ambient "Surroundings";
-  Components.Supply supply(p_gauge=p_supply) "Air supply";
-  Components.Atmosphere atmosphere "Outlet";
-  Components.ValvePair valve(u_in=u_in, u_out=u_out) "Inlet and exhaust valve";
-  Line line "Line between valves and muscle";
-  Components.Muscle muscle "Muscle";
-  Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs";
-  Components.ImposedPosition drive(s_wanted=s) "What moves the load end";
-  Manometer manometer "Pressure transducer";
-  Thermometer thermometer(T_start=ambient.T, m_flow=muscle.port.m_flow) "Thermometer";
-  Sensors.Pull loadCell "Load cell";
+  inner Components.Ambient ambient "Surroundings"
+    annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
+  Components.Supply supply(p_gauge=p_supply) "Air supply"
+    annotation (Placement(transformation(extent={{-170,20},{-130,60}})));
+  Components.Atmosphere atmosphere "Outlet"
+    annotation (Placement(transformation(extent={{-170,-60},{-130,-20}})));
+  Components.ValvePair valve(u_in=u_in, u_out=u_out) "Inlet and exhaust valve"
+    annotation (Placement(transformation(extent={{-110,-20},{-70,20}})));
+  Line line "Line between valves and muscle"
+    annotation (Placement(transformation(extent={{-50,-20},{-10,20}})));
+  Components.Muscle muscle "Muscle"
+    annotation (Placement(transformation(extent={{30,-20},{70,20}})));
+  Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs"
+    annotation (Placement(transformation(extent={{30,60},{70,100}})));
+  Components.ImposedPosition drive(s_wanted=s) "What moves the load end"
+    annotation (Placement(transformation(extent={{30,-150},{70,-110}})));
+  Manometer manometer "Pressure transducer"
+    annotation (Placement(transformation(extent={{-50,60},{-10,100}})));
+  Thermometer thermometer(T_start=ambient.T, m_flow=muscle.port.m_flow) "Thermometer"
+    annotation (Placement(transformation(extent={{-110,60},{-70,100}})));
+  Sensors.Pull loadCell "Load cell"
+    annotation (Placement(transformation(extent={{30,-85},{70,-45}})));
 equation
-  connect(supply.port, valve.supply);
-  connect(valve.port, line.port_a);
-  connect(line.port_b, muscle.port);
-  connect(valve.exhaust, atmosphere.port);
-  connect(muscle.port, manometer.port);
-  connect(muscle.port, thermometer.port);
-  connect(muscle.flange_a, loadCell.flange_a);
-  connect(loadCell.flange_b, drive.flange);
-  connect(muscle.flange_b, ceiling.flange);
+  connect(supply.port, valve.supply)
+    annotation (Line(points={{-130,40}, {-120,40}, {-120,12}, {-110,12}}, color={0,90,160}));
+  connect(valve.port, line.port_a)
+    annotation (Line(points={{-70,0}, {-50,0}}, color={0,90,160}));
+  connect(line.port_b, muscle.port)
+    annotation (Line(points={{-10,0}, {30,0}}, color={0,90,160}));
+  connect(valve.exhaust, atmosphere.port)
+    annotation (Line(points={{-110,-12}, {-120,-12}, {-120,-40}, {-130,-40}}, color={0,90,160}));
+  connect(muscle.port, manometer.port)
+    annotation (Line(points={{30,0}, {10,0}, {10,45}, {-30,45}, {-30,60}}, color={0,90,160}));
+  connect(muscle.port, thermometer.port)
+    annotation (Line(points={{30,0}, {10,0}, {10,45}, {-90,45}, {-90,60}}, color={0,90,160}));
+  connect(muscle.flange_a, loadCell.flange_a)
+    annotation (Line(points={{50,-20}, {50,-45}}, color={0,110,60}));
+  connect(loadCell.flange_b, drive.flange)
+    annotation (Line(points={{50,-85}, {50,-110}}, color={0,110,60}));
+  connect(muscle.flange_b, ceiling.flange)
+    annotation (Line(points={{50,20}, {50,60}}, color={0,110,60}));
   p = manometer.p;
   F = loadCell.F;
   T = thermometer.T;
-  annotation (experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
+  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-170},{110,120}})),
+    experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
 <p>The muscle of <code>Isotonic</code> between a ceiling and a drive. The imposed contraction reaches the muscle through
 a critically damped filter of 5 ms, <code>Components.ImposedPosition</code>, because the speed of the end enters the
 pressure, DP (59). It starts from zero contraction whatever the input says. The braid carries no push: a negative pull

@@ -1,5 +1,6 @@
 within PneumaticMuscle.Benches;
 model LumpedLinear "Linear model of three states, pressure, length and its rate, AM Fig. 9"
+  extends Icons.Bench;
   input Types.GaugePressure p_in(start=4.5e5) "Pressure that the regulator is told";
   output Types.GaugePressure p "Gauge pressure in the muscle";
   output Types.Length L "Length, from that at the operating point";
@@ -28,7 +29,20 @@ equation
   p = P;
   L = l;
   F = F_0 + C_1*(P - p_0) + C_2*l;
-  annotation (experiment(StopTime=2, Interval=0.002, Tolerance=1e-6), Documentation(info="<html>
+  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-100,-100},{100,100}}), graphics={
+    Line(points={{-70,80}, {70,80}}, color={60,60,60}, thickness=1),
+    Line(points={{-50,80}, {-50,50}, {-65,42}, {-35,26}, {-65,10}, {-35,-6}, {-50,-14}, {-50,-40}}, color={0,110,60}),
+    Line(points={{0,80}, {0,30}}, color={0,110,60}),
+    Line(points={{-15,30}, {15,30}}, color={0,110,60}),
+    Line(points={{-20,45}, {-20,5}, {20,5}, {20,45}}, color={0,110,60}),
+    Line(points={{0,5}, {0,-40}}, color={0,110,60}),
+    Line(points={{50,80}, {50,-40}}, color={0,90,160}, thickness=1, arrow={Arrow.Filled, Arrow.None}, arrowSize=12),
+    Rectangle(extent={{-65,-90}, {65,-40}}, lineColor={60,60,60}, fillColor={190,190,190}, fillPattern=FillPattern.Solid),
+    Text(extent={{-40,-85}, {40,-45}}, textString="m", textColor={60,60,60}),
+    Text(extent={{-98,-34}, {-54,-24}}, textString="C_2 + k", textColor={60,60,60}),
+    Text(extent={{22,18}, {42,30}}, textString="b", textColor={60,60,60}),
+    Text(extent={{55,12}, {95,24}}, textString="C_1 P", textColor={60,60,60})}),
+    experiment(StopTime=2, Interval=0.002, Tolerance=1e-6), Documentation(info="<html>
 <p>d/dt [P, L, L_dot] = [-1/tau, 0, 0; 0, 0, 1; -C_1/m, -(C_2 + k)/m, -b/m] [P, L, L_dot] + [1/tau, 0, 0] P_in and
 F = F_0 + C_1 dP + C_2 dL, AM, dynamic model; L counts from the operating point p_0. The default is the step from 2.5
 to 4.5 bar. tau, k, b and m are not given; these are for illustration.</p>

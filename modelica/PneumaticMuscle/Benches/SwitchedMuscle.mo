@@ -1,5 +1,6 @@
 within PneumaticMuscle.Benches;
 model SwitchedMuscle "A muscle of imposed contraction that on-off valves fill from a source whose pressure is measured"
+  extends Icons.Bench;
   input Real u_in(start=1, unit="1") "Command of the inlet valve: 0 shut, 1 open";
   input Real u_out(start=0, unit="1") "Command of the exhaust valve: 0 shut, 1 open";
   input Types.GaugePressure p_supply(start=500e3) "Gauge pressure of the source, as it droops";
@@ -12,30 +13,49 @@ model SwitchedMuscle "A muscle of imposed contraction that on-off valves fill fr
     annotation (choicesAllMatching=true);
   replaceable model Line = Laws.Lines.DirectLine constrainedby Interfaces.Line "Line between valves and muscle"
     annotation (choicesAllMatching=true);
-  inner Components.Ambient ambient "Surroundings";
-  Components.Supply supply(p_gauge=p_supply) "Source";
-  Components.Atmosphere atmosphere "Outlet";
-  Components.ValvePair valve(u_in=u_open*u_in, u_out=u_open*u_out, C_A=0.2) "Inlet and exhaust valve";
-  Line line "Line between valves and muscle";
-  Components.Muscle muscle "Muscle";
-  Components.Fixed ceiling(s0=muscle.L0) "Where the muscle is fixed";
-  Components.ImposedPosition drive(s_wanted=s, tau=1e-3) "What moves the load end";
-  Manometer manometer "Pressure transducer";
-  Thermometer thermometer(T_start=ambient.T, m_flow=muscle.port.m_flow) "Thermometer";
+  inner Components.Ambient ambient "Surroundings"
+    annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
+  Components.Supply supply(p_gauge=p_supply) "Source"
+    annotation (Placement(transformation(extent={{-170,20},{-130,60}})));
+  Components.Atmosphere atmosphere "Outlet"
+    annotation (Placement(transformation(extent={{-170,-60},{-130,-20}})));
+  Components.ValvePair valve(u_in=u_open*u_in, u_out=u_open*u_out, C_A=0.2) "Inlet and exhaust valve"
+    annotation (Placement(transformation(extent={{-110,-20},{-70,20}})));
+  Line line "Line between valves and muscle"
+    annotation (Placement(transformation(extent={{-50,-20},{-10,20}})));
+  Components.Muscle muscle "Muscle"
+    annotation (Placement(transformation(extent={{30,-20},{70,20}})));
+  Components.Fixed ceiling(s0=muscle.L0) "Where the muscle is fixed"
+    annotation (Placement(transformation(extent={{30,60},{70,100}})));
+  Components.ImposedPosition drive(s_wanted=s, tau=1e-3) "What moves the load end"
+    annotation (Placement(transformation(extent={{30,-95},{70,-55}})));
+  Manometer manometer "Pressure transducer"
+    annotation (Placement(transformation(extent={{-50,60},{-10,100}})));
+  Thermometer thermometer(T_start=ambient.T, m_flow=muscle.port.m_flow) "Thermometer"
+    annotation (Placement(transformation(extent={{-110,60},{-70,100}})));
 protected
   constant Types.Current u_open = (1e-5 + 2.61e-7)/1.80e-6 "Current at which DP (62) opens 10 mm2";
 equation
-  connect(supply.port, valve.supply);
-  connect(valve.port, line.port_a);
-  connect(line.port_b, muscle.port);
-  connect(valve.exhaust, atmosphere.port);
-  connect(muscle.port, manometer.port);
-  connect(muscle.port, thermometer.port);
-  connect(muscle.flange_a, drive.flange);
-  connect(muscle.flange_b, ceiling.flange);
+  connect(supply.port, valve.supply)
+    annotation (Line(points={{-130,40}, {-120,40}, {-120,12}, {-110,12}}, color={0,90,160}));
+  connect(valve.port, line.port_a)
+    annotation (Line(points={{-70,0}, {-50,0}}, color={0,90,160}));
+  connect(line.port_b, muscle.port)
+    annotation (Line(points={{-10,0}, {30,0}}, color={0,90,160}));
+  connect(valve.exhaust, atmosphere.port)
+    annotation (Line(points={{-110,-12}, {-120,-12}, {-120,-40}, {-130,-40}}, color={0,90,160}));
+  connect(muscle.port, manometer.port)
+    annotation (Line(points={{30,0}, {10,0}, {10,45}, {-30,45}, {-30,60}}, color={0,90,160}));
+  connect(muscle.port, thermometer.port)
+    annotation (Line(points={{30,0}, {10,0}, {10,45}, {-90,45}, {-90,60}}, color={0,90,160}));
+  connect(muscle.flange_a, drive.flange)
+    annotation (Line(points={{50,-20}, {50,-55}}, color={0,110,60}));
+  connect(muscle.flange_b, ceiling.flange)
+    annotation (Line(points={{50,20}, {50,60}}, color={0,110,60}));
   p = manometer.p;
   T = thermometer.T;
-  annotation (experiment(StopTime=0.5, Interval=0.001, Tolerance=1e-6), Documentation(info="<html>
+  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-110},{110,120}})),
+    experiment(StopTime=0.5, Interval=0.001, Tolerance=1e-6), Documentation(info="<html>
 <p>As <code>Isometric</code> with valves that are open or shut: a command of 1 opens 10 <code>valve.C_A</code> mm2, so that
 <code>valve.C_A</code> is the effective area of the open valve. A finite tank needs no model of its own where the
 pressure before the valve is measured: it is the input <code>p_supply</code>, with its droop. The contraction passes a

@@ -1,5 +1,6 @@
 within PneumaticMuscle.Benches;
 model TankFilling "A tank that is filled and emptied through current-driven valves, DP section 4.4"
+  extends Icons.Bench;
   input Types.Current u_in(start=0.35) "Current of the inlet valve";
   input Types.Current u_out(start=0) "Current of the exhaust valve";
   input Types.GaugePressure p_supply(start=207e3) "Gauge pressure of the supply";
@@ -11,24 +12,39 @@ model TankFilling "A tank that is filled and emptied through current-driven valv
     annotation (choicesAllMatching=true);
   replaceable model Line = Laws.Lines.DirectLine constrainedby Interfaces.Line "Line between valves and tank"
     annotation (choicesAllMatching=true);
-  inner Components.Ambient ambient "Surroundings";
-  Components.Supply supply(p_gauge=p_supply) "Air supply";
-  Components.Atmosphere atmosphere "Outlet";
-  Components.ValvePair valve(u_in=u_in, u_out=u_out) "Inlet and exhaust valve";
-  Line line "Line between valves and tank";
-  Components.Tank tank "Tank";
-  Manometer manometer "Pressure transducer";
-  Thermometer thermometer(T_start=tank.T_start, m_flow=tank.port.m_flow) "Thermometer";
+  inner Components.Ambient ambient "Surroundings"
+    annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
+  Components.Supply supply(p_gauge=p_supply) "Air supply"
+    annotation (Placement(transformation(extent={{-170,20},{-130,60}})));
+  Components.Atmosphere atmosphere "Outlet"
+    annotation (Placement(transformation(extent={{-170,-60},{-130,-20}})));
+  Components.ValvePair valve(u_in=u_in, u_out=u_out) "Inlet and exhaust valve"
+    annotation (Placement(transformation(extent={{-110,-20},{-70,20}})));
+  Line line "Line between valves and tank"
+    annotation (Placement(transformation(extent={{-50,-20},{-10,20}})));
+  Components.Tank tank "Tank"
+    annotation (Placement(transformation(extent={{30,-20},{70,20}})));
+  Manometer manometer "Pressure transducer"
+    annotation (Placement(transformation(extent={{-50,60},{-10,100}})));
+  Thermometer thermometer(T_start=tank.T_start, m_flow=tank.port.m_flow) "Thermometer"
+    annotation (Placement(transformation(extent={{-110,60},{-70,100}})));
 equation
-  connect(supply.port, valve.supply);
-  connect(valve.port, line.port_a);
-  connect(line.port_b, tank.port);
-  connect(valve.exhaust, atmosphere.port);
-  connect(tank.port, manometer.port);
-  connect(tank.port, thermometer.port);
+  connect(supply.port, valve.supply)
+    annotation (Line(points={{-130,40}, {-120,40}, {-120,12}, {-110,12}}, color={0,90,160}));
+  connect(valve.port, line.port_a)
+    annotation (Line(points={{-70,0}, {-50,0}}, color={0,90,160}));
+  connect(line.port_b, tank.port)
+    annotation (Line(points={{-10,0}, {30,0}}, color={0,90,160}));
+  connect(valve.exhaust, atmosphere.port)
+    annotation (Line(points={{-110,-12}, {-120,-12}, {-120,-40}, {-130,-40}}, color={0,90,160}));
+  connect(tank.port, manometer.port)
+    annotation (Line(points={{30,0}, {10,0}, {10,45}, {-30,45}, {-30,60}}, color={0,90,160}));
+  connect(tank.port, thermometer.port)
+    annotation (Line(points={{30,0}, {10,0}, {10,45}, {-90,45}, {-90,60}}, color={0,90,160}));
   p = manometer.p;
   T = thermometer.T;
-  annotation (experiment(StopTime=60, Interval=0.06, Tolerance=1e-6), Documentation(info="<html>
+  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-80},{110,120}})),
+    experiment(StopTime=60, Interval=0.06, Tolerance=1e-6), Documentation(info="<html>
 <p>DP (60), (62)-(66), Figs. 4 and 5: eight volumes, two supplies, 0.35 A. The library's tests hold the times against
 quadrature.</p>
 </html>"));

@@ -1,25 +1,38 @@
 within PneumaticMuscle.Benches;
 model VerticalLoad "The empirical muscle with a hanging load, driven by pressure, DY Fig. 1"
+  extends Icons.Bench;
   input Types.GaugePressure p(start=200e3) "Gauge pressure in the muscle";
   output Types.Length x "Contraction";
   output Real eps(unit="1") "Contraction ratio";
   parameter Real frequency(unit="Hz", min=0.01, max=100) = 0.5 "Frequency of the excitation"
     annotation (Dialog(group="Load"));
-  inner Components.Ambient ambient "Surroundings";
-  inner Components.Excitation excitation(F_load=load.m*Constants.g, frequency=frequency) "Load and frequency of the run";
-  Components.Regulator regulator(p_wanted=p) "Pressure regulator";
-  Components.EmpiricalMuscle muscle "Muscle";
-  Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs";
-  Components.Load load(m=10, s_start=muscle.elasticity.x_rest) "Hanging mass, at rest without pressure";
-  Sensors.Contraction ruler "Displacement transducer";
+  inner Components.Ambient ambient "Surroundings"
+    annotation (Placement(transformation(extent={{-80,65},{-40,105}})));
+  inner Components.Excitation excitation(F_load=load.m*Constants.g, frequency=frequency) "Load and frequency of the run"
+    annotation (Placement(transformation(extent={{-80,-105},{-40,-65}})));
+  Components.Regulator regulator(p_wanted=p) "Pressure regulator"
+    annotation (Placement(transformation(extent={{-50,-20},{-10,20}})));
+  Components.EmpiricalMuscle muscle "Muscle"
+    annotation (Placement(transformation(extent={{30,-20},{70,20}})));
+  Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs"
+    annotation (Placement(transformation(extent={{30,60},{70,100}})));
+  Components.Load load(m=10, s_start=muscle.elasticity.x_rest) "Hanging mass, at rest without pressure"
+    annotation (Placement(transformation(extent={{30,-105},{70,-65}})));
+  Sensors.Contraction ruler "Displacement transducer"
+    annotation (Placement(transformation(extent={{95,-105},{135,-65}})));
 equation
-  connect(regulator.port, muscle.port);
-  connect(muscle.flange_a, load.flange);
-  connect(muscle.flange_b, ceiling.flange);
-  connect(muscle.flange_a, ruler.flange);
+  connect(regulator.port, muscle.port)
+    annotation (Line(points={{-10,0}, {30,0}}, color={0,90,160}));
+  connect(muscle.flange_a, load.flange)
+    annotation (Line(points={{50,-20}, {50,-65}}, color={0,110,60}));
+  connect(muscle.flange_b, ceiling.flange)
+    annotation (Line(points={{50,20}, {50,60}}, color={0,110,60}));
+  connect(muscle.flange_a, ruler.flange)
+    annotation (Line(points={{50,-20}, {50,-40}, {80,-40}, {80,-85}, {95,-85}}, color={0,110,60}));
   x = ruler.x;
   eps = x/muscle.L0;
-  annotation (experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
+  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-100,-130},{150,120}})),
+    experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
 <p>M L eps_ddot = F_s(P, eps) - F_elastic - F_hys - M g, DY (13)-(16), with x = L eps. Load (5 to 30 kg) and frequency
 (0.5 to 2 Hz) are constants of a run. The sign of the speed is rounded (<code>Laws.Frictions.CoulombViscous</code>).
 Only the product of <code>muscle.friction.a</code> and <code>muscle.friction.b_f</code> can be found from

@@ -1,5 +1,6 @@
 within PneumaticMuscle.Benches;
 model VesselOrifice "A vessel that empties or fills through a plain orifice"
+  extends Icons.Bench;
   output Types.GaugePressure p "Gauge pressure in the vessel";
   output Types.Temperature T "Temperature reading in the vessel";
   parameter Types.GaugePressure p_outside(min=-1.01e5, max=1e8) = 0 "Gauge pressure outside"
@@ -8,20 +9,31 @@ model VesselOrifice "A vessel that empties or fills through a plain orifice"
     annotation (choicesAllMatching=true);
   replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"
     annotation (choicesAllMatching=true);
-  inner Components.Ambient ambient "Surroundings";
-  Components.Tank tank(V=16.2e-3, p_start=6.9e5, startIsReference=true) "Vessel";
-  Components.PlainOrifice orifice "Hole";
-  Components.Atmosphere atmosphere(p_gauge=p_outside) "Outside";
-  Manometer manometer "Pressure transducer";
-  Thermometer thermometer(T_start=tank.T_start, m_flow=tank.port.m_flow) "Thermometer";
+  inner Components.Ambient ambient "Surroundings"
+    annotation (Placement(transformation(extent={{-130,70},{-90,110}})));
+  Components.Tank tank(V=16.2e-3, p_start=6.9e5, startIsReference=true) "Vessel"
+    annotation (Placement(transformation(extent={{30,-20},{70,20}})));
+  Components.PlainOrifice orifice "Hole"
+    annotation (Placement(transformation(extent={{-20,-20},{-60,20}})));
+  Components.Atmosphere atmosphere(p_gauge=p_outside) "Outside"
+    annotation (Placement(transformation(extent={{-130,-20},{-90,20}})));
+  Manometer manometer "Pressure transducer"
+    annotation (Placement(transformation(extent={{-30,60},{10,100}})));
+  Thermometer thermometer(T_start=tank.T_start, m_flow=tank.port.m_flow) "Thermometer"
+    annotation (Placement(transformation(extent={{-80,60},{-40,100}})));
 equation
-  connect(tank.port, orifice.port_a);
-  connect(orifice.port_b, atmosphere.port);
-  connect(tank.port, manometer.port);
-  connect(tank.port, thermometer.port);
+  connect(tank.port, orifice.port_a)
+    annotation (Line(points={{30,0}, {-20,0}}, color={0,90,160}));
+  connect(orifice.port_b, atmosphere.port)
+    annotation (Line(points={{-60,0}, {-90,0}}, color={0,90,160}));
+  connect(tank.port, manometer.port)
+    annotation (Line(points={{30,0}, {10,0}, {10,45}, {-10,45}, {-10,60}}, color={0,90,160}));
+  connect(tank.port, thermometer.port)
+    annotation (Line(points={{30,0}, {10,0}, {10,45}, {-60,45}, {-60,60}}, color={0,90,160}));
   p = manometer.p;
   T = thermometer.T;
-  annotation (experiment(StopTime=60, Interval=0.06, Tolerance=1e-6), Documentation(info="<html>
+  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-150,-50},{110,120}})),
+    experiment(StopTime=60, Interval=0.06, Tolerance=1e-6), Documentation(info="<html>
 <p>The polytropic law starts from the state of the vessel: T = T_start (p/p_start)^((n - 1)/n), absolute
 pressures.</p>
 </html>"));

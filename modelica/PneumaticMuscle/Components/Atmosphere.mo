@@ -1,6 +1,8 @@
 within PneumaticMuscle.Components;
 model Atmosphere "The air outside, at ambient temperature"
-  Interfaces.GasPort port "Gas port";
+  extends Icons.Surroundings;
+  Interfaces.GasPort port "Gas port"
+    annotation (Placement(transformation(extent={{90,-10},{110,10}})));
   parameter Types.GaugePressure p_gauge = 0 "Gauge pressure outside" annotation (Dialog(group="Surroundings"));
   outer Ambient ambient "Surroundings";
 equation

@@ -1,6 +1,7 @@
 within PneumaticMuscle.Components;
 model EmpiricalMuscle "The empirical muscle of Dzahir and Yamamoto, DY (5)-(16)"
   extends Interfaces.MuscleTerminals(L0=0.3, D0=0.02, final turns=L0*tan(alpha_0)/(Constants.pi*D0), t_wall=1e-3);
+  extends Icons.Muscle;
   parameter Real alpha_0(unit="rad", displayUnit="deg", min=0.1, max=0.9) = 23*Constants.pi/180 "Braid angle at rest"
     annotation (Dialog(group="Geometry"));
   replaceable model Braid = Laws.Forces.Empirical constrainedby Interfaces.Braid "Law of force"

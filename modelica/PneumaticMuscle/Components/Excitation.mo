@@ -1,5 +1,6 @@
 within PneumaticMuscle.Components;
 model Excitation "What is the same throughout a run: the load that hangs and the frequency at which the muscle is driven"
+  extends Icons.Signal;
   parameter Types.Force F_load(min=0) "Static load" annotation (Dialog(group="Load"));
   parameter Real frequency(unit="Hz", min=0) "Frequency of the excitation" annotation (Dialog(group="Load"));
   annotation (defaultComponentName="excitation", defaultComponentPrefixes="inner",

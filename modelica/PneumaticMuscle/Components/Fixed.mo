@@ -1,6 +1,8 @@
 within PneumaticMuscle.Components;
 model Fixed "A flange that does not move"
-  Interfaces.Flange flange "Held flange";
+  extends Icons.Fixed;
+  Interfaces.Flange flange "Held flange"
+    annotation (Placement(transformation(extent={{-10,-110},{10,-90}})));
   parameter Types.Length s0 "Position" annotation (Dialog(group="Geometry"));
 equation
   flange.s = s0;

@@ -1,6 +1,8 @@
 within PneumaticMuscle.Components;
 model Held "Holds a flange where the input says, at once"
-  Interfaces.Flange flange "Held flange";
+  extends Icons.Motion;
+  Interfaces.Flange flange "Held flange"
+    annotation (Placement(transformation(extent={{-10,90},{10,110}})));
   input Types.Length s "Position";
 equation
   flange.s = s;

@@ -1,5 +1,6 @@
 within PneumaticMuscle.Components;
 model HeldMuscle "A sleeve under a given pressure at a given contraction ratio, without any motion"
+  extends Icons.Muscle;
   input Types.GaugePressure p_gauge "Gauge pressure";
   input Real eps(unit="1") "Contraction ratio";
   parameter Types.Length L0(min=0.01, max=2) = 0.3 "Length at rest" annotation (Dialog(group="Geometry"));

@@ -1,6 +1,8 @@
 within PneumaticMuscle.Components;
 model ImposedPosition "Moves a flange to where the input says, through a fast critically damped filter"
-  Interfaces.Flange flange "Moved flange";
+  extends Icons.Motion;
+  Interfaces.Flange flange "Moved flange"
+    annotation (Placement(transformation(extent={{-10,90},{10,110}})));
   input Types.Length s_wanted "Position wanted";
   parameter Types.Time tau(min=1e-4, max=1) = 5e-3 "Time constant of the filter" annotation (Dialog(group="Dynamics"));
   parameter Types.Length s_start = 0 "Position at the start" annotation (Dialog(group="Start"));

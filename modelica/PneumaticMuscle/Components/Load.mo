@@ -1,6 +1,8 @@
 within PneumaticMuscle.Components;
 model Load "A hanging mass"
-  Interfaces.Flange flange "Where it hangs";
+  extends Icons.Load;
+  Interfaces.Flange flange "Where it hangs"
+    annotation (Placement(transformation(extent={{-10,90},{10,110}})));
   parameter Types.Mass m(min=0.001, max=1000) = 2.27 "Mass" annotation (Dialog(group="Load"));
   parameter Types.Length s_start "Position at the start" annotation (Dialog(group="Start"));
   Types.Length s(start=s_start, fixed=true) "Position, positive upwards";

@@ -1,6 +1,7 @@
 within PneumaticMuscle.Components;
 model Muscle "McKibben muscle of Doumit and Pardoel; default parameters: latex bladder, DP Table 1"
   extends Interfaces.MuscleTerminals(L0=0.24, D0=0.02, turns=2, t_wall=0.254e-3);
+  extends Icons.Muscle;
   parameter Real fibres(unit="1", min=1, max=1000) = 216 "Number of fibres in the sleeve (N)"
     annotation (Dialog(group="Geometry"));
   parameter Real n_g(unit="1", min=1, max=1.4) = 1.2 "Polytropic exponent of the gas" annotation (Dialog(group="Gas"));

@@ -1,6 +1,7 @@
 within PneumaticMuscle.Components;
 model Orifice "An orifice with isentropic flow whose effective area is given from outside"
   extends Interfaces.TwoGasPorts;
+  extends Icons.Orifice;
   input Types.Area A "Effective area";
 equation
   m_flow = Functions.isentropicFlow(port_a.p, port_b.p, T_up, A);

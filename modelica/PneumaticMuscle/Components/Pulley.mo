@@ -1,7 +1,10 @@
 within PneumaticMuscle.Components;
 model Pulley "A wheel that two muscles pull against each other"
-  Interfaces.Flange flange_1 "Muscle that turns it forwards";
-  Interfaces.Flange flange_2 "Muscle that turns it backwards";
+  extends Icons.Pulley;
+  Interfaces.Flange flange_1 "Muscle that turns it forwards"
+    annotation (Placement(transformation(extent={{-70,90},{-50,110}})));
+  Interfaces.Flange flange_2 "Muscle that turns it backwards"
+    annotation (Placement(transformation(extent={{50,90},{70,110}})));
   parameter Types.Length r(min=1e-3, max=1) = 0.03 "Radius" annotation (Dialog(group="Geometry"));
   parameter Real J(unit="kg.m2", min=1e-6, max=100) = 2e-3 "Moment of inertia with what it carries"
     annotation (Dialog(group="Mechanics"));

@@ -1,6 +1,7 @@
 within PneumaticMuscle.Components;
 model ReviewedMuscle "A muscle with a place for each law that the papers review"
   extends Interfaces.MuscleTerminals(L0=0.24, D0=0.02, turns=2, t_wall=0.254e-3);
+  extends Icons.Muscle;
   parameter Real n(unit="1", min=1, max=1.4) = 1.2 "Polytropic exponent of the gas" annotation (Dialog(group="Gas"));
   replaceable model Force = Laws.Forces.NotChosen constrainedby Interfaces.Braid "Law of force; must be chosen"
     annotation (choicesAllMatching=true);

@@ -1,8 +1,12 @@
 within PneumaticMuscle.Components;
 model ReviewedValves "Inlet and exhaust valve with a place for the law of flow"
-  Interfaces.GasPort supply "Supply side of the inlet valve";
-  Interfaces.GasPort port "Muscle or vessel";
-  Interfaces.GasPort exhaust "Outlet of the exhaust valve";
+  extends Icons.Valve;
+  Interfaces.GasPort supply "Supply side of the inlet valve"
+    annotation (Placement(transformation(extent={{-110,50},{-90,70}})));
+  Interfaces.GasPort port "Muscle or vessel"
+    annotation (Placement(transformation(extent={{90,-10},{110,10}})));
+  Interfaces.GasPort exhaust "Outlet of the exhaust valve"
+    annotation (Placement(transformation(extent={{-110,-70},{-90,-50}})));
   input Types.Current u_in "Current of the inlet valve";
   input Types.Current u_out "Current of the exhaust valve";
   parameter Real C_A(unit="1", min=0.1, max=3) = 0.699 "Calibration of the effective area, both valves"

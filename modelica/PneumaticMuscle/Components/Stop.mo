@@ -1,7 +1,10 @@
 within PneumaticMuscle.Components;
 model Stop "What carries the load at full extension: the braid, as a one-sided spring and damper"
-  Interfaces.Flange flange_a "Load end";
-  Interfaces.Flange flange_b "Fixed end";
+  extends Icons.Stop;
+  Interfaces.Flange flange_a "Load end"
+    annotation (Placement(transformation(extent={{-10,-110},{10,-90}})));
+  Interfaces.Flange flange_b "Fixed end"
+    annotation (Placement(transformation(extent={{-10,90},{10,110}})));
   parameter Types.Length L0 "Length at which it engages" annotation (Dialog(group="Geometry"));
   parameter Types.TranslationalStiffness k = 2e5 "Stiffness" annotation (Dialog(group="Mechanics"));
   parameter Types.TranslationalDamping d = 500 "Damping" annotation (Dialog(group="Mechanics"));

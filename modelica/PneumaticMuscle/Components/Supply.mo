@@ -1,6 +1,8 @@
 within PneumaticMuscle.Components;
 model Supply "An air supply at a given gauge pressure and ambient temperature"
-  Interfaces.GasPort port "Gas port";
+  extends Icons.GasSource;
+  Interfaces.GasPort port "Gas port"
+    annotation (Placement(transformation(extent={{90,-10},{110,10}})));
   input Types.GaugePressure p_gauge "Gauge pressure of the supply";
   outer Ambient ambient "Surroundings";
 equation

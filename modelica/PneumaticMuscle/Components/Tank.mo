@@ -1,6 +1,7 @@
 within PneumaticMuscle.Components;
 model Tank "A rigid vessel"
   extends Interfaces.VesselTerminals;
+  extends Icons.Vessel;
   parameter Types.Volume V(min=1e-6, max=10) = 2.1e-3 "Volume" annotation (Dialog(group="Geometry"));
   parameter Real n(unit="1", min=1, max=1.4) = 1.2 "Polytropic exponent of the gas" annotation (Dialog(group="Gas"));
   parameter Types.GaugePressure p_start(min=-1.01e5, max=1e8) = 0 "Gauge pressure at the start"

@@ -1,5 +1,6 @@
 within PneumaticMuscle.Data;
 record EmpiricalMuscleData "What DY section 2 says of a muscle"
+  extends Icons.Record;
   parameter Types.Length L0 "Initial length of the muscle (L_o)" annotation (Dialog(group="Geometry"));
   annotation (Documentation(info="<html>
 <p>DY section 2 gives the lengths of two muscles. Diameter, braid angle and all coefficients were measured or identified

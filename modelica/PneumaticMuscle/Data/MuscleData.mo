@@ -1,5 +1,6 @@
 within PneumaticMuscle.Data;
 record MuscleData "What DP Tables 1 and 2 say of a muscle; defaults are what the tables share"
+  extends Icons.Record;
   parameter Types.Length L0 "Initial length of the muscle (L_o)" annotation (Dialog(group="Geometry"));
   parameter Types.Length D0 = 0.02 "Initial diameter of the muscle (D_ref)" annotation (Dialog(group="Geometry"));
   parameter Types.Length d = 0.013 "Diameter of the end connector (D_end)" annotation (Dialog(group="Geometry"));

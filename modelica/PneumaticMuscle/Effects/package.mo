@@ -1,5 +1,6 @@
 within PneumaticMuscle;
 package Effects "Physical effects that the base models leave out: the shelf from which a diagnosis picks"
+  extends Icons.Package;
   annotation (Documentation(info="<html>
 <p>One package for each family: effects that leave the same kind of mark on a measurement, told in the package's
 documentation. A member extends the package's <code>Member</code>, which says the family and the balance.</p>

@@ -1,5 +1,6 @@
 within PneumaticMuscle.Examples;
 model AntagonisticSwing "Two muscles swing a pulley"
+  extends Icons.Example;
   output Types.Length x = bench.x "Travel of the rim";
   Sources.Pulse first(start=-1, stop=4) "Current of the first inlet and the second exhaust valve";
   Sources.Pulse second(start=4, stop=100) "Current of the second inlet and the first exhaust valve";

@@ -2,6 +2,7 @@ within PneumaticMuscle.Examples;
 model ButylIsotonic "The isotonic bench with the butyl muscle"
   extends Benches.Isotonic(muscle(L0=data.L0, t_wall=data.t_wall, k_wall=data.k_wall, mu_fb=data.mu_fb, mu_d=data.mu_d),
     load(m=data.m));
+  extends Icons.Example;
 protected
   final parameter Data.MuscleData data = Data.Butyl() "Table of the paper";
   annotation (experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>

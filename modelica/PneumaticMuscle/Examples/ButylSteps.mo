@@ -1,5 +1,6 @@
 within PneumaticMuscle.Examples;
 model ButylSteps "The butyl muscle is inflated and deflated, DP Figs. 7, 9 and 11"
+  extends Icons.Example;
   output Types.GaugePressure p = bench.p "Gauge pressure in the muscle";
   output Types.Length x = bench.x "Contraction";
   output Types.Temperature T = bench.T "Temperature in the muscle";

@@ -1,6 +1,7 @@
 within PneumaticMuscle.Examples;
 model ElasticButyl "The butyl muscle with the elasticity of its bladder"
   extends ButylIsotonic;
+  extends Icons.Example;
   Effects.Elasticity.YoungBladder bladder(L0=muscle.L0, D0=muscle.D0, turns=muscle.turns, t_wall=muscle.t_wall, E=2e6)
     "Elasticity of the bladder";
 equation

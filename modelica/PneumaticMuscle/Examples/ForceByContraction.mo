@@ -1,5 +1,6 @@
 within PneumaticMuscle.Examples;
 model ForceByContraction "Kang's force from full length to full contraction at one pressure, AM Fig. 5"
+  extends Icons.Example;
   parameter Types.GaugePressure p(min=0, max=1e6) = 6e5 "Gauge pressure" annotation (Dialog(group="Operation"));
   output Real eps(unit="1") = 0.25*time "Contraction ratio";
   output Types.Force F = bench.F "Pull";

@@ -1,5 +1,6 @@
 within PneumaticMuscle.Examples;
 model IsometricCycle "A held muscle is moved and its pull measured"
+  extends Icons.Example;
   output Types.GaugePressure p = bench.p "Gauge pressure";
   output Types.Force F = bench.F "Pull";
   Sources.Step move(before=0.01, after=0.04, start=5, rise=0.3) "Imposed contraction";

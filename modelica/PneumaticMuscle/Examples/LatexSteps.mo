@@ -1,5 +1,6 @@
 within PneumaticMuscle.Examples;
 model LatexSteps "The latex muscle is inflated and deflated, DP Figs. 8, 10 and 12"
+  extends Icons.Example;
   output Types.GaugePressure p = bench.p "Gauge pressure in the muscle";
   output Types.Length x = bench.x "Contraction";
   output Types.Temperature T = bench.T "Temperature in the muscle";

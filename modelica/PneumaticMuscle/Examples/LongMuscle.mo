@@ -1,6 +1,7 @@
 within PneumaticMuscle.Examples;
 model LongMuscle "The vertical load on the longer of the two muscles, DY section 2"
   extends Benches.VerticalLoad(muscle(L0=data.L0));
+  extends Icons.Example;
 protected
   final parameter Data.EmpiricalMuscleData data = Data.EmpiricalMuscle530() "Length by the paper";
   annotation (experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>

@@ -1,5 +1,6 @@
 within PneumaticMuscle.Examples;
 model LumpedStep "The linear model's step from 2.5 to 4.5 bar, AM dynamic step response"
+  extends Icons.Example;
   output Types.GaugePressure p = bench.p "Gauge pressure";
   output Types.Length L = bench.L "Length, from that at the operating point";
   output Types.Force F = bench.F "Change of the pull";

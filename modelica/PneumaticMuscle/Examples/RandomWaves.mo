@@ -1,5 +1,6 @@
 within PneumaticMuscle.Examples;
 model RandomWaves "The empirical muscle under a random wave of pressure, DY Figs. 2, 7 and 8"
+  extends Icons.Example;
   parameter Types.Mass m(min=5, max=30) = 10 "Load" annotation (Dialog(group="Load"));
   parameter Real frequency(unit="Hz", min=0.5, max=2) = 0.5 "Highest frequency of the wave"
     annotation (Dialog(group="Load"));

@@ -1,33 +1,54 @@
 within PneumaticMuscle.Examples;
 partial model ReviewedBench "A bench for the laws that the papers review"
+  extends Icons.Example;
   input Types.Current u_in(start=0.35) "Current of the inlet valve";
   input Types.Current u_out(start=0) "Current of the exhaust valve";
   input Types.GaugePressure p_supply(start=207e3) "Gauge pressure of the supply";
   output Types.GaugePressure p "Gauge pressure in the muscle";
   output Types.Length x "Contraction";
-  inner Components.Ambient ambient "Surroundings";
-  Components.Supply supply(p_gauge=p_supply) "Air supply";
-  Components.Atmosphere atmosphere "Outlet";
-  Components.ReviewedValves valve(u_in=u_in, u_out=u_out) "Inlet and exhaust valve";
-  Components.ReviewedMuscle muscle "Muscle";
-  Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs";
-  Components.Load load(s_start=-load.m*Constants.g/stop.k) "Hanging mass, at rest on the stop";
-  Components.Stop stop(L0=muscle.L0) "Full extension";
-  Sensors.GaugePressure manometer "Pressure transducer";
-  Sensors.Contraction ruler "Displacement transducer";
+  inner Components.Ambient ambient "Surroundings"
+    annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
+  Components.Supply supply(p_gauge=p_supply) "Air supply"
+    annotation (Placement(transformation(extent={{-170,20},{-130,60}})));
+  Components.Atmosphere atmosphere "Outlet"
+    annotation (Placement(transformation(extent={{-170,-60},{-130,-20}})));
+  Components.ReviewedValves valve(u_in=u_in, u_out=u_out) "Inlet and exhaust valve"
+    annotation (Placement(transformation(extent={{-110,-20},{-70,20}})));
+  Components.ReviewedMuscle muscle "Muscle"
+    annotation (Placement(transformation(extent={{30,-20},{70,20}})));
+  Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs"
+    annotation (Placement(transformation(extent={{30,60},{70,100}})));
+  Components.Load load(s_start=-load.m*Constants.g/stop.k) "Hanging mass, at rest on the stop"
+    annotation (Placement(transformation(extent={{30,-105},{70,-65}})));
+  Components.Stop stop(L0=muscle.L0) "Full extension"
+    annotation (Placement(transformation(extent={{95,-20},{135,20}})));
+  Sensors.GaugePressure manometer "Pressure transducer"
+    annotation (Placement(transformation(extent={{-50,60},{-10,100}})));
+  Sensors.Contraction ruler "Displacement transducer"
+    annotation (Placement(transformation(extent={{95,-105},{135,-65}})));
 equation
-  connect(supply.port, valve.supply);
-  connect(valve.port, muscle.port);
-  connect(valve.exhaust, atmosphere.port);
-  connect(muscle.port, manometer.port);
-  connect(muscle.flange_a, load.flange);
-  connect(muscle.flange_b, ceiling.flange);
-  connect(muscle.flange_a, stop.flange_a);
-  connect(muscle.flange_b, stop.flange_b);
-  connect(muscle.flange_a, ruler.flange);
+  connect(supply.port, valve.supply)
+    annotation (Line(points={{-130,40}, {-120,40}, {-120,12}, {-110,12}}, color={0,90,160}));
+  connect(valve.port, muscle.port)
+    annotation (Line(points={{-70,0}, {30,0}}, color={0,90,160}));
+  connect(valve.exhaust, atmosphere.port)
+    annotation (Line(points={{-110,-12}, {-120,-12}, {-120,-40}, {-130,-40}}, color={0,90,160}));
+  connect(muscle.port, manometer.port)
+    annotation (Line(points={{30,0}, {10,0}, {10,45}, {-30,45}, {-30,60}}, color={0,90,160}));
+  connect(muscle.flange_a, load.flange)
+    annotation (Line(points={{50,-20}, {50,-65}}, color={0,110,60}));
+  connect(muscle.flange_b, ceiling.flange)
+    annotation (Line(points={{50,20}, {50,60}}, color={0,110,60}));
+  connect(muscle.flange_a, stop.flange_a)
+    annotation (Line(points={{50,-20}, {50,-40}, {115,-40}, {115,-20}}, color={0,110,60}));
+  connect(muscle.flange_b, stop.flange_b)
+    annotation (Line(points={{50,20}, {50,40}, {115,40}, {115,20}}, color={0,110,60}));
+  connect(muscle.flange_a, ruler.flange)
+    annotation (Line(points={{50,-20}, {50,-40}, {80,-40}, {80,-85}, {95,-85}}, color={0,110,60}));
   p = manometer.p;
   x = ruler.x;
-  annotation (Documentation(info="<html>
+  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-130},{150,120}})),
+    Documentation(info="<html>
 <p><code>Benches.Isotonic</code> with a <code>Components.ReviewedMuscle</code>. The law of force must be chosen:
 <code>extends ReviewedBench(muscle(redeclare model Force = Laws.Forces.Gaylord))</code>.</p>
 </html>"));

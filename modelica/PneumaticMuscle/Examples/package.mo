@@ -1,5 +1,6 @@
 within PneumaticMuscle;
 package Examples "Models that run as they are: a bench, its inputs, and what is worth a look"
+  extends Icons.Package;
   annotation (Documentation(info="<html>
 <p>Each has the course of its inputs built in and shows the bench's outputs.</p>
 </html>"));

@@ -1,5 +1,6 @@
 within PneumaticMuscle.Functions;
 function curvedPower "A power of u whose exponent itself changes with the size of u"
+  extends Icons.Function;
   input Real u "Argument, by its reference size";
   input Real a "Exponent at the reference size, less one";
   input Real b "Half of what the exponent gains where u grows by the factor e";

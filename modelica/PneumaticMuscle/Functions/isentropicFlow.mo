@@ -1,5 +1,6 @@
 within PneumaticMuscle.Functions;
 function isentropicFlow "Mass flow rate through an orifice, either way, choked or not, DP (40)-(42)"
+  extends Icons.Function;
   input Types.AbsolutePressure p_a "Pressure on side a";
   input Types.AbsolutePressure p_b "Pressure on side b";
   input Types.Temperature T_up "Temperature upstream";

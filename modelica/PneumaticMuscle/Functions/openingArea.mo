@@ -1,5 +1,6 @@
 within PneumaticMuscle.Functions;
 function openingArea "Effective area of a valve by its current, uncalibrated, DP (62)"
+  extends Icons.Function;
   input Types.Current u "Current";
   output Types.Area A "Effective area";
 algorithm

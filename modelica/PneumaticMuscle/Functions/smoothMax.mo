@@ -1,5 +1,6 @@
 within PneumaticMuscle.Functions;
 function smoothMax "max(0, a) with a rounded corner"
+  extends Icons.Function;
   input Real a "Argument";
   input Real width "Size of a over which the corner is rounded";
   output Real y "Rounded max(0, a)";

@@ -1,5 +1,6 @@
 within PneumaticMuscle.Functions;
 function upstreamTemperature "Temperature on the side of the higher pressure, without a jump at equal pressures"
+  extends Icons.Function;
   input Types.AbsolutePressure p_a "Pressure on side a";
   input Types.AbsolutePressure p_b "Pressure on side b";
   input Types.Temperature T_a "Temperature on side a";

@@ -1,6 +1,7 @@
 within PneumaticMuscle.Interfaces;
 partial model Braid "The sleeve that turns pressure and volume into force and length"
   extends MuscleTerminals;
+  extends Icons.Braid;
   Types.Length L "Length";
   Types.Length D "Diameter";
   Types.Volume V "Enclosed volume";

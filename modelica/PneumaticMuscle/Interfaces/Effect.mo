@@ -1,5 +1,6 @@
 within PneumaticMuscle.Interfaces;
 partial model Effect "What every effect says of itself"
+  extends Icons.Named;
   constant String family "Family of the effect, an identifier such as elasticity";
   constant String balance "Balance in which it acts: force, mass, energy or sensor";
   constant String absent = "" "Parameter values at which the effect vanishes, such as k=0; empty where there are none";

@@ -1,6 +1,7 @@
 within PneumaticMuscle.Interfaces;
 partial model ForceElement "A force between the ends of a muscle that opposes its contraction"
   extends MuscleTerminals;
+  extends Icons.ForceLaw;
   Types.Length x "Contraction";
   Types.Velocity v "Speed of contraction";
   Types.GaugePressure p_gauge "Gauge pressure";

@@ -1,6 +1,8 @@
 within PneumaticMuscle.Interfaces;
 partial model FrictionHeat "What becomes of the work that friction dissipates in the muscle"
-  HeatPort heatPort "Gas in the muscle";
+  extends Icons.HeatOfFriction;
+  HeatPort heatPort "Gas in the muscle"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
   input Types.Power P_fibre "Power of the friction of fibre on fibre";
   input Types.Power P_bladder "Power of the friction between fibres and bladder";
   annotation (Documentation(info="<html>

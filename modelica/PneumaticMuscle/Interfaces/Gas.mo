@@ -1,7 +1,9 @@
 within PneumaticMuscle.Interfaces;
 partial model Gas "The gas in a volume: how pressure and temperature follow from mass, heat and work"
   extends VesselTerminals;
-  HeatPort heatPort "Heat from the wall";
+  extends Icons.Gas;
+  HeatPort heatPort "Heat from the wall"
+    annotation (Placement(transformation(extent={{-10,-110},{10,-90}})));
   input Types.Volume V "Volume of the gas";
   parameter Real n(unit="1", min=1, max=1.4) "Polytropic exponent, for the gases that use one"
     annotation (Dialog(group="Gas"));

@@ -1,7 +1,10 @@
 within PneumaticMuscle.Interfaces;
 partial model Line "What lies between the valves and the muscle or vessel"
-  GasPort port_a "Valve end";
-  GasPort port_b "Muscle or vessel end";
+  extends Icons.Line;
+  GasPort port_a "Valve end"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
+  GasPort port_b "Muscle or vessel end"
+    annotation (Placement(transformation(extent={{90,-10},{110,10}})));
   annotation (Documentation(info="<html>
 <p>Left to the extending class: four equations between the two ends, for pressure, temperature, mass and enthalpy
 flow.</p>

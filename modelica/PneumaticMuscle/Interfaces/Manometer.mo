@@ -1,6 +1,8 @@
 within PneumaticMuscle.Interfaces;
 partial model Manometer "What the instrument makes of the gas pressure"
-  GasPort port "Pressure tap";
+  extends Icons.Manometer;
+  GasPort port "Pressure tap"
+    annotation (Placement(transformation(extent={{-10,-110},{10,-90}})));
   Types.GaugePressure p "Reading";
   outer Components.Ambient ambient "Surroundings";
 equation

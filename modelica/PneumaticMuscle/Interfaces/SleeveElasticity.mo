@@ -1,6 +1,7 @@
 within PneumaticMuscle.Interfaces;
 partial model SleeveElasticity "What carries a load without pressure, DY (12)"
   extends ForceElement;
+  extends Icons.Elasticity;
   parameter Types.Length L_o(min=0, max=2) = 0 "Length from which the stretched sleeve carries; 0: the length at rest"
     annotation (Dialog(group="Geometry"));
   parameter Types.Length x_rest "Contraction at which it carries the load of the run alone"

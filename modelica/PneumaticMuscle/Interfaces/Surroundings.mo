@@ -1,6 +1,8 @@
 within PneumaticMuscle.Interfaces;
 partial model Surroundings "What a wall gives its heat to"
-  HeatPort heatPort "Outer side of the wall";
+  extends Icons.Surroundings;
+  HeatPort heatPort "Outer side of the wall"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
   outer Components.Ambient ambient "Surroundings of the bench";
   annotation (Documentation(info="<html>
 <p>Left to the extending class: one equation between heatPort.T and heatPort.Q_flow.</p>

@@ -1,6 +1,8 @@
 within PneumaticMuscle.Interfaces;
 partial model Thermometer "What the instrument makes of the gas temperature"
-  GasPort port "Where it sits";
+  extends Icons.Thermometer;
+  GasPort port "Where it sits"
+    annotation (Placement(transformation(extent={{-10,-110},{10,-90}})));
   input Types.MassFlowRate m_flow = 0 "Gas that flows past it";
   parameter Types.Temperature T_start "Reading at the start" annotation (Dialog(group="Start"));
   Types.Temperature T "Reading";

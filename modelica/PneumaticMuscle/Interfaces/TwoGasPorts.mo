@@ -1,7 +1,10 @@
 within PneumaticMuscle.Interfaces;
 partial model TwoGasPorts "A resistance between two gas ports: no storage, upstream enthalpy"
-  GasPort port_a "Side from which a positive flow comes";
-  GasPort port_b "Side to which a positive flow goes";
+  extends Icons.Named;
+  GasPort port_a "Side from which a positive flow comes"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
+  GasPort port_b "Side to which a positive flow goes"
+    annotation (Placement(transformation(extent={{90,-10},{110,10}})));
   Types.MassFlowRate m_flow "Mass flow rate from port_a to port_b";
 protected
   Types.Temperature T_up = Functions.upstreamTemperature(port_a.p, port_b.p, port_a.T, port_b.T)

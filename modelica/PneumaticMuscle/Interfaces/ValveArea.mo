@@ -1,5 +1,6 @@
 within PneumaticMuscle.Interfaces;
 partial model ValveArea "From currents to the effective areas of the valves"
+  extends Icons.Area;
   input Types.Current u[2] "Currents that set the openings of the inlet and the exhaust valve";
   input Types.AbsolutePressure p_a[2] "Pressures on the sides that gas comes from in normal use";
   input Types.AbsolutePressure p_b[2] "Pressures on the other sides";

@@ -1,7 +1,10 @@
 within PneumaticMuscle.Interfaces;
 partial model Wall "What stands between the gas and what is outside"
-  HeatPort heatPort "Gas side";
-  HeatPort outside "Outer side";
+  extends Icons.Wall;
+  HeatPort heatPort "Gas side"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
+  HeatPort outside "Outer side"
+    annotation (Placement(transformation(extent={{90,-10},{110,10}})));
   input Types.Area A "Area that exchanges heat";
   input Types.CoefficientOfHeatTransfer h_film "Film coefficient";
   parameter Types.ThermalConductivity k "Thermal conductivity" annotation (Dialog(group="Heat"));

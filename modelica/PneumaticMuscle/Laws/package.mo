@@ -1,5 +1,6 @@
 within PneumaticMuscle;
 package Laws "The base model's own laws, and those that the papers review in their places"
+  extends Icons.Package;
   annotation (Documentation(info="<html>
 <p>One package for each kind of law; all classes of a kind have one signature, the interface that they extend, and
 are selected by redeclaration: <code>muscle(redeclare model Braid = Laws.Forces.TothovaPitel)</code>.</p>

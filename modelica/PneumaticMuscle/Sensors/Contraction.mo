@@ -1,6 +1,8 @@
 within PneumaticMuscle.Sensors;
 model Contraction "A displacement transducer at the load end"
-  Interfaces.Flange flange "Load end";
+  extends Icons.Ruler;
+  Interfaces.Flange flange "Load end"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
   Types.Length x "Reading";
 equation
   x = flange.s;

@@ -1,7 +1,10 @@
 within PneumaticMuscle.Sensors;
 model Pull "A load cell between two flanges"
-  Interfaces.Flange flange_a "Side of the muscle";
-  Interfaces.Flange flange_b "Side of what it pulls on";
+  extends Icons.Sensor;
+  Interfaces.Flange flange_a "Side of the muscle"
+    annotation (Placement(transformation(extent={{-10,90},{10,110}})));
+  Interfaces.Flange flange_b "Side of what it pulls on"
+    annotation (Placement(transformation(extent={{-10,-110},{10,-90}})));
   Types.Force F "Reading, positive in pull";
 equation
   flange_a.s = flange_b.s;

@@ -1,5 +1,6 @@
 within PneumaticMuscle.Sources;
 block Pulse "One pulse with a short rise and fall"
+  extends Icons.Signal;
   parameter Real rest = 0 "Value outside the pulse" annotation (Dialog(group="Signal"));
   parameter Real height = 0.35 "Value inside the pulse" annotation (Dialog(group="Signal"));
   parameter Types.Time start = 0 "Time in the middle of the rise" annotation (Dialog(group="Signal"));

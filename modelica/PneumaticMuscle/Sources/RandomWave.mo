@@ -1,5 +1,6 @@
 within PneumaticMuscle.Sources;
 block RandomWave "A wave of random look: a sum of sines with fixed phases, up to a highest frequency"
+  extends Icons.Signal;
   parameter Real frequency(unit="Hz", min=0.01, max=100) = 1 "Highest frequency" annotation (Dialog(group="Signal"));
   parameter Real low = 0 "Least value that the wave can take" annotation (Dialog(group="Signal"));
   parameter Real high = 1 "Largest value that the wave can take" annotation (Dialog(group="Signal"));

@@ -1,5 +1,6 @@
 within PneumaticMuscle.Sources;
 block Step "A step with a short rise"
+  extends Icons.Signal;
   parameter Real before = 0 "Value before the step" annotation (Dialog(group="Signal"));
   parameter Real after = 1 "Value after the step" annotation (Dialog(group="Signal"));
   parameter Types.Time start = 1 "Time in the middle of the rise" annotation (Dialog(group="Signal"));

@@ -1,5 +1,6 @@
 within PneumaticMuscle;
 package Types "Physical quantities with their SI units"
+  extends Icons.Package;
   type AbsolutePressure = Real(final quantity="Pressure", final unit="Pa", displayUnit="kPa", nominal=1e5, min=0) "Absolute pressure";
   type GaugePressure = Real(final quantity="Pressure", final unit="Pa", displayUnit="kPa", nominal=1e5) "Pressure above the ambient, as instruments read it";
   type Temperature = Real(final quantity="ThermodynamicTemperature", final unit="K", displayUnit="degC", nominal=300, min=1) "Absolute temperature";

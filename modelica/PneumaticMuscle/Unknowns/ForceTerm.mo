@@ -1,6 +1,7 @@
 within PneumaticMuscle.Unknowns;
 partial model ForceTerm "A further force between the ends of the muscle"
   extends Interfaces.ForceEffect;
+  extends Icons.Unknown;
   Types.Force missing "Force, positive against contraction";
   Real eps(unit="1") "Contraction ratio";
 equation

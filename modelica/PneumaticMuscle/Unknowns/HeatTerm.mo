@@ -2,6 +2,7 @@ within PneumaticMuscle.Unknowns;
 partial model HeatTerm "A further heat flow into the gas"
   extends Interfaces.VesselTerminals;
   extends Interfaces.Effect(final balance="energy");
+  extends Icons.Unknown;
   Types.Power missing "Heat flow, positive into the gas";
   Types.GaugePressure p_gauge "Gauge pressure";
   Real T_excess(unit="K") "Temperature of the gas above that of the surroundings";

@@ -1,6 +1,7 @@
 within PneumaticMuscle.Unknowns;
 partial model MassFlowTerm "A further mass flow into the gas"
   extends Interfaces.GasPortEffect;
+  extends Icons.Unknown;
   Types.MassFlowRate missing "Mass flow, positive into the gas";
   Types.GaugePressure p_gauge "Gauge pressure";
   Real p_rate(unit="Pa/s") "Rate of the pressure";

@@ -1,5 +1,6 @@
 within PneumaticMuscle;
 package Unknowns "Holes in the balances: terms without a law, to be estimated as signals from a measurement"
+  extends Icons.Package;
   annotation (Documentation(info="<html>
 <p>Each attaches as an effect does and adds one term, <code>missing</code>, to a balance. In a class named
 <code>Missing...</code> it is a parameter that is zero in the model and is moved over time by who keeps the ledger: no

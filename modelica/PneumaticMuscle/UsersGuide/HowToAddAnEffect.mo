@@ -1,5 +1,6 @@
 within PneumaticMuscle.UsersGuide;
 class HowToAddAnEffect "One file, one physical effect"
+  extends Icons.Information;
   annotation (Documentation(info="<html>
 <ol>
 <li>Choose the interface by what the effect does: a force in parallel with the muscle extends

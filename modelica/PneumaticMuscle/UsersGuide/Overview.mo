@@ -1,5 +1,6 @@
 within PneumaticMuscle.UsersGuide;
 class Overview "What is where"
+  extends Icons.Information;
   annotation (Documentation(info="<html>
 <p>A <b>bench</b> (<code>Benches</code>) is a test rig: plain inputs are what is driven, plain outputs what instruments
 read. Pressures are absolute inside the components and gauge pressures in the signals of a bench.</p>

@@ -1,5 +1,6 @@
 within PneumaticMuscle.UsersGuide;
 class References "Every work that the library cites, by the key under which it is cited"
+  extends Icons.Information;
   annotation (Documentation(info="<html>
 <p>DP, DY and AM are cited by the numbers of their equations, figures and tables; every other work by its authors and
 year, written as here: one, two or three names, or the first <code>and others</code>.</p>

@@ -1,5 +1,6 @@
 within PneumaticMuscle;
 package UsersGuide "How the library is meant to be read and extended"
+  extends Icons.Information;
   annotation (Documentation(info="<html>
 <p>Overview, how to add an effect, references.</p>
 </html>"));

@@ -1,5 +1,6 @@
 within PneumaticMuscle.Validation;
 model BladderFriction "Steady contraction of the butyl muscle for mu_fb = 0.015 and 0.04, DP Figs. 9 and 11"
+  extends Icons.Validation;
   constant Real mu_fb[2](each unit="1") = {0.015, 0.04} "Coefficients of friction between fibres and bladder";
   output Types.GaugePressure p[2] = bench.p "Gauge pressures";
   output Types.Length x[2] = bench.x "Contractions";

@@ -1,5 +1,6 @@
 within PneumaticMuscle.Validation;
 model ButylPressure "Pressure and contraction of the butyl muscle for n_g = 1, 1.2, 1.4, and its length of the text, DP Figs. 7 and 9"
+  extends Icons.Validation;
   constant Real n_g[3](each unit="1") = {1, 1.2, 1.4} "Polytropic exponents";
   output Types.GaugePressure p[3] = bench.p "Gauge pressures";
   output Types.Length x[3] = bench.x "Contractions";

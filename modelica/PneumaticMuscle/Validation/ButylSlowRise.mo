@@ -1,5 +1,6 @@
 within PneumaticMuscle.Validation;
 model ButylSlowRise "The butyl muscle's slow contraction: friction does not explain it, elasticity does, DP Fig. 9"
+  extends Icons.Validation;
   output Types.GaugePressure p[3] = {base.p, friction.p, elastic.p} "Gauge pressures";
   output Types.Length x[3] = {base.x, friction.x, elastic.x} "Contractions: as published, more friction, elastic bladder";
   Sources.Pulse inlet(start=-1, stop=5) "Current of the inlet valve";

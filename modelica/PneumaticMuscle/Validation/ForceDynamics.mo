@@ -1,5 +1,6 @@
 within PneumaticMuscle.Validation;
 model ForceDynamics "Static, net and dynamic force of the empirical muscle at four loads, DY Fig. 5"
+  extends Icons.Validation;
   constant Types.Mass m[4] = {5, 10, 20, 30} "Loads";
   output Types.GaugePressure p[4] = wave.y "Gauge pressures";
   output Real eps[4](each unit="1") = bench.eps "Contraction ratios";

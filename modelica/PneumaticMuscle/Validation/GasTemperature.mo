@@ -1,5 +1,6 @@
 within PneumaticMuscle.Validation;
 model GasTemperature "Temperature of the latex muscle with DP (45) as printed: by the power law (60) and by the balance of energy, DP Fig. 12"
+  extends Icons.Validation;
   constant Real n_g[2](each unit="1") = {1.2, 1.4} "Polytropic exponents";
   constant Real mu_fb[2](each unit="1") = {0.015, 0.04} "Coefficients of friction between fibres and bladder: DP Table 1, DP Fig. 12";
   output Types.GaugePressure p_power[2] = power.p "Gauge pressures, power law";

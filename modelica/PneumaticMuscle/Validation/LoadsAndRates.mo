@@ -1,5 +1,6 @@
 within PneumaticMuscle.Validation;
 model LoadsAndRates "Loops of contraction by pressure at two loads and two frequencies, DY Figs. 2 and 7"
+  extends Icons.Validation;
   constant Types.Mass m[4] = {5, 5, 20, 20} "Loads";
   constant Real frequency[4](each unit="Hz") = {0.5, 2, 0.5, 2} "Highest frequencies";
   output Types.GaugePressure p[4] = wave.y "Gauge pressures";

@@ -1,5 +1,6 @@
 within PneumaticMuscle.Validation;
 model PolytropicExponent "Pressure, contraction and temperature of the latex muscle for n_g = 1, 1.2, 1.4, DP Figs. 8, 10, 12"
+  extends Icons.Validation;
   constant Real n_g[3](each unit="1") = {1, 1.2, 1.4} "Polytropic exponents";
   output Types.GaugePressure p[3] = bench.p "Gauge pressures";
   output Types.Length x[3] = bench.x "Contractions";

@@ -1,5 +1,6 @@
 within PneumaticMuscle.Validation;
 model TankCurves "The sixteen curves of tank filling and emptying, DP section 4.4, Figs. 4 and 5"
+  extends Icons.Validation;
   constant Types.Volume V[8] = {2.1e-3, 1.85e-3, 1.6e-3, 1.35e-3, 1.1e-3, 0.85e-3, 0.6e-3, 0.35e-3} "Volumes";
   parameter Real n(unit="1", min=1, max=1.4) = 1.2 "Polytropic exponent" annotation (Dialog(group="Gas"));
   output Types.GaugePressure p_207[8] = high.p "Gauge pressures, supply 207 kPa";

@@ -1,5 +1,6 @@
 within PneumaticMuscle.Validation;
 model TwoLengths "Hysteresis of muscles of two lengths at two frequencies, AM Fig. 8"
+  extends Icons.Validation;
   constant Types.Length L0[4] = {0.15, 0.30, 0.15, 0.30} "Lengths at rest";
   constant Real frequency[4](each unit="Hz") = {0.2, 0.2, 2, 2} "Frequencies of the pressure";
   output Types.GaugePressure p[4] = {3e5 - 2e5*cos(2*Constants.pi*frequency[i]*time) for i in 1:4} "Gauge pressures";

@@ -1,5 +1,6 @@
 within PneumaticMuscle.Validation;
 model ValveCalibration "Flow and effective area of the valve by current at fifteen supplies, DP section 4.4"
+  extends Icons.Validation;
   parameter Real current_rate(unit="A/s", min=0.01, max=1) = 0.035 "Rise of the current"
     annotation (Dialog(group="Operation"));
   constant Types.GaugePressure p_supply[15] = {30e3 + 250e3*(i - 1)/14 for i in 1:15} "Supplies from 30 to 280 kPa";

@@ -1,5 +1,6 @@
 within PneumaticMuscle.Effects;
 package EndShape "Ends that are not cylinders"
+  extends Icons.EndShape;
   annotation (Documentation(info="<html>
 <p>The family <code>end_shape</code>: another sleeve: pull and length at rest differ from those of a cylinder.</p>
 <p>Fingerprint: pull and length at rest are wrong by a share that depends on the contraction, at rest as in motion, and whichever way it was

@@ -1,6 +1,7 @@
 within PneumaticMuscle.Effects.GasEnergy;
 partial model Member "What every member of the family says of itself"
   extends Interfaces.Effect(final family="gas_energy", final balance="energy");
+  extends Icons.GasEnergy;
   annotation (Documentation(info="<html>
 <p>A member also extends <code>Interfaces.Gas</code>, whose place it takes, and gives its equations.</p>
 </html>"));

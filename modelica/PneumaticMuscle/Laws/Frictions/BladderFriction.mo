@@ -1,6 +1,7 @@
 within PneumaticMuscle.Laws.Frictions;
 model BladderFriction "Friction between fibres and bladder, DP (71)"
   extends Interfaces.ForceElement;
+  extends Icons.DryFriction;
   parameter Types.Area A_fb "Area of contact between fibres and bladder" annotation (Dialog(group="Geometry"));
   parameter Real mu_fb(unit="1") "Coefficient of friction" annotation (Dialog(group="Friction"));
 equation

@@ -1,6 +1,7 @@
 within PneumaticMuscle.Laws.Frictions;
 model CoulombViscous "Coulomb and viscous friction by the rate of strain, DP (5), DY (8)-(9)"
   extends Interfaces.ForceElement;
+  extends Icons.RateFriction;
   parameter Types.Force c_c(min=0, max=500) = 5 "Coulomb friction" annotation (Dialog(group="Law"));
   parameter Real c_v(unit="N.s", min=0, max=1e4) = 20 "Viscous friction per rate of strain"
     annotation (Dialog(group="Law"));

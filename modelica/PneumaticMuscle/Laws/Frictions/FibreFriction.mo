@@ -1,6 +1,7 @@
 within PneumaticMuscle.Laws.Frictions;
 model FibreFriction "Friction of fibre on fibre, DP (68)-(69)"
   extends Interfaces.ForceElement;
+  extends Icons.DryFriction;
   parameter Types.Area A_ff "Area of all crossings of fibres" annotation (Dialog(group="Geometry"));
   parameter Real mu_d(unit="1") "Coefficient of dynamic friction" annotation (Dialog(group="Friction"));
   parameter Real K_f(unit="s/m") "Steepness of the friction curve" annotation (Dialog(group="Friction"));

@@ -1,6 +1,7 @@
 within PneumaticMuscle.Laws.Lines;
 model CurvedTube "A tube whose flow is a curved power of the drop of the square of pressure, another each way"
   extends Interfaces.TwoGasPorts;
+  extends Icons.Line;
   parameter Real G(unit="kg/(s.Pa)") "Conductance at the reference drop, at ambient pressure"
     annotation (Dialog(group="Flow"));
   parameter Real a(unit="1") "Exponent of the conductance at the reference drop" annotation (Dialog(group="Flow"));

@@ -1,6 +1,7 @@
 within PneumaticMuscle.Laws.Lines;
 model LaminarTube "A tube with isothermal laminar flow"
   extends Interfaces.TwoGasPorts;
+  extends Icons.Line;
   parameter Real G(unit="kg/(s.Pa)") "Conductance at ambient pressure" annotation (Dialog(group="Flow"));
   outer Components.Ambient ambient "Surroundings";
 equation

@@ -1,6 +1,8 @@
 within PneumaticMuscle.Laws.Lines;
 model LineGas "The gas in a line: a rigid volume without heat exchange"
-  Interfaces.GasPort port "Gas port";
+  extends Icons.Vessel;
+  Interfaces.GasPort port "Gas port"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
   parameter Types.Volume V "Volume" annotation (Dialog(group="Geometry"));
   Types.AbsolutePressure p "Absolute pressure";
   Types.Temperature T "Temperature";

@@ -1,6 +1,7 @@
 within PneumaticMuscle.Laws.Lines;
 model RoughTube "A tube with isothermal flow, laminar where it is small and turbulent where it is large"
   extends Interfaces.TwoGasPorts;
+  extends Icons.Line;
   parameter Real G(unit="kg/(s.Pa)") "Conductance of small flows at ambient pressure" annotation (Dialog(group="Flow"));
   parameter Types.Area A "Effective area for large flows" annotation (Dialog(group="Flow"));
   outer Components.Ambient ambient "Surroundings";

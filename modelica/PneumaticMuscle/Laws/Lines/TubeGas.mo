@@ -1,6 +1,8 @@
 within PneumaticMuscle.Laws.Lines;
 model TubeGas "The gas in a thin tube: a rigid volume at the temperature of its surroundings"
-  Interfaces.GasPort port "Gas port";
+  extends Icons.Vessel;
+  Interfaces.GasPort port "Gas port"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
   parameter Types.Volume V "Volume" annotation (Dialog(group="Geometry"));
   Types.AbsolutePressure p "Absolute pressure";
   outer Components.Ambient ambient "Surroundings";

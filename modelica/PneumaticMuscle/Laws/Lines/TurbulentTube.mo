@@ -1,6 +1,7 @@
 within PneumaticMuscle.Laws.Lines;
 model TurbulentTube "A long tube with isothermal turbulent flow"
   extends Interfaces.TwoGasPorts;
+  extends Icons.Line;
   parameter Types.Area A "Effective area: cross-section by the root of friction factor and slenderness"
     annotation (Dialog(group="Flow"));
   outer Components.Ambient ambient "Surroundings";

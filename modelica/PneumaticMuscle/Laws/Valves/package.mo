@@ -1,5 +1,6 @@
 within PneumaticMuscle.Laws;
 package Valves "From commands to the openings of the valves"
+  extends Icons.Package;
   annotation (Documentation(info="<html>
 <p>The dynamics extend <code>Interfaces.ValveDrive</code>, the effective areas <code>Interfaces.ValveArea</code>; each is
 redeclared as the <code>Drive</code> or the <code>Area</code> of a pair of valves.</p>

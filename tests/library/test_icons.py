@@ -1,0 +1,104 @@
+"""Every class has an icon; the benches are diagrams in which everything stands in its own place and lines meet it."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import numpy as np
+import pytest
+
+from pam_cosim.compiler.scope import Class
+from pam_cosim.compiler.syntax import Reference
+from scripts.icons import SQUARE, Pictures, Placed, diagram, gallery
+from tests.library.shelf import benches, tree
+
+PICTURES = Pictures()
+
+
+def _kind(name: str) -> str:
+    info = tree().classes.get(name)
+    return "" if info is None else info.kind
+
+
+CLASSES = [n for n, c in tree().classes.items() if c.kind != "type" and _kind(n.rpartition(".")[0]) in ("", "package")]
+FAMILIES = [n for n in CLASSES if n.startswith("PneumaticMuscle.Effects.") and n.count(".") == 2]
+REVIEWED = "PneumaticMuscle.Examples.ReviewedBench"
+SHAPES = {"Line", "Polygon", "Rectangle", "Ellipse", "Text"}
+"""Modelica 3.6, section 18.6.5; without Bitmap, which would need a file."""
+
+
+@pytest.mark.parametrize("name", CLASSES)
+def test_class_has_an_icon(name: str) -> None:
+    kinds = {kind for kind, _ in PICTURES.shapes(PICTURES.of(name))}
+    assert kinds and kinds <= SHAPES
+
+
+def test_every_family_has_a_picture_of_its_own() -> None:
+    pictures = {name: repr(PICTURES.shapes(PICTURES.of(name))) for name in FAMILIES}
+    assert len(set(pictures.values())) == len(FAMILIES) == 16
+    for name in FAMILIES:
+        for member in PICTURES.of(name).definition.classes.values():
+            shown = PICTURES.shapes(PICTURES.of(member.qualified_name))
+            own = PICTURES.shapes(PICTURES.of(name))
+            assert shown[-len(own) :] == own, member.qualified_name  # what is drawn last is seen
+
+
+@pytest.mark.parametrize("name", [n for n in CLASSES if tree().classes[n].kind == "model"])
+def test_connectors_stand_on_the_edge_of_the_icon(name: str) -> None:
+    of = PICTURES.of(name)
+    unplaced: list[str] = []
+    places = [part for part in PICTURES.parts(of, unplaced) if part.of.definition.kind == "connector"]
+    for part in places:
+        assert np.abs(part.corners.mean(axis=0)).max() == 100, part.name
+    connectors = {c.name for c in tree().components(name) if _kind(c.type) == "connector"}
+    assert connectors <= {part.name for part in places}
+
+
+@pytest.mark.parametrize("bench", [*benches(), REVIEWED])
+def test_bench_has_everything_in_a_place_of_its_own(bench: str) -> None:
+    of = PICTURES.of(bench)
+    unplaced: list[str] = []
+    parts = PICTURES.parts(of, unplaced)
+    assert unplaced == []
+    low, high = PICTURES.extent(of)
+    for part in parts:
+        assert (part.corners[0] >= low).all() and (part.corners[1] <= high).all(), part.name
+    for one, other in combinations(parts, 2):
+        apart = (one.corners[1] <= other.corners[0]) | (other.corners[1] <= one.corners[0])
+        assert apart.any(), (one.name, other.name)
+
+
+@pytest.mark.parametrize("bench", [*benches(), REVIEWED])
+def test_lines_of_a_bench_lead_from_connector_to_connector(bench: str) -> None:
+    of = PICTURES.of(bench)
+    parts = {part.name: part for part in PICTURES.parts(of)}
+    for connection, line in PICTURES.lines(of):
+        assert line is not None and line[0] == "Line"
+        points = np.array(line[1]["points"], dtype=float)
+        ends = [_place(parts, connection.left), _place(parts, connection.right)]
+        assert points[[0, -1]] == pytest.approx(np.array(ends), abs=1e-9)
+        assert (np.diff(points, axis=0) == 0).any(axis=1).all()  # level or upright
+
+
+def _place(parts: dict[str, Placed], of: Reference) -> np.ndarray:
+    component, connector = (name for name, _ in of.parts)
+    inner = {part.name: part for part in PICTURES.parts(parts[component].of)}
+    middle: np.ndarray = parts[component].at(inner[connector].corners.mean(axis=0, keepdims=True))[0]
+    return middle
+
+
+def test_pictures_are_drawn() -> None:
+    figure = gallery(PICTURES, FAMILIES, columns=4)
+    assert len(figure.axes) == 16 and all(axes.patches for axes in figure.axes)
+    (axes,) = diagram(PICTURES, benches()[0]).axes
+    names = {text.get_text() for text in axes.texts}
+    assert {part.name for part in PICTURES.parts(PICTURES.of(benches()[0]))} <= names
+
+
+def test_a_component_that_is_turned_is_drawn_turned() -> None:
+    of: Class = PICTURES.of("PneumaticMuscle.Components.Load")
+    turned = Placed("a", of, np.array([[-10, -20], [10, 20.0]]), np.array([5.0, 0]), 90)
+    assert turned.at(np.array([[100.0, 0]])) == pytest.approx(np.array([[5, 10.0]]))
+    assert turned.corners == pytest.approx(np.array([[-15, -10], [25, 10.0]]))
+    flipped = Placed("a", of, np.array([[10, -10], [-10, 10.0]]), np.zeros(2), 0)
+    assert flipped.at(np.array(SQUARE)) == pytest.approx(np.array([[10, -10], [-10, 10.0]]))
