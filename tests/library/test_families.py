@@ -28,14 +28,14 @@ def test_a_package_holds_a_family() -> None:
 @pytest.mark.parametrize("package", PACKAGES)
 def test_family_and_balance_are_said_once(package: str) -> None:
     folder = modelica_root() / "PneumaticMuscle" / "Effects" / package
-    assert [f.name for f in folder.glob("*.mo") if "family=" in f.read_text()] == ["Member.mo"]
-    assert not [f.name for f in folder.glob("*.mo") if "balance=" in f.read_text() and f.name != "Member.mo"]
+    assert [f.name for f in folder.glob("*.mo") if "family=" in f.read_text()] == ["FamilyMember.mo"]
+    assert not [f.name for f in folder.glob("*.mo") if "balance=" in f.read_text() and f.name != "FamilyMember.mo"]
     assert "Fingerprint:" in tree().classes[f"{EFFECTS}.{package}"].documentation
 
 
 def test_an_effect_of_ones_own_joins_a_family_by_its_member(tmp_path: Path) -> None:
     file = tmp_path / "Drag.mo"
-    file.write_text(f"""model Drag "A drag" extends {EFFECTS}.RateFriction.Member(final absent="c=0");
+    file.write_text(f"""model Drag "A drag" extends {EFFECTS}.RateFriction.FamilyMember(final absent="c=0");
       parameter Real c(min=0, max=10) = 1 "Drag"; equation f = c*v; end Drag;""")
     (own,) = (e for e in effect_classes(read_library(files=[file])) if e.name == "Drag")
     assert (own.family, own.balance, own.parameters) == ("rate_friction", "force", ("c",))

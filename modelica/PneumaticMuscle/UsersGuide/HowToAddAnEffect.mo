@@ -8,9 +8,9 @@ class HowToAddAnEffect "One file, one physical effect"
 <code>Interfaces.GasPortEffect</code>; a law that takes the place of another extends the constraining class of that place
 (<code>Interfaces.Gas</code>, <code>ValveDrive</code>, <code>ValveArea</code>, <code>Line</code>, <code>Braid</code>,
 <code>Thermometer</code>, <code>Manometer</code>, ...) and <code>Interfaces.Effect</code>.</li>
-<li>Put it into the package of its family: <code>extends Member(final absent=...)</code> says family and balance, and
+<li>Put it into the package of its family: <code>extends FamilyMember(final absent=...)</code> says family and balance, and
 for a force or a leak the interface too; <code>absent</code> lists the parameter values at which it vanishes. Outside the
-library it extends <code>PneumaticMuscle.Effects.Elasticity.Member</code>, or says a <code>family</code> of its own.</li>
+library it extends <code>PneumaticMuscle.Effects.Elasticity.FamilyMember</code>, or says a <code>family</code> of its own.</li>
 <li>Give every parameter that a measurement is to tell a unit, a minimum, a maximum and a typical value.</li>
 <li>Use expressions with finite derivatives: <code>tanh</code> for a sign, <code>Functions.smoothMax</code> for a corner.</li>
 <li>Write equation, source, typical values and fingerprint (what a measurement shows) into the documentation.</li>

@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.Creep;
 model GeneralCreep "The bladder's spring, of any law, relaxes over decades of time, and recovers in another"
-  extends Member(final general=true, final absent="k_1=0, k_2=0, k_3=0");
+  extends FamilyMember(final general=true, final absent="k_1=0, k_2=0, k_3=0");
   parameter Types.TranslationalStiffness k_1(min=0, max=2e4, nominal=300) = 150 "Stiffness that relaxes first"
     annotation (Dialog(group="Effect"));
   parameter Types.TranslationalStiffness k_2(min=0, max=2e4, nominal=300) = 150 "Stiffness that relaxes later"

@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.Creep;
 model MaxwellCreep "The bladder has a part whose stress relaxes"
-  extends Member(final absent="k=0");
+  extends FamilyMember(final absent="k=0");
   parameter Types.TranslationalStiffness k(min=0, max=2e4, nominal=300) = 300 "Stiffness that relaxes"
     annotation (Dialog(group="Effect"));
   parameter Types.Time tau(min=0.1, max=1e4, nominal=2) = 2 "Time in which it relaxes"

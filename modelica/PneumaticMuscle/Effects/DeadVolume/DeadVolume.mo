@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.DeadVolume;
 model DeadVolume "Gas in fittings that takes no part in contraction"
-  extends Member(final absent="V_d=0");
+  extends FamilyMember(final absent="V_d=0");
   parameter Types.Volume V_d(min=0, max=1e-3, nominal=1e-5) = 1e-5 "Volume" annotation (Dialog(group="Effect"));
 protected
   Types.Mass m(nominal=1e-5) = port.p*V_d/(Constants.R*port.T) "Mass of the gas in it";

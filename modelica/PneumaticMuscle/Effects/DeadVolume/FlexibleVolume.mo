@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.DeadVolume;
 model FlexibleVolume "Gas that takes no part in contraction, in a space that grows with pressure"
-  extends Member(final absent="V_0=0, V_p=0");
+  extends FamilyMember(final absent="V_0=0, V_p=0");
   parameter Types.Volume V_0(min=0, max=1e-3, nominal=1e-5) = 1e-5 "Volume at ambient pressure"
     annotation (Dialog(group="Effect"));
   parameter Types.Volume V_p(min=0, max=1e-3, nominal=1e-5) = 2e-6 "What 100 kPa add to it"

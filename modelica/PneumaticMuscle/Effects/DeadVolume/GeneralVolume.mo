@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.DeadVolume;
 model GeneralVolume "Gas that takes no part in contraction, behind an opening, in a space that grows by any law of its pressure"
-  extends Member(final general=true, final absent="V_0=1e-7, V_p=0, G=1e-7");
+  extends FamilyMember(final general=true, final absent="V_0=1e-7, V_p=0, G=1e-7");
   parameter Types.Volume V_0(min=1e-7, max=1e-3, nominal=1e-5) = 1e-5 "Volume at ambient pressure"
     annotation (Dialog(group="Effect"));
   parameter Types.Volume V_p(min=0, max=1e-3, nominal=1e-5) = 2e-6 "What the first 100 kPa add to it, at the rate of the start"

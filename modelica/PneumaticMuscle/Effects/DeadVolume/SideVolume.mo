@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.DeadVolume;
 model SideVolume "Gas that takes no part in contraction, behind an opening, in a space that takes its heat"
-  extends Member(final absent="V=1e-7, G=1e-7");
+  extends FamilyMember(final absent="V=1e-7, G=1e-7");
   parameter Types.Volume V(min=1e-7, max=1e-3, nominal=1e-5) = 1e-5 "Volume" annotation (Dialog(group="Effect"));
   parameter Real G(unit="kg/(s.Pa)", min=1e-11, max=1e-7, nominal=1e-9) = 2e-9 "Conductance of the opening at ambient pressure"
     annotation (Dialog(group="Effect"));

@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.DryFriction;
 model DahlFriction "Dry friction with a small elastic travel before it slips"
-  extends Member(final absent="F_c=0.01");
+  extends FamilyMember(final absent="F_c=0.01");
   parameter Types.Force F_c(min=0.01, max=500, nominal=5) = 5 "Friction force when slipping"
     annotation (Dialog(group="Effect"));
   parameter Types.Length d(min=1e-5, max=4e-3, nominal=2e-4) = 5e-4 "Elastic travel"

@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.DryFriction;
 model FlexibleDryFriction "Dry friction that grows with pressure and gives way in two steps"
-  extends Member(final absent="F_0=0, F_p=0");
+  extends FamilyMember(final absent="F_0=0, F_p=0");
   parameter Types.Force F_0(min=0, max=500, nominal=5) = 5 "Friction force without pressure"
     annotation (Dialog(group="Effect"));
   parameter Types.Force F_p(min=0, max=500, nominal=5) = 2 "What 100 kPa add to it" annotation (Dialog(group="Effect"));

@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.DryFriction;
 model MaxwellSlipFriction "Dry friction of four elements in parallel that slip one after the other"
-  extends Member(final absent="F_c=0.01");
+  extends FamilyMember(final absent="F_c=0.01");
   parameter Types.Force F_c(min=0.01, max=500, nominal=5) = 5 "Friction force when all slip"
     annotation (Dialog(group="Effect"));
   parameter Types.Length d(min=4e-5, max=8e-3, nominal=1e-3) = 2e-3 "Travel until the last one slips"

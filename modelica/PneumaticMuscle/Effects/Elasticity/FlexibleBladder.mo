@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.Elasticity;
 model FlexibleBladder "The bladder is a spring of any smooth law"
-  extends Member(final absent="k=0");
+  extends FamilyMember(final absent="k=0");
   parameter Types.TranslationalStiffness k(min=0, max=2e4, nominal=200) = 200 "Force by contraction at the reference contraction"
     annotation (Dialog(group="Effect"));
   parameter Real a(unit="1", min=-0.8, max=2, nominal=0.3) = 0 "Its relative growth per reference contraction"

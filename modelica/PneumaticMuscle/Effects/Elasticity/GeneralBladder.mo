@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.Elasticity;
 model GeneralBladder "The bladder is a spring of any smooth law, up to the fourth power in its exponent"
-  extends Member(final general=true, final absent="k=0");
+  extends FamilyMember(final general=true, final absent="k=0");
   parameter Types.TranslationalStiffness k(min=0, max=2e4, nominal=200) = 200 "Force by contraction at the reference contraction"
     annotation (Dialog(group="Effect"));
   parameter Real a(unit="1", min=-3, max=6, nominal=0.3) = 0 "Its relative growth per reference contraction"

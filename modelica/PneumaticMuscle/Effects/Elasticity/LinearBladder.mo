@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.Elasticity;
 model LinearBladder "The bladder is a linear spring"
-  extends Member(final absent="k=0");
+  extends FamilyMember(final absent="k=0");
   parameter Types.TranslationalStiffness k(min=0, max=2e4, nominal=200) = 200 "Stiffness"
     annotation (Dialog(group="Effect"));
 equation

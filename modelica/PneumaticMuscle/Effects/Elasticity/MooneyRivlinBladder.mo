@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.Elasticity;
 model MooneyRivlinBladder "The bladder is a thin Mooney-Rivlin tube that follows the sleeve"
-  extends Member(final absent="C_10=0, C_01=0");
+  extends FamilyMember(final absent="C_10=0, C_01=0");
   parameter Types.Pressure C_10(min=0, max=1e7, nominal=1e5) = 1.5e5 "First coefficient"
     annotation (Dialog(group="Effect"));
   parameter Types.Pressure C_01(min=0, max=1e6, nominal=1e4) = 1e4 "Second coefficient"

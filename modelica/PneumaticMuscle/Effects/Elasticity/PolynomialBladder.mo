@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.Elasticity;
 model PolynomialBladder "The bladder is a spring whose stiffness changes with contraction"
-  extends Member(final absent="k1=0, k2=0, k3=0");
+  extends FamilyMember(final absent="k1=0, k2=0, k3=0");
   parameter Types.TranslationalStiffness k1(min=0, max=2e4, nominal=200) = 100 "Stiffness at rest"
     annotation (Dialog(group="Effect"));
   parameter Real k2(unit="N/m2", min=-2e3, max=2e5, nominal=2e3) = 0 "Quadratic coefficient"

@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.Elasticity;
 model YoungBladder "The bladder is a thin tube of Hooke's rubber that follows the sleeve"
-  extends Member(final absent="E=0");
+  extends FamilyMember(final absent="E=0");
   parameter Types.Pressure E(min=0, max=5e7, nominal=1e6) = 1e6 "Modulus of elasticity of the rubber"
     annotation (Dialog(group="Effect"));
 protected

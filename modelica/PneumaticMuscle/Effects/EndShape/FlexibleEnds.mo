@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.EndShape;
 model FlexibleEnds "The pull differs from the cylinder's by any smooth law of contraction that fades with pressure"
   extends Interfaces.Cylinder;
-  extends Member(final absent="a_0=0, a_1=0, a_2=0");
+  extends FamilyMember(final absent="a_0=0, a_1=0, a_2=0");
   parameter Real a_0(unit="1", min=-0.5, max=0.5, nominal=0.1) = 0 "Excess of the pull at full length"
     annotation (Dialog(group="Effect"));
   parameter Real a_1(unit="1", min=-2, max=0.3, nominal=0.1) = -0.05 "What it gains in proportion to contraction"

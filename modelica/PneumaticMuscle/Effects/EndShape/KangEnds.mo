@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.EndShape;
 model KangEnds "The ends contract less than the middle, the more so the lower the pressure"
   extends Interfaces.Cylinder;
-  extends Member(final absent="c_1=0");
+  extends FamilyMember(final absent="c_1=0");
   parameter Real c_1(unit="1", min=0, max=5, nominal=0.1) = 0.2 "Excess of the factor on the strain at no pressure"
     annotation (Dialog(group="Effect"));
   parameter Types.GaugePressure p_0(min=2e4, max=1e6, nominal=1e5) = 1e5 "Gauge pressure over which it falls to 1/e"

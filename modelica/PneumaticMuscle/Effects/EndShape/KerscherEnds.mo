@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.EndShape;
 model KerscherEnds "The slenderness of the muscle changes the force, the more so the less it is contracted"
   extends Interfaces.Cylinder;
-  extends Member(final absent="c_3=0");
+  extends FamilyMember(final absent="c_3=0");
   parameter Real c_3(unit="1", min=-0.5, max=1, nominal=0.1) = 0.1 "Excess of the force at full length"
     annotation (Dialog(group="Effect"));
   parameter Real eps_0(unit="1", min=0.01, max=1, nominal=0.1) = 0.1 "Strain over which it falls to 1/e"

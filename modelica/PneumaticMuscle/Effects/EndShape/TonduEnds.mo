@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.EndShape;
 model TonduEnds "The ends contract less than the middle: strain counts k times in the force"
   extends Interfaces.Cylinder;
-  extends Member(final absent="k=1");
+  extends FamilyMember(final absent="k=1");
   parameter Real k(unit="1", min=0.8, max=1.6, nominal=1) = 1.05 "Factor on the strain"
     annotation (Dialog(group="Effect"));
 protected

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.FrictionHeat;
 model FlexibleFrictionHeat "Shares of the work of friction heat the gas, at once or later, in extension by another share"
   extends Interfaces.FrictionHeat;
-  extends Member(final absent="share_f=0, share_b=0");
+  extends FamilyMember(final absent="share_f=0, share_b=0");
   parameter Real share_f(unit="1", min=0, max=1, nominal=1) = 0.7 "Share of the work of fibre on fibre that reaches the gas"
     annotation (Dialog(group="Effect"));
   parameter Real share_b(unit="1", min=0, max=1, nominal=1) = 0.5 "Share of the work between fibres and bladder"

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.FrictionHeat;
 model FrictionHeat "The work of all friction heats the gas"
   extends Interfaces.FrictionHeat;
-  extends Member(final absent="share=0");
+  extends FamilyMember(final absent="share=0");
   parameter Real share(unit="1", min=0, max=1, nominal=1) = 0.9 "Share of the work that reaches the gas"
     annotation (Dialog(group="Effect"));
 equation

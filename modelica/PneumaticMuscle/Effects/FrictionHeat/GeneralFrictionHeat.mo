@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.FrictionHeat;
 model GeneralFrictionHeat "Shares of the work of friction heat the gas, some at once and some through two stores"
   extends Interfaces.FrictionHeat;
-  extends Member(final general=true,
+  extends FamilyMember(final general=true,
     final absent="share_f=0, share_b=0");
   parameter Real share_f(unit="1", min=0, max=1, nominal=1) = 0.7 "Share of the work of fibre on fibre that reaches the gas"
     annotation (Dialog(group="Effect"));

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.GasEnergy;
 model FlexibleGas "Mass and energy balance, with heat exchange that grows with density, temperature difference and flow"
   extends Interfaces.Gas(T(start=T_start, fixed=true));
-  extends Member;
+  extends FamilyMember;
   parameter Types.CoefficientOfHeatTransfer h_0(min=0.01, max=500, nominal=10) = 5 "Film coefficient of gas at rest"
     annotation (Dialog(group="Effect"));
   parameter Types.CoefficientOfHeatTransfer h_1(min=0, max=2e3, nominal=10) = 5 "What the reference flow adds"

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.GasEnergy;
 model FreeConvectionGas "Mass and energy balance, with heat exchange by free convection"
   extends Interfaces.Gas(T(start=T_start, fixed=true));
-  extends Member;
+  extends FamilyMember;
   parameter Real c(unit="1", min=1e-3, max=10, nominal=0.1) = 0.13 "Nusselt number by the third root of the Rayleigh number"
     annotation (Dialog(group="Effect"));
   Types.Mass m(nominal=1e-3) "Mass of the gas";

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.GasEnergy;
 model GeneralGas "Mass and energy balance of any gas, with any smooth law of its heat exchange"
   extends Interfaces.Gas(T(start=T_start, fixed=true));
-  extends Member(final general=true);
+  extends FamilyMember(final general=true);
   parameter Types.CoefficientOfHeatTransfer h_0(min=0.01, max=500, nominal=10) = 5 "Film coefficient of gas at rest"
     annotation (Dialog(group="Effect"));
   parameter Types.CoefficientOfHeatTransfer h_1(min=0, max=2e3, nominal=10) = 5 "What the reference flow adds"

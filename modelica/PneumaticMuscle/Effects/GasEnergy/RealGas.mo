@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.GasEnergy;
 model RealGas "Mass and energy balance of a gas that is not ideal"
   extends Interfaces.Gas(T(start=T_start, fixed=true));
-  extends Member;
+  extends FamilyMember;
   parameter Types.CoefficientOfHeatTransfer h(min=0.01, max=500, nominal=10) = 10 "Film coefficient at ambient pressure"
     annotation (Dialog(group="Effect"));
   parameter Real n_p(unit="1", min=-0.5, max=1.5, nominal=0.5) = 0.2 "Exponent of the pressure in it"

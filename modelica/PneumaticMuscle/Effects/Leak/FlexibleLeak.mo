@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.Leak;
 model FlexibleLeak "Gas escapes by any smooth law of the gauge pressure"
-  extends Member(final absent="G=0");
+  extends FamilyMember(final absent="G=0");
   parameter Real G(unit="kg/(s.Pa)", min=0, max=1e-9, nominal=1e-11) = 1e-11 "Conductance at 100 kPa"
     annotation (Dialog(group="Effect"));
   parameter Real a(unit="1", min=-1, max=2.5, nominal=0.5) = 0 "Exponent of the conductance at 100 kPa"

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.Leak;
 model GeneralLeak "Gas escapes by any smooth law of gauge pressure and contraction"
   extends Interfaces.MuscleTerminals;
-  extends Member(final general=true, final absent="G=0");
+  extends FamilyMember(final general=true, final absent="G=0");
   parameter Real G(unit="kg/(s.Pa)", min=0, max=1e-9, nominal=1e-11) = 1e-11 "Conductance at 100 kPa and full length"
     annotation (Dialog(group="Effect"));
   parameter Real a(unit="1", min=-1, max=2.5, nominal=0.5) = 0 "Exponent of the conductance at 100 kPa"

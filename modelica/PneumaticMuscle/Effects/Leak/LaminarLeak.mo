@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.Leak;
 model LaminarLeak "Gas seeps out in proportion to the gauge pressure"
-  extends Member(final absent="G=0");
+  extends FamilyMember(final absent="G=0");
   parameter Real G(unit="kg/(s.Pa)", min=0, max=1e-9, nominal=1e-11) = 1e-11 "Conductance"
     annotation (Dialog(group="Effect"));
 equation

@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.Leak;
 model OrificeLeak "Gas escapes through a small hole"
-  extends Member(final absent="A=0");
+  extends FamilyMember(final absent="A=0");
   parameter Types.Area A(min=0, max=2.5e-7, nominal=5e-9) = 5e-9 "Effective area of the hole"
     annotation (Dialog(group="Effect"));
 equation

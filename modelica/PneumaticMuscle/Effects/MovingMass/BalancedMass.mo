@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.MovingMass;
 model BalancedMass "Moving parts whose weight is balanced: inertia alone"
-  extends Member(final absent="m=0");
+  extends FamilyMember(final absent="m=0");
   parameter Types.Mass m(min=0, max=200, nominal=5) = 5 "Mass, referred to the load end"
     annotation (Dialog(group="Effect"));
 equation

@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.MovingMass;
 model FlexibleMass "Moving parts whose inertia and weight are any smooth functions of the contraction"
-  extends Member(final absent="m=0");
+  extends FamilyMember(final absent="m=0");
   parameter Types.Mass m(min=0, max=100, nominal=1) = 1 "Inertia at full length, referred to the load end"
     annotation (Dialog(group="Effect"));
   parameter Real a(unit="1", min=-2, max=3, nominal=0.3) = 0 "Exponent of its growth with the contraction"

@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.MovingMass;
 model GeneralMass "Moving parts of any inertia and weight, and a part that is dragged along with slip"
-  extends Member(final general=true, final absent="m=0, m_weight=0, m_slip=0");
+  extends FamilyMember(final general=true, final absent="m=0, m_weight=0, m_slip=0");
   parameter Types.Mass m(min=0, max=100, nominal=1) = 1 "Inertia at full length, referred to the load end"
     annotation (Dialog(group="Effect"));
   parameter Real a(unit="1", min=-1, max=2, nominal=0.3) = 0 "Relative growth of the inertia per reference contraction"

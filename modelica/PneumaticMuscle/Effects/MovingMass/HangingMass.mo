@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.MovingMass;
 model HangingMass "Parts of the rig hang on the muscle besides the load"
-  extends Member(final absent="m=0");
+  extends FamilyMember(final absent="m=0");
   parameter Types.Mass m(min=0, max=50, nominal=0.5) = 0.5 "Mass" annotation (Dialog(group="Effect"));
 equation
   f = m*(der(v) + Constants.g);

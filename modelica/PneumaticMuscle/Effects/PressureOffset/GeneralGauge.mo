@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.PressureOffset;
 model GeneralGauge "The pressure reading is any smooth function of the pressure"
   extends Interfaces.Manometer;
-  extends Member(final general=true,
+  extends FamilyMember(final general=true,
     final absent="offset=0, gain=1, bend=0, c=0, d=0");
   parameter Types.GaugePressure offset(min=-5e4, max=5e4, nominal=1e3) = 1e3 "What the reading has too much at ambient pressure"
     annotation (Dialog(group="Effect"));

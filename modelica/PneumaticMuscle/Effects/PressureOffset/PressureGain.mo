@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.PressureOffset;
 model PressureGain "The pressure reading is off by a factor"
   extends Interfaces.Manometer;
-  extends Member(final absent="gain=1");
+  extends FamilyMember(final absent="gain=1");
   parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.03 "Factor on the reading"
     annotation (Dialog(group="Effect"));
 equation

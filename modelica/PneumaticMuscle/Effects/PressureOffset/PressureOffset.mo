@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.PressureOffset;
 model PressureOffset "The pressure reading is off by a constant"
   extends Interfaces.Manometer;
-  extends Member(final absent="offset=0");
+  extends FamilyMember(final absent="offset=0");
   parameter Types.GaugePressure offset(min=-5e4, max=5e4, nominal=1e3) = 3e3 "What the reading has too much"
     annotation (Dialog(group="Effect"));
 equation

@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.RateFriction;
 model FlexibleRateFriction "Friction that grows with speed by any smooth law, and with pressure"
-  extends Member(final absent="c=0");
+  extends FamilyMember(final absent="c=0");
   parameter Types.TranslationalDamping c(min=0, max=2e4, nominal=100) = 100 "Damping at 0.1 m/s and 100 kPa"
     annotation (Dialog(group="Effect"));
   parameter Real a(unit="1", min=-1, max=2, nominal=0.5) = 0 "Exponent of the damping at 0.1 m/s"

@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.RateFriction;
 model GeneralRateFriction "Friction that grows with any smooth function of speed, pressure, contraction and direction"
-  extends Member(final general=true, final absent="c=0");
+  extends FamilyMember(final general=true, final absent="c=0");
   parameter Types.TranslationalDamping c(min=0, max=2e4, nominal=100) = 100 "Damping at 0.1 m/s, 100 kPa and full length"
     annotation (Dialog(group="Effect"));
   parameter Real a(unit="1", min=-0.7, max=2, nominal=0.5) = 0 "Exponent of the damping at 0.1 m/s"

@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.RateFriction;
 model LoadFrequencyFriction "Friction in proportion to the rate of strain, the run's load and the run's frequency"
-  extends Member(final absent="ab=0");
+  extends FamilyMember(final absent="ab=0");
   parameter Real ab(unit="s2", min=0, max=10, nominal=0.1) = 0.15 "Product of the coefficients of load and frequency"
     annotation (Dialog(group="Effect"));
 protected

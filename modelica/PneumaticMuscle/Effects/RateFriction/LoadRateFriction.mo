@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.RateFriction;
 model LoadRateFriction "Friction in proportion to the pull and to the rate of strain"
-  extends Member(final absent="ab=0");
+  extends FamilyMember(final absent="ab=0");
   parameter Types.Time ab(min=0, max=50, nominal=1) = 1 "Product of the coefficients of load and of rate"
     annotation (Dialog(group="Effect"));
 protected

@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.RateFriction;
 model PowerLawFriction "Friction that grows with a power of speed"
-  extends Member(final absent="c=0");
+  extends FamilyMember(final absent="c=0");
   parameter Types.TranslationalDamping c(min=0, max=2e4, nominal=100) = 100 "Damping at the reference speed"
     annotation (Dialog(group="Effect"));
   parameter Real a(unit="1", min=0.4, max=2.5) = 1.2 "Exponent" annotation (Dialog(group="Effect"));

@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.RateFriction;
 model PressureViscousFriction "Friction in proportion to speed and gauge pressure"
-  extends Member(final absent="c_p=0");
+  extends FamilyMember(final absent="c_p=0");
   parameter Real c_p(unit="N.s/(m.Pa)", min=0, max=0.1, nominal=1e-3) = 1e-3 "Damping per gauge pressure"
     annotation (Dialog(group="Effect"));
 equation

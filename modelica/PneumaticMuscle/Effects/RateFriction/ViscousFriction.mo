@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.RateFriction;
 model ViscousFriction "Friction in proportion to speed"
-  extends Member(final absent="c=0");
+  extends FamilyMember(final absent="c=0");
   parameter Types.TranslationalDamping c(min=0, max=2e4, nominal=100) = 100 "Damping"
     annotation (Dialog(group="Effect"));
 equation

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.SupplyLine;
 model FlexibleLine "A tube between valves and muscle that is laminar at small and turbulent at large flow"
   extends Interfaces.Line;
-  extends Member(final absent="G=1e-6, A=5e-6, V=2e-7");
+  extends FamilyMember(final absent="G=1e-6, A=5e-6, V=2e-7");
   parameter Real G(unit="kg/(s.Pa)", min=2e-10, max=1e-6, nominal=3e-9) = 1e-8 "Conductance of small flows at ambient pressure"
     annotation (Dialog(group="Effect"));
   parameter Types.Area A(min=2e-8, max=5e-6, nominal=3e-7) = 4e-7 "Effective area for large flows"

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.SupplyLine;
 model GeneralLine "A tube between valves and muscle whose flow is any smooth law of the pressures, another each way"
   extends Interfaces.Line;
-  extends Member(final general=true, final absent="G=1e-6, V=2e-7");
+  extends FamilyMember(final general=true, final absent="G=1e-6, V=2e-7");
   parameter Real G(unit="kg/(s.Pa)", min=2e-10, max=1e-6, nominal=3e-9) = 1e-8 "Conductance at the reference drop, at ambient pressure"
     annotation (Dialog(group="Effect"));
   parameter Real a(unit="1", min=-0.6, max=0.5, nominal=0.2) = -0.2 "Exponent of the conductance at the reference drop"

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.SupplyLine;
 model LaminarLine "A thin tube between valves and muscle"
   extends Interfaces.Line;
-  extends Member(final absent="G=1e-6");
+  extends FamilyMember(final absent="G=1e-6");
   parameter Real G(unit="kg/(s.Pa)", min=2e-10, max=1e-6, nominal=3e-9) = 3e-9 "Conductance at ambient pressure"
     annotation (Dialog(group="Effect"));
 protected

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.SupplyLine;
 model LongLine "A tube of its own volume and resistance between valves and muscle"
   extends Interfaces.Line;
-  extends Member(final absent="A=5e-6, V=2e-7");
+  extends FamilyMember(final absent="A=5e-6, V=2e-7");
   parameter Types.Area A(min=2e-8, max=5e-6, nominal=3e-7) = 3e-7 "Effective area of the tube"
     annotation (Dialog(group="Effect"));
   parameter Types.Volume V(min=2e-7, max=5e-4, nominal=1e-5) = 1e-5 "Volume of the tube, at the valve end"

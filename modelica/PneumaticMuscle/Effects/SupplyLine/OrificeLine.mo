@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.SupplyLine;
 model OrificeLine "A narrow place between valves and muscle"
   extends Interfaces.Line;
-  extends Member(final absent="A=5e-6");
+  extends FamilyMember(final absent="A=5e-6");
   parameter Types.Area A(min=2e-8, max=5e-6, nominal=3e-7) = 3e-7 "Effective area of the narrowest place"
     annotation (Dialog(group="Effect"));
 protected

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.ThermocoupleLag;
 model GeneralThermocouple "The temperature reading lags by any law of pressure and flow, behind a sheath, and is drawn to a stem and to the surroundings"
   extends Interfaces.Thermometer(T(start=T_start, fixed=true));
-  extends Member(final general=true,
+  extends FamilyMember(final general=true,
     final absent="tau=1e-3, n=0, b=0, loss=0, stem=0, r=1e-3");
   parameter Types.Time tau(min=1e-3, max=100, nominal=1) = 1 "Time constant in gas at rest at ambient pressure"
     annotation (Dialog(group="Effect"));

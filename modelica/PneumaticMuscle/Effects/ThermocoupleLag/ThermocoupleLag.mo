@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.ThermocoupleLag;
 model ThermocoupleLag "The temperature reading lags"
   extends Interfaces.Thermometer(T(start=T_start, fixed=true));
-  extends Member(final absent="tau=1e-3");
+  extends FamilyMember(final absent="tau=1e-3");
   parameter Types.Time tau(min=1e-3, max=100, nominal=1) = 1 "Time constant" annotation (Dialog(group="Effect"));
 equation
   tau*der(T) = port.T - T;

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.ThermocoupleLag;
 model ThermocoupleSheath "The temperature reading lags behind a sheath that lags behind the gas"
   extends Interfaces.Thermometer(T(start=T_start, fixed=true));
-  extends Member(final absent="tau=1e-3");
+  extends FamilyMember(final absent="tau=1e-3");
   parameter Types.Time tau(min=1e-3, max=100, nominal=1) = 1 "Time constant of the sheath"
     annotation (Dialog(group="Effect"));
   parameter Real r(unit="1", min=0.02, max=1, nominal=1) = 0.3 "Time constant of the junction by that of the sheath"

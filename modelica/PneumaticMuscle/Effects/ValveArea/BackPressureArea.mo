@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.ValveArea;
 model BackPressureArea "Back pressure closes the valves a little"
   extends Interfaces.ValveArea;
-  extends Member(final absent="beta=0");
+  extends FamilyMember(final absent="beta=0");
   parameter Real beta(unit="1", min=0, max=0.9, nominal=0.1) = 0.15 "Share of the area that is lost at equal pressures"
     annotation (Dialog(group="Effect"));
 protected

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.ValveArea;
 model CurrentOffsetArea "The valves open at another current than calibrated"
   extends Interfaces.ValveArea;
-  extends Member(final absent="u_0=0");
+  extends FamilyMember(final absent="u_0=0");
   parameter Types.Current u_0(min=-0.14, max=0.14, nominal=0.01) = 0.01 "Current that is felt on top of the one that is sent"
     annotation (Dialog(group="Effect"));
 equation

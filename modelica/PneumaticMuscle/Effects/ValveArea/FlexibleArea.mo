@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.ValveArea;
 model FlexibleArea "The effective area depends on both pressures and on the current by any smooth law"
   extends Interfaces.ValveArea;
-  extends Member(final absent="b_r=0, b_p=0, b_s=0, b_u=0, u_p=0");
+  extends FamilyMember(final absent="b_r=0, b_p=0, b_s=0, b_u=0, u_p=0");
   parameter Real b_r(unit="1", min=-1, max=2, nominal=0.1) = 0.1 "What the logarithm of the area loses with the pressure ratio"
     annotation (Dialog(group="Effect"));
   parameter Real b_p(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "What it loses with the pressure drop, per 100 kPa"

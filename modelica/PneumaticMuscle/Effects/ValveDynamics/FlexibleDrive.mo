@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.ValveDynamics;
 model FlexibleDrive "The valves follow late, by a dead time, by lags and at a limited rate, up and down alike or not"
   extends Interfaces.ValveDrive(y(each start=0, each fixed=true));
-  extends Member(final absent="tau=1e-4, slew=1e-4, ratio=1, tau_coil=1e-4, dead_time=1e-3");
+  extends FamilyMember(final absent="tau=1e-4, slew=1e-4, ratio=1, tau_coil=1e-4, dead_time=1e-3");
   parameter Types.Time tau(min=1e-4, max=2, nominal=0.05) = 0.03 "Time constant of opening"
     annotation (Dialog(group="Effect"));
   parameter Types.Time slew(min=1e-4, max=2, nominal=0.05) = 0.01 "Time that 0.35 A take at the greatest rate of opening"

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.ValveDynamics;
 model GeneralDrive "The valves follow by a dead time, lags, a limited rate, an oscillator, and a share that comes at once"
   extends Interfaces.ValveDrive(y(each start=0, each fixed=true));
-  extends Member(final general=true,
+  extends FamilyMember(final general=true,
     final absent="tau=1e-4, slew=1e-4, ratio=1, tau_coil=1e-4, dead_time=1e-3, omega=1e3, zeta=0.3");
   parameter Types.Time tau(min=1e-4, max=2, nominal=0.05) = 0.03 "Time constant of opening"
     annotation (Dialog(group="Effect"));

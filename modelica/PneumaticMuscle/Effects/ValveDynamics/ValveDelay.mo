@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.ValveDynamics;
 model ValveDelay "The valves open and close late"
   extends Interfaces.ValveDrive;
-  extends Member(final absent="dead_time=1e-3");
+  extends FamilyMember(final absent="dead_time=1e-3");
   parameter Types.Time dead_time(min=1e-3, max=2, nominal=0.05) = 0.05 "Dead time" annotation (Dialog(group="Effect"));
 protected
   parameter Types.Time t_0(fixed=false) "Start time";

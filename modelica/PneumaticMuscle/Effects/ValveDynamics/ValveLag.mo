@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.ValveDynamics;
 model ValveLag "The valves follow their currents with a first-order lag"
   extends Interfaces.ValveDrive(y(each start=0, each fixed=true));
-  extends Member(final absent="tau=1e-4");
+  extends FamilyMember(final absent="tau=1e-4");
   parameter Types.Time tau(min=1e-4, max=2, nominal=0.05) = 0.05 "Time constant" annotation (Dialog(group="Effect"));
 equation
   for i in 1:2 loop

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.ValveDynamics;
 model ValveSecondOrder "The valves follow their currents as a damped oscillator"
   extends Interfaces.ValveDrive(y(each start=0, each fixed=true));
-  extends Member(final absent="omega=2e3");
+  extends FamilyMember(final absent="omega=2e3");
   parameter Real omega(unit="rad/s", min=2, max=2e3, nominal=50) = 40 "Undamped angular frequency"
     annotation (Dialog(group="Effect"));
   parameter Real zeta(unit="1", min=0.3, max=2, nominal=1) = 0.8 "Damping ratio" annotation (Dialog(group="Effect"));

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.WallHeat;
 model StorageWall "A wall that stores heat between a film inside and a film outside"
   extends Interfaces.Wall;
-  extends Member(final absent="C=1e-3, r=1");
+  extends FamilyMember(final absent="C=1e-3, r=1");
   parameter Types.HeatCapacity C(min=1e-3, max=1e5, nominal=1) = 1 "Heat capacity of the wall"
     annotation (Dialog(group="Effect"));
   parameter Real r(unit="1", min=0.01, max=50, nominal=1) = 1 "Film coefficient outside by that inside"

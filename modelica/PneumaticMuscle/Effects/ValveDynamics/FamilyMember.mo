@@ -1,8 +1,8 @@
 within PneumaticMuscle.Effects.ValveDynamics;
-partial model Member "What every member of the family says of itself"
+partial model FamilyMember "What every member of the family says of itself"
   extends Interfaces.Effect(final family="valve_dynamics", final balance="mass");
   extends Icons.ValveDynamics;
   annotation (Documentation(info="<html>
 <p>A member also extends <code>Interfaces.ValveDrive</code>, whose place it takes, and gives its equations.</p>
 </html>"));
-end Member;
+end FamilyMember;

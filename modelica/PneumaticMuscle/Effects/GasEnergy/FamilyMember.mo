@@ -1,8 +1,8 @@
 within PneumaticMuscle.Effects.GasEnergy;
-partial model Member "What every member of the family says of itself"
+partial model FamilyMember "What every member of the family says of itself"
   extends Interfaces.Effect(final family="gas_energy", final balance="energy");
   extends Icons.GasEnergy;
   annotation (Documentation(info="<html>
 <p>A member also extends <code>Interfaces.Gas</code>, whose place it takes, and gives its equations.</p>
 </html>"));
-end Member;
+end FamilyMember;

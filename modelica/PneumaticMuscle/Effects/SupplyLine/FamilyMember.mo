@@ -1,8 +1,8 @@
 within PneumaticMuscle.Effects.SupplyLine;
-partial model Member "What every member of the family says of itself"
+partial model FamilyMember "What every member of the family says of itself"
   extends Interfaces.Effect(final family="supply_line", final balance="mass");
   extends Icons.SupplyLine;
   annotation (Documentation(info="<html>
 <p>A member also extends <code>Interfaces.Line</code>, whose place it takes, and gives its equations.</p>
 </html>"));
-end Member;
+end FamilyMember;

@@ -1,8 +1,8 @@
 within PneumaticMuscle.Effects.EndShape;
-partial model Member "What every member of the family says of itself"
+partial model FamilyMember "What every member of the family says of itself"
   extends Interfaces.Effect(final family="end_shape", final balance="force");
   extends Icons.EndShape;
   annotation (Documentation(info="<html>
 <p>A member also extends <code>Interfaces.Cylinder</code>, whose place it takes, and gives its equations.</p>
 </html>"));
-end Member;
+end FamilyMember;

@@ -1,8 +1,8 @@
 within PneumaticMuscle.Effects.ThermocoupleLag;
-partial model Member "What every member of the family says of itself"
+partial model FamilyMember "What every member of the family says of itself"
   extends Interfaces.Effect(final family="thermocouple_lag", final balance="sensor");
   extends Icons.ThermocoupleLag;
   annotation (Documentation(info="<html>
 <p>A member also extends <code>Interfaces.Thermometer</code>, whose place it takes, and gives its equations.</p>
 </html>"));
-end Member;
+end FamilyMember;

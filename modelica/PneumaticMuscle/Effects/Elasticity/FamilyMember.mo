@@ -1,8 +1,8 @@
 within PneumaticMuscle.Effects.Elasticity;
-partial model Member "What every member of the family says of itself"
+partial model FamilyMember "What every member of the family says of itself"
   extends Interfaces.ForceEffect(final family="elasticity");
   extends Icons.Elasticity;
   annotation (Documentation(info="<html>
 <p>Left to the extending class: the equation of f, and its parameters.</p>
 </html>"));
-end Member;
+end FamilyMember;

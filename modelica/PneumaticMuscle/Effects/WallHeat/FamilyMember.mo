@@ -1,8 +1,8 @@
 within PneumaticMuscle.Effects.WallHeat;
-partial model Member "What every member of the family says of itself"
+partial model FamilyMember "What every member of the family says of itself"
   extends Interfaces.Effect(final family="wall_heat", final balance="energy");
   extends Icons.WallHeat;
   annotation (Documentation(info="<html>
 <p>A member also extends <code>Interfaces.Surroundings</code> or <code>Interfaces.Wall</code>, whose place it takes, and gives its equations.</p>
 </html>"));
-end Member;
+end FamilyMember;

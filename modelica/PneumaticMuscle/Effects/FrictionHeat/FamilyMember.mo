@@ -1,8 +1,8 @@
 within PneumaticMuscle.Effects.FrictionHeat;
-partial model Member "What every member of the family says of itself"
+partial model FamilyMember "What every member of the family says of itself"
   extends Interfaces.Effect(final family="friction_heat", final balance="energy");
   extends Icons.FrictionHeat;
   annotation (Documentation(info="<html>
 <p>A member also extends <code>Interfaces.FrictionHeat</code>, whose place it takes, and gives its equations.</p>
 </html>"));
-end Member;
+end FamilyMember;
