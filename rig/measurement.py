@@ -16,6 +16,8 @@ from pathlib import Path
 import numpy as np
 from scipy.optimize import least_squares
 
+from rig import data_set
+from rig.data_set import Description, Recording
 from rig.integrate import Array
 from rig.muscle import MuscleParameters, Trajectory, simulate_muscle
 from rig.named import EFFECTS, Effect, effect_name, effect_of, effect_parameters
@@ -26,7 +28,6 @@ TRUTH = MuscleParameters(calibration=0.72, mu_fb=0.018)
 
 BOUNDS = {"valve.C_A": (0.5, 0.9), "muscle.mu_fb": (0.005, 0.05)}
 SIZES = Path(__file__).with_name("effect_sizes.json")
-ROW_GAP = 1e-6  # s, between the two rows of a step
 
 
 @dataclass(frozen=True)
@@ -129,44 +130,6 @@ def effect_size(
     return {name: float(np.sqrt(np.mean(d**2))) for name, d in rms.items()}
 
 
-_COLUMNS = {"p": ("p [kPa]", 1e-3, 0.0), "x": ("x [mm]", 1e3, 0.0), "T": ("T [degC]", 1.0, -273.15)}
-
-
-def _csv(measured: Measurement, names: Sequence[str], step_rows: bool) -> str:
-    schedule = measured.run.schedule
-    supply = f"{measured.run.p_supply / 1e3:.9g}"
-    inputs = ["time [s]", "u_in [A]", "u_out [A]", "p_supply [kPa]"]
-    lines = [",".join([*inputs, *(_COLUMNS[n][0] for n in names)])]
-    for k, t in enumerate(measured.time.tolist()):
-        u_in, u_out = schedule.at(t)
-        before = schedule.at(t - 2e-9) if k else (u_in, u_out)
-        if step_rows and before != (u_in, u_out):  # the row before the step carries no measurement
-            old = [f"{t - ROW_GAP:.9g}", f"{before[0]:.9g}", f"{before[1]:.9g}", supply]
-            lines.append(",".join([*old, *("" for _ in names)]))
-        values = [measured.signals[n][k] * _COLUMNS[n][1] + _COLUMNS[n][2] for n in names]
-        new = [f"{t:.9g}", f"{u_in:.9g}", f"{u_out:.9g}", supply]
-        lines.append(",".join([*new, *(f"{y:.9g}" for y in values)]))
-    return "\n".join(lines) + "\n"
-
-
-def _experiment(
-    measured: Sequence[Measurement], files: Sequence[str], names: Sequence[str],
-    noise: Noise, title: str, step_rows: bool,
-) -> str:  # fmt: skip
-    shown = {"p": f"{noise.p / 1e3:.9g} kPa", "x": f"{noise.x * 1e3:.9g} mm", "T": f"{noise.T:.9g} K"}
-    lines = [f"title = {json.dumps(title)}", 'model = "PneumaticMuscle.Benches.Isotonic"', ""]
-    for name in names:
-        lines += [f"[signals.{name}]", f'sigma = "{shown[name]}"', ""]
-    lines.append("[fit]")
-    lines += [f'"{key}" = {{ min = {low}, max = {high} }}' for key, (low, high) in BOUNDS.items()]
-    for one, file in zip(measured, files, strict=True):
-        lines += ["", "[[runs]]", f'file = "{file}"', f'role = "{one.run.role}"']
-        if not step_rows:
-            lines.append('interpolation = "previous"')
-        lines += ["[runs.parameters]", f'"load.m" = "{one.run.load:.9g} kg"']
-    return "\n".join(lines) + "\n"
-
-
 def write_data_set(
     folder: Path,
     measured: Sequence[Measurement],
@@ -178,14 +141,15 @@ def write_data_set(
     """Write experiment.toml and one CSV file per run into a folder, which is made.
 
     A step of the currents is coded by samples with interpolation = "previous" or, with `step_rows`, by two
-    rows ROW_GAP apart, the first without measurements.
+    rows close to each other, the first without measurements.
     """
-    folder.mkdir(parents=True, exist_ok=True)
-    files = [f"run-{k:02d}.csv" for k in range(1, len(measured) + 1)]
-    for file, one in zip(files, measured, strict=True):
-        (folder / file).write_text(_csv(one, signals, step_rows))
-    text = _experiment(measured, files, signals, noise or Noise(), title, step_rows)
-    (folder / "experiment.toml").write_text(text)
+    runs = [
+        Recording(one.run.schedule, one.run.p_supply, one.run.role, one.time, one.signals, one.run.load)
+        for one in measured
+    ]
+    bounds = {name: (str(low), str(high)) for name, (low, high) in BOUNDS.items()}
+    sigma = (noise or Noise()).as_dict()
+    data_set.write(folder, runs, Description(title, sigma, signals, free=bounds), step_rows)
 
 
 def truth(effects: Sequence[Effect], parameters: MuscleParameters = TRUTH) -> dict[str, object]:

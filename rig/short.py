@@ -80,7 +80,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Command line; returns the exit status."""
     parser = argparse.ArgumentParser(prog="python -m rig.short", description=__doc__)
     parser.add_argument("folder", type=Path, help="data set to write")
-    shown = f"FAMILY:FORM as in rig.measurement --list; {' or '.join(UNLISTED)}, which no catalogue holds"
+    shown = f"FAMILY:FORM as in python -m rig --list; {' or '.join(UNLISTED)}, which no catalogue holds"
     parser.add_argument("--effect", action="append", default=[], help=shown)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--further", type=Path, help="a run to make as well, from 'pam-cosim diagnose --next'")

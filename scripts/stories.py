@@ -1,19 +1,16 @@
 """The two stories of the demo: a real vessel, and a muscle with an effect that its model does not know."""
 
-import sys
 import time
 from pathlib import Path
 
+import pam_cosim as pam
+from pam_cosim.files import write_json
+from pam_cosim.reporting import diagnosis_report, error_ladder_figure, write_report
+from rig import measurement
+from rig.named import effect_of
+from rig.plan import default_plan
+
 ROOT = Path(__file__).resolve().parent.parent
-sys.path.insert(0, str(ROOT))
-
-import pam_cosim as pam  # noqa: E402
-from pam_cosim.files import write_json  # noqa: E402
-from pam_cosim.reporting import diagnosis_report, error_ladder_figure, write_report  # noqa: E402
-from rig import measurement  # noqa: E402
-from rig.named import effect_of  # noqa: E402
-from rig.plan import default_plan  # noqa: E402
-
 OUTPUT = ROOT / "demo"
 HIDDEN = "elasticity:exponential"  # a spring law that no effect of the catalogue has
 HIDDEN_TITLE = "Six runs of a muscle on the simulated rig"

@@ -1,6 +1,6 @@
 """Case number and set -> a data set and what is hidden in it.
 
-    python benchmarks/hidden_effects/cases.py FOLDER --set tuning --number 7
+    python -m benchmarks.hidden_effects.cases FOLDER --set tuning --number 7
 
 The composition repeats every 60 cases: 30 with one form of the catalogue, 12 with one form that it lacks, 6 pairs, 7
 with nothing hidden, 5 with an effect in no family; mixed, so that the first cases already are a fair sample.
@@ -18,15 +18,15 @@ from typing import Any
 
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
-
-from benchmarks.hidden_effects import table  # noqa: E402
-from benchmarks.hidden_effects.noise import SIGNALS, Sensors, disturb, draw_sensors  # noqa: E402
-from benchmarks.hidden_effects.plans import draw_muscle, draw_plan  # noqa: E402
-from benchmarks.hidden_effects.sizes import Bench, FreeParameter, Ruler, Signals, calibrated  # noqa: E402
-from rig.effect import Effect  # noqa: E402
-from rig.muscle import MuscleParameters  # noqa: E402
-from rig.named import effect_parameters  # noqa: E402
+from benchmarks.hidden_effects import table
+from benchmarks.hidden_effects.noise import SIGNALS, Sensors, disturb, draw_sensors
+from benchmarks.hidden_effects.plans import draw_muscle, draw_plan
+from benchmarks.hidden_effects.sizes import Bench, FreeParameter, Ruler, Signals, calibrated
+from rig import data_set
+from rig.data_set import Description, Recording
+from rig.effect import Effect
+from rig.muscle import MuscleParameters
+from rig.named import effect_parameters
 
 Random = np.random.Generator
 SEEDS = {"tuning": 4711, "score": 830519}
@@ -35,7 +35,6 @@ PERIOD = sum(GROUPS.values())
 CLASSES = ((0.3, 1.0), (1.0, 3.0), (3.0, 10.0), (10.0, 30.0), (30.0, 80.0))
 """Classes of projected size in standard deviations of the noise; within a class evenly by order of magnitude."""
 _SHOWN = (2, 0, 3, 1, 4, 2, 3)  # the order in which classes come: 3 to 10 and 10 to 30 twice
-_UNITS = {"p": ("kPa", 1e-3, 0.0), "x": ("mm", 1e3, 0.0), "T": ("degC", 1.0, -273.15)}
 
 _PARAMETER_UNITS = {"muscle.h_film": "W/(m2.K)", "muscle.D0": "m", "muscle.L0": "m", "load.m": "kg"}
 
@@ -233,41 +232,20 @@ def _noise_found(bench: Bench, clean: Sequence[Signals], recorded: Sequence[Sign
 
 def write(made: Made, folder: Path) -> None:
     """Writes experiment.toml and the runs; nothing in them says what is hidden."""
-    folder.mkdir(parents=True, exist_ok=True)
-    for k, (run, signals) in enumerate(zip(made.bench.plan, made.recorded, strict=True), start=1):
-        columns = ",".join(f"{name} [{_UNITS[name][0]}]" for name in SIGNALS)
-        lines = [f"time [s],u_in [A],u_out [A],p_supply [kPa],{columns}"]
-        for i, t in enumerate(run.times.tolist()):
-            u_in, u_out = run.schedule.at(t)
-            values = [signals[n][i] * _UNITS[n][1] + _UNITS[n][2] for n in SIGNALS]
-            shown = ",".join("" if np.isnan(v) else f"{v:.9g}" for v in values)
-            lines.append(f"{t:.9g},{u_in:.9g},{u_out:.9g},{run.p_supply / 1e3:.9g},{shown}")
-        (folder / f"run-{k:02d}.csv").write_text("\n".join(lines) + "\n")
-    (folder / "experiment.toml").write_text(_experiment(made))
-
-
-def _experiment(made: Made) -> str:
-    bench, sigma = made.bench, made.sensors.sigma
-    lines = [f'title = "case {made.case.number}"', 'model = "PneumaticMuscle.Benches.Isotonic"', ""]
-    for name in SIGNALS:
-        unit, factor, _ = _UNITS[name]
-        lines += [f"[signals.{name}]"]
-        if made.sensors.stated:
-            lines += [f'sigma = "{sigma[name] * factor:.9g} {"K" if name == "T" else unit}"']
-        lines += [""]
-    lines += ["[parameters]", *_known(bench), "", "[fit]"]
-    lines += [f'"{p.name}" = {{ min = {_with_unit(p.low, p)}, max = {_with_unit(p.high, p)} }}' for p in bench.free]
+    bench, sensors = made.bench, made.sensors
     own_load = all(p.name != "load.m" for p in bench.free)
-    for k, run in enumerate(bench.plan, start=1):
-        lines += ["", "[[runs]]", f'file = "run-{k:02d}.csv"', f'role = "{run.role}"']
-        if run.interpolation != "linear":
-            lines.append(f'interpolation = "{run.interpolation}"')
-        if own_load:
-            lines += ["[runs.parameters]", f'"load.m" = "{run.load:.9g} kg"']
-    return "\n".join(lines) + "\n"
+    runs = [
+        Recording(
+            run.schedule, run.p_supply, run.role, run.times, signals, run.load if own_load else None, run.interpolation
+        )
+        for run, signals in zip(bench.plan, made.recorded, strict=True)
+    ]
+    free = {p.name: (_with_unit(p.low, p), _with_unit(p.high, p)) for p in bench.free}
+    title, sigma = f"case {made.case.number}", sensors.sigma if sensors.stated else None
+    data_set.write(folder, runs, Description(title, sigma, SIGNALS, _known(bench), free))
 
 
-def _known(bench: Bench) -> list[str]:
+def _known(bench: Bench) -> dict[str, str]:
     """What [parameters] says: the geometry as drawn, the nominal value of a free dimension."""
     muscle: MuscleParameters = bench.muscle
     known = {
@@ -275,8 +253,7 @@ def _known(bench: Bench) -> list[str]:
     }  # fmt: skip
     values = {name: f'"{value:.9g} {unit}"' for name, (value, unit) in known.items()}
     values |= {p.name: _with_unit(p.nominal, p) for p in bench.free if p.nominal is not None}
-    lines = [f'"{name}" = {value}' for name, value in values.items()]
-    return [*lines, f'"muscle.turns" = {muscle.turns:.9g}', f'"muscle.fibres" = {muscle.fibres:.9g}']
+    return values | {"muscle.turns": f"{muscle.turns:.9g}", "muscle.fibres": f"{muscle.fibres:.9g}"}
 
 
 def _with_unit(value: float, of: FreeParameter) -> str:

@@ -1,6 +1,6 @@
 """One case: generate it, diagnose it, print what came out as one line of JSON. `score` runs this in a process.
 
-python benchmarks/hidden_effects/one.py --set tuning --number 7 [--keep FOLDER] [--workers 2]
+python -m benchmarks.hidden_effects.one --set tuning --number 7 [--keep FOLDER] [--workers 2]
 """
 
 from __future__ import annotations
@@ -17,10 +17,8 @@ from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
-
-from benchmarks.hidden_effects.cases import SEEDS, case_of, make, outline, write  # noqa: E402
-from benchmarks.hidden_effects.noise import SIGNALS  # noqa: E402
+from benchmarks.hidden_effects.cases import SEEDS, case_of, make, outline, write
+from benchmarks.hidden_effects.noise import SIGNALS
 
 _RANKS = 5
 

@@ -1,6 +1,6 @@
 """Tables and figures from the results of `score`.
 
-    python benchmarks/hidden_effects/report.py build/hidden-effects-score.jsonl --out docs/hidden-effects
+    python -m benchmarks.hidden_effects.report build/hidden-effects-score.jsonl --out docs/hidden-effects
 
 Writes report.md, hit-rate.png and confusion.png into OUT.
 """
@@ -16,15 +16,10 @@ from math import isfinite, sqrt
 from pathlib import Path
 from typing import Any
 
-import matplotlib
+import matplotlib.pyplot as plt
+import numpy as np
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-import numpy as np  # noqa: E402
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
-
-from benchmarks.hidden_effects.outcome import (  # noqa: E402
+from benchmarks.hidden_effects.outcome import (
     OUTCOMES,
     claims_effect,
     excess,
@@ -32,8 +27,10 @@ from benchmarks.hidden_effects.outcome import (  # noqa: E402
     leaves_remainder,
     size,
 )
-from benchmarks.hidden_effects.score import default_file, read_results  # noqa: E402
-from benchmarks.hidden_effects.table import FAMILIES  # noqa: E402
+from benchmarks.hidden_effects.score import default_file, read_results
+from benchmarks.hidden_effects.table import FAMILIES
+
+plt.switch_backend("Agg")
 
 Result = dict[str, Any]
 EDGES = (0.0, 0.3, 1.0, 3.0, 10.0, 30.0, float("inf"))  # standard deviations of the noise

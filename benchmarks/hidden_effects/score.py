@@ -1,6 +1,6 @@
 """The blind score: generates and diagnoses the first cases of a set, one line of JSON for each.
 
-    python benchmarks/hidden_effects/score.py --set score --cases 300 --jobs 2
+    python -m benchmarks.hidden_effects.score --set score --cases 300 --jobs 2
 
 Results are added to OUT (default build/hidden-effects-SET.jsonl) as they come; a second call goes on where the first
 was stopped. A case that crashes or takes longer than --time-limit has that as its result; --again tries those anew.
@@ -22,12 +22,10 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
+from benchmarks.hidden_effects.cases import SEEDS, case_of, outline
+from benchmarks.hidden_effects.outcome import judged
+
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT))
-
-from benchmarks.hidden_effects.cases import SEEDS, case_of, outline  # noqa: E402
-from benchmarks.hidden_effects.outcome import judged  # noqa: E402
-
 Result = dict[str, Any]
 
 
@@ -52,10 +50,16 @@ def read_results(file: Path) -> dict[int, Result]:
 def run_case(which: str, number: int, limit: float) -> Result:
     """One case in a process of its own, with all that it starts ended after `limit` seconds."""
     start = time.perf_counter()
-    command = [sys.executable, str(Path(__file__).with_name("one.py")), "--set", which, "--number", str(number)]
+    command = [sys.executable, "-m", "benchmarks.hidden_effects.one", "--set", which, "--number", str(number)]
     environment = os.environ | {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
     process = subprocess.Popen(
-        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment, start_new_session=True
+        command,
+        cwd=ROOT,
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
     )
     _RUNNING[process.pid] = process
     try:

@@ -1,6 +1,6 @@
 """Whether memory stays flat: many runs of one instance, many instances, many loads of the library.
 
-    python benchmarks/speed/endurance.py                 100 000 runs, 5 000 instances, 1 000 loads: some two minutes
+    python -m benchmarks.speed.endurance                 100 000 runs, 5 000 instances, 1 000 loads: some two minutes
 
 A run is 0.2 s of the isotonic bench with 20 output points and a step of the currents. Resident memory is read after a
 warm-up of a tenth of the runs, and then a hundred times; the slope is that of the straight line through these.
@@ -9,19 +9,16 @@ warm-up of a tenth of the runs, and then a hundred times; the slope is that of t
 from __future__ import annotations
 
 import gc
-import sys
 import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+import numpy as np
 
-import numpy as np  # noqa: E402
-
-from benchmarks.speed import cases  # noqa: E402
-from benchmarks.speed.report import parser, show, steps_of, write  # noqa: E402
-from pam_cosim.simulation import Simulator, Trajectory  # noqa: E402
+from benchmarks.speed import cases
+from benchmarks.speed.report import parser, show, steps_of, write
+from pam_cosim.simulation import Simulator, Trajectory
 
 _READINGS = 100
 

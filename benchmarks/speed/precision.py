@@ -1,7 +1,7 @@
 """Work and precision: the tolerance asked for, the error achieved, and the time, for every bench.
 
-    python benchmarks/speed/precision.py                 about a minute
-    python benchmarks/speed/precision.py --picture       also draws docs/pictures/speed-precision.png
+    python -m benchmarks.speed.precision                 about a minute
+    python -m benchmarks.speed.precision --picture       also draws docs/pictures/speed-precision.png
 
 The reference is SciPy's DOP853 at 1e-12 on the same equations. Two errors are judged, each at 1001 points:
 
@@ -15,21 +15,17 @@ run is the model's affair, so errors up to ten times the tolerance are told apar
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+import numpy as np
 
-import numpy as np  # noqa: E402
-
-from benchmarks.speed import cases  # noqa: E402
-from benchmarks.speed.pictures import draw_precision  # noqa: E402
-from benchmarks.speed.reference import Reference, reference  # noqa: E402
-from benchmarks.speed.report import parser, say, show, steps_of, write  # noqa: E402
-from benchmarks.speed.timing import interleaved, scaled_error  # noqa: E402
-from pam_cosim.simulation import Simulator  # noqa: E402
+from benchmarks.speed import cases
+from benchmarks.speed.pictures import draw_precision
+from benchmarks.speed.reference import Reference, reference
+from benchmarks.speed.report import parser, say, show, steps_of, write
+from benchmarks.speed.timing import interleaved, scaled_error
+from pam_cosim.simulation import Simulator
 
 TOLERANCES = tuple(10.0**-exponent for exponent in range(4, 10))
 NEAR = 10.0

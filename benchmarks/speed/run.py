@@ -1,7 +1,7 @@
 """One 10 s run of the isotonic bench with 1000 output points, against other ways to solve the same equations.
 
-    python benchmarks/speed/run.py                       three kinds of input, about two minutes
-    python benchmarks/speed/run.py --cases steps --rounds 5
+    python -m benchmarks.speed.run                       three kinds of input, about two minutes
+    python -m benchmarks.speed.run --cases steps --rounds 5
 
 Every solver runs over a range of tolerances; its error is measured against a reference by another solver (SciPy's
 DOP853, 1e-12), and its time is read off at equal error. What is done once and not for every run is not in the times:
@@ -22,20 +22,16 @@ The error is the largest difference at any output point in parts of the output's
 from __future__ import annotations
 
 import contextlib
-import sys
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, ExitStack
-from pathlib import Path
 from typing import Any
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
-
-from benchmarks.speed import cases  # noqa: E402
-from benchmarks.speed.contenders import Run, casadi_cvodes, fmpy_run, pam_cosim  # noqa: E402
-from benchmarks.speed.pictures import draw_run  # noqa: E402
-from benchmarks.speed.reference import reference  # noqa: E402
-from benchmarks.speed.report import machine, milliseconds, parser, say, show, write  # noqa: E402
-from benchmarks.speed.timing import interleaved, scaled_error, time_at_error  # noqa: E402
+from benchmarks.speed import cases
+from benchmarks.speed.contenders import Run, casadi_cvodes, fmpy_run, pam_cosim
+from benchmarks.speed.pictures import draw_run
+from benchmarks.speed.reference import reference
+from benchmarks.speed.report import machine, milliseconds, parser, say, show, write
+from benchmarks.speed.timing import interleaved, scaled_error, time_at_error
 
 CASES = {"steps": cases.steps, "smooth": cases.smooth, "sampled": cases.sampled}
 TARGETS = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7)

@@ -1,6 +1,6 @@
 """What the derivatives of all outputs with respect to ten parameters cost, and how good they are.
 
-    python benchmarks/speed/sensitivities.py             half a minute
+    python -m benchmarks.speed.sensitivities             half a minute
 
 A 10 s run of the isotonic bench with 1000 output points and steps of the currents; three outputs, so thirty
 derivatives. Compared are the FMU that integrates them with the states, and finite differences of runs without: forward
@@ -13,23 +13,19 @@ rounds.
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from dataclasses import replace
 from functools import partial
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+import numpy as np
+from numpy.typing import NDArray
 
-import numpy as np  # noqa: E402
-from numpy.typing import NDArray  # noqa: E402
-
-from benchmarks.speed import cases  # noqa: E402
-from benchmarks.speed.reference import reference  # noqa: E402
-from benchmarks.speed.report import milliseconds, parser, show, write  # noqa: E402
-from benchmarks.speed.timing import interleaved, scaled_error  # noqa: E402
-from pam_cosim.simulation import Simulator  # noqa: E402
+from benchmarks.speed import cases
+from benchmarks.speed.reference import reference
+from benchmarks.speed.report import milliseconds, parser, show, write
+from benchmarks.speed.timing import interleaved, scaled_error
+from pam_cosim.simulation import Simulator
 
 Array = NDArray[np.float64]
 
