@@ -11,25 +11,29 @@ pam.add(diagnosis.verdict.effects, to=data.model, output="Better.mo")
 ```
 """
 
-from pam_cosim.diagnosis import Diagnosis
-from pam_cosim.errors import InputError, ModelError, SimulationFailure
-from pam_cosim.products import load, save
-from pam_cosim.simulation import Inputs, Trajectory
-from pam_cosim.study import (
-    SweepPoint,
-    add,
-    benches,
-    build,
-    compare,
-    describe,
-    diagnose,
-    draw,
-    effects,
-    fit,
-    read,
-    simulate,
-    sweep,
-)
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pam_cosim.diagnosis import Diagnosis
+    from pam_cosim.errors import InputError, ModelError, SimulationFailure
+    from pam_cosim.products import load, save
+    from pam_cosim.simulation import Inputs, Trajectory
+    from pam_cosim.study import (
+        SweepPoint,
+        add,
+        benches,
+        build,
+        compare,
+        describe,
+        diagnose,
+        draw,
+        effects,
+        fit,
+        read,
+        simulate,
+        sweep,
+    )
 
 __all__ = [
     "Diagnosis",
@@ -54,3 +58,14 @@ __all__ = [
     "simulate",
     "sweep",
 ]
+
+if not TYPE_CHECKING:
+
+    def __getattr__(name: str) -> object:
+        """Loads what is asked for first: the command can be interrupted while it loads (``command``)."""
+        if name in __all__:
+            for room in ("study", "products", "errors"):
+                module = import_module(f"pam_cosim.{room}")
+                if hasattr(module, name):
+                    return getattr(module, name)
+        raise AttributeError(f"module 'pam_cosim' has no attribute '{name}'")

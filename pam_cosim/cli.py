@@ -9,6 +9,7 @@ from typing import Annotated, Any
 
 import typer
 from rich.console import Console
+from rich.markup import escape
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
@@ -16,8 +17,9 @@ from pam_cosim import study
 from pam_cosim.arguments import fmu_files, parse_settings, parse_variations, read_inputs
 from pam_cosim.comparison import Comparison
 from pam_cosim.diagnosis import Diagnosis
+from pam_cosim.diagnosis.workers import stop_workers
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.files import check_distinct, check_writable, write_json, write_text
+from pam_cosim.files import check_distinct, check_writable, identity, write_json, write_text
 from pam_cosim.fitting import METHODS, FitOptions, read_parameters, summary, write_parameters
 from pam_cosim.quantities import readable
 from pam_cosim.reporting import comparison_report, diagnosis_report, diagnosis_text, plot_trajectory, write_report
@@ -30,6 +32,8 @@ app = typer.Typer(
     rich_markup_mode=None,
     help="Compare models of pneumatic muscles with measurements and find the physical effect they lack.",
 )
+INTERRUPTED = 130  # as shells have it for a command that Ctrl-C ended
+_results: dict[Path, object] = {}  # files that the command is to write, and what was there before
 _console = Console(stderr=True, highlight=False)
 
 ModelOption = Annotated[str | None, typer.Option("--model", help="A bench, a Modelica class, a .mo or an .fmu file.")]
@@ -47,10 +51,11 @@ TimeoutOption = Annotated[
 Data = Annotated[Path, typer.Argument(help="Folder with experiment.toml and CSV files.")]
 
 
-def _checked(*outputs: Path | None) -> None:
+def _checked(*outputs: Path | None, new_folder: bool = False) -> None:
     named = [path for path in outputs if path is not None]
     for path in named:
-        check_writable(path)
+        check_writable(path, new_folder=new_folder)
+        _results[path] = identity(path)
     check_distinct(named)
 
 
@@ -65,7 +70,7 @@ def build(
     files: FilesOption = None,
     output: Annotated[Path, typer.Option("--output", "-o", help="Folder for the FMUs, or NAME.fmu for one.")] = Path(
         "fmu/build"
-    ),
+    ),  # fmt: skip
     platforms: Annotated[
         list[str] | None, typer.Option("--platform", help="native, all, or x86_64-windows ...")
     ] = None,
@@ -76,7 +81,9 @@ def build(
     ] = None,
 ) -> None:
     """Modelica to FMU."""
-    for model, target in fmu_files(models or study.benches(), output):
+    targets = fmu_files(models or study.benches(), output)
+    _checked(*(target for _, target in targets), new_folder=True)
+    for model, target in targets:
         made = study.build(
             model,
             target,
@@ -274,7 +281,7 @@ def _teller(status: Any) -> Callable[[str], None]:
     def say(text: str) -> None:
         nonlocal headline, count
         _console.print(text, markup=False, soft_wrap=True)
-        headline, count = (headline, count + 1) if text.startswith(" ") else (text, 0)
+        headline, count = (headline, count + 1) if text.startswith(" ") else (escape(text), 0)
         status.update(f"{headline}: {count} done" if count else headline)
 
     return say
@@ -305,11 +312,15 @@ def effects(files: FilesOption = None) -> None:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Runs the command; 0 when done, 2 when the input cannot be used, 1 when a simulation failed."""
+    """Runs the command; 0 when done, 2 when the input cannot be used, 1 when a simulation failed, 130 on Ctrl-C."""
+    _results.clear()
     try:
         app(args=arguments)
+    except KeyboardInterrupt:
+        return interrupted()
     except SystemExit as end:  # typer has printed its own message for words it does not know
-        return end.code if isinstance(end.code, int) else 1
+        code = end.code if isinstance(end.code, int) else 1
+        return interrupted() if code == INTERRUPTED else code
     except InputError as problem:
         print(f"pam-cosim: {problem}", file=sys.stderr)
         return 2
@@ -319,10 +330,14 @@ def main(arguments: list[str] | None = None) -> int:
     return 0
 
 
-def run() -> None:
-    """Entry point of the command line."""
-    sys.exit(main())
+def interrupted() -> int:
+    """Ends what the command has started and says what it has written; the status for it."""
+    stop_workers()
+    saved = [str(path) for path, before in _results.items() if identity(path) not in (None, before)]
+    what = f"written: {', '.join(saved)}" if saved else "nothing was written"
+    print(f"pam-cosim: interrupted; {what}", file=sys.stderr)
+    return INTERRUPTED
 
 
 if __name__ == "__main__":
-    run()
+    sys.exit(main())

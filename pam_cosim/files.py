@@ -150,6 +150,15 @@ def check_distinct(paths: Iterable[Path]) -> None:
         targets.add(target)
 
 
+def identity(path: Path) -> object:
+    """Something that changes whenever the file is written; None: there is none."""
+    try:
+        status = os.stat(path)
+    except OSError:
+        return None
+    return status.st_ino, status.st_mtime_ns
+
+
 def make_folder(folder: Path) -> None:
     """Creates a folder with its parents.
 

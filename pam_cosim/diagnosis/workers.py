@@ -2,19 +2,33 @@
 
 from __future__ import annotations
 
+import multiprocessing.resource_tracker
 import os
+import signal
+import time
+import warnings
 from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from concurrent.futures.process import BrokenProcessPool
-from typing import TypeVar
+from contextlib import suppress
+from multiprocessing import active_children
+from multiprocessing.process import BaseProcess
+from typing import Any, TypeVar
 
 from loky import (
     ProcessPoolExecutor,
     get_reusable_executor,
 )  # its processes do not run the user's script again, as the standard ones do
+from loky.backend import resource_tracker as loky_tracker
+
+from pam_cosim.processes import deaf, interruptible
 
 _IDLE = 60.0  # [s] after which a process without work ends
+_GRACE = 2.0  # [s] for tasks that are interrupted to clean up
+_BETWEEN = 0.05  # [s] between two interrupts
 _LOOK = 0.5  # [s] between two looks whether the parent is still there
+
+_running: set[Future[Any]] = set()
 
 Task = TypeVar("Task")
 Result = TypeVar("Result")
@@ -44,14 +58,49 @@ def _pool(count: int) -> ProcessPoolExecutor:
     return get_reusable_executor(count, timeout=_IDLE, initializer=exec, initargs=(_END_WITH_PARENT, known))
 
 
+def _start_helpers() -> None:
+    """What comes with a pool lets interrupts through once it has started: before the pool's processes, therefore."""
+    if os.name == "posix":
+        multiprocessing.resource_tracker.ensure_running()
+        loky_tracker.ensure_running()
+
+
+def stop_workers() -> None:
+    """Ends all worker processes: their tasks are interrupted and clean up; one that does not heed is killed."""
+    warnings.filterwarnings("ignore", module="loky")  # about workers that are gone
+    children, deadline = active_children(), time.monotonic() + _GRACE
+    while not all(future.done() for future in _running) and time.monotonic() < deadline:
+        _signal(children, signal.SIGINT)
+        time.sleep(_BETWEEN)
+    _signal(children, getattr(signal, "SIGKILL", signal.SIGTERM))
+    for child in children:
+        child.join()
+
+
+def _signal(children: Sequence[BaseProcess], number: int) -> None:
+    for child in children:
+        with suppress(OSError):
+            if child.pid is not None:
+                os.kill(child.pid, number)
+
+
+def _interruptibly(function: Callable[[Task], Result], task: Task) -> Result | None:
+    """In a worker. None: interrupted, and nobody asks for the result."""
+    with suppress(KeyboardInterrupt), interruptible():
+        return function(task)
+    return None
+
+
 def wake(workers: int | None = None) -> None:
     """Starts the processes, so that they have loaded what they need when the first tasks come."""
     if workers == 0:
         return
     count = workers or processors()
-    pool = _pool(count)
-    for _ in range(count):
-        pool.submit(processors)
+    _start_helpers()
+    with deaf():
+        pool = _pool(count)
+        for _ in range(count):
+            pool.submit(processors)
 
 
 def run_tasks(
@@ -97,21 +146,37 @@ def _attempt(
 ) -> list[int]:
     """Runs the chosen tasks; returns those whose pool broke."""
     lost: list[int] = []
-    pool = _pool(count)
     running: dict[Future[Result], int] = {}
-    for i in chosen:
-        try:
-            running[pool.submit(function, tasks[i])] = i
-        except BrokenProcessPool:
-            lost.append(i)
+    _start_helpers()
+    with deaf():
+        pool = _pool(count)
+        for i in chosen:
+            try:
+                running[pool.submit(_interruptibly, function, tasks[i])] = i
+            except BrokenProcessPool:
+                lost.append(i)
+    try:
+        _collect(running, results, lost, done)
+    except BaseException:
+        for future in running:
+            future.cancel()
+        raise
+    return sorted(lost)
+
+
+def _collect(
+    running: dict[Future[Result], int], results: dict[int, Result], lost: list[int], done: Callable[[Result], None]
+) -> None:
+    """Takes each result as it comes out of ``running``, until nothing is left there."""
+    _running.update(running)
     while running:
         finished, _ = wait(running, return_when=FIRST_COMPLETED)
         for future in sorted(finished, key=lambda f: running[f]):
             i = running.pop(future)
+            _running.discard(future)
             try:
                 results[i] = future.result()
             except BrokenProcessPool:
                 lost.append(i)
                 continue
             done(results[i])
-    return sorted(lost)

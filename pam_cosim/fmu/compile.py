@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import os
 import platform
+import shutil
 import struct
-import subprocess
 import sys
 import tempfile
+import time
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache
 from importlib.metadata import version
@@ -19,11 +21,15 @@ import ziglang
 
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.cache import cache_dir, cached, digest
+from pam_cosim.processes import run_tool
 from pam_cosim.resources import fmu_runtime
 
 _FLAGS = ("-std=c99", "-O2", "-shared", "-s", "-w", "-fvisibility=hidden", "-fno-math-errno", "-ffp-contract=off",
           "-fno-sanitize=undefined",
           "-fno-trigraphs")  # fmt: skip
+
+
+_STALE = 3600.0  # [s]
 
 
 class CompilerError(RuntimeError):
@@ -134,11 +140,21 @@ def _compile(shipped: Sequence[str], generated: Mapping[str, str], target: Platf
         command = [str(_zig()), "cc", "-target", target.target, *_FLAGS, *pic,
                    f"-I{fmu_runtime()}", f"-I{_fmi_headers()}", "-o", output, *sources]  # fmt: skip
         zig = str(cache_dir() / "zig")
+        _clear_stale(Path(zig, "tmp"))
         environment = os.environ | {"ZIG_GLOBAL_CACHE_DIR": zig, "ZIG_LOCAL_CACHE_DIR": zig}
-        run = subprocess.run(command, cwd=directory, env=environment, capture_output=True, text=True, check=False)
+        run = run_tool(command, Path(directory), environment)
         if run.returncode != 0:
             raise CompilerError(f"the C compiler failed for {target.target}:\n{run.stderr.strip()}")
         return Path(directory, output).read_bytes()
+
+
+def _clear_stale(folder: Path) -> None:
+    """Removes what compilers that were ended have left; those at work are younger."""
+    for left in folder.glob("*"):
+        with suppress(OSError):
+            if time.time() - left.stat().st_mtime > _STALE:
+                shutil.rmtree(left, ignore_errors=True)
+                left.unlink(missing_ok=True)
 
 
 _FAT_MAGIC = 0xCAFEBABE

@@ -81,12 +81,12 @@ def command(capsys: pytest.CaptureFixture[str]) -> Callable[..., Outcome]:
 
 @pytest.fixture
 def process() -> Callable[..., Outcome]:
-    """Runs ``python -m pam_cosim.cli`` with these words."""
+    """Runs ``python -m pam_cosim`` with these words."""
 
     def call(*words: object) -> Outcome:
         environment = {**os.environ, "PYTHONPATH": str(ROOT)}
         found = subprocess.run(
-            [sys.executable, "-m", "pam_cosim.cli", *map(str, words)], capture_output=True, text=True, env=environment
+            [sys.executable, "-m", "pam_cosim", *map(str, words)], capture_output=True, text=True, env=environment
         )
         return Outcome(found.returncode, found.stdout, found.stderr)
 

@@ -49,7 +49,7 @@ def test_nothing_spins_on(place: Path, monkeypatch: pytest.MonkeyPatch, where: s
     path = hanging(place)
     environment = {**os.environ, "PYTHONPATH": str(ROOT), "HANG": where, "TMPDIR": str(temporary)}
     command = subprocess.Popen(
-        [sys.executable, "-m", "pam_cosim.cli", "simulate", str(path)],
+        [sys.executable, "-m", "pam_cosim", "simulate", str(path)],
         env=environment,
         stderr=subprocess.PIPE,
         start_new_session=True,

@@ -111,7 +111,7 @@ def test_a_link_stays_and_its_file_is_replaced(
 def test_a_redirected_stream_keeps_what_was_said(place: Path) -> None:
     """``-o /dev/stdout > out.txt`` would replace out.txt under the command's own feet."""
     with open(place / "out.txt", "w") as out:
-        command = [sys.executable, "-m", "pam_cosim.cli", "simulate", "VesselOrifice", "-o", "/dev/stdout"]
+        command = [sys.executable, "-m", "pam_cosim", "simulate", "VesselOrifice", "-o", "/dev/stdout"]
         found = subprocess.run(command, stdout=out, stderr=subprocess.PIPE, env={**os.environ, "PYTHONPATH": str(ROOT)})
     assert found.returncode == 2 and b"/dev/stdout: is a stream" in found.stderr
     assert (place / "out.txt").read_text() == ""

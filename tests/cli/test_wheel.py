@@ -58,7 +58,8 @@ def test_works_from_elsewhere(wheel: Path, tmp_path: Path) -> None:
 
     def run(*words: str) -> str:
         start = (
-            "import sys, pam_cosim; from pam_cosim.cli import run; print(pam_cosim.__file__, file=sys.stderr); run()"
+            "import sys, pam_cosim; from pam_cosim.command import run; "
+            "print(pam_cosim.__file__, file=sys.stderr); run()"
         )
         found = subprocess.run(
             [sys.executable, "-c", start, *words], cwd=work, env=environment, capture_output=True, text=True

@@ -116,7 +116,7 @@ def test_the_line_of_the_readme_shows_its_plot(tmp_path: Path, fmi: str) -> None
     browser = shlex.join([sys.executable, "-c", FETCH, str(page)])
     environment = {**os.environ, "BROWSER": f"{browser} %s &", "PYTHONPATH": str(ROOT)}
     environment.pop("DISPLAY", None)
-    words = [sys.executable, "-m", "pam_cosim.cli", "build", "TankFilling", "--fmi", fmi]
+    words = [sys.executable, "-m", "pam_cosim", "build", "TankFilling", "--fmi", fmi]
     subprocess.run(words, cwd=tmp_path, env=environment, check=True, capture_output=True, timeout=300)
     words = [str(programs / "fmpy"), *line.split()[1:]]
     found = subprocess.run(words, cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=120)

@@ -189,7 +189,7 @@ def test_files_of_a_folder_keep_to_the_folder(place: Path) -> None:
     file.write_text("package Lib\n model '../../escaped'\n  output Real y = 1;\n end '../../escaped';\nend Lib;\n")
     words = ["build", "Lib.'../../escaped'", "--file", "Lib.mo", "-o", "deep/er"]
     run = subprocess.run(
-        [sys.executable, "-m", "pam_cosim.cli", *words], capture_output=True, text=True, cwd=place, check=False
+        [sys.executable, "-m", "pam_cosim", *words], capture_output=True, text=True, cwd=place, check=False
     )
     assert run.returncode == 0, run.stderr
     made = [p.relative_to(place).as_posix() for p in place.rglob("*.fmu")]

@@ -1,0 +1,181 @@
+"""Ctrl-C at any moment: one line that says what was saved, status 130, no process and no temporary file left.
+
+The command runs as a process of its own in a group of its own, and the signal goes to the whole group, as a terminal
+sends it. The moment is not a time but an event: a folder or a process that the command has made.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from tests.reference import rig
+from tests.reference.effects import effect_of
+from tests.reference.plan import default_plan
+from tests.simulation.misbehaving import hanging
+
+pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="reads /proc")
+
+PROGRAM = shutil.which("pam-cosim", path=str(Path(sys.executable).parent)) or "pam-cosim"
+PROMPT = 8.0  # [s]: two for tasks that do not heed, and a busy machine
+EXPERIMENT = """model = "Isotonic"
+[signals.x]
+sigma = "0.2 mm"
+[fit]
+"valve.C_A" = { min = 0.3, max = 1.5 }
+"muscle.n_g" = { min = 1.0, max = 1.4 }
+[[runs]]
+file = "run-01.csv"
+"""
+
+
+class Running:
+    """A command that runs, with everything that it starts."""
+
+    def __init__(self, place: Path, words: list[str], **more: str) -> None:
+        self.temporary = place / "temporary"
+        self.temporary.mkdir()
+        self.mark = f"PAM_COSIM_TEST={os.urandom(8).hex()}"
+        variables = dict([self.mark.split("=")], TMPDIR=str(self.temporary), **more)
+        self.process = subprocess.Popen(
+            [PROGRAM, *words],
+            cwd=place,
+            env=os.environ | variables,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            start_new_session=True,
+        )
+
+    def family(self) -> list[str]:
+        """The commands of all processes that have inherited its environment."""
+        found = []
+        for folder in Path("/proc").glob("[0-9]*"):
+            try:
+                if self.mark.encode() in (folder / "environ").read_bytes().split(b"\0"):
+                    found.append((folder / "cmdline").read_bytes().replace(b"\0", b" ").decode())
+            except OSError:
+                continue
+        return [command for command in found if command]  # a zombie has none
+
+    def wait_for(self, event: Callable[[Running], bool]) -> None:
+        end = time.monotonic() + 120
+        while not event(self):
+            assert self.process.poll() is None, self.process.communicate()
+            assert time.monotonic() < end, self.family()
+            time.sleep(0.01)
+
+    def interrupt(self) -> tuple[int, list[str]]:
+        """Status, and the lines on standard error; whoever is asked and what is made ends promptly."""
+        begin = time.monotonic()
+        os.killpg(self.process.pid, signal.SIGINT)
+        try:
+            _, err = self.process.communicate(timeout=60)
+        finally:
+            self.process.kill()
+        assert time.monotonic() - begin < PROMPT
+        while self.family() and time.monotonic() - begin < PROMPT:
+            time.sleep(0.02)
+        assert self.family() == []
+        assert list(self.temporary.rglob("*")) == []
+        assert "Traceback" not in err and "Exception" not in err and "Error" not in err, err
+        return self.process.returncode, err.splitlines()
+
+
+def loading(running: Running) -> bool:
+    return any(running.temporary.iterdir())
+
+
+def simulating(running: Running) -> bool:
+    return any(running.temporary.glob("*/pam-cosim-fmu-*/binaries"))
+
+
+def compiling(running: Running) -> bool:
+    return any("zig cc" in command for command in running.family())
+
+
+def isolated(running: Running) -> bool:
+    return any("simulation.worker" in command for command in running.family())
+
+
+def workers(running: Running) -> bool:
+    return any("LokyProcess" in command for command in running.family())
+
+
+@pytest.fixture(scope="module")
+def measured(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A muscle with a rubber bladder that its model leaves out, by the independent simulator."""
+    folder = tmp_path_factory.mktemp("measured")
+    rig.write_data_set(folder / "data", rig.measure(default_plan(), [effect_of("elasticity:exponential")], seed=1))
+    (folder / "small").mkdir()
+    shutil.copy(next((folder / "data").glob("*.csv")), folder / "small" / "run-01.csv")
+    (folder / "small" / "experiment.toml").write_text(EXPERIMENT)
+    return folder
+
+
+MOMENTS = {
+    "sweep, while it loads": (["sweep", "Isotonic", "--vary", "load.m=1:9:3", "-o", "out"], loading, 0.0),
+    "simulate": (["simulate", "Isotonic", "--stop-time", "3e4", "-o", "out"], simulating, 0.3),
+    "sweep": (["sweep", "Isotonic", "--vary", "load.m=1:9:20000", "-o", "out"], simulating, 0.3),
+    "fit": (["fit", "small", "--method", "particle-swarm", "-o", "out"], simulating, 0.2),
+    "diagnose, while workers load": (["diagnose", "data", "--json", "out"], workers, 0.0),
+    "diagnose": (["diagnose", "data", "--json", "out", "--workers", "2"], workers, 2.0),
+}
+
+
+@pytest.mark.parametrize("moment", MOMENTS)
+def test_nothing_is_left(place: Path, measured: Path, moment: str) -> None:
+    shutil.copytree(measured, place, dirs_exist_ok=True)
+    words, event, later = MOMENTS[moment]
+    (place / "out").write_text("old")
+    running = Running(place, words)
+    running.wait_for(event)
+    time.sleep(later)
+    status, err = running.interrupt()
+    assert status == 130
+    said = [line for line in err if line.startswith("pam-cosim: ")]
+    assert said == ["pam-cosim: interrupted; nothing was written"] and err[-1] == said[0]
+    assert moment.startswith("diagnose") or len(err) == 1, err
+    assert (place / "out").read_text() == "old"
+
+
+def test_an_fmu_that_hangs(place: Path) -> None:
+    running = Running(place, ["simulate", str(hanging(place)), "-o", "out"], HANG="fmi2DoStep")
+    running.wait_for(isolated)
+    assert running.interrupt() == (130, ["pam-cosim: interrupted; nothing was written"])
+    assert not (place / "out").exists()
+
+
+def test_build_says_what_it_has_written(place: Path) -> None:
+    """The second FMU is being compiled: its model is new each time, so that no cache has it."""
+    model = "model Late Real x(start=1, fixed=true); parameter Real a = {}; equation der(x) = -a*x; end Late;"
+    (place / "Late.mo").write_text(model.format(int.from_bytes(os.urandom(4), "big")))
+    words = ["build", "VesselOrifice", "Late.mo", "-o", "fmus"]
+    running = Running(place, words)
+    running.wait_for(compiling)
+    status, err = running.interrupt()
+    assert (status, err) == (130, ["pam-cosim: interrupted; written: fmus/VesselOrifice.fmu"])
+    assert sorted(p.name for p in (place / "fmus").iterdir()) == ["VesselOrifice.fmu"]
+
+
+def test_ending_by_another_signal(place: Path) -> None:
+    running = Running(place, ["simulate", "Isotonic", "--stop-time", "3e4"])
+    running.wait_for(loading)
+    os.kill(running.process.pid, signal.SIGTERM)
+    _, err = running.process.communicate(timeout=60)
+    assert (running.process.returncode, err) == (143, "pam-cosim: interrupted; nothing was written\n")
+    assert list(running.temporary.iterdir()) == [] and running.family() == []
+
+
+def test_nothing_is_left_after_an_end_without_interrupt(place: Path) -> None:
+    running = Running(place, ["simulate", "VesselOrifice", "-o", "out.csv", "--plot", "out.png"])
+    assert running.process.wait(timeout=120) == 0
+    assert list(running.temporary.iterdir()) == [] and running.family() == []
