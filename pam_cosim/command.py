@@ -72,6 +72,7 @@ class _Command:
         self.scratch = name  # before it is made: an interrupt finds it
         os.mkdir(name, 0o700)
         os.environ["TMPDIR"] = tempfile.tempdir = name
+        os.environ["PAM_COSIM_SCRATCH"] = name  # for those that outlive a command that is killed
 
     def remove_scratch(self) -> None:
         """Removes all temporary files."""

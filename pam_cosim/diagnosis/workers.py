@@ -42,11 +42,12 @@ def processors() -> int:
 # Ends a process when its parent ends, which may be killed; where an orphan does not tell, idleness does it. A text, so
 # that a process need not load this package before it has a task.
 _END_WITH_PARENT = """
-import os, threading, time
+import os, shutil, threading, time
 
 def watch():
     while os.getppid() == parent:
         time.sleep(pause)
+    shutil.rmtree(os.environ.get("PAM_COSIM_SCRATCH", ""), ignore_errors=True)
     os._exit(1)
 
 threading.Thread(target=watch, daemon=True).start()

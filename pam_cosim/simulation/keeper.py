@@ -149,6 +149,8 @@ def main(limit: float, command: list[str]) -> None:
         status = keeper.end(_DYING if kind in (CRASHED, CLOSE) else 0.0)
     finally:
         shutil.rmtree(folder, ignore_errors=True)
+    if kind == _GONE and "PAM_COSIM_SCRATCH" in os.environ:  # the command's own folder, if it was killed (``command``)
+        shutil.rmtree(os.environ["PAM_COSIM_SCRATCH"], ignore_errors=True)
     with contextlib.suppress(OSError):
         if kind == LATE:
             write_frame(sys.stdout.buffer, LATE, doing)
