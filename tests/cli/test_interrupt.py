@@ -17,9 +17,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.reference import rig
-from tests.reference.effects import effect_of
-from tests.reference.plan import default_plan
+from rig import measurement
+from rig.named import effect_of
+from rig.plan import default_plan
 from tests.simulation.misbehaving import hanging
 
 pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="reads /proc")
@@ -114,7 +114,9 @@ def workers(running: Running) -> bool:
 def measured(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A muscle with a rubber bladder that its model leaves out, by the independent simulator."""
     folder = tmp_path_factory.mktemp("measured")
-    rig.write_data_set(folder / "data", rig.measure(default_plan(), [effect_of("elasticity:exponential")], seed=1))
+    measurement.write_data_set(
+        folder / "data", measurement.measure(default_plan(), [effect_of("elasticity:exponential")], seed=1)
+    )
     (folder / "small").mkdir()
     shutil.copy(next((folder / "data").glob("*.csv")), folder / "small" / "run-01.csv")
     (folder / "small" / "experiment.toml").write_text(EXPERIMENT)
