@@ -1,4 +1,4 @@
-"""pam-cosim: from a measurement of a pneumatic muscle to the physical effect its model lacks.
+"""pam-cosim: from a measurement to the physical effect that its model lacks.
 
 ```python
 import pam_cosim as pam

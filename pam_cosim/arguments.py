@@ -42,7 +42,7 @@ def parse_settings(settings: Sequence[str], interface: Interface) -> dict[str, f
     """
     values: dict[str, float] = {}
     for word in settings:
-        name, text = _split(word, "NAME=VALUE, such as load.m='5 kg'")
+        name, text = _split(word, "NAME=VALUE, such as NAME='5 kg'")
         if name in values:
             raise InputError(f"'{name}' is set twice")
         values[name] = value_of(text, settable(name, interface))
@@ -64,7 +64,7 @@ def parse_variations(words: Sequence[str], interface: Interface) -> dict[str, li
         if ":" in text:
             parts = text.split(":")
             if len(parts) != 3 or not parts[2].strip().isdigit() or int(parts[2]) < 1:
-                raise InputError(f"'{word}': write FROM:TO:N, such as load.m=1:10:5")
+                raise InputError(f"'{word}': write FROM:TO:N, such as 1:10:5")
             low, high = (value_of(p, variable) for p in _alike(parts[:2], word))
             found[name] = [float(v) for v in np.linspace(low, high, int(parts[2]))]
         else:

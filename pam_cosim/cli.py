@@ -30,7 +30,7 @@ app = typer.Typer(
     add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
-    help="Compare models of pneumatic muscles with measurements and find the physical effect they lack.",
+    help="Compare models with measurements and find the physical effect they lack.",
 )
 INTERRUPTED = 130  # as shells have it for a command that Ctrl-C ended
 _results: dict[Path, object] = {}  # files that the command is to write, and what was there before
@@ -42,7 +42,7 @@ JsonOption = Annotated[Path | None, typer.Option("--json", help="Write the resul
 ReportOption = Annotated[Path | None, typer.Option("--report", help="Write a self-contained HTML report.")]
 SetOption = Annotated[
     list[str] | None,
-    typer.Option("--set", help='NAME=VALUE, such as load.m="5 kg": a parameter, or an input held constant.'),
+    typer.Option("--set", help='NAME=VALUE, with a unit such as "5 kg": a parameter, or an input held constant.'),
 ]
 TimeoutOption = Annotated[
     float | None,

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 from pathlib import Path
 
 import numpy as np
 
-from pam_cosim.catalogue import EffectClass, compose, effect_classes
+from pam_cosim.catalogue import EffectClass, compose, domain_of, effect_classes
 from pam_cosim.catalogue import benches as _benches
 from pam_cosim.comparison import Comparison
 from pam_cosim.comparison import compare as _compare
@@ -17,6 +17,7 @@ from pam_cosim.compiler import read_library
 from pam_cosim.compiler.names import last
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis import diagnose as _diagnose
+from pam_cosim.domain import Domain
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.files import check_writable, make_folder, write_bytes, write_text
 from pam_cosim.fitting import Fit, FitOptions, base_parameters
@@ -90,7 +91,19 @@ def read(folder: Path | str, *, model: str | None = None, files: Paths = ()) -> 
     Raises:
         InputError: with file, line and column of what cannot be used.
     """
-    return read_data_set(Path(folder), lambda name: describe(name, files), model=model, benches=lambda: benches(files))
+    known: dict[str, Interface] = {}
+
+    def described(name: str) -> Interface:
+        return known.setdefault(name, describe(name, files))
+
+    data = read_data_set(Path(folder), described, model=model, benches=lambda: benches(files))
+    return replace(data, domain=_domain(data.model, known[data.model], files))
+
+
+def _domain(model: str, interface: Interface, files: Paths) -> Domain:
+    """The words of the model's field; an FMU says what class it was made from."""
+    sources = _paths(files) + ([Path(model)] if model.endswith(".mo") else [])
+    return domain_of(read_library(files=sources), interface.model if model.endswith(".fmu") else model)
 
 
 def compare(

@@ -1,10 +1,12 @@
 """The catalogue: class tree to effects. Which effects and benches there are, where they fit, composed models.
 
 What makes a Modelica package a library is said in ``place``; ``effects`` reads what its effects say of themselves;
-``compose`` puts them where their types say that they belong. No effect and no library has a name here.
+``compose`` puts them where their types say that they belong;
+``domain`` reads how results are told in the field of the library. No effect and no library has a name here.
 """
 
 from pam_cosim.catalogue.compose import Composition, compose, compose_on
+from pam_cosim.catalogue.domain import domain_of
 from pam_cosim.catalogue.effects import EffectClass, effect_classes, effects_in, unknown_terms
 from pam_cosim.catalogue.model import full_name
 from pam_cosim.catalogue.place import EFFECT, benches, library_of, qualified
@@ -16,6 +18,7 @@ __all__ = [
     "benches",
     "compose",
     "compose_on",
+    "domain_of",
     "effect_classes",
     "effects_in",
     "full_name",

@@ -94,5 +94,5 @@ def compare(
     scores = {role: score(found, data.signals) for role, found in by_role.items()}
     scores["all"] = score(runs, data.signals)
     outputs = simulator.interface.outputs
-    rules = where(runs, data.signals, outputs)
+    rules = where(runs, data.signals, outputs, data.domain)
     return Comparison(simulator.interface.model, data, known, runs, scores, tuple(rules))

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from pam_cosim.arrays import Array
 from pam_cosim.comparison.residuals import RunComparison
 from pam_cosim.criteria import CRITERIA
+from pam_cosim.domain import Domain
 from pam_cosim.interface import Variable
 from pam_cosim.measurement import Signal
 from pam_cosim.quantities import readable_factor, readable_unit
@@ -41,22 +42,29 @@ class _Samples:
     conditions: list[list[tuple[str, Mask]]]
 
 
-def where(runs: Sequence[RunComparison], signals: Mapping[str, Signal], outputs: Mapping[str, Variable]) -> list[Rule]:
+def where(
+    runs: Sequence[RunComparison],
+    signals: Mapping[str, Signal],
+    outputs: Mapping[str, Variable],
+    domain: Domain,
+) -> list[Rule]:
     """Finds for each signal the few rules that hold most of its error in the least time.
 
-    Conditions are the phase (filling, holding, venting), bands of the modelled outputs, whether a length grows, rests
-    or shrinks and how fast, early, middle or late in the run, the run, and what differs between runs, such as the
-    load; a rule joins a phase with one more.
+    Conditions are the phase, bands of the modelled outputs, whether one that moves grows, rests or shrinks and how
+    fast, early, middle or late in the run, the run, and what differs between runs, such as the load; a rule joins a
+    phase with one more. What divides a run into phases, and what moves, the ``domain`` says.
     """
     rules: list[Rule] = []
     for name, signal in signals.items():
-        samples = _collect(runs, signal, outputs)
+        samples = _collect(runs, signal, outputs, domain)
         if samples is not None:
             rules += _rules(name, samples)
     return sorted(rules, key=lambda r: -r.error_share * (r.error_share - r.time_share))
 
 
-def _collect(runs: Sequence[RunComparison], signal: Signal, outputs: Mapping[str, Variable]) -> _Samples | None:
+def _collect(
+    runs: Sequence[RunComparison], signal: Signal, outputs: Mapping[str, Variable], domain: Domain
+) -> _Samples | None:
     parts = [r for r in runs if r.run.sample_count(signal.name)]
     if not parts:
         return None
@@ -71,18 +79,20 @@ def _collect(runs: Sequence[RunComparison], signal: Signal, outputs: Mapping[str
     def joined(values: list[Array]) -> Array:
         return np.concatenate([v[k] for v, k in zip(values, kept, strict=True)])
 
-    pressure = next((n for n, v in outputs.items() if v.unit == "Pa"), None)
+    dividing = next(((n, row) for row in domain.phases for n, v in outputs.items() if v.unit == row[0]), None)
     phases: list[tuple[str, Mask]] = []
-    if pressure is not None:
-        slope = joined([_slope(r.run.time, r.model[pressure]) for r in parts])
+    if dividing is not None:
+        output, (_, rising, resting, falling) = dividing
+        slope = joined([_slope(r.run.time, r.model[output]) for r in parts])
         limit = CRITERIA.where.still * float(np.max(np.abs(slope), initial=0.0))
-        phases = [("filling", slope > limit), ("holding", np.abs(slope) <= limit), ("venting", slope < -limit)]
+        phases = [(rising, slope > limit), (resting, np.abs(slope) <= limit), (falling, slope < -limit)]
     bands = [band for n, v in outputs.items() for band in _bands(n, v, joined([r.model[n] for r in parts]))]
     late = joined([_relative_time(r.run.time) for r in parts])
     times = [("early", late < 1 / 3), ("middle", (late >= 1 / 3) & (late < 2 / 3)), ("late", late >= 2 / 3)]
     names = np.concatenate([np.full(int(k.sum()), i) for i, k in enumerate(kept)])
     by_run = [(f"in {r.run.name}", names == i) for i, r in enumerate(parts)] if len(parts) > 1 else []
-    moving = [m for n, v in outputs.items() if v.unit == "m" for m in _moving(n, joined([_speed(r, n) for r in parts]))]
+    movers = [n for n, v in outputs.items() if v.unit in domain.moving]
+    moving = [m for n in movers for m in _moving(n, joined([_speed(r, n) for r in parts]))]
     return _Samples(excess, [phases, bands + moving + times + by_run + _by_parameter(parts, names)])
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TypeAlias
 
 from pam_cosim.compiler import names
 from pam_cosim.compiler.instantiation import PRIMITIVES
@@ -13,9 +14,11 @@ from pam_cosim.compiler.printing import argument_text, expression_text, modifica
 from pam_cosim.compiler.scope import Class, Lookup
 from pam_cosim.compiler.syntax import (
     Argument,
+    Array,
     ClassDefinition,
     ComponentDeclaration,
     Constraint,
+    Expression,
     Extends,
     Literal,
     Modification,
@@ -25,6 +28,7 @@ from pam_cosim.errors import ModelError
 from pam_cosim.resources import modelica_root
 
 _GRAPHICAL = frozenset(("Icon", "Diagram"))
+Constant: TypeAlias = "float | int | str | bool | tuple[Constant, ...]"
 
 
 @dataclass(frozen=True)
@@ -161,10 +165,10 @@ class ClassTree:
                 found.setdefault(replaceable.name, replaceable)
         return list(found.values())
 
-    def constant(self, name: str, constant: str) -> float | int | str | bool | None:
+    def constant(self, name: str, constant: str) -> Constant | None:
         """The literal value of a constant (or parameter) of a class, modifications of ``extends`` included.
 
-        None if it has none, or one that is no literal.
+        An array in braces is a tuple. None if it has no value, or one that is no literal.
         """
         return self._constant(self._class(name), constant)
 
@@ -183,20 +187,18 @@ class ClassTree:
             found += [base_name, *self._in_order(base_name)] if base_name in self._definitions else []
         return found
 
-    def _constant(self, of: Class, constant: str) -> float | int | str | bool | None:
+    def _constant(self, of: Class, constant: str) -> Constant | None:
         definition = of.definition
         component = definition.components.get(constant)
         if component is not None:
-            value = component.modification.value
-            return value.value if isinstance(value, Literal) else None
+            return _literal(component.modification.value)
         extends = [definition.alias] if definition.alias is not None else definition.extends
         for clause, base in zip(extends, self._lookup.bases(of), strict=False):
             argument = clause.modification.argument(constant)
-            if argument is not None and isinstance(argument.modification.value, Literal):
-                return argument.modification.value.value
-            found = self._constant(base, constant)
-            if found is not None:
-                return found
+            value = _literal(argument.modification.value) if argument is not None else None
+            value = self._constant(base, constant) if value is None else value
+            if value is not None:
+                return value
         return None
 
     def _info(self, node: ClassDefinition) -> ClassInfo:
@@ -263,6 +265,16 @@ class ClassTree:
         if found is not None:
             return found.definition.qualified_name
         return name.text if name.text not in PRIMITIVES else name.names[-1]
+
+
+def _literal(value: Expression | None) -> Constant | None:
+    """The value of a literal, or of an array of them."""
+    if isinstance(value, Literal):
+        return value.value
+    if not isinstance(value, Array) or value.iterators:
+        return None
+    items = [_literal(item) for item in value.items]
+    return None if None in items else tuple(item for item in items if item is not None)
 
 
 def _modifications(modification: Modification, prefix: str = "") -> dict[str, str]:

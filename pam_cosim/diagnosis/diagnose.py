@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from pam_cosim.catalogue import effect_classes
+from pam_cosim.catalogue import domain_of, effect_classes
 from pam_cosim.comparison import without_outliers
 from pam_cosim.compiler import read_library
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial, role_summary
@@ -37,7 +37,7 @@ class Diagnosis:
         base: the base model, refitted.
         candidates: every model that was tried, best first, judged against the base model.
         path: the effects that were added, in order, as candidates.
-        balance: share of the explainable error by balance (force, mass, energy, sensor).
+        balance: share of the explainable error by balance.
         verdict: the answer.
         failed: the effects that could not be fitted.
         outliers: how many single samples were set aside, by signal.
@@ -140,6 +140,7 @@ def diagnose(
     wake(workers)
     sources = tuple([*files, Path(name)] if name.endswith(".mo") else files)
     tree = read_library(files=sources)
+    data = replace(data, domain=domain_of(tree, name))
     data, base, outliers = _base(complete_noise(data), name, files, say)
     search = Search(tree, name, effect_classes(tree), data, sources, say, workers)
     path, tried = find_path(search, base)

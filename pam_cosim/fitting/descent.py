@@ -1,6 +1,6 @@
 """Bounded least squares by the method of Levenberg and Marquardt, each step exact within the bounds.
 
-Fits of muscle models end at bounds more often than not: an exponent at 1.4, a friction that is not there. Methods that
+Fits of models end at bounds more often than not: an exponent at 1.4, a friction that is not there. Methods that
 keep to the inside of the bounds (trust region reflective) then creep along them, and those that go from face to face
 of the box (dogbox) get stuck in corners. Here each step minimises the linearised residuals, damped, within the box
 itself, by ``scipy.optimize.lsq_linear``; see Kanzow, Yamashita and Fukushima (2004), J. Comput. Appl. Math. 172, for

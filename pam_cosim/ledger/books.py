@@ -22,7 +22,7 @@ class Hole:
 
     Attributes:
         parameter: the parameter of the model that is moved over time.
-        balance: "force", "mass" or "energy", as the class of the term says.
+        balance: as the class of the term says.
         unit: of the term.
         meaning: the parameter's description: what is positive.
         base: full name of the partial class that declares the term, ``missing``, and leaves its equation open.

@@ -6,14 +6,14 @@ may be any function of time does not win by being able to:
 
 - the model by itself, and with a fault of one instrument that is the same in all runs (``sensor``);
 - the model with a hole in each balance at once, each a random walk whose roughness the samples choose;
-- where neither reaches the noise, or a mass flow is missing: the same with a law replaced by one that leaves a hole,
-  as the library offers it;
+- where neither reaches the noise, or a balance fails that may stand for one without a hole (``Domain.confused``): the
+  same with a law replaced by one that leaves a hole, as the library offers it;
 - where none reaches the noise: the holes together with a fault of one instrument, whose samples are then left out.
 
 What cannot be told apart is found, not assumed: two holes that push every state and every signal in the same
 direction at all times are one hole, and the ledger says so. Not told apart, and not noticed: two missing terms of one
 balance; a term and what a free parameter can imitate of it (``Course.imitated``); a fault that changes from run to run
-and physics; two instruments at fault; a fault of a thermometer beside a wrong law of the gas.
+and physics; two instruments at fault; a fault of an instrument beside a wrong law that only it shows.
 """
 
 from __future__ import annotations
@@ -25,8 +25,10 @@ from pathlib import Path
 import numpy as np
 
 from pam_cosim.arrays import Array
+from pam_cosim.catalogue import domain_of
 from pam_cosim.compiler import ClassTree, read_library
 from pam_cosim.criteria import CRITERIA
+from pam_cosim.domain import Domain
 from pam_cosim.errors import InputError
 from pam_cosim.ledger.books import TERM, Books, Hole, open_books
 from pam_cosim.ledger.grid import Grid, make_grid
@@ -65,8 +67,9 @@ def keep_ledger(
     if name.endswith(".fmu"):
         raise InputError("a ledger can be kept of a Modelica model only: an FMU has no balances to open", name)
     sources = [*files, Path(name)] if name.endswith(".mo") else list(files)
-    every = open_books(tree or read_library(files=sources), name, effects, files=sources)
-    return _Keeping(data, dict(values or {}), every).ledger()
+    tree = tree or read_library(files=sources)
+    every = open_books(tree, name, effects, files=sources)
+    return _Keeping(data, dict(values or {}), every, domain_of(tree, name)).ledger()
 
 
 @dataclass(frozen=True)
@@ -100,8 +103,8 @@ class _Opened:
 class _Keeping:
     """One ledger in the making."""
 
-    def __init__(self, data: DataSet, values: Mapping[str, float], every: Sequence[Books]) -> None:
-        self.data, self.values, self.every = data, values, every
+    def __init__(self, data: DataSet, values: Mapping[str, float], every: Sequence[Books], domain: Domain) -> None:
+        self.data, self.values, self.every, self.domain = data, values, every, domain
         interface = every[0].ode.interface
         if not every[0].ode.states:
             raise InputError(f"{data.model} has no states: there is no balance to keep a ledger of", data.model)
@@ -163,7 +166,8 @@ class _Keeping:
         neighbours = [h for b in self.every[1:] for h in b.holes if h.balance not in covered]
         if not neighbours:
             return False
-        working = [h for h in opened.holes if h.balance == "mass"]
+        hiding = {row[0] for row in self.domain.confused}
+        working = [h for h in opened.holes if h.balance in hiding]
         return any(opened.without(h)[0] > opened.found.deviance + CRITERIA.evidence.very_strong for h in working)
 
     # ---- explanations -----------------------------------------------------------------------------------------
@@ -253,7 +257,7 @@ class _Keeping:
         p = grid.parameters[grid.run_of_node]
         slopes = problem.model.everything(grid.time, x, grid.node_inputs, grid.node_delayed, p).by_hole
         slopes = slopes / np.maximum(np.max(np.abs(slopes), axis=(0, 2), keepdims=True), 1e-300)
-        order = sorted(range(len(books.holes)), key=lambda i: (_ORDER.index(books.holes[i].balance), i))
+        order = sorted(range(len(books.holes)), key=lambda i: (self.domain.place(books.holes[i].balance), i))
         for i in order:
             if not problem.hole_size[i] > 0:
                 continue
@@ -294,10 +298,8 @@ class _Keeping:
             best = "none"
         rival = {"opened": "replaced", "replaced": "opened"}.get(best, "none")
         if best != "none" and rival != "none" and deviances[rival] < deviances[best] + CRITERIA.evidence.very_strong:
-            self.notes.append(
-                "a law of the gas that keeps books of its energy explains the samples as well: without a signal that "
-                "shows the temperature, missing mass and missing heat cannot be told apart"
-            )
+            assert replaced is not None
+            self.notes.append(self._confusion(self._replaced_balance(replaced)))
         winner = {"opened": opened, "replaced": replaced, "beside": beside}.get(best)
         losses = self._losses(best, winner, fault, deviances)
         total = sum(losses.values())
@@ -330,7 +332,13 @@ class _Keeping:
             after=float(after),
             parameters=dict(zip(self.free, map(float, free), strict=True)),
             notes=tuple(self.notes),
+            domain=self.domain,
         )
+
+    def _confusion(self, balance: str) -> str:
+        """What to say where the model with a law replaced, which has a hole in ``balance``, explains as much."""
+        told = next((words for _, hidden, words in self.domain.confused if hidden == balance), None)
+        return told or f"a law that leaves a hole in the balance of {balance} explains the samples as well"
 
     def _losses(
         self, best: str, winner: _Opened | None, fault: SensorFault | None, deviances: Mapping[str, float]
@@ -405,9 +413,6 @@ class _Keeping:
                 note="an instrument that is off by a constant or a factor, or lags, the same in all runs",
             )  # fmt: skip
         return list(found.values())
-
-
-_ORDER = ("force", "mass", "energy", "sensor")
 
 
 def _parallel(a: Array, b: Array) -> bool:

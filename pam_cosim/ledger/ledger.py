@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from pam_cosim.arrays import Array
+from pam_cosim.domain import Domain
 
 
 @dataclass(frozen=True)
@@ -48,7 +49,7 @@ class Entry:
     """A balance.
 
     Attributes:
-        balance: "force", "mass", "energy" or "sensor".
+        balance: as the library calls it, or "sensor".
         gain: twice the logarithm by which this entry alone makes the samples more probable; negative: it does not pay.
         explains: part of the error beyond the noise that this entry alone takes away, 0 to 1.
         share: what is lost without it in the best explanation, over the sum of the same for all balances.
@@ -147,6 +148,7 @@ class Ledger:
         before: mean square of sample minus model in noise variances; ``after``: with the failing entries.
         parameters: values of the free parameters with the failing entries [SI].
         notes: what cannot be told apart.
+        domain: how the balances are told and drawn.
     """
 
     model: str
@@ -158,6 +160,7 @@ class Ledger:
     after: float
     parameters: dict[str, float]
     notes: tuple[str, ...] = ()
+    domain: Domain = Domain()
 
     def entry(self, balance: str) -> Entry | None:
         """The entry of a balance; None where the ledger has none."""

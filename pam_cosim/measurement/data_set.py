@@ -10,6 +10,7 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from pam_cosim.domain import Domain
 from pam_cosim.simulation.inputs import Interpolation
 
 Role = Literal["fit", "holdout"]
@@ -98,6 +99,7 @@ class DataSet:
         parameters: known values for all runs [SI]; fitted parameters are not among them.
         fit: free parameters.
         runs: in the order of the file.
+        domain: how results are told in the field of the model.
     """
 
     folder: Path
@@ -107,6 +109,7 @@ class DataSet:
     parameters: dict[str, float]
     fit: dict[str, FreeParameter]
     runs: tuple[Run, ...] = field(default=())
+    domain: Domain = Domain()
 
     @property
     def fit_runs(self) -> tuple[Run, ...]:

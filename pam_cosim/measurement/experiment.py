@@ -23,7 +23,7 @@ KeyPath = tuple[str | int, ...]
 
 def _value(value: object) -> str | float:
     if isinstance(value, dict):
-        raise ValueError('names with a dot need quotes: "load.m" = ...')
+        raise ValueError('names with a dot need quotes: "component.parameter" = ...')
     if isinstance(value, bool) or not isinstance(value, str | int | float):
         raise ValueError('write a text with a unit such as "2.27 kg", or a number where there is no unit')
     try:

@@ -10,7 +10,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import Candidate, Diagnosis
 from pam_cosim.diagnosis.verdict import explained
 from pam_cosim.measurement import ROLES
-from pam_cosim.reporting.figures.bars import Bar, balance_picture, colours, ranking_picture, where_picture
+from pam_cosim.reporting.figures.bars import Bar, balance_picture, ranking_picture, where_picture
 from pam_cosim.reporting.figures.curves import curve_pictures
 from pam_cosim.reporting.figures.ladder import Rung, ladder_picture
 from pam_cosim.reporting.figures.layer import Layer, before_and_after
@@ -21,7 +21,7 @@ from pam_cosim.reporting.ledger_part import ledger_part
 from pam_cosim.reporting.meaning import compared_sentence, error_sentence, headline, kind_name, meaning
 from pam_cosim.reporting.next_run import next_run
 from pam_cosim.reporting.page import provenance, render, score_rows, signal_rows
-from pam_cosim.reporting.style import Picture
+from pam_cosim.reporting.style import Picture, balance_colours
 from pam_cosim.reporting.wording import (
     NOTHING,
     estimate_texts,
@@ -45,7 +45,9 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
     layers = layers_of(diagnosis)
     fitted = diagnosis.candidates
     shown = [i < _MOST_ROWS or _added(diagnosis, c) for i, c in enumerate(fitted)]
-    palette = colours([*diagnosis.balance, *(c.balance for c in diagnosis.candidates)])
+    palette = balance_colours(
+        diagnosis.data.domain.balances, [*diagnosis.balance, *(c.balance for c in diagnosis.candidates)]
+    )
     rules = diagnosis.base.comparison.where
     return render(
         "diagnosis.html",
@@ -57,7 +59,7 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
         error=error_sentence(diagnosis),
         compared=compared_sentence(diagnosis),
         reason=diagnosis.verdict.reason,
-        meaning=meaning(diagnosis.verdict),
+        meaning=meaning(diagnosis.verdict, diagnosis.data.domain),
         summary=_summary(diagnosis),
         ladder=ladder_picture(rungs_of(diagnosis), signals),
         curves=curve_pictures(layers),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pam_cosim.diagnosis import Diagnosis, Verdict
+from pam_cosim.domain import Domain
 from pam_cosim.reporting.wording import listed, quantity, words
 
 _NAMES = {
@@ -20,7 +21,7 @@ _MEANING = {
     "identified": (
         "One explanation stands out: the added effects remove the error, and what remains is noise. "
         "No effect of another family comes close. Add the effect to the model, and use the fitted parameters below "
-        "within the range of pressures, loads and speeds that were tested."
+        "within the range of {tested} that was tested."
     ),
     "ambiguous": (
         "An effect is missing, but several families explain these data about equally well. Do not choose one by its "
@@ -46,9 +47,10 @@ def kind_name(kind: str) -> str:
     return _NAMES[kind]
 
 
-def meaning(verdict: Verdict) -> str:
-    """What a verdict says and does not say."""
-    return _FORM_OPEN if verdict.remainder else _MEANING[verdict.kind]
+def meaning(verdict: Verdict, domain: Domain) -> str:
+    """What a verdict says and does not say, in the words of the field."""
+    text = _FORM_OPEN if verdict.remainder else _MEANING[verdict.kind]
+    return text.replace("{tested}", domain.tested)
 
 
 def headline(diagnosis: Diagnosis) -> str:

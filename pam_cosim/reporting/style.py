@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import base64
 import io
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
@@ -18,7 +18,8 @@ from matplotlib.figure import Figure
 BLUE, VERMILLION, GREEN, PINK, ORANGE, SKY = "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"
 INK, SOFT, LINE, HALO, BAND = "#2b2f33", "#6b7178", "#d5d9dd", "#aeb4ba", "#e4e7ea"
 BEFORE, AFTER = VERMILLION, BLUE
-BALANCE = {"energy": BLUE, "force": ORANGE, "mass": GREEN, "sensor": PINK}  # the same in all figures of a report
+SENSOR = PINK  # what is wrong with an instrument, in every field
+BALANCES = (ORANGE, GREEN, BLUE, SKY, VERMILLION, INK, SOFT)  # in the order of the field, the same in all figures
 FURTHER = (VERMILLION, GREEN, PINK, ORANGE, SKY)
 
 WIDTH = 11.0  # in, the full width of a page
@@ -69,6 +70,13 @@ class Picture:
     uri: str
     alt: str
     caption: str = ""
+
+
+def balance_colours(order: Sequence[str], further: Sequence[str] = ()) -> dict[str, str]:
+    """A colour for each balance of a field, in its order, for ``further`` ones after them, and for the sensor."""
+    names = dict.fromkeys([*order, *sorted(further)])
+    names.pop("sensor", None)
+    return {name: BALANCES[i % len(BALANCES)] for i, name in enumerate(names)} | {"sensor": SENSOR}
 
 
 @contextmanager

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from pam_cosim.comparison import Rule, RunComparison, where
 from pam_cosim.measurement import Signal
 from tests.comparison.fake import OUTPUTS, run
+from tests.field import DOMAIN
 
 Array = NDArray[np.float64]
 TIME = np.linspace(0.0, 10.0, 1001)
@@ -27,7 +28,7 @@ def rules(planted: Callable[[Array, Array], Array], size: float = 2e-3, runs: in
     for k in range(runs):
         error = size * planted(TIME, P) * (k == 0) + SIGMA * rng.standard_normal(len(TIME))
         compared.append(RunComparison(run(f"run-{k}", TIME, x=X + error), {"p": P, "x": X}))
-    return where(compared, {"x": Signal("x", "m", SIGMA)}, OUTPUTS)
+    return where(compared, {"x": Signal("x", "m", SIGMA)}, OUTPUTS, DOMAIN)
 
 
 def share(planted: Callable[[Array, Array], Array]) -> float:
@@ -77,7 +78,7 @@ def test_two_places_are_two_rules() -> None:
 def test_error_within_the_noise_is_no_rule() -> None:
     """Differences that stay below the noise have no place."""
     compared = RunComparison(run("0", TIME, x=X + 0.9 * SIGMA), {"p": P, "x": X})
-    assert where([compared], {"x": Signal("x", "m", SIGMA)}, OUTPUTS) == []
+    assert where([compared], {"x": Signal("x", "m", SIGMA)}, OUTPUTS, DOMAIN) == []
 
 
 @pytest.mark.parametrize("seed", range(5))
@@ -90,7 +91,7 @@ def test_missing_samples_do_not_count() -> None:
     x = np.where(TIME < 4, X + 1e-3, X)
     x[::2] = np.nan
     compared = RunComparison(run("0", TIME, x=x), {"p": P, "x": X})
-    best = where([compared], {"x": Signal("x", "m", SIGMA)}, OUTPUTS)[0]
+    best = where([compared], {"x": Signal("x", "m", SIGMA)}, OUTPUTS, DOMAIN)[0]
     assert best.rule.startswith("filling")
     assert best.error_share == pytest.approx(1.0)
     assert best.time_share == pytest.approx(0.4, abs=0.01)
@@ -101,4 +102,4 @@ def test_steps_in_time_do_not_break_the_phases() -> None:
     time = np.insert(TIME, 500, TIME[500])
     p, x = np.insert(P, 500, P[500]), np.insert(X, 500, X[500])
     compared = RunComparison(run("0", time, x=np.where(time < 4, x + 1e-3, x)), {"p": p, "x": x})
-    assert where([compared], {"x": Signal("x", "m", SIGMA)}, OUTPUTS)[0].rule.startswith("filling")
+    assert where([compared], {"x": Signal("x", "m", SIGMA)}, OUTPUTS, DOMAIN)[0].rule.startswith("filling")

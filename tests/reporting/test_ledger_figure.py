@@ -8,7 +8,8 @@ import numpy as np
 
 from pam_cosim.ledger import Course, Entry, Ledger
 from pam_cosim.reporting.figures.ledger import ledger_figure, telling
-from pam_cosim.reporting.style import drawing, png
+from pam_cosim.reporting.style import balance_colours, drawing, png
+from tests.field import DOMAIN
 
 
 def _ledger(places: bool = True) -> Ledger:
@@ -20,7 +21,7 @@ def _ledger(places: bool = True) -> Ledger:
         "force", 100.0, 0.9, 0.75, "N", "Missing force", "f", (course,), {"x": "m", "v": "m/s", "p_gauge": "Pa"}
     )  # fmt: skip
     entries = (force if places else Entry("force", 100.0, 0.9, 0.75), Entry("sensor", 10.0, 0.1, 0.25))
-    return Ledger("Isotonic", entries, (), ("force", "sensor"), True, 9.0, 1.0, {})
+    return Ledger("Isotonic", entries, (), ("force", "sensor"), True, 9.0, 1.0, {}, domain=DOMAIN)
 
 
 def test_same_ledger_same_picture() -> None:
@@ -54,3 +55,21 @@ def test_balances_without_a_part_in_the_error_are_not_drawn() -> None:
     assert [e.balance for e in telling(failing)] == ["force", "mass"]
     quiet = replace(ledger, entries=(replace(force, share=0.0), mass), failing=())
     assert [e.balance for e in telling(quiet)] == ["force", "mass"]
+
+
+def test_each_balance_has_its_colour_in_the_order_of_the_field() -> None:
+    """Also one that the field does not name; the sensor's is the same everywhere."""
+    own = balance_colours(DOMAIN.balances)
+    assert list(own) == ["force", "mass", "energy", "sensor"] and len(set(own.values())) == 4
+    more = balance_colours(DOMAIN.balances, ["sensor", "charge"])
+    assert {name: more[name] for name in own} == own and more["charge"] not in own.values()
+    assert balance_colours(["voltage"])["sensor"] == own["sensor"]
+
+
+def test_the_field_says_what_a_term_is_drawn_against() -> None:
+    with drawing():
+        axes = ledger_figure(_ledger()).axes
+        plain = ledger_figure(replace(_ledger(), domain=replace(DOMAIN, axes=("v",), planes=()))).axes
+    assert [a.get_xlabel() for a in axes[1:4]] == ["time [s]", "x [mm]", "p_gauge [kPa]"]
+    assert [a.get_xlabel() for a in plain[1:4]] == ["time [s]", "v [m/s]", "x [mm]"]
+    assert "one variable only: no plane" in [t.get_text() for a in plain for t in a.texts]

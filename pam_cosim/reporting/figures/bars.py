@@ -11,11 +11,9 @@ from matplotlib.ticker import PercentFormatter
 
 from pam_cosim.comparison import Rule
 from pam_cosim.reporting.style import (
-    BALANCE,
     BEFORE,
     INK,
     LINE,
-    SKY,
     SOFT,
     WIDTH,
     Picture,
@@ -27,7 +25,6 @@ from pam_cosim.reporting.wording import percent, shortened, words
 
 _MOST_RULES = 10
 _WORST = -0.2  # an effect that makes the error larger is drawn to here
-_OTHER = (SKY, BEFORE, INK, SOFT)
 
 
 @dataclass(frozen=True)
@@ -38,12 +35,6 @@ class Bar:
     share: float
     balance: str
     added: bool
-
-
-def colours(balances: Sequence[str]) -> dict[str, str]:
-    """A colour for each balance, the same in all figures of a report."""
-    own = sorted(b for b in dict.fromkeys(balances) if b not in BALANCE)
-    return BALANCE | {b: _OTHER[i % len(_OTHER)] for i, b in enumerate(own)}
 
 
 def where_picture(rules: Sequence[Rule]) -> Picture:

@@ -6,31 +6,32 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from pam_cosim.domain import Domain
 from pam_cosim.ledger import Entry, Ledger, binned, mapped
 from pam_cosim.quantities import readable_factor, readable_unit
-from pam_cosim.reporting.style import BALANCE, BAND, INK, SOFT, message, new_figure
+from pam_cosim.reporting.style import BAND, INK, SOFT, balance_colours, message, new_figure
 
-_PLANES = (("x", "p_gauge"), ("T_excess", "p_gauge"), ("p_rate", "p_gauge"))
 _SMALL = 0.005  # share of a balance that nothing is said to be missing in
-_AXES = ("x", "T_excess", "p_gauge", "v")  # what a term is drawn against first
 
 
 def ledger_figure(ledger: Ledger) -> Figure:
     """Above, the share of each balance. Below, a row a balance: in time, against its variables, and on a plane."""
-    rows = telling(ledger)
+    rows, domain = telling(ledger), ledger.domain
+    colours = _colours(ledger)
     figure = new_figure(11.0, 1.4 + 2.3 * max(len(rows), 1))
     grid = figure.add_gridspec(1 + max(len(rows), 1), 4, height_ratios=[0.55] + [1.0] * max(len(rows), 1))
     draw_shares(figure.add_subplot(grid[0, :]), ledger)
     for i, entry in enumerate(rows):
-        draw_courses(figure.add_subplot(grid[i + 1, 0]), entry)
-        names = against_of(entry)[:2]
+        colour = colours[entry.balance]
+        draw_courses(figure.add_subplot(grid[i + 1, 0]), entry, colour)
+        names = against_of(entry, domain)[:2]
         for k in range(2):
             axes = figure.add_subplot(grid[i + 1, 1 + k])
             if k < len(names):
-                draw_against(axes, entry, names[k])
+                draw_against(axes, entry, names[k], colour)
             else:
                 message(axes, "no further variable")
-        draw_map(figure.add_subplot(grid[i + 1, 3]), entry)
+        draw_map(figure.add_subplot(grid[i + 1, 3]), entry, domain)
     if not rows:
         message(figure.add_subplot(grid[1, :]), "the model has no place for a missing term")
     return figure
@@ -44,10 +45,10 @@ def telling(ledger: Ledger) -> list[Entry]:
 
 def draw_shares(axes: Axes, ledger: Ledger) -> None:
     """What is lost without each balance in the best explanation, as one bar."""
-    left = 0.0
+    left, colours = 0.0, _colours(ledger)
     for entry in ledger.entries:
         if entry.share > 0:
-            axes.barh(0, entry.share, left=left, color=BALANCE.get(entry.balance, SOFT), height=0.6)
+            axes.barh(0, entry.share, left=left, color=colours[entry.balance], height=0.6)
             if entry.share > 0.08:
                 text = f"{entry.balance} {100 * entry.share:.0f} %"
                 axes.text(left + entry.share / 2, 0, text, ha="center", va="center", color="white", fontweight="bold")
@@ -63,10 +64,9 @@ def draw_shares(axes: Axes, ledger: Ledger) -> None:
     axes.set_axis_off()
 
 
-def draw_courses(axes: Axes, entry: Entry) -> None:
+def draw_courses(axes: Axes, entry: Entry, colour: str = INK) -> None:
     """The missing term over time, every run, with two standard deviations."""
     factor, unit = _scale(entry)
-    colour = BALANCE.get(entry.balance, INK)
     for course in entry.courses:
         low, high = ((course.value + s * 2 * course.deviation) * factor for s in (-1, 1))
         axes.fill_between(course.time, low, high, color=colour, alpha=0.12, lw=0)
@@ -77,7 +77,7 @@ def draw_courses(axes: Axes, entry: Entry) -> None:
     axes.set_ylabel(f"missing {entry.balance} [{unit}]")
 
 
-def draw_against(axes: Axes, entry: Entry, name: str) -> None:
+def draw_against(axes: Axes, entry: Entry, name: str, colour: str = INK) -> None:
     """The missing term against one of its variables: every instant, and the means of bands."""
     factor, unit = _scale(entry)
     across = readable_factor(entry.units.get(name, ""))
@@ -88,16 +88,16 @@ def draw_against(axes: Axes, entry: Entry, name: str) -> None:
     bands = binned(entry, name)
     at = np.array([(b.low + b.high) / 2 for b in bands]) * across
     mean, deviation = np.array([b.mean for b in bands]) * factor, np.array([b.deviation for b in bands]) * factor
-    axes.errorbar(at, mean, 2 * deviation, fmt="o-", color=BALANCE.get(entry.balance, INK), ms=3, lw=1.2, capsize=2)
+    axes.errorbar(at, mean, 2 * deviation, fmt="o-", color=colour, ms=3, lw=1.2, capsize=2)
     axes.axhline(0, color=SOFT, lw=0.8)
     _bound(axes, entry, factor)
     axes.set_xlabel(_named(entry, name))
 
 
-def draw_map(axes: Axes, entry: Entry) -> None:
+def draw_map(axes: Axes, entry: Entry, domain: Domain) -> None:
     """Where the term is positive and where negative, in standard deviations, over the plane of two variables."""
-    names = against_of(entry)
-    plane = next((p for p in _PLANES if p[0] in names and p[1] in names), None)
+    names = against_of(entry, domain)
+    plane = next((p for p in domain.planes if p[0] in names and p[1] in names), None)
     if plane is None:
         message(axes, "one variable only: no plane")
         return
@@ -112,10 +112,14 @@ def draw_map(axes: Axes, entry: Entry) -> None:
     axes.set_ylabel(_named(entry, plane[1]))
 
 
-def against_of(entry: Entry) -> list[str]:
+def against_of(entry: Entry, domain: Domain) -> list[str]:
     """What a term can be drawn against, the telling ones first."""
     names = list(entry.courses[0].against)
-    return [n for n in _AXES if n in names] + [n for n in names if n not in _AXES]
+    return [n for n in domain.axes if n in names] + [n for n in names if n not in domain.axes]
+
+
+def _colours(ledger: Ledger) -> dict[str, str]:
+    return balance_colours(ledger.domain.balances, [e.balance for e in ledger.entries])
 
 
 def _named(entry: Entry, name: str) -> str:

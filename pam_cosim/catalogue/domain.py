@@ -1,0 +1,74 @@
+"""The words of a field, read from the record ``Domain`` of its library."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from typing import Any
+
+from pam_cosim.catalogue.place import libraries, library_of, qualified
+from pam_cosim.compiler import ClassTree
+from pam_cosim.compiler.class_tree import Constant
+from pam_cosim.domain import Domain
+from pam_cosim.errors import ModelError
+
+RECORD = "Domain"
+
+
+def domain_of(tree: ClassTree, model: str) -> Domain:
+    """The domain of the library that a model is made from: that of its class, of a base, or of a component.
+
+    A model of no library, or an FMU of somebody else's, is spoken of in the words of the first library.
+
+    Args:
+        tree: the library and the user's files.
+        model: a class, by its full name or as ``qualified`` takes it, a ``.mo`` file, or an FMU's model name.
+
+    Raises:
+        ModelError: the record of the library is not what it must be.
+    """
+    name = _class_in(tree, model) if model.endswith(".mo") else qualified(tree, model)
+    packages = dict.fromkeys([*_origins(tree, name), *libraries(tree)])
+    records = (f"{package}.{RECORD}" for package in packages)
+    return next((_read(tree, record) for record in records if record in tree.classes), Domain())
+
+
+def _class_in(tree: ClassTree, file: str) -> str:
+    """The model that a file stands for: its last one."""
+    kinds = ("model", "block", "class")
+    names = [n for n, info in tree.classes.items() if str(info.file) == file and info.kind in kinds]
+    return names[-1] if names else ""
+
+
+def _origins(tree: ClassTree, name: str) -> list[str]:
+    if name not in tree.classes:
+        return []
+    classes = [name, *tree.bases(name), *(c.type for c in tree.components(name))]
+    return [library_of(c) for c in classes]
+
+
+def _read(tree: ClassTree, record: str) -> Domain:
+    """Every field is a constant of the record, an array of as many dimensions and columns."""
+    values: dict[str, Any] = {}
+    for field in fields(Domain):
+        value = tree.constant(record, field.name)
+        if value is None:
+            continue
+        if not _fits(value, _ROWS[field.name]):
+            info = tree.classes[record]
+            raise ModelError(f"{record}: {field.name} must be {_FORMS[_ROWS[field.name]]}", info.file, info.line)
+        values[field.name] = value
+    return Domain(**values)
+
+
+_ROWS = {"tested": -1, "balances": 0, "moving": 0, "axes": 0, "planes": 2, "confused": 3, "phases": 4}
+_FORMS = {-1: "a text", 0: "texts in braces", 2: "rows of 2 texts", 3: "rows of 3 texts", 4: "rows of 4 texts"}
+
+
+def _fits(value: Constant, columns: int) -> bool:
+    if columns < 0:
+        return isinstance(value, str)
+    if not isinstance(value, tuple):
+        return False
+    if columns == 0:
+        return all(isinstance(v, str) for v in value)
+    return all(isinstance(row, tuple) and len(row) == columns and _fits(row, 0) for row in value)

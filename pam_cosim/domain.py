@@ -1,0 +1,34 @@
+"""How a field of physics is spoken of. It is data of a Modelica library; here is its form, and words for any field."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Domain:
+    """What reports and drawings must know of a field.
+
+    Attributes:
+        balances: in the order in which they are opened and drawn.
+        confused: rows of two balances and a sentence. Where a term of the first is missing while a law hides the
+            second, models that keep books of the second are tried too; the sentence is what to say where both will do.
+        phases: rows of a unit and three words. The first output with that unit divides a run into parts in which it
+            rises, rests and falls.
+        moving: units of outputs of which it matters whether they grow, rest or shrink, and how fast.
+        axes: variables that a missing term is drawn against, the telling ones first.
+        planes: pairs of variables that a missing term is drawn over; the first that a term has both of counts.
+        tested: what a tested range is a range of.
+    """
+
+    balances: tuple[str, ...] = ()
+    confused: tuple[tuple[str, str, str], ...] = ()
+    phases: tuple[tuple[str, str, str, str], ...] = ()
+    moving: tuple[str, ...] = ()
+    axes: tuple[str, ...] = ()
+    planes: tuple[tuple[str, str], ...] = ()
+    tested: str = "inputs and loads"
+
+    def place(self, balance: str) -> int:
+        """Where a balance stands in the order; those that are not in it come last."""
+        return self.balances.index(balance) if balance in self.balances else len(self.balances)
