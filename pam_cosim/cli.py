@@ -37,7 +37,9 @@ _results: dict[Path, object] = {}  # files that the command is to write, and wha
 _console = Console(stderr=True, highlight=False)
 
 ModelOption = Annotated[str | None, typer.Option("--model", help="A bench, a Modelica class, a .mo or an .fmu file.")]
-FilesOption = Annotated[list[Path] | None, typer.Option("--file", help="A further Modelica file, for own effects.")]
+FilesOption = Annotated[
+    list[Path] | None, typer.Option("--file", help="A .mo file or the folder of a package: own effects, rigs, library.")
+]
 JsonOption = Annotated[Path | None, typer.Option("--json", help="Write the result as JSON, SI units.")]
 ReportOption = Annotated[Path | None, typer.Option("--report", help="Write a self-contained HTML report.")]
 SetOption = Annotated[
@@ -305,10 +307,13 @@ def add(
 @app.command()
 def effects(files: FilesOption = None) -> None:
     """The catalogue of effects."""
-    table = Table("family", "effect", "balance", "parameters", "what it is")
-    for e in study.effects(files or []):
-        table.add_row(e.family, e.name, e.balance, ", ".join(e.parameters), e.description)
-    Console(width=None if sys.stdout.isatty() else 160).print(table)
+    listed = study.effects(files or [])
+    for library in dict.fromkeys(e.library for e in listed):
+        table = Table("family", "effect", "balance", "parameters", "what it is", title=library)
+        for e in listed:
+            if e.library == library:
+                table.add_row(e.family, e.name, e.balance, ", ".join(e.parameters), e.description)
+        Console(width=None if sys.stdout.isatty() else 160).print(table)
 
 
 def main(arguments: list[str] | None = None) -> int:

@@ -9,7 +9,7 @@ from pam_cosim.catalogue.compose import Composition, compose, compose_on
 from pam_cosim.catalogue.domain import domain_of
 from pam_cosim.catalogue.effects import EffectClass, effect_classes, effects_in, unknown_terms
 from pam_cosim.catalogue.model import full_name
-from pam_cosim.catalogue.place import EFFECT, benches, library_of, qualified
+from pam_cosim.catalogue.place import EFFECT, benches, library_of, origins, qualified
 
 __all__ = [
     "EFFECT",
@@ -23,6 +23,7 @@ __all__ = [
     "effects_in",
     "full_name",
     "library_of",
+    "origins",
     "qualified",
     "unknown_terms",
 ]

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from pam_cosim.catalogue.effects import EffectClass, effect_classes, unknown_terms
-from pam_cosim.catalogue.place import is_effect, qualified
+from pam_cosim.catalogue.place import is_effect, origins, qualified
 from pam_cosim.compiler import ClassTree, Part, Slot, Structure, names, read_structure
 from pam_cosim.compiler.printing import string_text
 from pam_cosim.errors import InputError
@@ -169,9 +169,11 @@ def compose_on(
 ) -> Composition | None:
     """As :func:`compose`, on a model whose structure is known already; who tries many effects reads it once."""
     draft = _Draft(structure, tree)
-    known = {e.name: e for e in [*effect_classes(tree), *unknown_terms(tree)]}
-    known |= {e.qualified_name: e for e in known.values()}
+    own, every = origins(structure.parts), [*effect_classes(tree), *unknown_terms(tree)]
+    known = {e.name: e for e in every if e.library in own} | {e.qualified_name: e for e in every}
     for wanted in effects:
+        if wanted not in known and wanted in {e.name for e in every}:
+            return None
         if wanted not in known:
             raise InputError(f"there is no effect '{wanted}'; 'pam-cosim effects' lists them")
         if not draft.place(known[wanted]):

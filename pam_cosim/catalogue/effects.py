@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -27,6 +27,7 @@ class EffectClass:
         component_name: name that its instance takes.
         file: where it is written.
         general: it says whatever its family can, and waits until the others of the family leave something.
+        library: the package whose effect it is.
     """
 
     name: str
@@ -39,35 +40,42 @@ class EffectClass:
     component_name: str
     file: Path
     general: bool = False
+    library: str = ""
 
 
-def effect_classes(tree: ClassTree) -> list[EffectClass]:
-    """Every effect that is not partial, by family and name.
+def effect_classes(tree: ClassTree, of: Collection[str] | None = None) -> list[EffectClass]:
+    """Every effect that is not partial, by library, family and name; those of the libraries ``of`` alone if given.
 
     Raises:
-        ModelError: an effect does not say its family or balance, or two have the same name.
+        ModelError: an effect does not say its family or balance, or two of a library have the same name.
     """
-    return [e for e in _declared(tree) if e.family != UNKNOWN]
+    return [e for e in _declared(tree) if e.family != UNKNOWN and (of is None or e.library in of)]
 
 
-def unknown_terms(tree: ClassTree) -> list[EffectClass]:
+def unknown_terms(tree: ClassTree, of: Collection[str] | None = None) -> list[EffectClass]:
     """Every term without a law: what attaches as an effect does and says that its family is unknown.
 
     Raises:
         ModelError: as for ``effect_classes``.
     """
-    return [e for e in _declared(tree) if e.family == UNKNOWN]
+    return [e for e in _declared(tree) if e.family == UNKNOWN and (of is None or e.library in of)]
 
 
 @lru_cache(maxsize=8)
 def _declared(tree: ClassTree) -> tuple[EffectClass, ...]:
-    every = dict.fromkeys(name for library in libraries(tree) for name in tree.subtypes(f"{library}.{EFFECT}"))
+    return tuple(effect for library in libraries(tree) for effect in _of_library(tree, library))
+
+
+def _of_library(tree: ClassTree, library: str) -> list[EffectClass]:
     declared: dict[str, EffectClass] = {}
-    for effect in (_effect(tree, name) for name in every if not tree.classes[name].partial):
+    for name in tree.subtypes(f"{library}.{EFFECT}"):
+        if tree.classes[name].partial:
+            continue
+        effect = _effect(tree, name, library)
         if effect.name in declared:
             raise ModelError(f"there are two effects named {effect.name}", effect.file)
         declared[effect.name] = effect
-    return tuple(sorted(declared.values(), key=lambda e: (e.family, e.name)))
+    return sorted(declared.values(), key=lambda e: (e.family, e.name))
 
 
 def effects_in(parts: Sequence[Part]) -> list[tuple[str, str]]:
@@ -75,7 +83,7 @@ def effects_in(parts: Sequence[Part]) -> list[tuple[str, str]]:
     return [(part.path, part.type) for part in parts if is_effect(part.bases)]
 
 
-def _effect(tree: ClassTree, name: str) -> EffectClass:
+def _effect(tree: ClassTree, name: str, library: str) -> EffectClass:
     info = tree.classes[name]
     short = names.last(name)
     sayings = {}
@@ -103,6 +111,7 @@ def _effect(tree: ClassTree, name: str) -> EffectClass:
         component_name=_component_name(short, info.annotations.get("defaultComponentName", "")),
         file=Path(info.file),
         general=bool(tree.constant(name, "general")),
+        library=library,
     )
 
 

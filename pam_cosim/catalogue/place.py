@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from pam_cosim.compiler import ClassTree, names
+from pam_cosim.compiler import ClassTree, Part, names
 
 EFFECT = "Interfaces.Effect"
 BENCHES = "Benches"
@@ -23,6 +23,11 @@ def libraries(tree: ClassTree) -> list[str]:
 def library_of(name: str) -> str:
     """The package without a parent that a class belongs to."""
     return names.parts(name)[0]
+
+
+def origins(parts: Iterable[Part]) -> set[str]:
+    """The packages that a model is made from: its catalogue is that of the libraries among them."""
+    return {library_of(base) for part in parts for base in part.bases}
 
 
 def is_effect(bases: Iterable[str]) -> bool:

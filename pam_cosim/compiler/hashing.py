@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
+from pam_cosim.compiler.library import modelica_files, package_folder
 from pam_cosim.errors import ModelError
 from pam_cosim.resources import modelica_root
 
@@ -23,13 +24,19 @@ def flat_hash(model: str, *, files: Sequence[Path] = (), root: Path | None = Non
         files.append(Path(model))
         model = Path(model).name
     _add(digest, model.encode())
-    for file in sorted(base.rglob("*.mo")):
+    for file in modelica_files(base):
         _add(digest, file.relative_to(base).as_posix().encode())
         _add(digest, file.read_bytes())
     for file in files:
         if not file.exists():
             raise ModelError("there is no such file", file)
-        _add(digest, file.read_bytes())
+        folder = package_folder(file)
+        if folder is None:
+            _add(digest, file.read_bytes())
+            continue
+        for part in modelica_files(folder):
+            _add(digest, part.relative_to(folder).as_posix().encode())
+            _add(digest, part.read_bytes())
     for file in sorted(Path(__file__).parent.glob("*.py")):
         _add(digest, file.read_bytes())
     for package in ("casadi", "pam-cosim"):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from difflib import get_close_matches
+from functools import lru_cache
 from pathlib import Path
 
 from pam_cosim.compiler import names
@@ -13,7 +14,6 @@ from pam_cosim.compiler.syntax import ClassDefinition
 from pam_cosim.errors import ModelError
 
 _Signature = tuple[tuple[str, int, int], ...]
-_cache: dict[Path, tuple[_Signature, dict[str, ClassDefinition]]] = {}
 
 
 class Library:
@@ -32,14 +32,15 @@ class Library:
         if root is not None:
             if not root.is_dir():
                 raise ModelError("the Modelica library directory does not exist", root)
-            self.files += sorted(root.rglob("*.mo"))
-            self.top.update(_read_root(root, self.files))
+            self.files += modelica_files(root)
+            self.top.update(_packages(root, _signature(self.files)))
         read: dict[Path, list[ClassDefinition]] = {}
         for file in files:  # one that is named twice, or in two ways, is one file
-            place = file.resolve()
+            folder = package_folder(file)
+            place = (folder or file).resolve()
             if place not in read:
-                self.files.append(file)
-                read[place] = self._read_user_file(file)
+                self.files += [file] if folder is None else modelica_files(folder)
+                read[place] = self._read_user_file(file) if folder is None else self._read_user_package(folder)
             self.user_classes[file] = read[place]
 
     def find(self, qualified_name: str) -> ClassDefinition | None:
@@ -70,6 +71,13 @@ class Library:
         near = by_name.get(last) or [n for close in get_close_matches(last, by_name, n=2) for n in by_name[close]]
         return f"; did you mean {' or '.join(near)}?" if near else ""
 
+    def _read_user_package(self, folder: Path) -> list[ClassDefinition]:
+        package = _package(folder, _signature(modelica_files(folder)))
+        if package.name in self.top:
+            raise package.source.error(f"a class '{package.name}' exists already: choose another name", package.at)
+        self.top[package.name] = package
+        return [package]
+
     def _read_user_file(self, file: Path) -> list[ClassDefinition]:
         within, classes = parse_source(_read(file))
         for node in classes:
@@ -95,15 +103,34 @@ def _read(file: Path) -> Source:
         raise ModelError(f"the file cannot be read: {error}", file) from None
 
 
-def _read_root(root: Path, files: Sequence[Path]) -> dict[str, ClassDefinition]:
+def package_folder(file: Path) -> Path | None:
+    """The folder of a package that is kept in one, named by itself or by its ``package.mo`` (Modelica 3.6, 13.4.1)."""
+    if file.is_dir():
+        return file
+    return file.absolute().parent if file.name == "package.mo" and file.is_file() else None
+
+
+def modelica_files(folder: Path) -> list[Path]:
+    """Every ``.mo`` file below a folder, in a fixed order."""
+    return sorted(folder.rglob("*.mo"))
+
+
+def _signature(files: Sequence[Path]) -> _Signature:
+    """What changes when a file does."""
+    return tuple((str(f), f.stat().st_mtime_ns, f.stat().st_size) for f in files)
+
+
+@lru_cache(maxsize=8)
+def _package(folder: Path, signature: _Signature) -> ClassDefinition:
+    """The package in a folder; parsed again only when a file has changed."""
+    if not (folder / "package.mo").is_file():
+        raise ModelError("the folder is no Modelica package: it has no package.mo", folder)
+    return _read_package(folder, None)
+
+
+@lru_cache(maxsize=8)
+def _packages(root: Path, signature: _Signature) -> dict[str, ClassDefinition]:
     """The packages below ``root``; parsed again only when a file has changed."""
-    signature = tuple((str(f), f.stat().st_mtime_ns, f.stat().st_size) for f in files)
-    if root not in _cache or _cache[root][0] != signature:
-        _cache[root] = signature, _read_packages(root)
-    return _cache[root][1]
-
-
-def _read_packages(root: Path) -> dict[str, ClassDefinition]:
     top = {}
     for entry in sorted(root.iterdir()):
         if entry.is_dir() and (entry / "package.mo").exists():

@@ -6,9 +6,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from pam_cosim.catalogue import domain_of, effect_classes
+from pam_cosim.catalogue import domain_of, effect_classes, origins, qualified
 from pam_cosim.comparison import without_outliers
-from pam_cosim.compiler import read_library
+from pam_cosim.compiler import read_library, read_structure
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial, role_summary
 from pam_cosim.diagnosis.evidence import incomplete, rank
 from pam_cosim.diagnosis.explanation import LearnedModel, learned_term, ledger_of
@@ -142,7 +142,8 @@ def diagnose(
     tree = read_library(files=sources)
     data = replace(data, domain=domain_of(tree, name))
     data, base, outliers = _base(complete_noise(data), name, files, say)
-    search = Search(tree, name, effect_classes(tree), data, sources, say, workers)
+    shelf = effect_classes(tree, origins(read_structure(qualified(tree, name), files=sources).parts))
+    search = Search(tree, name, shelf, data, sources, say, workers)
     path, tried = find_path(search, base)
     others: list[Plan] = []
     if path:

@@ -150,7 +150,7 @@ def try_learned(
     composition = compose(tree, base, [*effects, term.name], files=sources)
     if composition is None:
         raise InputError(f"{base} has no place for {term.name}", file)
-    effect = next(e for e in effect_classes(tree) if e.name == term.name)
+    effect = next(e for e in effect_classes(tree) if e.file == file)
     names = (*effects, term.name)
     return run_trial(Trial(effect, names, composition, data, dict(start or {}), tuple(sources)))
 

@@ -7,8 +7,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from pam_cosim.catalogue import Composition, EffectClass, compose, unknown_terms
-from pam_cosim.compiler import ClassTree, Ode, compile_model
+from pam_cosim.catalogue import (
+    Composition,
+    EffectClass,
+    compose,
+    compose_on,
+    origins,
+    qualified,
+    unknown_terms,
+)
+from pam_cosim.compiler import ClassTree, Ode, compile_model, read_structure
 
 TERM = "missing"
 """What every class of a hole calls its term."""
@@ -69,7 +77,9 @@ def open_books(tree: ClassTree, model: str, effects: Sequence[str] = (), *, file
         InputError: an unknown effect, or one that finds no place.
         ModelError: the model cannot be compiled.
     """
-    placed = [t for t in unknown_terms(tree) if compose(tree, model, [*effects, t.name], files=files) is not None]
+    structure = read_structure(qualified(tree, model), files=files)
+    terms = unknown_terms(tree, origins(structure.parts))
+    placed = [t for t in terms if compose_on(tree, structure, [*effects, t.name]) is not None]
     beside = [t for t in placed if _lies_beside(tree, model, effects, t, files)]
     found = [_books(tree, model, effects, beside, False, files)]
     for term in placed:

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from pam_cosim.measurement.wording import shown
 
 _ALIASES = {
-    "%": "percent", "°C": "degC", "°F": "degF", "°": "degree", "μm": "um",
+    "%": "percent", "Ohm": "ohm", "°C": "degC", "°F": "degF", "°": "degree", "μm": "um",
     "barg": "bar", "psig": "psi", "kPag": "kPa",
 }  # fmt: skip
 _EXAMPLES = {
