@@ -1,0 +1,3 @@
+within DCMotor;
+package Components "Parts of the base model"
+end Components;

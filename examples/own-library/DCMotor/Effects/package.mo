@@ -1,0 +1,3 @@
+within DCMotor;
+package Effects "Effects that the base model lacks"
+end Effects;
