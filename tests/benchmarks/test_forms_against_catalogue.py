@@ -14,6 +14,8 @@ from rig.muscle import simulate_muscle
 from tests.library.shelf import NOISE, built, effects, on_bench, values
 from tests.library.test_effects_against_rig import BENCH, RUN, TIMES, _drive
 
+pytestmark = pytest.mark.full  # many simulations of the rig, in Python
+
 WALL = TRUTH.t_wall / TRUTH.k_wall
 SHAPE = (TRUTH.length, TRUTH.fibre_squared, TRUTH.turns, TRUTH.fibre_area)
 SAME = {

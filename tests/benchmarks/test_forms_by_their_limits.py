@@ -16,6 +16,8 @@ from rig.flow import GAMMA, P_ATM, T_ATM, R
 from rig.muscle import MuscleParameters, simulate_muscle
 from rig.schedule import Phase, SampledSchedule, Schedule
 
+pytestmark = pytest.mark.full  # many simulations of the rig, in Python
+
 REST = Rest(0.0, 1e-4, T_ATM, (0.0, 0.0))
 
 

@@ -16,6 +16,8 @@ from rig.muscle import MuscleParameters
 from rig.schedule import Phase, Schedule
 from rig.states import REST, held, now_at
 
+pytestmark = pytest.mark.full  # many simulations of the rig, in Python
+
 
 def test_little_stretched_ogden_rubber_is_neo_hookean_and_strays_further_on():
     ogden, neo = seen.elasticity.OgdenTube(modulus=2e5), MooneyRivlin(c10=1e5, c01=0.0)

@@ -26,6 +26,8 @@ from rig.schedule import Phase, SampledSchedule, Schedule
 from rig.seen.wall_heat import TwoLayerWall
 from rig.states import REST, held, now_at
 
+pytestmark = pytest.mark.full  # many simulations of the rig, in Python
+
 NEW = [form for form in (*table.FORMS, *table.STRANGE) if form.sets == ("score",) and not form.catalogue]
 
 

@@ -166,6 +166,7 @@ def test_what_a_free_parameter_does_is_projected_away(ruler):
 FORMS = [*table.FORMS, *table.STRANGE]
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("form", FORMS, ids=lambda f: f"{f.family}-{f.name}")
 def test_every_form_changes_what_is_measured_and_vanishes_with_its_strength(form):
     muscle = MuscleParameters(load=3.0)
