@@ -9,6 +9,7 @@ import os
 import signal
 import sys
 import time
+from collections.abc import Callable
 from types import FrameType
 from typing import TYPE_CHECKING
 
@@ -16,6 +17,8 @@ if TYPE_CHECKING:
     from sys import UnraisableHookArgs
 
 _SIGNALS = (signal.SIGINT, signal.SIGTERM)
+_AGAIN = 0.05  # [s] after which an interrupt comes once more that came where it was ignored
+_LAST = 1.0  # [s] for an interrupted command to end by itself once everything is cleaned up
 _PATIENCE = 5.0  # [s] after an interrupt in which another one does not disturb the cleaning up
 
 
@@ -43,7 +46,7 @@ class _Command:
         """An interrupt at a place that cannot be left, such as a destructor, comes once more."""
         if isinstance(ignored.exc_value, KeyboardInterrupt):
             self.time = -_PATIENCE
-            os.kill(os.getpid(), self.number)
+            _later(_AGAIN, os.kill, os.getpid(), self.number)
         else:
             sys.__unraisablehook__(ignored)
 
@@ -53,6 +56,9 @@ class _Command:
             signal.signal(number, self.interrupt)
         sys.unraisablehook = self.raise_again
         self.make_scratch()
+        # what tracks semaphores removes them also where this process ends without a word, and need not say so
+        quiet = "ignore:resource_tracker:UserWarning"
+        os.environ["PYTHONWARNINGS"] = ",".join(filter(None, (os.environ.get("PYTHONWARNINGS"), quiet)))
         from pam_cosim.cli import interrupted, main
 
         self.loading = False
@@ -91,4 +97,15 @@ def run() -> None:
         for number in _SIGNALS:
             signal.signal(number, signal.SIG_IGN)
         command.remove_scratch()
+    if command.number:  # threads of libraries may wait for processes that have been ended
+        _later(_LAST, os._exit, status)
     sys.exit(status)
+
+
+def _later(seconds: float, function: Callable[..., None], *arguments: object) -> None:
+    """Calls the function after some seconds, if this process has not ended by then."""
+    import threading
+
+    timer = threading.Timer(seconds, function, arguments)
+    timer.daemon = True
+    timer.start()

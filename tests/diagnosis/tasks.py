@@ -35,3 +35,13 @@ def tell_and_sleep(file: str) -> str:
     Path(file).write_text(str(os.getpid()))
     time.sleep(60)
     return file
+
+
+def sleep_on(task: tuple[str, bytes]) -> None:
+    """Leaves a folder only while it works; the bytes make the task larger than a pipe holds."""
+    file = Path(task[0], f"working-{os.getpid()}")
+    file.touch()
+    try:
+        time.sleep(60)
+    finally:
+        file.unlink()

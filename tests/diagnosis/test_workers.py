@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 import sys
 import time
@@ -77,3 +78,40 @@ def _lives(process: int) -> bool:
         return False
     status = Path(f"/proc/{process}/stat")
     return not (status.exists() and status.read_text().rsplit(")", 1)[1].split()[0] == "Z")
+
+
+_LARGE = """
+import sys
+from pam_cosim.diagnosis.workers import run_tasks, stop_workers
+from tests.diagnosis.tasks import sleep_on
+
+if __name__ == "__main__":
+    try:
+        run_tasks(sleep_on, [(sys.argv[1], bytes(10_000_000))] * 20, print, print, 2)
+    except KeyboardInterrupt:
+        stop_workers()
+        print("stopped")
+"""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
+def test_interrupted_tasks_clean_up_and_large_ones_in_the_queue_hold_nothing_up(tmp_path: Path) -> None:
+    process = subprocess.Popen(
+        [sys.executable, "-c", _LARGE, str(tmp_path)],
+        env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+    try:
+        end = time.monotonic() + 60
+        while len(list(tmp_path.iterdir())) < 2 and time.monotonic() < end:
+            time.sleep(0.02)
+        time.sleep(0.2)
+        os.killpg(process.pid, signal.SIGINT)
+        out, err = process.communicate(timeout=10)
+    finally:
+        process.kill()
+    assert (process.returncode, out, err) == (0, "stopped\n", "")
+    assert list(tmp_path.iterdir()) == []

@@ -1,0 +1,39 @@
+"""The process around the command: interrupts that come where Python ignores exceptions."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+
+import pytest
+
+from tests.cli.conftest import ROOT
+
+SCRIPT = """
+import os, signal, time
+import pam_cosim.cli, pam_cosim.command
+
+class Late:
+    def __del__(self):
+        os.kill(os.getpid(), signal.SIGINT)
+        for _ in range(1000):
+            pass
+
+def main():
+    late = Late()
+    del late
+    time.sleep(30)
+
+pam_cosim.cli.main = main
+pam_cosim.command.run()
+"""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
+def test_interrupt_within_a_destructor_comes_again() -> None:
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    words = [sys.executable, "-c", SCRIPT]
+    found = subprocess.run(words, env=environment, capture_output=True, text=True, timeout=25)
+    assert (found.returncode, found.stderr) == (128 + signal.SIGINT, "pam-cosim: interrupted; nothing was written\n")
