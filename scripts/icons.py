@@ -17,9 +17,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pam_cosim.compiler.expression_parser import ExpressionParser
+from pam_cosim.compiler.instance import Class
 from pam_cosim.compiler.lexer import tokenise
 from pam_cosim.compiler.library import Library
-from pam_cosim.compiler.scope import Class, Lookup
+from pam_cosim.compiler.lookup import Lookup
 from pam_cosim.compiler.source import Source
 from pam_cosim.compiler.syntax import Array, Call, Connect, Expression, Literal, Modification, Reference, Unary
 from pam_cosim.resources import modelica_root

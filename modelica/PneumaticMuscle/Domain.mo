@@ -1,5 +1,6 @@
 within PneumaticMuscle;
 record Domain "How results are told in this field: its balances, its phases, and what a missing term is drawn against"
+  extends Icons.Record;
   constant String balances[:] = {"force", "mass", "energy"} "Balances, in the order in which they are opened and drawn";
   constant String confused[:, 3] = {{"mass", "energy",
     "a law of the gas that keeps books of its energy explains the samples as well: without a signal that shows the temperature, missing mass and missing heat cannot be told apart"}}

@@ -1,7 +1,7 @@
 """The compiler: Modelica source to an explicit ODE, and the class tree of a library. It knows no library.
 
 The way of a model through the files: ``source``, ``lexer``, ``parser`` (with ``expression_parser`` and
-``equation_parser``) make the tree of ``syntax``; ``library`` holds all classes, ``scope`` finds them by name;
+``equation_parser``) make the tree of ``syntax``; ``library`` holds all classes, ``lookup`` finds them by name;
 ``instantiation`` makes the tree of components (``instance``) under ``modification``; ``evaluation`` (with
 ``arithmetic``, ``builtins``, ``functions``, ``assertions``) turns expressions into values, ``symbols`` into CasADi
 symbols; ``flattening`` and ``connections`` give residual equations; ``index_reduction`` and ``blocks`` (with

@@ -9,7 +9,7 @@ import casadi as ca
 from pam_cosim.compiler import arithmetic
 from pam_cosim.compiler.arithmetic import Text
 from pam_cosim.compiler.evaluation import ENUMERATIONS, Environment, Evaluator
-from pam_cosim.compiler.scope import Scope
+from pam_cosim.compiler.instance import Scope
 from pam_cosim.compiler.syntax import Call
 from pam_cosim.errors import ModelError
 

@@ -10,7 +10,7 @@ import casadi as ca
 
 from pam_cosim.compiler import arithmetic
 from pam_cosim.compiler.evaluation import Environment, Evaluator, Value
-from pam_cosim.compiler.scope import Scope
+from pam_cosim.compiler.instance import Scope
 from pam_cosim.compiler.syntax import Call
 from pam_cosim.errors import ModelError
 

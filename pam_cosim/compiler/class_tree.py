@@ -8,10 +8,11 @@ from pathlib import Path
 from typing import TypeAlias
 
 from pam_cosim.compiler import names
+from pam_cosim.compiler.instance import Class
 from pam_cosim.compiler.instantiation import PRIMITIVES
 from pam_cosim.compiler.library import Library
+from pam_cosim.compiler.lookup import Lookup
 from pam_cosim.compiler.printing import argument_text, expression_text, modification_text
-from pam_cosim.compiler.scope import Class, Lookup
 from pam_cosim.compiler.syntax import (
     Argument,
     Array,
@@ -113,7 +114,6 @@ class ClassTree:
         self._library = library
         self._lookup = Lookup(library)
         self._definitions = {node.qualified_name: node for node in library.walk()}
-        self._infos: dict[str, ClassInfo] = {}
         self.classes: dict[str, ClassInfo] = {name: self._info(node) for name, node in self._definitions.items()}
 
     # ---- questions ----------------------------------------------------------------------------------------

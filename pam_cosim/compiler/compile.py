@@ -13,16 +13,19 @@ from pam_cosim.compiler import metadata
 from pam_cosim.compiler.arithmetic import Shown
 from pam_cosim.compiler.assertions import Assertion
 from pam_cosim.compiler.blocks import solve
+from pam_cosim.compiler.builtins import BUILTINS
 from pam_cosim.compiler.delays import DelayedInputs, put
+from pam_cosim.compiler.evaluation import Calls
 from pam_cosim.compiler.flattening import FlatModel, Residual, flatten
+from pam_cosim.compiler.functions import call
 from pam_cosim.compiler.index_reduction import System, reduce_index, select_states
 from pam_cosim.compiler.initialization import Start, initial_values
-from pam_cosim.compiler.instance import Instance
+from pam_cosim.compiler.instance import Class, Instance
 from pam_cosim.compiler.instantiation import Instantiator
 from pam_cosim.compiler.library import Library
+from pam_cosim.compiler.lookup import Lookup
 from pam_cosim.compiler.ode import Ode, Statement
 from pam_cosim.compiler.part import parts_of
-from pam_cosim.compiler.scope import Class, Lookup
 from pam_cosim.compiler.start import beginning
 from pam_cosim.errors import ModelError
 from pam_cosim.interface import Interface, Variable
@@ -64,7 +67,7 @@ def instantiate(model: str, *, files: Sequence[Path] = (), root: Path | None = N
     library = Library(modelica_root() if root is None else root, files)
     lookup = Lookup(library)
     of = _find(model, library, lookup)
-    instantiator = Instantiator(lookup)
+    instantiator = Instantiator(lookup, Calls(BUILTINS, call))
     return instantiator, instantiator.model(of)
 
 

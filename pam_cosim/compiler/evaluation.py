@@ -9,14 +9,14 @@ from __future__ import annotations
 from collections.abc import Callable, Generator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import casadi as ca
 
 from pam_cosim.compiler import arithmetic
-from pam_cosim.compiler.instance import Instance
-from pam_cosim.compiler.modification import Bound, Mod, bind
-from pam_cosim.compiler.scope import Class, Scope
+from pam_cosim.compiler.instance import Bound, Class, Instance, Mod, Scope
+from pam_cosim.compiler.lookup import Lookup
+from pam_cosim.compiler.modification import bind
 from pam_cosim.compiler.syntax import (
     Argument,
     Array,
@@ -37,9 +37,6 @@ from pam_cosim.compiler.syntax import (
     Whole,
 )
 from pam_cosim.errors import ModelError
-
-if TYPE_CHECKING:
-    from pam_cosim.compiler.instantiation import Instantiator
 
 Value = Any
 Environment = Mapping[str, Value]
@@ -71,15 +68,53 @@ class ClassValue:
     of: Class
 
 
+@dataclass(frozen=True)
+class Calls:
+    """What a call may mean.
+
+    Attributes:
+        builtins: the functions of the language, by name.
+        function: evaluates a call of a function that is written in Modelica: a tuple of all its results.
+    """
+
+    builtins: Mapping[str, Callable[[Evaluator, Call, Scope, Environment], Value]]
+    function: Callable[[Evaluator, Class, Call, Scope, Environment], tuple[Value, ...]]
+
+
+class Components(Protocol):
+    """What evaluation asks of the one who makes instances."""
+
+    lookup: Lookup
+    constants: Evaluator
+    calls: Calls
+
+    def expand(self, instance: Instance) -> Instance:
+        """The instance with its parts."""
+        ...
+
+    def package(self, of: Class) -> Instance:
+        """A package as a holder of constants."""
+        ...
+
+    def function(self, of: Class) -> Instance:
+        """A function as a holder of its inputs, outputs and statements."""
+        ...
+
+    def record(self, of: Class, name: str, modification: Mod) -> Instance:
+        """A record made by its constructor."""
+        ...
+
+
 class Evaluator:
     """Evaluates with constants and parameter values; a subclass puts symbols in their place."""
 
-    def __init__(self, instantiator: Instantiator) -> None:
+    def __init__(self, instantiator: Components) -> None:
         self.instantiator = instantiator
         self.lookup = instantiator.lookup
         self._values: dict[Instance, Value] = {}
         self._in_progress: dict[Instance, None] = {}
         self.at_start = False  # what initial() is
+        self.depth = 0  # how many functions are being called
         self.branches: list[Value] = []  # conditions, known at run time only, of the branches being evaluated
 
     # ---- what a subclass changes --------------------------------------------------------------------------
@@ -439,17 +474,15 @@ class Evaluator:
 
     def results(self, node: Call, scope: Scope, names: Environment) -> Value:
         """The value of a call: a tuple of all results for a function that is written in Modelica."""
-        from pam_cosim.compiler.builtins import BUILTINS
-        from pam_cosim.compiler.functions import call
-
         name = node.function.text
         found = self._function(node, scope)
         if found is None:
-            if name in BUILTINS:
-                return BUILTINS[name](self, node, scope, names)
+            builtin = self.instantiator.calls.builtins.get(name)
+            if builtin is not None:
+                return builtin(self, node, scope, names)
             raise ModelError(f"function '{name}' not found in {scope.definition.qualified_name}")
         if found.definition.kind == "function":
-            return call(self, found, node, scope, names)
+            return self.instantiator.calls.function(self, found, node, scope, names)
         return self._construct(found, node, scope, names)
 
     def _function(self, node: Call, scope: Scope) -> Class | None:

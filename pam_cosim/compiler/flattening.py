@@ -12,9 +12,8 @@ from pam_cosim.compiler.assertions import check
 from pam_cosim.compiler.connections import Connections, ConnectionSet
 from pam_cosim.compiler.evaluation import NO_NAMES, Environment, Value
 from pam_cosim.compiler.functions import run
-from pam_cosim.compiler.instance import Instance
+from pam_cosim.compiler.instance import Instance, Scope
 from pam_cosim.compiler.instantiation import Instantiator
-from pam_cosim.compiler.scope import Scope
 from pam_cosim.compiler.symbols import SymbolTable
 from pam_cosim.compiler.syntax import (
     Assignment,

@@ -7,8 +7,7 @@ from collections.abc import Iterable
 from pam_cosim.compiler import arithmetic
 from pam_cosim.compiler.assertions import check
 from pam_cosim.compiler.evaluation import Environment, Evaluator, Value
-from pam_cosim.compiler.instance import Instance
-from pam_cosim.compiler.scope import Class, Scope
+from pam_cosim.compiler.instance import Class, Instance, Scope
 from pam_cosim.compiler.syntax import (
     Assignment,
     Call,
@@ -25,7 +24,6 @@ from pam_cosim.compiler.syntax import (
 from pam_cosim.errors import ModelError
 
 _DEPTH = 60
-_depth = [0]
 
 
 def call(evaluator: Evaluator, of: Class, node: Call, scope: Scope, names: Environment) -> tuple[Value, ...]:
@@ -44,14 +42,14 @@ def call(evaluator: Evaluator, of: Class, node: Call, scope: Scope, names: Envir
     outputs = [child for child in function.children.values() if "output" in child.prefixes]
     given = _arguments(evaluator, name, inputs, node, scope, names)
     local = _with_defaults(evaluator, name, function, inputs, given)
-    if _depth[0] > _DEPTH:
+    if evaluator.depth > _DEPTH:
         raise ModelError(f"function {name} calls itself without end")
-    _depth[0] += 1
+    evaluator.depth += 1
     try:
         for section, place in function.sections:
             run(evaluator, section.equations, place, local)
     finally:
-        _depth[0] -= 1
+        evaluator.depth -= 1
     results = tuple(local[child.local_name] for child in outputs)
     for child, result in zip(outputs, results, strict=True):
         if any(value is None for value in arithmetic.flattened(result)):

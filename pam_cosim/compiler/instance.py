@@ -1,13 +1,109 @@
-"""The tree of components that a model consists of."""
+"""The tree of components that a model consists of, the places where names are looked up, and what modifies them.
+
+They refer to each other: a place belongs to an instance, a modification to its place, an instance to both.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from pam_cosim.compiler.modification import NOTHING, Bound, Mod
-from pam_cosim.compiler.scope import Class, Scope
-from pam_cosim.compiler.syntax import ComponentDeclaration, Section
+from pam_cosim.compiler.source import Source
+from pam_cosim.compiler.syntax import (
+    ClassDefinition,
+    ComponentDeclaration,
+    Element,
+    Expression,
+    Member,
+    Section,
+)
+
+
+@dataclass(eq=False, repr=False)
+class Scope:
+    """A class body as a place for lookup.
+
+    Attributes:
+        definition: the class whose text is being read.
+        instance: the instance that this class contributes to, if there is one.
+        outer: the enclosing place; none for the root.
+        components, classes: names of the instance that this class declares or inherits. A class that
+            inherits from this one may add more to the instance, which are not visible from here.
+    """
+
+    definition: ClassDefinition
+    instance: Instance | None
+    outer: Scope | None
+    components: set[str] = field(default_factory=set)
+    classes: set[str] = field(default_factory=set)
+
+
+@dataclass(eq=False, repr=False)
+class Class:
+    """A class definition, the place where it stands, and what modifies it there.
+
+    Attributes:
+        over: modifications with priority over those of a component of this class's own definition.
+        under: modifications that a constraining clause supplies.
+    """
+
+    definition: ClassDefinition
+    outer: Scope | None
+    over: Mod | None = None
+    under: Mod | None = None
+
+
+@dataclass(eq=False, repr=False)
+class Bound:
+    """An expression and the place where its names are looked up."""
+
+    expression: Expression
+    scope: Scope
+
+    def element(self, index: int) -> Bound:
+        """Element ``index`` (from 0) of an array-valued expression."""
+        return Bound(Element(self.expression.at, self.expression, index), self.scope)
+
+    def member(self, name: str) -> Bound:
+        """A member of a record-valued expression."""
+        return Bound(Member(self.expression.at, self.expression, name), self.scope)
+
+    @property
+    def source(self) -> Source:
+        """The text that holds the expression."""
+        return self.scope.definition.source
+
+
+@dataclass(eq=False, repr=False)
+class Redeclaration:
+    """A new declaration for a replaceable element, and the place where it is written."""
+
+    declaration: ComponentDeclaration | ClassDefinition
+    scope: Scope
+
+
+@dataclass(eq=False, repr=False)
+class Mod:
+    """What is said about one element from outside: its value, its parts, its replacement."""
+
+    at: int
+    source: Source | None
+    value: Bound | None = None
+    entries: dict[str, Mod] = field(default_factory=dict)
+    redeclaration: Redeclaration | None = None
+    each: bool = False
+    final: bool = False
+
+    def element(self, index: int) -> Mod:
+        """The modification of element ``index`` (from 0) of an array of components."""
+        value = self.value
+        if value is not None and not self.each:
+            value = value.element(index)
+        entries = {name: entry if entry.each else entry.element(index) for name, entry in self.entries.items()}
+        return Mod(self.at, self.source, value, entries, self.redeclaration, False, self.final)
+
+
+NOTHING = Mod(0, None)
 
 
 @dataclass(eq=False, repr=False)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from pam_cosim.compiler.evaluation import ENUMERATIONS, Evaluator
-from pam_cosim.compiler.instance import Instance
-from pam_cosim.compiler.modification import ATTRIBUTES, NOTHING, Bound, Mod, Redeclaration, bind, merge
-from pam_cosim.compiler.scope import Class, Lookup, Scope
+from pam_cosim.compiler.evaluation import ENUMERATIONS, Calls, Evaluator
+from pam_cosim.compiler.instance import NOTHING, Bound, Class, Instance, Mod, Redeclaration, Scope
+from pam_cosim.compiler.lookup import Lookup
+from pam_cosim.compiler.modification import ATTRIBUTES, bind, merge
 from pam_cosim.compiler.source import Source
 from pam_cosim.compiler.syntax import (
     ClassDefinition,
@@ -38,8 +38,9 @@ class _Type:
 class Instantiator:
     """Builds instances; one for each compile."""
 
-    def __init__(self, lookup: Lookup) -> None:
+    def __init__(self, lookup: Lookup, calls: Calls) -> None:
         self.lookup = lookup
+        self.calls = calls
         self.constants = Evaluator(self)
         self._packages: dict[ClassDefinition, Instance] = {}
         self._functions: dict[tuple[ClassDefinition, Scope | None, Mod | None, Mod | None], Instance] = {}

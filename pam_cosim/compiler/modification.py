@@ -1,76 +1,13 @@
-"""Modifications bound to the place where they are written, and how outer ones override inner ones."""
+"""How a modification is bound to the place where it is written, and how outer ones override inner ones."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
-from pam_cosim.compiler.scope import Scope
-from pam_cosim.compiler.source import Source
-from pam_cosim.compiler.syntax import (
-    ClassDefinition,
-    ComponentDeclaration,
-    Element,
-    Expression,
-    Member,
-    Modification,
-)
+from pam_cosim.compiler.instance import NOTHING, Bound, Mod, Redeclaration, Scope
+from pam_cosim.compiler.syntax import Modification
 
 ATTRIBUTES = frozenset(
     "quantity unit displayUnit min max start fixed nominal stateSelect unbounded".split()  # noqa: SIM905
 )
-
-
-@dataclass(eq=False, repr=False)
-class Bound:
-    """An expression and the place where its names are looked up."""
-
-    expression: Expression
-    scope: Scope
-
-    def element(self, index: int) -> Bound:
-        """Element ``index`` (from 0) of an array-valued expression."""
-        return Bound(Element(self.expression.at, self.expression, index), self.scope)
-
-    def member(self, name: str) -> Bound:
-        """A member of a record-valued expression."""
-        return Bound(Member(self.expression.at, self.expression, name), self.scope)
-
-    @property
-    def source(self) -> Source:
-        """The text that holds the expression."""
-        return self.scope.definition.source
-
-
-@dataclass(eq=False, repr=False)
-class Redeclaration:
-    """A new declaration for a replaceable element, and the place where it is written."""
-
-    declaration: ComponentDeclaration | ClassDefinition
-    scope: Scope
-
-
-@dataclass(eq=False, repr=False)
-class Mod:
-    """What is said about one element from outside: its value, its parts, its replacement."""
-
-    at: int
-    source: Source | None
-    value: Bound | None = None
-    entries: dict[str, Mod] = field(default_factory=dict)
-    redeclaration: Redeclaration | None = None
-    each: bool = False
-    final: bool = False
-
-    def element(self, index: int) -> Mod:
-        """The modification of element ``index`` (from 0) of an array of components."""
-        value = self.value
-        if value is not None and not self.each:
-            value = value.element(index)
-        entries = {name: entry if entry.each else entry.element(index) for name, entry in self.entries.items()}
-        return Mod(self.at, self.source, value, entries, self.redeclaration, False, self.final)
-
-
-NOTHING = Mod(0, None)
 
 
 def bind(modification: Modification, scope: Scope, at: int = 0) -> Mod:

@@ -9,9 +9,8 @@ from pam_cosim.compiler.arithmetic import Shown, Text
 from pam_cosim.compiler.assertions import Assertion
 from pam_cosim.compiler.delays import DelayCall, check_time, same
 from pam_cosim.compiler.evaluation import Evaluator, Value
-from pam_cosim.compiler.instance import Instance
+from pam_cosim.compiler.instance import Instance, Scope
 from pam_cosim.compiler.instantiation import Instantiator
-from pam_cosim.compiler.scope import Scope
 from pam_cosim.compiler.start import Comparison, comparison
 from pam_cosim.errors import ModelError
 
@@ -128,10 +127,6 @@ class SymbolTable(Evaluator):
         new = Assertion(ca.SX(condition), message, is_error, at_start)
         if not any(_alike(new, known) for known in self.assertions):
             self.assertions.append(new)
-
-    def instance_of(self, symbol: ca.SX) -> Instance | None:
-        """The variable that a symbol stands for."""
-        return self._by_name.get(symbol.name())
 
     def derivative(self, value: Value) -> Value:
         """The symbol of a variable's derivative, or the chain rule for an expression."""

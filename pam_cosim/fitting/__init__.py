@@ -3,7 +3,7 @@
 from pam_cosim.fitting.combinations import Combination
 from pam_cosim.fitting.estimate import Estimate, estimates
 from pam_cosim.fitting.fit import Fit, fit
-from pam_cosim.fitting.free import Free, base_parameters, free_from_variable
+from pam_cosim.fitting.free import Free, base_parameters
 from pam_cosim.fitting.methods import METHODS, Record, summary
 from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.parameter_file import read_parameters, write_parameters
@@ -20,7 +20,6 @@ __all__ = [
     "base_parameters",
     "estimates",
     "fit",
-    "free_from_variable",
     "read_parameters",
     "spread_starts",
     "summary",

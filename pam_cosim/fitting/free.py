@@ -56,15 +56,6 @@ class Free:
         return self.to_value(z) if self.logarithmic else self._scale
 
 
-def free_from_variable(variable: Variable, low: float, high: float, start: float | None = None) -> Free:
-    """A free parameter of a model between ``low`` and ``high``; starts at ``start`` or the model's default."""
-    guess = start if start is not None else variable.start
-    if guess is None:
-        guess = (low + high) / 2
-    guess = min(max(guess, low), high)
-    return Free(variable.name, low, high, guess, variable.unit, variable.nominal)
-
-
 def base_parameters(data: DataSet, interface: Interface) -> tuple[Free, ...]:
     """The free parameters that the data set declares, as parameters of the model with ``interface``.
 

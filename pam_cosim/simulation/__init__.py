@@ -2,7 +2,7 @@
 
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs
-from pam_cosim.simulation.isolated import IsolatedSimulator, run_isolated
+from pam_cosim.simulation.isolated import IsolatedSimulator
 from pam_cosim.simulation.simulator import Simulator, SolverStatistics
 from pam_cosim.simulation.trajectory import Trajectory
 
@@ -16,5 +16,4 @@ __all__ = [
     "Simulator",
     "SolverStatistics",
     "Trajectory",
-    "run_isolated",
 ]

@@ -167,26 +167,3 @@ def _cause(code: int) -> str:
         return f"signal {signal.Signals(-code).name}"
     except ValueError:
         return f"signal {-code}"
-
-
-def run_isolated(
-    path: Path,
-    times: ArrayLike,
-    *,
-    parameters: Mapping[str, float] | None = None,
-    inputs: Inputs | None = None,
-    outputs: Sequence[str] | None = None,
-    tolerance: float | None = None,
-    start_time: float | None = None,
-    timeout: float | None = None,
-) -> Trajectory:
-    """One run of ``IsolatedSimulator``."""
-    with IsolatedSimulator(path, timeout) as simulator:
-        return simulator.run(
-            times,
-            parameters=parameters,
-            inputs=inputs,
-            outputs=outputs,
-            tolerance=tolerance,
-            start_time=start_time,
-        )

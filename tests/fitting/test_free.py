@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from pam_cosim import study
 from pam_cosim.errors import InputError
-from pam_cosim.fitting import Free, base_parameters, fit, free_from_variable
+from pam_cosim.fitting import Free, base_parameters, fit
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.measurement import FreeParameter
 from pam_cosim.simulation import Simulator
@@ -62,5 +62,6 @@ def test_unknown_parameter_names_the_file() -> None:
     ("default", "start", "expected"), [(0.7, None, 0.7), (3.0, None, 1.0), (None, None, 0.5), (0.7, 0.2, 0.2)]
 )
 def test_first_guess(default: float | None, start: float | None, expected: float) -> None:
-    free = free_from_variable(Variable("a", start=default), 0.0, 1.0, start)
+    data = vessel_data(fit=(FreeParameter("a", 0.0, 1.0, start),))
+    (free,) = base_parameters(data, Interface("Test", parameters={"a": Variable("a", start=default)}))
     assert free.start == expected

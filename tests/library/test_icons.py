@@ -7,7 +7,7 @@ from itertools import combinations
 import numpy as np
 import pytest
 
-from pam_cosim.compiler.scope import Class
+from pam_cosim.compiler.instance import Class
 from pam_cosim.compiler.syntax import Reference
 from scripts.icons import SQUARE, Pictures, Placed, diagram, gallery
 from tests.library.shelf import benches, tree

@@ -15,7 +15,7 @@ from pam_cosim import study
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import fit
 from pam_cosim.measurement import FreeParameter
-from pam_cosim.simulation import Inputs, IsolatedSimulator, RunFailure, Simulator, run_isolated
+from pam_cosim.simulation import Inputs, IsolatedSimulator, RunFailure, Simulator
 from tests.fitting.models import data_set, recording
 from tests.fmu import models
 from tests.simulation.misbehaving import hanging, patched, processes_of
@@ -37,10 +37,11 @@ def temporary(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return folder
 
 
-def test_run_isolated_equals_run() -> None:
+def test_isolated_run_equals_run() -> None:
     with Simulator(models.fmu(models.lag)) as simulator:
         here = simulator.run(TIMES, parameters={"x_start": 1.0})
-    there = run_isolated(models.fmu(models.lag), TIMES, parameters={"x_start": 1.0})
+    with IsolatedSimulator(models.fmu(models.lag)) as simulator:
+        there = simulator.run(TIMES, parameters={"x_start": 1.0})
     assert here["y"].tolist() == there["y"].tolist()
 
 
@@ -99,7 +100,8 @@ def test_one_that_hangs_while_it_is_loaded_is_not_loaded_again(tmp_path: Path, m
 def test_slow_run_that_goes_on_is_not_ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("DAWDLE", "yes")
     begin = time.monotonic()
-    found = run_isolated(hanging(tmp_path), TIMES, parameters={"x_start": 1.0}, timeout=LIMIT)
+    with IsolatedSimulator(hanging(tmp_path), LIMIT) as simulator:
+        found = simulator.run(TIMES, parameters={"x_start": 1.0})
     assert time.monotonic() - begin > 20 * 0.15 > 2.5 * LIMIT
     assert found["y"] == pytest.approx(np.exp(-TIMES / 0.5), abs=1e-4)
 

@@ -1,52 +1,12 @@
-"""Where a name is looked up: a class in its lexical place, with the instance that it is part of."""
+"""Finding the class that a name means at its place."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
-
 from pam_cosim.compiler import names
+from pam_cosim.compiler.instance import Class, Scope
 from pam_cosim.compiler.library import Library
 from pam_cosim.compiler.syntax import ClassDefinition, Extends, TypeName
 from pam_cosim.errors import ModelError
-
-if TYPE_CHECKING:
-    from pam_cosim.compiler.instance import Instance
-    from pam_cosim.compiler.modification import Mod
-
-
-@dataclass(eq=False, repr=False)
-class Scope:
-    """A class body as a place for lookup.
-
-    Attributes:
-        definition: the class whose text is being read.
-        instance: the instance that this class contributes to, if there is one.
-        outer: the enclosing place; none for the root.
-        components, classes: names of the instance that this class declares or inherits. A class that
-            inherits from this one may add more to the instance, which are not visible from here.
-    """
-
-    definition: ClassDefinition
-    instance: Instance | None
-    outer: Scope | None
-    components: set[str] = field(default_factory=set)
-    classes: set[str] = field(default_factory=set)
-
-
-@dataclass(eq=False, repr=False)
-class Class:
-    """A class definition, the place where it stands, and what modifies it there.
-
-    Attributes:
-        over: modifications with priority over those of a component of this class's own definition.
-        under: modifications that a constraining clause supplies.
-    """
-
-    definition: ClassDefinition
-    outer: Scope | None
-    over: Mod | None = None
-    under: Mod | None = None
 
 
 class Lookup:
