@@ -23,6 +23,7 @@ DECIDING = (
 DECIDE_NOTHING = {
     "_CLIPPED_VARIANCE": "follows from the clip",
     "_IDLE": "how long a process without work stays",
+    "_BETWEEN": "how often tasks are interrupted",
     "_GRACE": "how long interrupted tasks may take to clean up",
     "_LOOK": "how often a worker looks whether its study still lives",
     "_REACH": "bounds that a learned coefficient is given",
