@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
+from shlex import quote
 from typing import Annotated, Any
 
 import typer
@@ -19,8 +20,9 @@ from pam_cosim.comparison import Comparison
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis.workers import stop_workers
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.files import check_distinct, check_writable, identity, write_json, write_text
+from pam_cosim.files import check_distinct, check_spared, check_writable, identity, write_json, write_text
 from pam_cosim.fitting import METHODS, FitOptions, read_parameters, summary, write_parameters
+from pam_cosim.measurement import DataSet
 from pam_cosim.quantities import readable
 from pam_cosim.reporting import comparison_report, diagnosis_report, diagnosis_text, plot_trajectory, write_report
 from pam_cosim.tables import against_lines, read_comparison, write_next_run, write_sweep
@@ -53,12 +55,21 @@ TimeoutOption = Annotated[
 Data = Annotated[Path, typer.Argument(help="Folder with experiment.toml and CSV files.")]
 
 
-def _checked(*outputs: Path | None, new_folder: bool = False) -> None:
+def _checked(*outputs: Path | None, sources: Iterable[Path | str | None] = (), new_folder: bool = False) -> None:
+    """Finds out before long work that the results can be written, and that nothing else is lost by that."""
     named = [path for path in outputs if path is not None]
     for path in named:
         check_writable(path, new_folder=new_folder)
         _results[path] = identity(path)
     check_distinct(named)
+    check_spared(named, [source for source in sources if source is not None])
+
+
+def _read(data: Path, model: str | None, files: list[Path] | None) -> DataSet:
+    """The data set; no result may replace one of its files."""
+    read = study.read(data, model=model, files=files or [])
+    check_spared(_results, [read.model, *read.files])
+    return read
 
 
 def _saved(path: Path | None) -> None:
@@ -84,7 +95,7 @@ def build(
 ) -> None:
     """Modelica to FMU."""
     targets = fmu_files(models or study.benches(), output)
-    _checked(*(target for _, target in targets), new_folder=True)
+    _checked(*(target for _, target in targets), sources=[*(models or []), *(files or [])], new_folder=True)
     for model, target in targets:
         made = study.build(
             model,
@@ -109,7 +120,7 @@ def simulate(
     timeout: TimeoutOption = None,
 ) -> None:
     """One run of a model."""
-    _checked(output, plot)
+    _checked(output, plot, sources=[model, inputs, *(files or [])])
     interface = study.describe(model, files or [])
     parameters = parse_settings(settings or [], interface)
     course = read_inputs(inputs, interface) if inputs else None
@@ -140,7 +151,7 @@ def sweep(
     timeout: TimeoutOption = None,
 ) -> None:
     """Every combination of varied parameters and inputs."""
-    _checked(output)
+    _checked(output, sources=[model, inputs, *(files or [])])
     interface = study.describe(model, files or [])
     variations = parse_variations(vary, interface)
     parameters = parse_settings(settings or [], interface)
@@ -178,10 +189,10 @@ def compare(
     timeout: TimeoutOption = None,
 ) -> None:
     """How far a model is from a measurement, and where."""
-    _checked(json, report)
+    _checked(json, report, sources=[model, params, *(against or []), *(files or [])])
     values = read_parameters(params) if params else {}
     earlier = [(path.stem, read_comparison(path)) for path in against or []]
-    read = study.read(data, model=model, files=files or [])
+    read = _read(data, model, files)
     found: Comparison = study.compare(read, model, values, files=files or [], timeout=timeout)
     typer.echo(str(found))
     for line in against_lines(found, earlier):
@@ -207,8 +218,8 @@ def fit(
     timeout: TimeoutOption = None,
 ) -> None:
     """Fit the parameters that the data set leaves free."""
-    _checked(output, json)
-    read = study.read(data, model=model, files=files or [])
+    _checked(output, json, sources=[model, *(files or [])])
+    read = _read(data, model, files)
     with _console.status("fitting") as status:
         found = study.fit(
             read,
@@ -243,10 +254,10 @@ def diagnose(
     workers: Annotated[int | None, typer.Option(help="Processes; default: all processors.")] = None,
 ) -> None:
     """Find the physical effect that the model lacks."""
-    _checked(json, report, following, learned)
+    _checked(json, report, following, learned, sources=[model, *(files or [])])
     if learned is not None and learned.suffix != ".mo":
         raise InputError("the formula is written as Modelica: name a file that ends in .mo", learned)
-    read = study.read(data, model=model, files=files or [])
+    read = _read(data, model, files)
     with _console.status("refitting the base model") as status:
         say = _teller(status)
         found = study.diagnose(read, model, files=files or [], say=say, workers=workers)
@@ -297,11 +308,15 @@ def add(
     files: FilesOption = None,
 ) -> None:
     """Write a readable Modelica model that extends another with effects."""
-    _checked(output)
+    _checked(output, sources=[to, *(files or [])])
     if output.suffix != ".mo":
         raise InputError("the model is written as Modelica: name a file that ends in .mo", output)
     typer.echo(study.add(effects, to, output, files=files or []), nl=False)
     _saved(output)
+    own = [str(file) for file in files or []] + ([to] if to.endswith(".mo") else [])
+    if own:
+        words = " ".join(f"--file {quote(file)}" for file in own)
+        _console.print(f"it is used together with what it is made from: {words}", markup=False, soft_wrap=True)
 
 
 @app.command()
@@ -309,10 +324,11 @@ def effects(files: FilesOption = None) -> None:
     """The catalogue of effects."""
     listed = study.effects(files or [])
     for library in dict.fromkeys(e.library for e in listed):
-        table = Table("family", "effect", "balance", "parameters", "what it is", title=library)
+        table = Table("family", "effect", "balance", "parameters", "what it is", title=escape(library))
         for e in listed:
             if e.library == library:
-                table.add_row(e.family, e.name, e.balance, ", ".join(e.parameters), e.description)
+                cells = (e.family, e.name, e.balance, ", ".join(e.parameters), e.description)
+                table.add_row(*map(escape, cells))
         Console(width=None if sys.stdout.isatty() else 160).print(table)
 
 

@@ -159,6 +159,18 @@ def identity(path: Path) -> object:
     return status.st_ino, status.st_mtime_ns
 
 
+def check_spared(results: Iterable[Path], sources: Iterable[Path | str]) -> None:
+    """Refuses a result that would replace a file that is read.
+
+    Raises:
+        InputError: names that result.
+    """
+    read = {os.path.realpath(source) for source in sources}
+    for path in results:
+        if str(_target(path)) in read:
+            raise InputError("this file is read by the command; name another one for the result", path)
+
+
 def make_folder(folder: Path) -> None:
     """Creates a folder with its parents.
 

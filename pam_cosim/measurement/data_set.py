@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.domain import Domain
+from pam_cosim.measurement.experiment import FILE_NAME
 from pam_cosim.simulation.inputs import Interpolation
 
 Role = Literal["fit", "holdout"]
@@ -110,6 +111,11 @@ class DataSet:
     fit: dict[str, FreeParameter]
     runs: tuple[Run, ...] = field(default=())
     domain: Domain = Domain()
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """What it was read from: its description and its recordings."""
+        return (self.folder / FILE_NAME, *(run.file for run in self.runs))
 
     @property
     def fit_runs(self) -> tuple[Run, ...]:

@@ -205,3 +205,11 @@ def test_own_process_and_module(process: Callable[..., Outcome], place: Path) ->
     found = process("simulate", "VesselOrifice", "-o", place / "t.csv")
     assert found.status == 0, found.err
     assert (place / "t.csv").exists()
+
+
+def test_effects_tell_descriptions_as_they_are(command: Command, place: Path) -> None:
+    text = "[/nope] [red]x[/red] <b> {0} %s"
+    base = "PneumaticMuscle.Effects.Leak.LaminarLeak"
+    (place / "Own.mo").write_text(f'model Own "{text}"\n  extends {base};\nend Own;\n')
+    found = done(command("effects", "--file", "Own.mo"))
+    assert text in " ".join(found.out.replace("│", " ").split())

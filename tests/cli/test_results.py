@@ -15,7 +15,7 @@ import pytest
 from pam_cosim import study
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_bytes
-from tests.cli.conftest import ROOT, Outcome
+from tests.cli.conftest import ROOT, Outcome, everything
 from tests.cli.test_bad_input import refused
 from tests.cli.test_commands import done
 
@@ -155,3 +155,36 @@ def test_interrupted_writing_leaves_nothing(place: Path, monkeypatch: pytest.Mon
         with pytest.raises((KeyboardInterrupt, InputError)):
             write_bytes(file, b"new")
         assert file.read_text() == "old" and [p.name for p in place.iterdir()] == ["x"]
+
+
+# the shortest command that reads the file and would write to it
+OVERWRITERS = {
+    "the data set's description": ["compare", "data", "--json", "data/experiment.toml"],
+    "a recording": ["compare", "data", "--report", "data/../data/one.csv"],
+    "a recording, through a link": ["fit", "data", "-o", "link.json"],
+    "the parameters": ["compare", "data", "--params", "p.json", "--json", "p.json"],
+    "inputs": ["simulate", "TankFilling", "--input", "u.csv", "-o", "u.csv"],
+    "inputs of a sweep": ["sweep", "TankFilling", "--vary", "tank.n=1", "--input", "u.csv", "-o", "u.csv"],
+    "the model that is extended": ["add", "LaminarLeak", "--to", "Own.mo", "-o", "Own.mo"],
+    "a further file": ["add", "LaminarLeak", "--to", "TankFilling", "--file", "Own.mo", "-o", "Own.mo"],
+}
+
+
+@pytest.mark.parametrize("case", OVERWRITERS)
+def test_no_result_replaces_what_the_command_reads(case: str, command: Command, data: Path) -> None:
+    place = data.parent
+    (place / "p.json").write_text('{"tank.n": 1.2}')
+    (place / "u.csv").write_text("time [s],u_in [A]\n0,0.3\n1,0.3\n")
+    (place / "Own.mo").write_text("model Own\n  extends PneumaticMuscle.Benches.TankFilling;\nend Own;\n")
+    (place / "link.json").symlink_to(data / "one.csv")
+    before = everything(place)
+    words = OVERWRITERS[case]
+    refused(command(*words), [words[-1], "is read by the command"])
+    assert everything(place) == before
+
+
+def test_a_model_made_from_own_files_says_what_it_needs(command: Command, place: Path) -> None:
+    (place / "My own.mo").write_text("model Own\n  extends PneumaticMuscle.Benches.TankFilling;\nend Own;\n")
+    found = done(command("add", "LaminarLeak", "--to", "My own.mo", "-o", "Leaking.mo"))
+    assert "--file 'My own.mo'" in found.err
+    done(command("simulate", "Leaking.mo", "--file", "My own.mo", "--stop-time", "1"))
