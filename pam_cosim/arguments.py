@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from pam_cosim import study
 from pam_cosim.compiler import names
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.description import model_identifier
@@ -63,8 +64,10 @@ def parse_variations(words: Sequence[str], interface: Interface) -> dict[str, li
             raise InputError(f"'{name}' is varied twice")
         if ":" in text:
             parts = text.split(":")
-            if len(parts) != 3 or not parts[2].strip().isdigit() or int(parts[2]) < 1:
+            if len(parts) != 3 or not parts[2].strip().isdecimal() or int(parts[2]) < 1:
                 raise InputError(f"'{word}': write FROM:TO:N, such as 1:10:5")
+            if int(parts[2]) > study.MOST_RUNS:
+                raise InputError(f"'{word}': a sweep has {study.MOST_RUNS} runs at most")
             low, high = (value_of(p, variable) for p in _alike(parts[:2], word))
             found[name] = [float(v) for v in np.linspace(low, high, int(parts[2]))]
         else:
@@ -74,6 +77,8 @@ def parse_variations(words: Sequence[str], interface: Interface) -> dict[str, li
 
 def _alike(texts: list[str], word: str) -> list[str]:
     """The same texts; "138, 207 kPa" would be 138 Pa and 207 kPa."""
+    if not all(text.strip() for text in texts):
+        raise InputError(f"'{word}': a value is missing")
     if len({_is_number(text) for text in texts}) > 1:
         raise InputError(f"'{word}': some of the values have a unit and some have none; write it with each of them")
     return texts

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
+from math import prod
 from pathlib import Path
 
 import numpy as np
@@ -30,6 +31,8 @@ from pam_cosim.settings import Setting, resolve
 from pam_cosim.simulation import Inputs, IsolatedSimulator, Simulator, Trajectory
 
 Paths = Sequence[Path | str]
+MOST_STEPS = 10_000_000  # of one run, whose outputs are kept in memory: 80 MB each
+MOST_RUNS = 1_000_000  # of one sweep
 
 
 def describe(model: str, files: Paths = ()) -> Interface:
@@ -243,7 +246,11 @@ def output_times(
     step = interval or interface.interval or (end - start) / 1000
     if not end > start or not step > 0:
         raise InputError(f"the run must end after its start: from {start:g} s to {end:g} s in steps of {step:g} s")
-    return start + (end - start) * np.linspace(0, 1, max(2, round((end - start) / step) + 1))
+    steps = (end - start) / step
+    if not steps <= MOST_STEPS:
+        span = f"from {start:g} s to {end:g} s in steps of {step:g} s"
+        raise InputError(f"{span} are {steps:.3g} rows; {MOST_STEPS} at most can be kept")
+    return start + (end - start) * np.linspace(0, 1, max(2, round(steps) + 1))
 
 
 @dataclass(frozen=True)
@@ -297,10 +304,20 @@ def sweep(
 
 
 def _combinations(vary: Mapping[str, Iterable[Setting]], fixed: Mapping[str, float]) -> list[dict[str, Setting]]:
-    for name in vary:
+    values = {name: _several(name, given) for name, given in vary.items()}
+    for name in values:
         if name in fixed:
             raise InputError(f"'{name}' is both set and varied; keep one of them")
-    return [dict(zip(vary, values, strict=True)) for values in product(*vary.values())]
+    count = prod(len(given) for given in values.values())
+    if count > MOST_RUNS:
+        raise InputError(f"these are {count} combinations; a sweep has {MOST_RUNS} at most")
+    return [dict(zip(values, chosen, strict=True)) for chosen in product(*values.values())]
+
+
+def _several(name: str, given: Iterable[Setting]) -> list[Setting]:
+    if isinstance(given, str) or not isinstance(given, Iterable):
+        raise InputError(f"'{name}' is varied: give a list of values, not one")
+    return list(given)
 
 
 def _paths(files: Paths) -> list[Path]:

@@ -13,7 +13,7 @@ _PLAIN = re.compile(r"[A-Za-z_][A-Za-z_0-9]*", re.ASCII)
 def parts(name: str) -> list[str]:
     """The parts between the dots; what is no dotted name is one part."""
     found = _PART.findall(name)
-    return found if ".".join(found) == name else [name]
+    return found if found and ".".join(found) == name else [name]
 
 
 def last(name: str) -> str:

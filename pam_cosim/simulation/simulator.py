@@ -199,7 +199,7 @@ class Simulator:
         references = []
         for name in names:
             if name not in known:
-                raise _unknown(name, known, role, self.path)
+                raise _unknown(name, known, role, self.interface.model)
             references.append(self._references[name])
         return references
 
@@ -232,10 +232,10 @@ def _number(name: str, value: float) -> float:
     return number
 
 
-def _unknown(name: str, known: Mapping[str, object], role: str, path: Path) -> InputError:
+def _unknown(name: str, known: Mapping[str, object], role: str, model: str) -> InputError:
     close = difflib.get_close_matches(name, known, n=3, cutoff=0.5)
     if close:
         hint = f"did you mean {' or '.join(close)}?"
     else:
         hint = f"there are {', '.join(sorted(known)[:12])}" if known else f"it has no {role}s"
-    return InputError(f"the model has no {role} '{name}'; {hint}", path)
+    return InputError(f"{model} has no {role} '{name}'; {hint}")

@@ -234,3 +234,36 @@ def test_help_speaks_of_units() -> None:
 
 def test_every_exported_name_is_there() -> None:
     assert all(hasattr(pam, name) for name in pam.__all__) and study.Inputs is pam.Inputs
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["simulate", BENCH, "--stop-time", "inf"], "10000000 at most"),
+        (["simulate", BENCH, "--stop-time", "1e12"], "1.67e+13 rows"),
+        (["sweep", BENCH, "--vary", "u_in=0.2:0.3:1000000000000", "-o", "s.csv"], "1000000 runs at most"),
+        (["sweep", BENCH, "--vary", "u_in=0:1:9999", "--vary", "tank.n=1:1.4:999", "-o", "s.csv"], "9989001 comb"),
+        (["sweep", BENCH, "--vary", "u_in=0.2,,0.3", "-o", "s.csv"], "a value is missing"),
+        (["simulate", ""], "there is no model ''"),
+        (["build", ""], "there is no model ''"),
+    ],
+    ids=lambda value: None if isinstance(value, list) else value,
+)
+def test_what_is_too_much_or_nothing(words: list[str], said: str, command: Command, place: Path) -> None:
+    refused(command(*words), [said])
+
+
+def test_long_inputs(command: Command, place: Path) -> None:
+    (place / "u.csv").write_text("time [s],u_in [A]\n0,0\n1e9,0.3\n")
+    refused(command("simulate", BENCH, "--input", "u.csv"), ["to 1e+09 s", "10000000 at most"])
+
+
+def test_one_value_is_no_list(place: Path) -> None:
+    for value in ("0.3 A", 0.3):
+        with pytest.raises(pam.InputError, match="'u_in' is varied: give a list of values"):
+            pam.sweep(BENCH, {"u_in": value})  # type: ignore[dict-item]
+
+
+def test_unknown_input_names_the_model(place: Path) -> None:
+    with pytest.raises(pam.InputError, match=rf"^\S+\.{BENCH} has no input 'u_inn'; did you mean u_in"):
+        pam.simulate(BENCH, inputs=pam.Inputs([0.0, 1.0], {"u_inn": [0.0, 1.0]}))
