@@ -173,9 +173,12 @@ class _Flattener:
                 break
         if not branches:
             return
-        *choices, (last, otherwise) = branches
-        if last is not True:
-            raise ModelError("an if-equation whose condition varies needs an else branch")
+        complete = branches[-1][0] is True
+        if not complete:
+            branches.append((True, []))  # a missing else has no equations (Modelica 3.6, section 8.3.4)
+        *choices, (_, otherwise) = branches
+        if not complete and any(residuals for _, residuals in choices):
+            raise ModelError("an if-equation with a condition that varies needs an else branch with as many equations")
         if any(len(residuals) != len(otherwise) for _, residuals in choices):
             raise ModelError("the branches of this if-equation have different numbers of equations")
         for i, residual in enumerate(otherwise):
