@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, PlainValidator, ValidationError
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, PlainValidator, ValidationError
 from pydantic_core import ErrorDetails
 
 from pam_cosim.errors import InputError
@@ -35,6 +35,23 @@ def _value(value: object) -> str | float:
 Value = Annotated[str | float, PlainValidator(_value)]
 
 
+def _visible(value: str) -> str:
+    """Text that is printed as it is, so that it must not steer a terminal."""
+    hidden = next((c for c in value if not c.isprintable()), None)
+    if hidden is not None:
+        raise ValueError(f"the character {ascii(hidden)} is not visible; leave it out")
+    return value
+
+
+def _lines(value: str) -> str:
+    _visible(value.replace("\n", "").replace("\t", ""))
+    return value
+
+
+Name = Annotated[str, AfterValidator(_visible)]
+Prose = Annotated[str, AfterValidator(_lines)]
+
+
 class _Table(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
 
@@ -56,7 +73,7 @@ class FreeTable(_Table):
 class RunTable(_Table):
     """``[[runs]]``."""
 
-    file: str
+    file: Name
     role: Literal["fit", "holdout"] = "fit"
     interpolation: Literal["linear", "previous"] = "linear"
     parameters: dict[str, Value] = Field(default_factory=dict)
@@ -66,8 +83,8 @@ class Experiment(_Table):
     """The whole file."""
 
     runs: list[RunTable]
-    title: str = ""
-    model: str | None = None
+    title: Prose = ""
+    model: Name | None = None
     signals: dict[str, SignalTable] = Field(default_factory=dict)
     parameters: dict[str, Value] = Field(default_factory=dict)
     fit: dict[str, FreeTable] = Field(default_factory=dict)

@@ -80,7 +80,8 @@ def _value(document: ExperimentFile, parameter: Variable, value: str | float, *p
     low = -inf if parameter.min is None else parameter.min
     high = inf if parameter.max is None else parameter.max
     if not low <= number <= high:
-        span = f"{low:g} to {high:g} {parameter.unit}".rstrip()
+        unit = "" if parameter.unit == "1" else parameter.unit
+        span = f"{low:g} to {high:g} {unit}".rstrip()
         message = f"{parameter.name}: {shown(value)} is outside the model's range, {span}"
         raise document.error(message, *path)
     return number

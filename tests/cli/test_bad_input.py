@@ -39,6 +39,8 @@ FAULTS: dict[str, tuple[str, str | None, str | None, list[str]]] = {
     "no runs": (TOML, '[[runs]]\nfile = "one.csv"\nrole = "fit"\n', "", ["experiment.toml", "run"]),
     "unknown role": (TOML, 'role = "fit"', 'role = "fitt"', ["experiment.toml", "role"]),
     "unknown signal": (TOML, "[signals.p]", "[signals.pp]", ["experiment.toml", "pp"]),
+    "invisible character in the title": (TOML, "that empties", "that\\u001b[31m empties", ["experiment.toml:1", "x1b"]),
+    "line break in a name": (TOML, '"one.csv"', '"one\\n.csv"', ["experiment.toml", "not visible"]),
     "negative noise": (TOML, '"1 kPa"', '"-1 kPa"', ["experiment.toml:4", "sigma"]),
 }
 COMMANDS = ("compare", "fit", "diagnose")

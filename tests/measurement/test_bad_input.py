@@ -143,7 +143,7 @@ TOML_FAULTS = [
     ("absolute", "run-02.csv", "/etc/passwd", "/etc/passwd", ["leaves the folder"]),
     ("the folder", "run-02.csv", ".", 'file = "."', ["leaves the folder"]),
     ("no name", "run-02.csv", "", 'file = ""', ["leaves the folder"]),
-    ("zero byte", "run-02.csv", "\\u0000", "u0000", ["cannot be found"]),
+    ("zero byte", "run-02.csv", "\\u0000", "u0000", ["not visible"]),
     ("very long name", "run-02.csv", "x" * 5000, "xxx", ["cannot be found"]),
     ("listed twice", "run-02.csv", "./run-01.csv", "./run-01.csv", ["listed twice"]),
     ("no fit run", 'file = "run-01.csv"', 'file = "run-01.csv"\nrole = "holdout"', "[[runs]]", ["at least"]),

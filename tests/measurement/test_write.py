@@ -41,7 +41,7 @@ def test_round_trip(make, tmp_path, units):
 
 
 def test_titles_are_quoted(make, tmp_path):
-    title = 'a "quoted" \\ title\nwith ümlaut \x7f'
+    title = 'a "quoted" \\ title\nwith ümlaut \t'
     data = replace(read_data_set(make(), describe), title=title)
     assert write_data_set(tmp_path / "copy", data, BENCH).title == title
 
