@@ -23,6 +23,14 @@ def _private_output() -> BinaryIO:
     return channel
 
 
+def _private_input() -> BinaryIO:
+    """Standard input for the requests alone; an FMU that reads from it finds nothing."""
+    channel = os.fdopen(os.dup(0), "rb")
+    with open(os.devnull, "rb") as nothing:
+        os.dup2(nothing.fileno(), 0)
+    return channel
+
+
 class _Worker:
     """Answers requests, and tells ever so often how far the present one is.
 
@@ -33,7 +41,7 @@ class _Worker:
 
     def __init__(self, path: Path, tick: float) -> None:
         self._path, self._tick = path, tick
-        self._channel = _private_output()
+        self._requests, self._channel = _private_input(), _private_output()
         self._lock = threading.Lock()
         self._told: Progress | None = None
         self.simulator: Simulator | None = None
@@ -64,7 +72,7 @@ class _Worker:
         """Answers requests until the input ends."""
         while True:
             try:
-                _, content = read_frame(sys.stdin.buffer)
+                _, content = read_frame(self._requests)
             except EOFError:
                 return
             self._told = None

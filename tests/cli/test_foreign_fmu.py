@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from tests.cli.conftest import ROOT, Outcome
-from tests.simulation.misbehaving import hanging, processes_of
+from tests.simulation.misbehaving import hanging, patched, processes_of
 
 Command = Callable[..., Outcome]
 
@@ -79,3 +79,11 @@ def _spinning(path: Path) -> int:
                 return pid
         time.sleep(0.05)
     raise AssertionError("the FMU was not loaded")
+
+
+def test_an_fmu_that_reads_finds_nothing(process: Command, place: Path) -> None:
+    """What it would read is not meant for it."""
+    step = "c->core.phase = INSTANTIATED;"
+    reading = patched(place, "pam_lifecycle.c", step, step + " char b[8]; while (fread(b, 1, 8, stdin)) {}")
+    found = process("simulate", reading, "--timeout", "20")
+    assert (found.status, found.err) == (0, "")

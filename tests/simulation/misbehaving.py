@@ -68,7 +68,7 @@ def patched(folder: Path, name: str, old: str, new: str) -> Path:
     """The lag with another C text in one file of its runtime."""
     text = (fmu_runtime() / name).read_text()
     assert old in text
-    binary = _binary({name: "#include <stdlib.h>\n" + text.replace(old, new)})
+    binary = _binary({name: "#include <stdio.h>\n#include <stdlib.h>\n" + text.replace(old, new)})
     return repacked(models.fmu(models.lag), folder / "x.fmu", binary=binary)
 
 
