@@ -10,7 +10,7 @@ from pam_cosim.catalogue import EFFECT, library_of
 from pam_cosim.compiler import ClassTree
 from pam_cosim.diagnosis.learning_library import Form, Quantity
 from pam_cosim.ledger import Entry
-from pam_cosim.ledger.books import TERM
+from pam_cosim.ledger.augmented import TERM
 from pam_cosim.quantities import readable
 
 _REACH = 10.0  # a coefficient may become this many times larger when it is fitted

@@ -147,7 +147,7 @@ def _delayed(ode: Ode, p: Array, courses: Sequence[Pieces], times: Array, start:
 
 
 def _samples(run: Run, times: Array, signals: Sequence[str]) -> Array:
-    found = np.full((len(times), len(signals)), np.nan)
+    samples = np.full((len(times), len(signals)), np.nan)
     for j, name in enumerate(signals):
         values = run.measurements.get(name)
         if values is None:
@@ -158,5 +158,5 @@ def _samples(run: Run, times: Array, signals: Sequence[str]) -> Array:
         place = np.searchsorted(times, at)
         place = np.minimum(place, len(times) - 1)
         same = np.abs(times[place] - at) <= 1e-9 * np.maximum(1.0, np.abs(at))
-        found[place[same], j] = own[same]
-    return found
+        samples[place[same], j] = own[same]
+    return samples

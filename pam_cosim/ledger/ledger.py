@@ -54,7 +54,7 @@ class Entry:
         explains: part of the error beyond the noise that this entry alone takes away, 0 to 1.
         share: what is lost without it in the best explanation, over the sum of the same for all balances.
         unit: of the term; ``meaning``: what is positive. Empty for a sensor.
-        term: the name of the parameter that was moved; ``model``: text of the class it is in the place of.
+        term: the name of the parameter that was moved.
         courses: the missing term in every run; none for a sensor, or where the model has no place for it.
         units: of what the term can be looked at against.
         note: what must be known to read it.
@@ -91,7 +91,7 @@ class Entry:
 
     def as_dict(self, courses: bool = True) -> dict[str, object]:
         """Plain data for JSON, SI units; without the courses it is short."""
-        found: dict[str, object] = {
+        entry: dict[str, object] = {
             "balance": self.balance,
             "gain": self.gain,
             "explains": self.explains,
@@ -104,8 +104,8 @@ class Entry:
             "same_as": list(self.same_as),
         }
         if courses:
-            found["courses"] = [c.as_dict() for c in self.courses]
-        return found
+            entry["courses"] = [c.as_dict() for c in self.courses]
+        return entry
 
 
 @dataclass(frozen=True)
@@ -230,7 +230,7 @@ def binned(entry: Entry, against: str, bands: int = 12) -> tuple[Band, ...]:
     weight = 1 / np.concatenate([c.deviation for c in entry.courses]) ** 2
     run = np.concatenate([np.full(len(c.time), i) for i, c in enumerate(entry.courses)])
     edges = np.unique(np.quantile(z, np.linspace(0, 1, bands + 1)))
-    found = []
+    in_bands = []
     for i, (low, high) in enumerate(zip(edges[:-1], edges[1:], strict=True)):
         inside = (z >= low) & ((z <= high) if i == len(edges) - 2 else (z < high))
         if not inside.any():
@@ -243,8 +243,8 @@ def binned(entry: Entry, against: str, bands: int = 12) -> tuple[Band, ...]:
         own = float(1 / np.sqrt(weight[inside].max()))
         between = float(np.std(means, ddof=1) / np.sqrt(len(means))) if len(means) > 1 else 0.0
         scatter = float(np.std(value[inside]))
-        found.append(Band(float(low), float(high), mean, max(own, between), scatter, int(inside.sum())))
-    return tuple(found)
+        in_bands.append(Band(float(low), float(high), mean, max(own, between), scatter, int(inside.sum())))
+    return tuple(in_bands)
 
 
 @dataclass(frozen=True)

@@ -13,28 +13,28 @@ from pam_cosim.compiler import Ode
 
 
 class Slopes(NamedTuple):
-    """Values at K points, and derivatives by states, holes and free parameters, each (K, rows, columns)."""
+    """Values at K points, and derivatives by states, unknown inputs and free parameters, each (K, rows, columns)."""
 
     value: Array
     by_state: Array
-    by_hole: Array
+    by_unknown_input: Array
     by_parameter: Array
 
 
 class Model:
-    """f and h of an ``Ode`` for many points; holes and free parameters are elements of its parameter vector."""
+    """f and h of an ``Ode`` for many points; unknown inputs and free parameters are elements of its p."""
 
-    def __init__(self, ode: Ode, holes: Sequence[str], free: Sequence[str], signals: Sequence[str]) -> None:
+    def __init__(self, ode: Ode, unknown_inputs: Sequence[str], free: Sequence[str], signals: Sequence[str]) -> None:
         names = list(ode.interface.parameters)
         self.ode = ode
-        self.states, self.holes, self.free = len(ode.states), len(holes), len(free)
-        self.hole_at = [names.index(h) for h in holes]
+        self.states, self.unknown_inputs, self.free = len(ode.states), len(unknown_inputs), len(free)
+        self.unknown_at = [names.index(u) for u in unknown_inputs]
         self.free_at = [names.index(f) for f in free]
         outputs = list(ode.interface.outputs)
         h = ca.vertcat(ca.SX(0, 1), *[ode.outputs[outputs.index(s)] for s in signals])
         self.outputs = h.shape[0]
         arguments = [ode.t, ode.x, ode.u, ode.d, ode.p]
-        by = ca.vertcat(ode.x, *[ode.p[i] for i in [*self.hole_at, *self.free_at]])
+        by = ca.vertcat(ode.x, *[ode.p[i] for i in [*self.unknown_at, *self.free_at]])
         f = ode.derivatives
         self._rates = ca.Function("rates", arguments, [f, ca.vec(ca.densify(ca.jacobian(f, by)))], {"cse": True})
         both = ca.vertcat(f, h)
@@ -57,14 +57,14 @@ class Model:
     def variables(self, t: Array, x: Array, u: Array, d: Array, p: Array) -> dict[str, Array]:
         """Every output and local variable, (K,) each, by name."""
         names = [*self.ode.interface.outputs, *self.ode.interface.locals]
-        (found,) = _called(self._locals, t, x, u, d, p)
-        return dict(zip(names, found, strict=True))
+        (values,) = _called(self._locals, t, x, u, d, p)
+        return dict(zip(names, values, strict=True))
 
     def _slopes(self, f: ca.Function, rows: int, t: Array, x: Array, u: Array, d: Array, p: Array) -> Slopes:
         value, jacobian = _called(f, t, x, u, d, p)
-        columns = self.states + self.holes + self.free
+        columns = self.states + self.unknown_inputs + self.free
         slopes = jacobian.reshape(columns, rows, -1).transpose(2, 1, 0)
-        a, b = self.states, self.states + self.holes
+        a, b = self.states, self.states + self.unknown_inputs
         return Slopes(value.T, slopes[:, :, :a], slopes[:, :, a:b], slopes[:, :, b:])
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.ledger.grid import Grid
-from pam_cosim.ledger.march import march
+from pam_cosim.ledger.radau import integrate
 from pam_cosim.ledger.smoother import Linear, Point, Problem, linearise
 
 
@@ -46,7 +46,7 @@ class SensorFault:
 
 
 @dataclass(frozen=True)
-class Alone:
+class Unaugmented:
     """The model by itself on the samples.
 
     Attributes:
@@ -61,31 +61,31 @@ class Alone:
     faults: tuple[SensorFault, ...]
 
 
-def try_sensors(problem: Problem, start: tuple[Array, Array], signals: Sequence[tuple[str, str]]) -> Alone:
+def try_sensors(problem: Problem, start: tuple[Array, Array], signals: Sequence[tuple[str, str]]) -> Unaugmented:
     """The model by itself, and with a fault in each of the signals, given by name and unit.
 
     Args:
-        problem: without holes.
+        problem: without unknown inputs.
         start: the states at the nodes and inside the steps with the prior values of the free parameters.
         signals: names and units.
     """
-    about = _About(problem, problem.prior, start)
-    none = about.least_squares()
+    linearised = _Linearised(problem, problem.prior, start)
+    none = linearised.least_squares()
     measured = [j for j in range(len(signals)) if np.isfinite(problem.grid.measured[:, j]).any()]
-    faults = sorted((_fault(about, signals[j], j) for j in measured), key=lambda f: f.deviance)
+    faults = sorted((_fault(linearised, signals[j], j) for j in measured), key=lambda f: f.deviance)
     for _ in range(CRITERIA.ledger.sensor_rounds):  # the free parameters move when an instrument is believed no more
         if not faults or faults[0].chi2 > CRITERIA.ledger.sensor_promising * none.chi2:
             break
         j = [name for name, _ in signals].index(faults[0].signal)
         free = np.array(faults[0].free)
         better = _fault(
-            _About(problem, free, march(problem.model, problem.grid, problem.parameters(free))), signals[j], j
+            _Linearised(problem, free, integrate(problem.model, problem.grid, problem.parameters(free))), signals[j], j
         )
         settled = abs(better.deviance - faults[0].deviance) < CRITERIA.ledger.sensor_settled
         faults[0] = better
         if settled:
             break
-    return Alone(none.deviance, none.chi2, about.point, tuple(sorted(faults, key=lambda f: f.deviance)))
+    return Unaugmented(none.deviance, none.chi2, linearised.point, tuple(sorted(faults, key=lambda f: f.deviance)))
 
 
 def fault_beside(
@@ -144,7 +144,7 @@ class _Solution:
     deviation: Array
 
 
-class _About:
+class _Linearised:
     """The model by itself, linearised in its free parameters about some values of them."""
 
     def __init__(self, problem: Problem, free: Array, states: tuple[Array, Array]) -> None:
@@ -193,19 +193,21 @@ class _About:
         return change
 
 
-def _fault(about: _About, signal: tuple[str, str], j: int) -> SensorFault:
-    grid = about.problem.grid
+def _fault(linearised: _Linearised, signal: tuple[str, str], j: int) -> SensorFault:
+    grid = linearised.problem.grid
     span = float(np.nanmax(grid.measured[:, j]) - np.nanmin(grid.measured[:, j])) or 1.0
     lags = _lags(grid)
-    courses = np.column_stack([about.linear.outputs[:, j], about.slopes[:, j]])
-    tried = [(0.0, about.least_squares(j, courses, span))]
+    courses = np.column_stack([linearised.linear.outputs[:, j], linearised.slopes[:, j]])
+    tried = [(0.0, linearised.least_squares(j, courses, span))]
     tried += [
-        (lag, about.least_squares(j, course, span))
+        (lag, linearised.least_squares(j, course, span))
         for lag, course in zip(lags.tolist(), _lagged(grid, courses, lags), strict=True)
     ]
     lag, best = min(tried, key=lambda t: t[1].deviance)
-    q = len(about.free)
-    free = np.clip(about.free + best.change[:q] * about.problem.spread, about.problem.low, about.problem.high)
+    q = len(linearised.free)
+    free = np.clip(
+        linearised.free + best.change[:q] * linearised.problem.spread, linearised.problem.low, linearised.problem.high
+    )
     return SensorFault(
         signal=signal[0],
         unit=signal[1],
@@ -229,8 +231,8 @@ def _output_slopes(problem: Problem, linear: Linear) -> Array:
     for k, node in enumerate(grid.left.tolist()):
         states[node + 1] = by_state[k] @ states[node] + by_free[k]
     rows, rows_free = linear.rows
-    found: Array = np.einsum("nsi,niq->nsq", rows[:, :, :n], states) + rows_free
-    return found
+    slopes: Array = np.einsum("nsi,niq->nsq", rows[:, :, :n], states) + rows_free
+    return slopes
 
 
 def _lagged(grid: Grid, courses: Array, lags: Array) -> Array:
@@ -239,7 +241,7 @@ def _lagged(grid: Grid, courses: Array, lags: Array) -> Array:
     decay, mean = np.exp(-z)[:, :, None], (-np.expm1(-z) / z)[:, :, None]
     at = grid.left
     drive = (mean - decay) * courses[at][:, None] + (1 - mean) * courses[at + 1][:, None]
-    found = np.repeat(courses[:, None], len(lags), axis=1)
+    lagged = np.repeat(courses[:, None], len(lags), axis=1)
     for k, node in enumerate(at.tolist()):
-        found[node + 1] = decay[k] * found[node] + drive[k]
-    return found.transpose(1, 0, 2)
+        lagged[node + 1] = decay[k] * lagged[node] + drive[k]
+    return lagged.transpose(1, 0, 2)

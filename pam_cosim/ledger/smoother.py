@@ -1,9 +1,9 @@
 """States and missing terms from all samples of all runs at once.
 
 The model holds between the nodes of a grid (Radau IIA of order 3), but for the terms without a law: each is a random
-walk whose roughness is the one that makes the samples most probable (Laplace's approximation of the marginal
+walk whose noise intensity is the one that makes the samples most probable (Laplace's approximation of the marginal
 likelihood). Free parameters are estimated along, so that what a value of theirs explains is not called missing.
-Every iteration solves the linearised problem exactly; its matrix is a chain of blocks, and its inverse gives the
+Every iteration solves the linearised problem exactly; its matrix is block tridiagonal, and its inverse gives the
 standard deviations (the smoother of Rauch, Tung and Striebel, in information form; iterated: Bell 1994).
 """
 
@@ -16,7 +16,7 @@ import numpy as np
 from scipy.optimize import minimize
 
 from pam_cosim.arrays import Array
-from pam_cosim.ledger.chain import Chain, Factored
+from pam_cosim.ledger.block_tridiagonal import BlockTridiagonal, CholeskyFactor
 from pam_cosim.ledger.grid import STAGE, Grid
 from pam_cosim.ledger.model import Model
 
@@ -26,8 +26,8 @@ _START = 1e-3  # of a state's range: how well the model knows its own start
 _ITERATIONS = 15
 _CLOSE = 1e-3  # change of a state, over its range, at which the iteration ends
 _SHORTENED = 6
-_SETTLED = 0.1  # the same at which the roughness is sought anew
-_ROUGHNESS_ROUNDS = 2
+_SETTLED = 0.1  # the same at which the noise intensity is sought anew
+_NOISE_INTENSITY_ROUNDS = 2
 
 
 @dataclass(frozen=True)
@@ -35,13 +35,13 @@ class Problem:
     """What is to be smoothed.
 
     Attributes:
-        model: right-hand side with Q free parameters and m holes.
+        model: right-hand side with Q free parameters and m unknown inputs.
         grid: N nodes and M steps.
         sigma: (S,) standard deviations of the samples [SI].
         prior: (Q,) values of the free parameters [SI], and ``spread`` (Q,) how far they may be off.
         low, high: (Q,) bounds.
         size: (n,) sizes of the states.
-        hole_size: (m,) sizes of the missing terms [SI].
+        unknown_size: (m,) sizes of the missing terms [SI].
     """
 
     model: Model
@@ -52,7 +52,7 @@ class Problem:
     low: Array
     high: Array
     size: Array
-    hole_size: Array
+    unknown_size: Array
 
     def parameters(self, free: Array) -> Array:
         """All parameters of the runs, (R, P), with values for the free ones."""
@@ -76,7 +76,7 @@ class Linear:
     """The problem about a point, in scaled variables: all rows but those of the random walks.
 
     Attributes:
-        chain: its matrix; ``gradient`` (N, n + m) and ``corner_gradient`` (Q,) of half the cost.
+        matrix: of its normal equations; ``gradient`` (N, n + m) and ``corner_gradient`` (Q,) of half the cost.
         cost: sum of the squares of all rows.
         log_weights: logarithm of the determinant of the matrix without samples and walks.
         residual: (N, S) sample minus model [SI], and ``outputs`` (N, S) the model.
@@ -85,7 +85,7 @@ class Linear:
         rows: (N, S, n + m) and (N, S, Q), how the modelled samples follow, in standard deviations.
     """
 
-    chain: Chain
+    matrix: BlockTridiagonal
     gradient: Array
     corner_gradient: Array
     cost: float
@@ -105,7 +105,7 @@ class Smoothed:
         point: the estimate.
         deviation: (N, m) standard deviation of the missing terms [SI].
         residual: (N, S) sample minus model [SI], NaN without a sample.
-        roughness: (m,) of the random walks: variance per second over the square of the term's size.
+        noise_intensity: (m,) of the random walks: variance per second over the square of the term's size.
         deviance: minus twice the logarithm of the marginal likelihood, but for a constant of the samples.
         chi2: sum of squared residuals in noise variances.
         converged: whether the iteration came to rest.
@@ -115,7 +115,7 @@ class Smoothed:
     point: Point
     deviation: Array
     residual: Array
-    roughness: Array
+    noise_intensity: Array
     deviance: float
     chi2: float
     converged: bool
@@ -128,21 +128,21 @@ def smooth(problem: Problem, start: Point) -> Smoothed:
     Raises:
         numpy.linalg.LinAlgError: the model gives no finite numbers about the start.
     """
-    q = np.full(len(problem.hole_size), 1 / float(_spans(problem.grid).max()))
+    q = np.full(len(problem.unknown_size), 1 / float(_spans(problem.grid).max()))
     point, converged, rounds, before, part, growing = start, False, 0, np.inf, 1.0, False
     linear = linearise(problem, point, _FIRST_SLACKS[0])
     for iteration in range(_ITERATIONS):
         slack = _FIRST_SLACKS[iteration] if iteration < len(_FIRST_SLACKS) else _SLACK
         last = iteration >= len(_FIRST_SLACKS)
         settled = before < _SETTLED or iteration >= _ITERATIONS // 2
-        if len(q) and last and rounds < _ROUGHNESS_ROUNDS and (rounds == 0 or settled):
-            q, rounds, part = likeliest_roughness(problem, linear, point, q), rounds + 1, 1.0
+        if len(q) and last and rounds < _NOISE_INTENSITY_ROUNDS and (rounds == 0 or settled):
+            q, rounds, part = likeliest_noise_intensity(problem, linear, point, q), rounds + 1, 1.0
         elif last and before > _CLOSE and iteration > len(_FIRST_SLACKS) + 1:
             part = max(part / 2, 0.25) if growing else min(2 * part, 1.0)
         point, linear, moved = _advanced(problem, linear, point, q, part, slack)
         growing, before = moved > 0.7 * before, moved
         converged = last and moved < _CLOSE
-        if converged and (not len(q) or rounds == _ROUGHNESS_ROUNDS):
+        if converged and (not len(q) or rounds == _NOISE_INTENSITY_ROUNDS):
             break
     return _result(problem, linear, point, q, converged)
 
@@ -155,19 +155,19 @@ def _advanced(
         new, moved = _stepped(problem, linear, point, q, part)
         with np.errstate(all="ignore"):
             about = linearise(problem, new, slack)
-        if np.isfinite(about.cost) and np.isfinite(about.chain.diagonal).all() and np.isfinite(about.gradient).all():
+        if np.isfinite(about.cost) and np.isfinite(about.matrix.diagonal).all() and np.isfinite(about.gradient).all():
             return new, about, moved
         part /= 3
     raise np.linalg.LinAlgError("the model has no finite values near the samples")
 
 
 def _result(problem: Problem, linear: Linear, point: Point, q: Array, converged: bool) -> Smoothed:
-    factored = Factored(_with_walk(problem, linear.chain, q))
+    factored = CholeskyFactor(_with_walk(problem, linear.matrix, q))
     covariance, _ = factored.covariances()
     variance = np.diagonal(covariance, axis1=1, axis2=2)[:, problem.model.states :]
     return Smoothed(
         point,
-        np.sqrt(variance) * problem.hole_size,
+        np.sqrt(variance) * problem.unknown_size,
         linear.residual,
         q,
         deviance(problem, linear, point, q, factored),
@@ -182,11 +182,11 @@ def _result(problem: Problem, linear: Linear, point: Point, q: Array, converged:
 
 def _stepped(problem: Problem, linear: Linear, point: Point, q: Array, part: float) -> tuple[Point, float]:
     """A part of the way to the minimum of the linearised problem, and how far a state has to go, over its range."""
-    factored = Factored(_with_walk(problem, linear.chain, q))
+    factored = CholeskyFactor(_with_walk(problem, linear.matrix, q))
     blocks = linear.gradient + _walk_gradient(problem, point, q)
     change, outer = factored.solve(-blocks, -linear.corner_gradient)
     n, grid = problem.model.states, problem.grid
-    dx, dw, df = change[:, :n] * problem.size, change[:, n:] * problem.hole_size, outer * problem.spread
+    dx, dw, df = change[:, :n] * problem.size, change[:, n:] * problem.unknown_size, outer * problem.spread
     dx, dw, df = part * dx, part * dw, part * df
     constant, by_left, by_right, by_walk, by_free = linear.stage
     at = grid.left
@@ -198,18 +198,18 @@ def _stepped(problem: Problem, linear: Linear, point: Point, q: Array, part: flo
 
 
 def _times(matrices: Array, vectors: Array) -> Array:
-    found: Array = np.einsum("kij,kj->ki", matrices, vectors)
-    return found
+    products: Array = np.einsum("kij,kj->ki", matrices, vectors)
+    return products
 
 
 def linearise(problem: Problem, point: Point, slack: float = _SLACK) -> Linear:
     """The problem about a point; a step may miss the model by ``slack`` of the range of a state."""
     model, grid = problem.model, problem.grid
-    n, m, at = model.states, model.holes, grid.left
+    n, m, at = model.states, model.unknown_inputs, grid.left
     p = problem.parameters(point.free)[grid.run_of_node]
     p_stage = p[at].copy()
-    p[:, model.hole_at] = point.w
-    p_stage[:, model.hole_at] = (1 - STAGE) * point.w[at] + STAGE * point.w[at + 1]
+    p[:, model.unknown_at] = point.w
+    p_stage[:, model.unknown_at] = (1 - STAGE) * point.w[at] + STAGE * point.w[at + 1]
     h = grid.step
     node = model.everything(grid.time, point.x, grid.node_inputs, grid.node_delayed, p)
     inner = model.rates(grid.time[at] + STAGE * h, point.s, grid.stage_inputs, grid.stage_delayed, p_stage)
@@ -231,7 +231,7 @@ def linearise(problem: Problem, point: Point, slack: float = _SLACK) -> Linear:
     scale = problem.size
     defect = _times(end, d2 + _times(k, stage[0])) / scale
     by_left = end @ (-eye + k @ stage[1]) * scale / scale[:, None]
-    by_walk = end @ (w2 + k @ stage[3]) * np.tile(problem.hole_size, 2) / scale[:, None]
+    by_walk = end @ (w2 + k @ stage[3]) * np.tile(problem.unknown_size, 2) / scale[:, None]
     by_free = end @ (-hh * (3 * c1 + c2) / 4 + k @ stage[4]) * problem.spread / scale[:, None]
     by_right = np.concatenate([np.broadcast_to(eye, (len(h), n, n)), by_walk[:, :, m:]], axis=2)
     by_left = np.concatenate([by_left, by_walk[:, :, :m]], axis=2)
@@ -241,7 +241,7 @@ def linearise(problem: Problem, point: Point, slack: float = _SLACK) -> Linear:
     kept = np.isfinite(grid.measured)
     residual = np.where(kept, grid.measured - values[0], np.nan)
     r = np.where(kept, -residual / problem.sigma, 0.0)
-    rows = np.concatenate([values[1] * scale, values[2] * problem.hole_size], axis=2) / problem.sigma[:, None]
+    rows = np.concatenate([values[1] * scale, values[2] * problem.unknown_size], axis=2) / problem.sigma[:, None]
     rows = np.where(kept[:, :, None], rows, 0.0)
     rows_free = np.where(kept[:, :, None], values[3] * problem.spread / problem.sigma[:, None], 0.0)
 
@@ -272,30 +272,30 @@ def linearise(problem: Problem, point: Point, slack: float = _SLACK) -> Linear:
     corner_gradient += away
     cost += float((start**2).sum() + (away**2).sum())
     log_weights -= 2 * len(first) * n * np.log(_START)
-    chain = Chain(diagonal, coupling, border, corner)
+    matrix = BlockTridiagonal(diagonal, coupling, border, corner)
     flow = (-by_left[:, :, :n], -by_free)
     return Linear(
-        chain, gradient, corner_gradient, cost, log_weights, residual, values[0], stage, flow, (rows, rows_free)
+        matrix, gradient, corner_gradient, cost, log_weights, residual, values[0], stage, flow, (rows, rows_free)
     )  # fmt: skip
 
 
 # ---- the random walks -----------------------------------------------------------------------------------------
 
 
-def _with_walk(problem: Problem, chain: Chain, q: Array) -> Chain:
+def _with_walk(problem: Problem, matrix: BlockTridiagonal, q: Array) -> BlockTridiagonal:
     if not len(q):
-        return chain
+        return matrix
     n, at = problem.model.states, problem.grid.left
-    diagonal, coupling = chain.diagonal.copy(), chain.coupling.copy()
+    diagonal, coupling = matrix.diagonal.copy(), matrix.coupling.copy()
     first, spans = problem.grid.first[:-1], _spans(problem.grid)
-    for j, rough in enumerate(q.tolist()):
-        weight = 1 / (rough * problem.grid.step)
+    for j, intensity in enumerate(q.tolist()):
+        weight = 1 / (intensity * problem.grid.step)
         i = n + j
-        diagonal[first, i, i] += 1 / (rough * spans)
+        diagonal[first, i, i] += 1 / (intensity * spans)
         diagonal[at, i, i] += weight
         diagonal[at + 1, i, i] += weight
         coupling[at, i, i] -= weight
-    return replace(chain, diagonal=diagonal, coupling=coupling)
+    return replace(matrix, diagonal=diagonal, coupling=coupling)
 
 
 def _spans(grid: Grid) -> Array:
@@ -305,7 +305,7 @@ def _spans(grid: Grid) -> Array:
 
 def _increments(problem: Problem, point: Point) -> Array:
     at = problem.grid.left
-    return (point.w[at + 1] - point.w[at]) / problem.hole_size
+    return (point.w[at + 1] - point.w[at]) / problem.unknown_size
 
 
 def _walk_gradient(problem: Problem, point: Point, q: Array) -> Array:
@@ -315,41 +315,41 @@ def _walk_gradient(problem: Problem, point: Point, q: Array) -> Array:
     gradient[at + 1, n:] += pull
     gradient[at, n:] -= pull
     first = problem.grid.first[:-1]
-    gradient[first, n:] += point.w[first] / problem.hole_size / (q * _spans(problem.grid)[:, None])
+    gradient[first, n:] += point.w[first] / problem.unknown_size / (q * _spans(problem.grid)[:, None])
     return gradient
 
 
-def deviance(problem: Problem, linear: Linear, point: Point, q: Array, factored: Factored | None = None) -> float:
+def deviance(problem: Problem, linear: Linear, point: Point, q: Array, factored: CholeskyFactor | None = None) -> float:
     """Minus twice the log marginal likelihood of the linearised problem, at its own minimum."""
-    factored = factored or Factored(_with_walk(problem, linear.chain, q))
+    factored = factored or CholeskyFactor(_with_walk(problem, linear.matrix, q))
     blocks = linear.gradient + _walk_gradient(problem, point, q)
     change, outer = factored.solve(blocks, linear.corner_gradient)
     steps = problem.grid.step[:, None] * q
     starts = _spans(problem.grid)[:, None] * q
     walk = float((_increments(problem, point) ** 2 / steps).sum())
-    walk += float(((point.w[problem.grid.first[:-1]] / problem.hole_size) ** 2 / starts).sum())
+    walk += float(((point.w[problem.grid.first[:-1]] / problem.unknown_size) ** 2 / starts).sum())
     gain = float((blocks * change).sum() + linear.corner_gradient @ outer)
     log_weights = linear.log_weights - float(np.log(steps).sum() + np.log(starts).sum())
     return linear.cost + walk - gain + factored.log_determinant - log_weights
 
 
-_LOWEST, _HIGHEST = -18.0, 9.0  # natural logarithm of the roughness
+_LOWEST, _HIGHEST = -18.0, 9.0  # natural logarithm of the noise intensity
 
 
 CLOSED = float(np.exp(_LOWEST))
-"""The roughness of a term that is as good as absent."""
+"""The noise intensity of a term that is as good as absent."""
 
 
-def likeliest_roughness(
+def likeliest_noise_intensity(
     problem: Problem, linear: Linear, point: Point, q: Array, active: Sequence[int] | None = None
 ) -> Array:
-    """(m,) the roughness of the (active) walks that makes the samples most probable, from ``q`` on."""
+    """(m,) the noise intensity of the (active) walks that makes the samples most probable, from ``q`` on."""
     chosen = list(range(len(q)) if active is None else active)
 
     def full(z: Array) -> Array:
-        found = q.copy()
-        found[chosen] = np.exp(np.clip(z, _LOWEST, _HIGHEST))
-        return found
+        intensity = q.copy()
+        intensity[chosen] = np.exp(np.clip(z, _LOWEST, _HIGHEST))
+        return intensity
 
     def cost(z: Array) -> float:
         return deviance(problem, linear, point, full(z))
@@ -360,35 +360,35 @@ def likeliest_roughness(
     return full(minimize(cost, z, method="Nelder-Mead", options=options).x)
 
 
-def with_some(problem: Problem, found: Smoothed, active: Sequence[int]) -> tuple[float, float]:
+def with_some(problem: Problem, smoothed: Smoothed, active: Sequence[int]) -> tuple[float, float]:
     """Deviance and chi-square with only some of the terms, of the problem linearised about an estimate with all."""
-    q = np.full(len(found.roughness), CLOSED)
-    q[list(active)] = found.roughness[list(active)]
+    q = np.full(len(smoothed.noise_intensity), CLOSED)
+    q[list(active)] = smoothed.noise_intensity[list(active)]
     if active:
         q[list(active)] = np.maximum(q[list(active)], 1e-3)
-        q = likeliest_roughness(problem, found.linear, found.point, q, active)
-    linear = found.linear
-    factored = Factored(_with_walk(problem, linear.chain, q))
-    blocks = linear.gradient + _walk_gradient(problem, found.point, q)
+        q = likeliest_noise_intensity(problem, smoothed.linear, smoothed.point, q, active)
+    linear = smoothed.linear
+    factored = CholeskyFactor(_with_walk(problem, linear.matrix, q))
+    blocks = linear.gradient + _walk_gradient(problem, smoothed.point, q)
     change, outer = factored.solve(-blocks, -linear.corner_gradient)
     rows, rows_free = linear.rows
     r = -linear.residual / problem.sigma + _times(rows, change) + rows_free @ outer
-    return deviance(problem, linear, found.point, q, factored), float(np.nansum(r**2))
+    return deviance(problem, linear, smoothed.point, q, factored), float(np.nansum(r**2))
 
 
-def hole_sizes(model: Model, grid: Grid, x: Array, free: Array, parameters: Array, sigma: Sequence[float]) -> Array:
+def unknown_sizes(model: Model, grid: Grid, x: Array, free: Array, parameters: Array, sigma: Sequence[float]) -> Array:
     """(m,) [SI]: the term that would change a rate by its own largest size, or an output by its range.
 
     Zero where a term acts on nothing.
     """
     p = parameters[grid.run_of_node]
-    found = model.everything(grid.time, x, grid.node_inputs, grid.node_delayed, p)
+    slopes = model.everything(grid.time, x, grid.node_inputs, grid.node_delayed, p)
     n = model.states
-    rate = np.quantile(np.abs(found.value[:, :n]), 0.95, axis=0)
-    reach = np.concatenate([rate, np.ptp(found.value[:, n:], axis=0)])
-    slope = np.max(np.abs(found.by_hole), axis=0)
-    sizes = np.zeros(model.holes)
-    for j in range(model.holes):
+    rate = np.quantile(np.abs(slopes.value[:, :n]), 0.95, axis=0)
+    reach = np.concatenate([rate, np.ptp(slopes.value[:, n:], axis=0)])
+    slope = np.max(np.abs(slopes.by_unknown_input), axis=0)
+    sizes = np.zeros(model.unknown_inputs)
+    for j in range(model.unknown_inputs):
         felt = slope[:, j] > 0
         if felt.any():
             sizes[j] = np.min(reach[felt] / slope[felt, j])

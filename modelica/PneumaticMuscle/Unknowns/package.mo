@@ -1,5 +1,5 @@
 within PneumaticMuscle;
-package Unknowns "Holes in the balances: terms without a law, to be estimated as signals from a measurement"
+package Unknowns "Unknown inputs of the balances: terms without a law, to be estimated as signals from a measurement"
   extends Icons.Package;
   annotation (Documentation(info="<html>
 <p>Each attaches as an effect does and adds one term, <code>missing</code>, to a balance. In a class named

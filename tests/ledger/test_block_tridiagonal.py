@@ -1,16 +1,16 @@
-"""The chain of blocks against dense linear algebra."""
+"""The block tridiagonal matrix against dense linear algebra."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
 
-from pam_cosim.ledger.chain import Chain, Factored
+from pam_cosim.ledger.block_tridiagonal import BlockTridiagonal, CholeskyFactor
 
 N, B, Q = 7, 3, 2
 
 
-def _chain(q: int) -> tuple[Chain, np.ndarray]:
+def _matrix(q: int) -> tuple[BlockTridiagonal, np.ndarray]:
     rng = np.random.default_rng(3)
     coupling = rng.standard_normal((N - 1, B, B))
     border, half = rng.standard_normal((N, B, q)), rng.standard_normal((N, B, B))
@@ -27,19 +27,19 @@ def _chain(q: int) -> tuple[Chain, np.ndarray]:
     dense[N * B :, N * B :] = corner
     for k in range(N):
         dense[k * B : k * B + B, k * B : k * B + B] = diagonal[k]
-    return Chain(diagonal, coupling, border, corner), dense
+    return BlockTridiagonal(diagonal, coupling, border, corner), dense
 
 
 @pytest.mark.parametrize("q", [0, Q])
 def test_solution_determinant_and_covariances(q: int) -> None:
-    chain, dense = _chain(q)
+    matrix, dense = _matrix(q)
     assert np.linalg.eigvalsh(dense)[0] > 0
-    found = Factored(chain)
+    factor = CholeskyFactor(matrix)
     right = np.random.default_rng(4).standard_normal(N * B + q)
-    inner, outer = found.solve(right[: N * B].reshape(N, B), right[N * B :])
+    inner, outer = factor.solve(right[: N * B].reshape(N, B), right[N * B :])
     assert np.concatenate([inner.ravel(), outer]) == pytest.approx(np.linalg.solve(dense, right))
-    assert found.log_determinant == pytest.approx(np.linalg.slogdet(dense)[1])
-    blocks, corner = found.covariances()
+    assert factor.log_determinant == pytest.approx(np.linalg.slogdet(dense)[1])
+    blocks, corner = factor.covariances()
     inverse = np.linalg.inv(dense)
     for k in range(N):
         assert blocks[k] == pytest.approx(inverse[k * B : k * B + B, k * B : k * B + B])

@@ -1,4 +1,4 @@
-"""The models that a ledger is kept with: the model at hand with a hole in each of its balances."""
+"""Augmented models: the model at hand with an unknown input in each of its balances."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from pam_cosim.catalogue import (
 from pam_cosim.compiler import ClassTree, Ode, compile_model, read_structure
 
 TERM = "missing"
-"""What every class of a hole calls its term."""
+"""What every class of an unknown input calls its term."""
 
-_NAME = "Books"
+_CLASS = "Augmented"
 
 
 @dataclass(frozen=True)
-class Hole:
+class UnknownInput:
     """A term without a law in a compiled model.
 
     Attributes:
@@ -46,26 +46,28 @@ class Hole:
 
 
 @dataclass(frozen=True)
-class Books:
-    """A model with holes.
+class AugmentedModel:
+    """A model with unknown inputs.
 
     Attributes:
         ode: the compiled model.
-        holes: its terms without a law, one a balance.
-        replaced: a law of the model was replaced to make place for a hole.
+        unknown_inputs: its terms without a law, one a balance.
+        replaced: a law of the model was replaced to make place for an unknown input.
     """
 
     ode: Ode
-    holes: tuple[Hole, ...]
+    unknown_inputs: tuple[UnknownInput, ...]
     replaced: bool
 
-    def hole(self, balance: str) -> Hole | None:
-        """The hole in a balance; None where the model has no place for it."""
-        return next((h for h in self.holes if h.balance == balance), None)
+    def unknown_input(self, balance: str) -> UnknownInput | None:
+        """The unknown input of a balance; None where the model has no place for it."""
+        return next((u for u in self.unknown_inputs if u.balance == balance), None)
 
 
-def open_books(tree: ClassTree, model: str, effects: Sequence[str] = (), *, files: Sequence[Path] = ()) -> list[Books]:
-    """The model with every hole that lies beside its components; then once more for each that replaces a law.
+def augmented_models(
+    tree: ClassTree, model: str, effects: Sequence[str] = (), *, files: Sequence[Path] = ()
+) -> list[AugmentedModel]:
+    """The model with every unknown input that lies beside its components; then once more for each that replaces a law.
 
     Args:
         tree: the library and the user's files.
@@ -81,12 +83,12 @@ def open_books(tree: ClassTree, model: str, effects: Sequence[str] = (), *, file
     terms = unknown_terms(tree, origins(structure.parts))
     placed = [t for t in terms if compose_on(tree, structure, [*effects, t.name]) is not None]
     beside = [t for t in placed if _lies_beside(tree, model, effects, t, files)]
-    found = [_books(tree, model, effects, beside, False, files)]
+    models = [_augmented(tree, model, effects, beside, False, files)]
     for term in placed:
         if term not in beside:
             others = [t for t in beside if t.balance != term.balance]
-            found.append(_books(tree, model, effects, [*others, term], True, files))
-    return found
+            models.append(_augmented(tree, model, effects, [*others, term], True, files))
+    return models
 
 
 def _lies_beside(tree: ClassTree, model: str, effects: Sequence[str], term: EffectClass, files: Sequence[Path]) -> bool:
@@ -95,25 +97,25 @@ def _lies_beside(tree: ClassTree, model: str, effects: Sequence[str], term: Effe
     return all(p.startswith(term.component_name) for p in composition.parameters[term.name])
 
 
-def _books(
+def _augmented(
     tree: ClassTree,
     model: str,
     effects: Sequence[str],
     terms: Sequence[EffectClass],
     replaced: bool,
     files: Sequence[Path],
-) -> Books:
-    composition = compose(tree, model, [*effects, *(t.name for t in terms)], _NAME, files=files)
+) -> AugmentedModel:
+    composition = compose(tree, model, [*effects, *(t.name for t in terms)], _CLASS, files=files)
     assert composition is not None
     ode = _compiled(composition, files)
-    holes = []
+    unknown_inputs = []
     for term in terms:
         name = composition.parameters[term.name][0]
         variable = ode.interface.parameters[name]
         base = next(c.owner for c in tree.components(term.qualified_name) if c.name == TERM)
         own = [c.name for c in tree.classes[base].components if c.name != TERM]
-        holes.append(Hole(name, term.balance, variable.unit, variable.description, base, tuple(own)))
-    return Books(ode, tuple(holes), replaced)
+        unknown_inputs.append(UnknownInput(name, term.balance, variable.unit, variable.description, base, tuple(own)))
+    return AugmentedModel(ode, tuple(unknown_inputs), replaced)
 
 
 def _compiled(composition: Composition, files: Sequence[Path]) -> Ode:

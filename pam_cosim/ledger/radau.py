@@ -1,4 +1,4 @@
-"""The model by itself on the grid of a ledger: Radau IIA of order 3, all runs side by side."""
+"""The model by itself integrated on the grid of a ledger: Radau IIA of order 3, all runs side by side."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ _MOST_PARTS = 8  # of a step
 _CLOSE = 1e-7  # change of a state, over its size, at which an iteration ends
 
 
-def march(model: Model, grid: Grid, parameters: Array) -> tuple[Array, Array]:
-    """States at the nodes (N, n) and inside the steps (M, n), holes closed, (R, P) parameters [SI].
+def integrate(model: Model, grid: Grid, parameters: Array) -> tuple[Array, Array]:
+    """States at the nodes (N, n) and inside the steps (M, n), unknown inputs at zero, (R, P) parameters [SI].
 
     Where the iteration breaks down, a state stays what it was: what follows is a start for the smoother, no more.
     """
@@ -52,12 +52,12 @@ def further_nodes(
         _, middle = _step(model, _halved(grid, half), parameters[run], middle, steps, size, half)
     error = np.max(np.abs(middle - x[grid.left + 1]) / size, axis=1)
     parts = np.minimum(np.ceil((np.nan_to_num(error, nan=1.0) / accuracy) ** 0.25), _MOST_PARTS).astype(int)
-    found = []
+    times = []
     for r in range(len(grid.runs)):
         own = np.flatnonzero((run == r) & (parts > 1))
         inside = [grid.time[grid.left[k]] + grid.step[k] * np.arange(1, parts[k]) / parts[k] for k in own.tolist()]
-        found.append(np.concatenate([np.zeros(0), *inside]))
-    return found
+        times.append(np.concatenate([np.zeros(0), *inside]))
+    return times
 
 
 def _halved(grid: Grid, half: int) -> Grid:

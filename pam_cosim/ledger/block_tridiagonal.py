@@ -1,4 +1,4 @@
-"""A chain of equally large blocks with a border: the normal equations of a smoother, factored."""
+"""A block tridiagonal matrix with a border: the normal equations of a smoother, factored (Cholesky)."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pam_cosim.arrays import Array
 
 
 @dataclass(frozen=True)
-class Chain:
+class BlockTridiagonal:
     """A symmetric matrix of N blocks of size b and a border of q rows.
 
     Attributes:
@@ -27,16 +27,16 @@ class Chain:
     corner: Array
 
 
-class Factored:
-    """The Cholesky factor of a positive definite chain."""
+class CholeskyFactor:
+    """The Cholesky factor of a positive definite matrix."""
 
-    def __init__(self, chain: Chain) -> None:
-        n, b, q = chain.border.shape
+    def __init__(self, matrix: BlockTridiagonal) -> None:
+        n, b, q = matrix.border.shape
         self._shape = (n, b)
-        self._banded = cholesky_banded(_band(chain), lower=True, overwrite_ab=True, check_finite=False)
-        border = chain.border.reshape(n * b, q)
+        self._banded = cholesky_banded(_band(matrix), lower=True, overwrite_ab=True, check_finite=False)
+        border = matrix.border.reshape(n * b, q)
         self._response = self._inner(border)
-        schur = chain.corner - border.T @ self._response
+        schur = matrix.corner - border.T @ self._response
         self._border = border
         self._schur = cho_factor(schur, lower=True) if q else None
         self.log_determinant = 2 * float(np.log(self._banded[0]).sum())
@@ -54,20 +54,20 @@ class Factored:
     def covariances(self) -> tuple[Array, Array]:
         """Diagonal blocks of the inverse, (N, b, b), and its corner (q, q)."""
         n, b = self._shape
-        own, below = self._factor_blocks()
-        inverse = np.linalg.inv(own)
-        alone = np.einsum("nji,njk->nik", inverse, inverse)
-        carry = below @ inverse[:-1]
-        found = np.empty((n, b, b))
-        found[-1] = alone[-1]
+        diagonal, coupling = self._factor_blocks()
+        inverse = np.linalg.inv(diagonal)
+        own_inverse = np.einsum("nji,njk->nik", inverse, inverse)
+        gain = coupling @ inverse[:-1]
+        blocks = np.empty((n, b, b))
+        blocks[-1] = own_inverse[-1]
         for k in range(n - 2, -1, -1):
-            c = carry[k]
-            found[k] = alone[k] + c.T @ found[k + 1] @ c
+            c = gain[k]
+            blocks[k] = own_inverse[k] + c.T @ blocks[k + 1] @ c
         if self._schur is None:
-            return found, np.zeros((0, 0))
+            return blocks, np.zeros((0, 0))
         corner = cho_solve(self._schur, np.eye(self._response.shape[1]))
         response = self._response.reshape(n, b, -1)
-        return found + np.einsum("niq,qr,njr->nij", response, corner, response), corner
+        return blocks + np.einsum("niq,qr,njr->nij", response, corner, response), corner
 
     def _inner(self, right: Array) -> Array:
         if right.shape[1] == 0:
@@ -78,19 +78,19 @@ class Factored:
     def _factor_blocks(self) -> tuple[Array, Array]:
         """Blocks (N, b, b) on the diagonal of the lower factor, and (N - 1, b, b) below it."""
         n, b = self._shape
-        own, below = np.zeros((n, b, b)), np.zeros((n - 1, b, b))
+        diagonal, coupling = np.zeros((n, b, b)), np.zeros((n - 1, b, b))
         band = self._banded.reshape(2 * b, n, b)
         for j in range(b):
-            own[:, j:, j] = band[: b - j, :, j].T
-            below[:, :, j] = band[b - j : 2 * b - j, :-1, j].T
-        return own, below
+            diagonal[:, j:, j] = band[: b - j, :, j].T
+            coupling[:, :, j] = band[b - j : 2 * b - j, :-1, j].T
+        return diagonal, coupling
 
 
-def _band(chain: Chain) -> Array:
-    """The chain without its border in LAPACK's lower band form."""
-    n, b, _ = chain.border.shape
+def _band(matrix: BlockTridiagonal) -> Array:
+    """The matrix without its border in LAPACK's lower band form."""
+    n, b, _ = matrix.border.shape
     band = np.zeros((2 * b, n, b))
     for j in range(b):
-        band[: b - j, :, j] = chain.diagonal[:, j:, j].T
-        band[b - j : 2 * b - j, :-1, j] = chain.coupling[:, j, :].T
+        band[: b - j, :, j] = matrix.diagonal[:, j:, j].T
+        band[b - j : 2 * b - j, :-1, j] = matrix.coupling[:, j, :].T
     return band.reshape(2 * b, n * b)
