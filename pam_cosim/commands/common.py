@@ -1,0 +1,68 @@
+"""What the commands share: options, where results go, and what an interrupted command says."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from pam_cosim import study
+from pam_cosim.diagnosis.workers import stop_workers
+from pam_cosim.files import check_distinct, check_spared, check_writable, identity
+from pam_cosim.measurement import DataSet
+
+INTERRUPTED = 130  # as shells have it for a command that Ctrl-C ended
+results: dict[Path, object] = {}  # files that the command is to write, and what was there before
+console = Console(stderr=True, highlight=False)
+
+ModelOption = Annotated[str | None, typer.Option("--model", help="A bench, a Modelica class, a .mo or an .fmu file.")]
+FilesOption = Annotated[
+    list[Path] | None, typer.Option("--file", help="A .mo file or the folder of a package: own effects, rigs, library.")
+]
+JsonOption = Annotated[Path | None, typer.Option("--json", help="Write the result as JSON, SI units.")]
+ReportOption = Annotated[Path | None, typer.Option("--report", help="Write a self-contained HTML report.")]
+SetOption = Annotated[
+    list[str] | None,
+    typer.Option("--set", help='NAME=VALUE, with a unit such as "5 kg": a parameter, or an input held constant.'),
+]
+TimeoutOption = Annotated[
+    float | None,
+    typer.Option(help="End an .fmu that makes no progress for so many seconds; default 60, inf: never.", min=0.0),
+]
+Data = Annotated[Path, typer.Argument(help="Folder with experiment.toml and CSV files.")]
+
+
+def check_results(*outputs: Path | None, sources: Iterable[Path | str | None] = (), new_folder: bool = False) -> None:
+    """Finds out before long work that the results can be written, and that nothing else is lost by that."""
+    named = [path for path in outputs if path is not None]
+    for path in named:
+        check_writable(path, new_folder=new_folder)
+        results[path] = identity(path)
+    check_distinct(named)
+    check_spared(named, [source for source in sources if source is not None])
+
+
+def read_data(data: Path, model: str | None, files: list[Path] | None) -> DataSet:
+    """The data set; no result may replace one of its files."""
+    read = study.read(data, model=model, files=files or [])
+    check_spared(results, [read.model, *read.files])
+    return read
+
+
+def say_written(path: Path | None) -> None:
+    """Names a result on standard error, where one was asked for."""
+    if path is not None:
+        console.print(f"written: {path}", style="dim", markup=False, soft_wrap=True)
+
+
+def interrupted() -> int:
+    """Ends what the command has started and says what it has written; the status for it."""
+    stop_workers()
+    saved = [str(path) for path, before in results.items() if identity(path) not in (None, before)]
+    what = f"written: {', '.join(saved)}" if saved else "nothing was written"
+    print(f"pam-cosim: interrupted; {what}", file=sys.stderr)
+    return INTERRUPTED

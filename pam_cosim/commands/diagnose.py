@@ -1,0 +1,89 @@
+"""The command ``diagnose``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+from rich.markup import escape
+
+from pam_cosim import study
+from pam_cosim.commands.common import (
+    Data,
+    FilesOption,
+    JsonOption,
+    ModelOption,
+    ReportOption,
+    check_results,
+    console,
+    read_data,
+    say_written,
+)
+from pam_cosim.diagnosis import Diagnosis
+from pam_cosim.errors import InputError
+from pam_cosim.files import write_json, write_text
+from pam_cosim.reporting import diagnosis_report, diagnosis_text, write_report
+from pam_cosim.tables import write_next_run
+
+
+def diagnose(
+    data: Data,
+    model: ModelOption = None,
+    json: JsonOption = None,
+    report: ReportOption = None,
+    following: Annotated[
+        Path | None, typer.Option("--next", help="Write the next experiment's inputs as CSV, if there is one to make.")
+    ] = None,
+    learned: Annotated[
+        Path | None, typer.Option("--learned", help="Write the formula for what no effect explains as Modelica.")
+    ] = None,
+    files: FilesOption = None,
+    workers: Annotated[int | None, typer.Option(help="Processes; default: all processors.")] = None,
+) -> None:
+    """Find the physical effect that the model lacks."""
+    check_results(json, report, following, learned, sources=[model, *(files or [])])
+    if learned is not None and learned.suffix != ".mo":
+        raise InputError("the formula is written as Modelica: name a file that ends in .mo", learned)
+    read = read_data(data, model, files)
+    with console.status("refitting the base model") as status:
+        say = _teller(status)
+        found = study.diagnose(read, model, files=files or [], say=say, workers=workers)
+    typer.echo(diagnosis_text(found))
+    if json:
+        write_json(json, found.as_dict())
+    if report:
+        write_report(report, diagnosis_report(found))
+    say_written(json)
+    say_written(report)
+    _write_advice(found, following, learned)
+
+
+def _write_advice(found: Diagnosis, following: Path | None, learned: Path | None) -> None:
+    """What a verdict leaves to do, as files, where there is something to do."""
+    if following is not None:
+        if found.next_experiment is None:
+            typer.echo(f"no next experiment: the verdict is {found.verdict.kind}; {following} is not written")
+        else:
+            write_next_run(following, found.next_experiment)
+            say_written(following)
+    if learned is not None:
+        if found.learned is None:
+            typer.echo(f"nothing was learned: the verdict is {found.verdict.kind}; {learned} is not written")
+        else:
+            write_text(learned, found.learned.term.modelica_source)
+            say_written(learned)
+
+
+def _teller(status: Any) -> Callable[[str], None]:
+    """Prints what happens; the status line shows the last headline, and how many results came since."""
+    headline, count = "", 0
+
+    def say(text: str) -> None:
+        nonlocal headline, count
+        console.print(text, markup=False, soft_wrap=True)
+        headline, count = (headline, count + 1) if text.startswith(" ") else (escape(text), 0)
+        status.update(f"{headline}: {count} done" if count else headline)
+
+    return say
