@@ -91,7 +91,7 @@ def compare(
     known = dict(parameters or {})
     runs = tuple(simulate_run(simulator, data, run, known, tolerance) for run in data.runs)
     by_role: dict[str, list[RunComparison]] = {role: [r for r in runs if r.run.role == role] for role in ROLES}
-    scores = {role: score(found, data.signals) for role, found in by_role.items()}
+    scores = {role: score(chosen, data.signals) for role, chosen in by_role.items()}
     scores["all"] = score(runs, data.signals)
     outputs = simulator.interface.outputs
     rules = where(runs, data.signals, outputs, data.domain)

@@ -22,10 +22,10 @@ from pam_cosim.measurement import DataSet, Run
 
 def outliers(residual: Array) -> NDArray[np.bool_]:
     """(n,) which samples are outliers; ``residual`` has NaN where a sample is missing."""
-    found = np.zeros(len(residual), dtype=bool)
+    far_off = np.zeros(len(residual), dtype=bool)
     kept = np.flatnonzero(np.isfinite(residual))
     if len(kept) < CRITERIA.noise.outlier_fewest:
-        return found
+        return far_off
     e = residual[kept]
     off = e - median_filter(e, CRITERIA.noise.outlier_window, mode="nearest")
     far = np.abs(off) > CRITERIA.noise.outlier_far * CRITERIA.noise.median_to_sigma * float(np.median(np.abs(off)))
@@ -34,8 +34,8 @@ def outliers(residual: Array) -> NDArray[np.bool_]:
         off
     )  # a quick change of the signal takes its neighbours along
     if far.mean() <= CRITERIA.noise.outlier_most:
-        found[kept[far]] = True
-    return found
+        far_off[kept[far]] = True
+    return far_off
 
 
 def without_outliers(data: DataSet, compared: Sequence[RunComparison]) -> tuple[DataSet, dict[str, int]]:

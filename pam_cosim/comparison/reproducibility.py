@@ -63,9 +63,9 @@ def reproducibility(runs: Sequence[RunComparison], sigma: Mapping[str, float]) -
             gains[number] = gains.get(number, 0.0) + float(np.sum(e**2) - np.sum((e - x @ weights) ** 2))
     if total == 0 or len(gains) < 2:
         return Reproducibility(float("nan"), float("nan"))
-    found = np.array([gains[k] for k in sorted(gains)])
-    error = float(np.std(found, ddof=1)) * np.sqrt(len(found))
-    return Reproducibility(float(found.sum()) / total, float(found.sum()) / error if error > 0 else 0.0)
+    by_piece = np.array([gains[k] for k in sorted(gains)])
+    error = float(np.std(by_piece, ddof=1)) * np.sqrt(len(by_piece))
+    return Reproducibility(float(by_piece.sum()) / total, float(by_piece.sum()) / error if error > 0 else 0.0)
 
 
 def _parts(runs: Sequence[RunComparison]) -> list[tuple[int, slice]]:
@@ -132,9 +132,9 @@ def _rate(time: Array, values: Array) -> Array:
 
 def _lagged(time: Array, values: Array, memory: float) -> Array:
     """Exponential average of the past, beginning at the first value."""
-    found = np.empty_like(values)
-    found[0] = values[0]
+    lagged = np.empty_like(values)
+    lagged[0] = values[0]
     decay = np.exp(-np.diff(time) / memory)
     for k, d in enumerate(decay, 1):
-        found[k] = d * found[k - 1] + (1 - d) * values[k]
-    return found
+        lagged[k] = d * lagged[k - 1] + (1 - d) * values[k]
+    return lagged

@@ -46,13 +46,13 @@ class ResidualStatistics:
 
 def series_of(runs: Sequence[RunComparison], sigma: dict[str, float]) -> list[Array]:
     """Weighted residuals as separate series, one for each run and signal, missing samples left out."""
-    found = []
+    series = []
     for r in runs:
         for name, s in sigma.items():
             if r.run.sample_count(name):
                 residual = r.residual(name)
-                found.append(residual[np.isfinite(residual)] / s)
-    return found
+                series.append(residual[np.isfinite(residual)] / s)
+    return series
 
 
 def stated_of(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> list[bool]:
@@ -122,10 +122,10 @@ def red_noise(series: Sequence[Array]) -> float:
         series: weighted residuals in time order, each longer than those distances.
     """
     lags = np.arange(1, CRITERIA.residuals.lags + 1)
-    found = np.array([_steps(series, int(lag)) for lag in lags])
-    best, variance = np.inf, found[0]
+    variogram = np.array([_steps(series, int(lag)) for lag in lags])
+    best, variance = np.inf, variogram[0]
     for r in np.linspace(0.0, CRITERIA.residuals.reddest, CRITERIA.residuals.colours):
-        columns = np.column_stack([1 - r**lags, lags**2]) / found[:, None].clip(1e-300)
+        columns = np.column_stack([1 - r**lags, lags**2]) / variogram[:, None].clip(1e-300)
         weights, miss = nnls(columns, np.ones(CRITERIA.residuals.lags))
         if miss < best:
             best, variance = miss, float(weights[0])

@@ -86,8 +86,8 @@ def score_signal(runs: Sequence[RunComparison], signal: Signal) -> SignalScore |
 
 def score(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> dict[str, SignalScore]:
     """Scores every signal over ``runs``."""
-    found = {name: score_signal(runs, signal) for name, signal in signals.items()}
-    return {name: s for name, s in found.items() if s is not None}
+    by_name = {name: score_signal(runs, signal) for name, signal in signals.items()}
+    return {name: s for name, s in by_name.items() if s is not None}
 
 
 def chi2_reduced(scores: Mapping[str, SignalScore]) -> float:

@@ -117,14 +117,14 @@ def _moving(name: str, speed: Array) -> list[tuple[str, Mask]]:
 
 def _by_parameter(parts: Sequence[RunComparison], names: Array) -> list[tuple[str, Mask]]:
     """One condition for each value of a parameter that several runs share and others do not."""
-    found: list[tuple[str, Mask]] = []
+    masks: list[tuple[str, Mask]] = []
     for parameter in parts[0].run.parameters:
         values = np.array([r.run.parameters.get(parameter, np.nan) for r in parts])
         for value in np.unique(values):
             members = np.flatnonzero(values == value)
             if 1 < len(members) < len(parts):
-                found.append((f"{parameter} = {value:.4g}", np.isin(names, members)))
-    return found
+                masks.append((f"{parameter} = {value:.4g}", np.isin(names, members)))
+    return masks
 
 
 def _slope(time: Array, values: Array) -> Array:
@@ -146,15 +146,15 @@ def _bands(name: str, variable: Variable, values: Array) -> list[tuple[str, Mask
         return []
     edges = np.linspace(low, high, CRITERIA.where.bands + 1)
     factor, unit = readable_factor(variable.unit), readable_unit(variable.unit)
-    found: list[tuple[str, Mask]] = []
+    bands: list[tuple[str, Mask]] = []
     for i in range(CRITERIA.where.bands):
         inside = (values >= edges[i]) & ((values < edges[i + 1]) | (i == CRITERIA.where.bands - 1))
         first, last = (
             0.0 if abs(e) < CRITERIA.where.edge_at_zero * (high - low) else e for e in (edges[i], edges[i + 1])
         )
         text = f"{first * factor:.3g} {unit} < {name} < {last * factor:.3g} {unit}"
-        found.append((text.replace("  ", " "), inside))
-    return found
+        bands.append((text.replace("  ", " "), inside))
+    return bands
 
 
 def _rules(signal: str, samples: _Samples) -> list[Rule]:

@@ -77,15 +77,15 @@ def estimates(
     edge = [i for i in range(len(free)) if alive[i] and bound[i]]
     for i in edge:
         deviation[i] = spread * standard_deviations(jacobian[:, [*inner, i]])[-1]
-    found = {}
+    by_name = {}
     for i, f in enumerate(free):
         reach = CRITERIA.fit.interval * deviation[i]
         value = f.to_value(float(z[i]))
         lower = f.to_value(float(max(z[i] - reach, low[i])))
         upper = f.to_value(float(min(z[i] + reach, high[i])))
         whole = z[i] - reach <= low[i] and z[i] + reach >= high[i]
-        found[f.name] = Estimate(value, lower, upper, f.unit, bool(bound[i]), not whole)
-    return found
+        by_name[f.name] = Estimate(value, lower, upper, f.unit, bool(bound[i]), not whole)
+    return by_name
 
 
 def standard_deviations(jacobian: Array) -> Array:
@@ -98,9 +98,9 @@ def standard_deviations(jacobian: Array) -> Array:
     return np.where(blind, np.inf, np.sqrt(variance) / norms)
 
 
-def describe(found: dict[str, Estimate]) -> str:
+def describe(parameters: dict[str, Estimate]) -> str:
     """One line each."""
-    return "\n".join(f"  {name} = {e}" for name, e in found.items())
+    return "\n".join(f"  {name} = {e}" for name, e in parameters.items())
 
 
 __all__ = ["Estimate", "describe", "estimates", "standard_deviations"]

@@ -140,11 +140,11 @@ def statistics_by_role(comparison: Comparison) -> dict[str, ResidualStatistics]:
     """What the residuals of a comparison are like, per role ("fit", "holdout")."""
     signals = comparison.data.signals
     sigma = {n: s.sigma for n, s in signals.items() if s.fitted and s.sigma}
-    found: dict[str, ResidualStatistics] = {}
+    by_role: dict[str, ResidualStatistics] = {}
     for role in ROLES:
         runs = [r for r in comparison.runs if r.run.role == role]
-        found[role] = residual_statistics(series_of(runs, sigma), stated_of(runs, signals))
-    return found
+        by_role[role] = residual_statistics(series_of(runs, sigma), stated_of(runs, signals))
+    return by_role
 
 
 def _spread(s: ResidualStatistics) -> float:

@@ -140,7 +140,7 @@ class Objective:
 
     def _exact_jacobian(self, z: Array, runs: Sequence[RunComparison]) -> Array:
         """(size, parameters); columns of parameters whose sensitivities the model does not tell are zero."""
-        found = np.zeros((self.size, len(self.free)))
+        jacobian = np.zeros((self.size, len(self.free)))
         row = 0
         for run, names in zip(runs, self._signals, strict=True):
             for name in names:
@@ -151,9 +151,9 @@ class Objective:
                 for i, free in enumerate(self.free):
                     slope = run.model.get(sensitivity_name(name, free.name))
                     if slope is not None:
-                        found[row : row + count, i] = -slope[kept] * free.slope(float(z[i])) / sigma
+                        jacobian[row : row + count, i] = -slope[kept] * free.slope(float(z[i])) / sigma
                 row += count
-        return found
+        return jacobian
 
     def jacobian(self, z: Array, at: Array) -> Array:
         """(size, parameters) by the model's sensitivities, or by differences where it has none.

@@ -22,8 +22,8 @@ def write_parameters(path: Path, fit: Fit) -> None:
     if path.suffix.lower() == ".ssv":
         write_text(path, _ssv(fit))
     else:
-        found = {n: e.as_dict() for n, e in fit.parameters.items()}
-        write_json(path, {"model": fit.model, "parameters": found})
+        parameters = {n: e.as_dict() for n, e in fit.parameters.items()}
+        write_json(path, {"model": fit.model, "parameters": parameters})
 
 
 def _ssv(fit: Fit) -> str:
@@ -52,11 +52,11 @@ def read_parameters(path: Path) -> dict[str, float]:
 
 def _from_json(path: Path) -> dict[str, float]:
     content = read_json(path)
-    found = content.get("parameters", content) if isinstance(content, dict) else None
-    if not isinstance(found, dict):
+    parameters = content.get("parameters", content) if isinstance(content, dict) else None
+    if not isinstance(parameters, dict):
         raise InputError("must hold an object with parameter names and values", path)
     values = {}
-    for name, entry in found.items():
+    for name, entry in parameters.items():
         value = entry.get("value") if isinstance(entry, dict) else entry
         if isinstance(value, bool) or not isinstance(value, (int, float)):
             raise InputError(f"parameter '{name}' has no number as its value", path)

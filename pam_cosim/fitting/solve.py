@@ -12,8 +12,8 @@ from scipy.stats import qmc
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.fitting.descent import Descent, descend
 from pam_cosim.fitting.free import Free
+from pam_cosim.fitting.levenberg_marquardt import Minimum, levenberg_marquardt
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fitting.options import FitOptions
 
@@ -42,24 +42,24 @@ class Problem:
             self.progress(self.objective.evaluations, cost / max(self.objective.size, 1))
 
 
-def solve(problem: Problem) -> Descent:
+def solve(problem: Problem) -> Minimum:
     """The lowest point that descents from the best starts come to.
 
     Raises:
         SimulationFailure: the model breaks down at every start.
     """
     objective, options = problem.objective, problem.options
-    best: Descent | None = None
+    best: Minimum | None = None
     starts = _starts(objective, _points(objective.free, problem.starts))
     if options.screened_starts > options.descents:
         starts = _winners(problem, starts)
     for start in itertools.islice(starts, options.descents):
-        reached = _descend(problem, start)
+        reached = _minimise(problem, start)
         if best is None or reached.cost < best.cost:
             best = reached
         if best.cost <= CRITERIA.fit.at_noise * objective.size:
             break  # nothing is left that another start could find
-    return best or _descend(problem, _rescue(objective))
+    return best or _minimise(problem, _rescue(objective))
 
 
 def spread_starts(free: Sequence[Free], count: int = CRITERIA.fit.spread_starts) -> list[dict[str, float]]:
@@ -97,7 +97,7 @@ def _winners(problem: Problem, starts: Iterator[Array]) -> Iterator[Array]:
     """Where a few steps from the best starts lead, the lowest first: a glance does not tell one valley from another."""
     options = problem.options
     few = replace(problem, options=replace(options, evaluations=CRITERIA.fit.screening_evaluations))
-    ends = [_descend(few, start) for start in itertools.islice(starts, options.screened_starts)]
+    ends = [_minimise(few, start) for start in itertools.islice(starts, options.screened_starts)]
     yield from (d.z for d in sorted(ends, key=lambda d: d.cost))
 
 
@@ -116,7 +116,7 @@ def _rescue(objective: Objective) -> Array:
     raise SimulationFailure(f"no start value within the bounds can be simulated: {objective.first_failure}")
 
 
-def _descend(problem: Problem, start: Array) -> Descent:
+def _minimise(problem: Problem, start: Array) -> Minimum:
     objective, options = problem.objective, problem.options
 
     def residuals(z: Array) -> Array:
@@ -129,5 +129,5 @@ def _descend(problem: Problem, start: Array) -> Descent:
 
     if not len(start):
         e = objective.residuals(start)
-        return Descent(_cost(e), start, np.zeros((len(e), 0)))
-    return descend(residuals, jacobian, start, objective.bounds, options.precision, options.evaluations)
+        return Minimum(_cost(e), start, np.zeros((len(e), 0)))
+    return levenberg_marquardt(residuals, jacobian, start, objective.bounds, options.precision, options.evaluations)

@@ -110,8 +110,8 @@ def _inside(times: Array, start: float, end: float) -> Array:
 
 def _changes(lines: list[Pieces], start: float, end: float) -> Array:
     """Times inside the run at which some input jumps or bends."""
-    found = [_inside(line.time, start, end) for line in lines]
-    return np.concatenate(found) if found else np.zeros(0)
+    changes = [_inside(line.time, start, end) for line in lines]
+    return np.concatenate(changes) if changes else np.zeros(0)
 
 
 def _merge(times: Array, start: float, changes: Array) -> tuple[Array, Array, Indices]:

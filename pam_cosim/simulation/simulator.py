@@ -24,8 +24,15 @@ from pam_cosim.interface import Interface, Variable
 from pam_cosim.simulation.driver import TOO_SLOW, Callbacks, Driver, Outcome, Progress
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs, with_held
+from pam_cosim.simulation.instance import (
+    Instance,
+    free_instance,
+    instantiate,
+    load_instance,
+    major_version,
+    takes_slopes,
+)
 from pam_cosim.simulation.plan import plan
-from pam_cosim.simulation.slave import Slave, free_instance, instantiate, load_slave, major_version, takes_slopes
 from pam_cosim.simulation.trajectory import Trajectory
 
 
@@ -60,7 +67,7 @@ class Simulator:
         self._units = {
             v.name: v.unit for group in _groups(self.interface) for v in group.values()
         }  # fmt: skip
-        self._slave: Slave | None = None
+        self._instance: Instance | None = None
         self._directory = tempfile.mkdtemp(prefix="pam-cosim-fmu-")
         try:
             self._load()
@@ -73,29 +80,29 @@ class Simulator:
         self._callbacks = Callbacks()
         folder = os.getcwd()
         try:
-            self._slave = load_slave(self._description, self._directory)
+            self._instance = load_instance(self._description, self._directory)
         except Exception as error:  # fmpy raises bare Exceptions
             raise InputError(f"the FMU cannot be loaded on this machine: {error}", self.path) from error
         finally:
             os.chdir(folder)  # FMPy goes to the library's folder and stays there when loading fails
-        self._slopes = takes_slopes(self._description, self._slave)
-        self._instantiate(self._slave)
+        self._slopes = takes_slopes(self._description, self._instance)
+        self._instantiate(self._instance)
 
     def _renew(self) -> None:
         """A fresh instance, for FMUs that cannot be reset."""
-        assert self._slave is not None
-        free_instance(self._slave)
-        self._instantiate(self._slave)
+        assert self._instance is not None
+        free_instance(self._instance)
+        self._instantiate(self._instance)
 
-    def _instantiate(self, slave: Slave) -> None:
+    def _instantiate(self, instance: Instance) -> None:
         try:
-            instantiate(slave, self._callbacks)
+            instantiate(instance, self._callbacks)
         except Exception as error:
             messages = " ".join(self._callbacks.take_messages()) or str(error)
-            slave.freeLibrary()
-            self._slave = None
+            instance.freeLibrary()
+            self._instance = None
             raise RunFailure(f"{self.path.name} cannot be instantiated: {messages}") from error
-        self._driver = Driver(slave.dll, slave.component, self._slopes, major_version(slave))
+        self._driver = Driver(instance.dll, instance.component, self._slopes, major_version(instance))
         self._used = False
 
     def __enter__(self) -> Simulator:
@@ -112,9 +119,9 @@ class Simulator:
 
     def close(self) -> None:
         """Frees the instance and removes its files; a second call does nothing."""
-        slave, self._slave = self._slave, None
-        if slave is not None:
-            slave.freeInstance()
+        instance, self._instance = self._instance, None
+        if instance is not None:
+            instance.freeInstance()
         shutil.rmtree(self._directory, ignore_errors=True)
 
     def run(
@@ -145,7 +152,7 @@ class Simulator:
             InputError: unknown names, an input given both ways, or times out of order.
             SimulationFailure: (``RunFailure``) the run did not reach its end.
         """
-        if self._slave is None:
+        if self._instance is None:
             raise RuntimeError("the simulator is closed")
         wanted = np.ascontiguousarray(times, dtype=float)
         start = float(wanted[0]) if start_time is None and wanted.size else start_time or 0.0
@@ -184,15 +191,15 @@ class Simulator:
     @property
     def progress(self) -> Progress | None:
         """How far the present run is, for another thread to ask; None between runs."""
-        return self._driver.progress if self._slave is not None else None
+        return self._driver.progress if self._instance is not None else None
 
     @property
     def statistics(self) -> SolverStatistics | None:
         """What the last run cost; None for FMUs of other tools."""
-        if self._slave is None or not hasattr(self._slave.dll, "pam_get_statistics"):
+        if self._instance is None or not hasattr(self._instance.dll, "pam_get_statistics"):
             return None
         numbers = (ctypes.c_longlong * 5)()
-        self._slave.dll.pam_get_statistics(ctypes.c_void_p(self._slave.component), numbers)
+        self._instance.dll.pam_get_statistics(ctypes.c_void_p(self._instance.component), numbers)
         return SolverStatistics(*numbers)
 
     def _lookup(self, names: Iterable[str], known: Mapping[str, object], role: str) -> list[int]:
@@ -213,16 +220,16 @@ class Simulator:
         reason = "; ".join(messages) if messages else f"the FMU reports an error in {function} and no reason"
         return RunFailure(reason, time, self._changed(values))
 
-    def _check_finite(self, times: Array, names: Sequence[str], found: Array, values: Mapping[str, float]) -> None:
-        bad = np.argwhere(~np.isfinite(found))
+    def _check_finite(self, times: Array, names: Sequence[str], results: Array, values: Mapping[str, float]) -> None:
+        bad = np.argwhere(~np.isfinite(results))
         if bad.size:
             row, column = bad[0]
             reason = f"'{names[column]}' is not a finite number at time {times[row]:.6g} s"
             raise RunFailure(reason, float(times[row]), self._changed(values))
 
 
-def _groups(face: Interface) -> tuple[dict[str, Variable], ...]:
-    return face.inputs, face.outputs, face.parameters, face.locals, face.sensitivities
+def _groups(interface: Interface) -> tuple[dict[str, Variable], ...]:
+    return interface.inputs, interface.outputs, interface.parameters, interface.locals, interface.sensitivities
 
 
 def _number(name: str, value: float) -> float:

@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from pam_cosim.fitting.descent import Descent
+from pam_cosim.fitting.levenberg_marquardt import Minimum
 from pam_cosim.fitting.solve import Problem
 
 
@@ -23,7 +23,7 @@ class Record(ABC):
 class Solution:
     """The point that a method found, with the slopes there, and what it did on the way where that is worth telling."""
 
-    end: Descent
+    end: Minimum
     record: Record | None = None
 
 

@@ -1,4 +1,4 @@
-"""The descent against SciPy's on problems with known answers, at bounds and beside places where nothing is defined."""
+"""Levenberg and Marquardt's method against SciPy's: at bounds, and beside places where nothing is defined."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
-from pam_cosim.fitting.descent import descend
+from pam_cosim.fitting.levenberg_marquardt import levenberg_marquardt
 
 Array = NDArray[np.float64]
 
@@ -26,13 +26,13 @@ def _its_slopes(z: Array) -> Array:
 def test_valley_is_followed_to_the_same_end_as_by_scipy(low: tuple[float, float], high: tuple[float, float]) -> None:
     bounds = np.array(low), np.array(high)
     start = np.clip([-1.2, 1.0], *bounds)
-    found = descend(_rosenbrock, _its_slopes, start, bounds, 1e-14, 200)
+    minimum = levenberg_marquardt(_rosenbrock, _its_slopes, start, bounds, 1e-14, 200)
     inner = np.clip(start, bounds[0] + 1e-9, bounds[1] - 1e-9)
     theirs = least_squares(_rosenbrock, inner, _its_slopes, bounds=bounds, xtol=1e-15, ftol=1e-15, gtol=1e-15)
-    assert found.z == pytest.approx(theirs.x, abs=1e-5)
-    assert found.cost == pytest.approx(2 * theirs.cost, abs=1e-8)
-    assert np.all(found.z >= bounds[0]) and np.all(found.z <= bounds[1])
-    assert np.array_equal(found.jacobian, _its_slopes(found.z))
+    assert minimum.z == pytest.approx(theirs.x, abs=1e-5)
+    assert minimum.cost == pytest.approx(2 * theirs.cost, abs=1e-8)
+    assert np.all(minimum.z >= bounds[0]) and np.all(minimum.z <= bounds[1])
+    assert np.array_equal(minimum.jacobian, _its_slopes(minimum.z))
 
 
 def test_corner_is_left_and_another_reached_in_a_few_steps() -> None:
@@ -45,9 +45,9 @@ def test_corner_is_left_and_another_reached_in_a_few_steps() -> None:
         asked.append(z)
         return np.asarray(matrix @ z - wanted)
 
-    found = descend(residuals, lambda z: matrix, np.array([0.0, 1.0, 1.0]), bounds, 1e-10, 50)
-    assert found.z[0] == 1.0 and found.z[2] == 0.0
-    assert matrix[:, 1] @ (matrix @ found.z - wanted) == pytest.approx(0.0, abs=1e-4)
+    minimum = levenberg_marquardt(residuals, lambda z: matrix, np.array([0.0, 1.0, 1.0]), bounds, 1e-10, 50)
+    assert minimum.z[0] == 1.0 and minimum.z[2] == 0.0
+    assert matrix[:, 1] @ (matrix @ minimum.z - wanted) == pytest.approx(0.0, abs=1e-4)
     assert len(asked) < 12
 
 
@@ -55,12 +55,12 @@ def test_where_the_model_breaks_down_no_step_ends() -> None:
     def residuals(z: Array) -> Array:
         return np.full(2, np.inf) if z[0] > 1 else np.array([z[0] - 1.0, 0.1 * z[0]])
 
-    found = descend(
+    minimum = levenberg_marquardt(
         residuals, lambda z: np.array([[1.0], [0.1]]), np.zeros(1), (np.zeros(1), np.full(1, 9.0)), 1e-10, 50
     )
-    assert found.z[0] == pytest.approx(1 / 1.01, abs=1e-4)
+    assert minimum.z[0] == pytest.approx(1 / 1.01, abs=1e-4)
     # nor from a place whose best step leads out of what can be simulated
-    cliff = descend(
+    cliff = levenberg_marquardt(
         lambda z: np.full(1, np.inf) if z[0] > 1 else np.array([z[0] - 5.0]),
         lambda z: np.ones((1, 1)), np.zeros(1), (np.zeros(1), np.full(1, 9.0)), 1e-10, 100,
     )  # fmt: skip
@@ -76,8 +76,8 @@ def test_parameter_without_effect_stays_and_evaluations_are_counted() -> None:
 
     slopes = lambda z: np.array([[np.exp(z[0]), 0.0], [0.0, 0.0]])  # noqa: E731
     bounds = np.full(2, -5.0), np.full(2, 5.0)
-    found = descend(residuals, slopes, np.array([3.0, 2.0]), bounds, 1e-12, 40)
-    assert found.z[0] == pytest.approx(0.0, abs=1e-5) and found.z[1] == pytest.approx(2.0)
+    minimum = levenberg_marquardt(residuals, slopes, np.array([3.0, 2.0]), bounds, 1e-12, 40)
+    assert minimum.z[0] == pytest.approx(0.0, abs=1e-5) and minimum.z[1] == pytest.approx(2.0)
     asked.clear()
-    descend(residuals, slopes, np.array([3.0, 2.0]), bounds, 1e-12, 4)
+    levenberg_marquardt(residuals, slopes, np.array([3.0, 2.0]), bounds, 1e-12, 4)
     assert len(asked) == 4

@@ -1,4 +1,4 @@
-"""FMPy's face of a co-simulation instance, for both versions of FMI."""
+"""FMPy's interface to a co-simulation instance, for both versions of FMI."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from pam_cosim.fmu.compile import PLATFORMS, native_platform
 from pam_cosim.fmu.read import fmi_version
 from pam_cosim.simulation.driver import Callbacks
 
-Slave: TypeAlias = Any  # FMU2Slave | FMU3Slave, of a package without types
+Instance: TypeAlias = Any  # FMU2Slave | FMU3Slave, of a package without types
 
 
-def load_slave(description: ModelDescription, directory: str) -> Slave:
+def load_instance(description: ModelDescription, directory: str) -> Instance:
     """Loads the binary of an unpacked FMU; no instance yet.
 
     Raises:
@@ -41,31 +41,31 @@ def _own_library(directory: str, identifier: str) -> str | None:
     return str(path) if path.exists() else None
 
 
-def instantiate(slave: Slave, callbacks: Callbacks) -> None:
+def instantiate(instance: Instance, callbacks: Callbacks) -> None:
     """Makes an instance that reports to ``callbacks``.
 
     Raises:
         Exception: FMPy's own, where the FMU refuses.
     """
-    if isinstance(slave, FMU3Slave):
-        slave.instantiate(loggingOn=True, logMessage=callbacks.note)
+    if isinstance(instance, FMU3Slave):
+        instance.instantiate(loggingOn=True, logMessage=callbacks.note)
     else:
-        slave.instantiate(callbacks=callbacks.functions)
+        instance.instantiate(callbacks=callbacks.functions)
 
 
-def free_instance(slave: Slave) -> None:
+def free_instance(instance: Instance) -> None:
     """Frees the instance and keeps the library loaded."""
-    free = slave.fmi3FreeInstance if isinstance(slave, FMU3Slave) else slave.fmi2FreeInstance
-    free(slave.component)
+    free = instance.fmi3FreeInstance if isinstance(instance, FMU3Slave) else instance.fmi2FreeInstance
+    free(instance.component)
 
 
-def major_version(slave: Slave) -> int:
+def major_version(instance: Instance) -> int:
     """Of FMI: 2 or 3."""
-    return 3 if isinstance(slave, FMU3Slave) else 2
+    return 3 if isinstance(instance, FMU3Slave) else 2
 
 
-def takes_slopes(description: ModelDescription, slave: Slave) -> bool:
+def takes_slopes(description: ModelDescription, instance: Instance) -> bool:
     """Whether inputs may be given with their slopes: by FMI 2.0, or by our own FMUs beside FMI 3.0."""
-    if isinstance(slave, FMU3Slave):
-        return hasattr(slave.dll, "pam_set_input_slopes")
+    if isinstance(instance, FMU3Slave):
+        return hasattr(instance.dll, "pam_set_input_slopes")
     return bool(description.coSimulation.canInterpolateInputs)

@@ -18,17 +18,17 @@ from scipy.optimize import lsq_linear
 from pam_cosim.arrays import Array
 
 _FIRST_DAMPING = 1e-3  # of the squared size of each column
-_FIRST_REACH = 1.0  # of a step in any coordinate: a factor of e, or the typical size of the parameter
-_ACCEPTED = 1e-4  # of the gain that was foretold, that a step must bring
-_TRUSTED = 0.25  # of it, from which on a small gain means that little is left to gain
-_RELIABLE = 0.5  # of it, from which on a step may reach further
+_FIRST_TRUST_RADIUS = 1.0  # of a step in any coordinate: a factor of e, or the typical size of the parameter
+_ACCEPTED = 1e-4  # gain ratio that a step must have: what it takes away over what was predicted
+_TRUSTED = 0.25  # gain ratio from which on a small reduction means that little is left to gain
+_RELIABLE = 0.5  # gain ratio from which on the trust radius grows
 _STEP = 1e-7  # relative step that counts as none
 _TINY = 1e-300  # lsq_linear wants the bounds apart
 
 
 @dataclass(frozen=True)
-class Descent:
-    """Where a descent ended.
+class Minimum:
+    """A local minimum: where a descent ended.
 
     Attributes:
         cost: sum of squared residuals.
@@ -41,15 +41,15 @@ class Descent:
     jacobian: Array
 
 
-def descend(
+def levenberg_marquardt(
     residuals: Callable[[Array], Array],
     jacobian: Callable[[Array], Array],
     start: Array,
     bounds: tuple[Array, Array],
     precision: float,
     most_evaluations: int,
-) -> Descent:
-    """Goes down from ``start``.
+) -> Minimum:
+    """Goes down from ``start``: a damped step at a time, no longer than a trust radius that grows with the gain ratio.
 
     Args:
         residuals: (m,) of (n,); infinite where the model breaks down, where no step leads then.
@@ -61,30 +61,30 @@ def descend(
     """
     low, high = bounds
     z, e, slopes = start, residuals(start), jacobian(start)
-    cost, damping, patience, reach = float(e @ e), _FIRST_DAMPING, 2.0, _FIRST_REACH
+    cost, damping, growth, trust_radius = float(e @ e), _FIRST_DAMPING, 2.0, _FIRST_TRUST_RADIUS
     size, triangle = np.linalg.norm(slopes, axis=0), _triangle(slopes, e)
     for _ in range(most_evaluations - 1):
-        room = np.maximum(low - z, -reach), np.minimum(high - z, reach)
-        step, foretold = _step(triangle, np.where(size > 0, size, 1.0), damping, room)
-        if foretold <= 0 or np.all(np.abs(step) <= _STEP * (_STEP + np.abs(z))):
+        box = np.maximum(low - z, -trust_radius), np.minimum(high - z, trust_radius)
+        step, predicted = _step(triangle, np.where(size > 0, size, 1.0), damping, box)
+        if predicted <= 0 or np.all(np.abs(step) <= _STEP * (_STEP + np.abs(z))):
             break
         moved = np.clip(z + step, low, high)
         new = residuals(moved)
-        gain = cost - float(new @ new)
-        quality = gain / foretold
-        if not quality > _ACCEPTED:  # an infinite residual is no gain either
-            damping *= patience
-            patience *= 2
-            reach = float(np.max(np.abs(step))) / 2
+        reduction = cost - float(new @ new)
+        gain_ratio = reduction / predicted
+        if not gain_ratio > _ACCEPTED:  # an infinite residual is no gain either
+            damping *= growth
+            growth *= 2
+            trust_radius = float(np.max(np.abs(step))) / 2
             continue
-        little = gain < precision * cost and quality > _TRUSTED
-        z, cost, slopes = moved, cost - gain, jacobian(moved)
+        little = reduction < precision * cost and gain_ratio > _TRUSTED
+        z, cost, slopes = moved, cost - reduction, jacobian(moved)
         size, triangle = np.maximum(size, np.linalg.norm(slopes, axis=0)), _triangle(slopes, new)
-        damping, patience = damping * max(1 / 3, 1 - (2 * quality - 1) ** 3), 2.0
-        reach *= 2 if quality > _RELIABLE else 1
+        damping, growth = damping * max(1 / 3, 1 - (2 * gain_ratio - 1) ** 3), 2.0
+        trust_radius *= 2 if gain_ratio > _RELIABLE else 1
         if little:
             break
-    return Descent(cost, z, slopes)
+    return Minimum(cost, z, slopes)
 
 
 def _triangle(slopes: Array, e: Array) -> Array:
@@ -92,13 +92,13 @@ def _triangle(slopes: Array, e: Array) -> Array:
     return np.asarray(np.linalg.qr(np.column_stack([slopes, e]), mode="r"))
 
 
-def _step(triangle: Array, size: Array, damping: float, room: tuple[Array, Array]) -> tuple[Array, float]:
+def _step(triangle: Array, size: Array, damping: float, box: tuple[Array, Array]) -> tuple[Array, float]:
     """The damped step within the bounds, and by how much it lowers the cost of the linearised residuals."""
     n = len(size)
     within, right = triangle[:n, :n], triangle[:n, n]
     rows = np.vstack([within / size, np.sqrt(damping) * np.eye(n)])
-    apart = np.minimum(room[0] * size, -_TINY), np.maximum(room[1] * size, _TINY)
-    found = lsq_linear(rows, np.concatenate([-right, np.zeros(n)]), apart, method="bvls")
-    step: Array = found.x / size
+    bounds = np.minimum(box[0] * size, -_TINY), np.maximum(box[1] * size, _TINY)
+    solution = lsq_linear(rows, np.concatenate([-right, np.zeros(n)]), bounds, method="bvls")
+    step: Array = solution.x / size
     change = within @ step
     return step, -float(2 * right @ change + change @ change)
