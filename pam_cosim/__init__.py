@@ -32,6 +32,7 @@ if TYPE_CHECKING:
         fit,
         read,
         simulate,
+        start,
         sweep,
     )
 
@@ -56,6 +57,7 @@ __all__ = [
     "read",
     "save",
     "simulate",
+    "start",
     "sweep",
 ]
 

@@ -16,6 +16,7 @@ from pam_cosim.comparison import Comparison
 from pam_cosim.comparison import compare as _compare
 from pam_cosim.compiler import read_library
 from pam_cosim.compiler.names import last
+from pam_cosim.cosimulation import Rig
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis import diagnose as _diagnose
 from pam_cosim.domain import Domain
@@ -235,6 +236,46 @@ def simulate(
     with opened(model, files, timeout=timeout) as simulator:
         times = output_times(simulator.interface, inputs, stop_time, interval)
         return simulator.run(times, parameters=resolve(parameters or {}, simulator.interface), inputs=inputs)
+
+
+def start(
+    model: str,
+    parameters: Mapping[str, Setting] | None = None,
+    *,
+    outputs: Sequence[str] | None = None,
+    start_time: float = 0.0,
+    tolerance: float | None = None,
+    files: Paths = (),
+    timeout: float | None = None,
+) -> Rig:
+    """A model to be driven step by step, as a rig in the laboratory.
+
+    ```python
+    with pam.start("Isotonic", {"load.m": "5 kg"}) as rig:
+        while rig["x"] < 0.02:
+            rig.step("10 ms", u_in=0.35)
+        print(rig)
+    ```
+
+    Args:
+        model: a bench, a Modelica class, a ``.mo`` or an ``.fmu`` file.
+        parameters: as in ``simulate``; inputs among them are the first ones.
+        outputs: variables to record; default: every output.
+        start_time: [s].
+        tolerance: relative, of the FMU's solver.
+        files: further Modelica files.
+        timeout: as in ``simulate``.
+
+    Raises:
+        InputError: an unknown model or name, a value that cannot be used.
+        SimulationFailure: the model cannot be started.
+    """
+    simulator = opened(model, files, timeout=timeout)
+    try:
+        return Rig(simulator, parameters, outputs, start_time, tolerance)
+    except BaseException:
+        simulator.close()
+        raise
 
 
 def output_times(

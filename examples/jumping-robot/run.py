@@ -180,9 +180,7 @@ def report(diagnosis: pam.Diagnosis, stages: Sequence[Fit], counter: Sequence[Fi
     friction = (np.pi / 4 * 0.004**2 / area) ** 2 * 0.004 / (74 * 0.0254)
     steps = [[s.title, rms(f, "fit"), rms(f, "holdout")] for s, f in zip(STAGES, stages, strict=True)]
     others = [[s.title, rms(f, "fit"), rms(f, "holdout")] for s, f in zip(COUNTER, counter, strict=True)]
-    added = [
-        [c.effect, c.family, f"{c.fit.comparison.scores['fit']['p'].rmse / 1e3:.1f}"] for c in diagnosis.path
-    ]
+    added = [[c.effect, c.family, f"{c.fit.comparison.scores['fit']['p'].rmse / 1e3:.1f}"] for c in diagnosis.path]
     return (
         (HERE / "report.template.md")
         .read_text(encoding="utf-8")

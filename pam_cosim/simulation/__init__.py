@@ -4,12 +4,15 @@ from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs
 from pam_cosim.simulation.isolated import IsolatedSimulator
 from pam_cosim.simulation.simulator import Simulator, SolverStatistics
+from pam_cosim.simulation.stepper import Abilities, AnyStepper
 from pam_cosim.simulation.trajectory import Trajectory
 
 AnySimulator = Simulator | IsolatedSimulator
 
 __all__ = [
+    "Abilities",
     "AnySimulator",
+    "AnyStepper",
     "Inputs",
     "IsolatedSimulator",
     "RunFailure",

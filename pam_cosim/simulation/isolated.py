@@ -9,7 +9,7 @@ import pickle
 import signal
 import subprocess
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
 from typing import Any
@@ -23,6 +23,7 @@ from pam_cosim.simulation import keeper
 from pam_cosim.simulation.driver import Progress, prepare_driver
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs
+from pam_cosim.simulation.stepper import Abilities
 from pam_cosim.simulation.trajectory import Trajectory
 
 TIME_LIMIT = 60.0  # [s] without progress: loading and each call of an FMU take milliseconds as a rule
@@ -102,10 +103,21 @@ class IsolatedSimulator:
             "tolerance": tolerance,
             "start_time": start_time,
         }
-        kind, answer = self._ask(request)
+        answer = self._answer("run", request)
+        assert isinstance(answer, Trajectory)
+        return answer
+
+    def stepper(self) -> RemoteStepper:
+        """A new run, step by step, in the FMU's process; it ends when another run begins, and with that process."""
+        return RemoteStepper(self._answer)
+
+    def _answer(self, call: str, arguments: dict[str, Any], alone: bool = True) -> Any:
+        """What the FMU's process makes of a call; where not ``alone``, it goes on with what came before."""
+        if not alone and (self._process is None or self._process.poll() is not None):
+            raise RunFailure(f"the run of {self.path.name} has ended with its process")
+        kind, answer = self._ask({"call": call, "arguments": arguments})
         if kind == "error":
             raise answer
-        assert isinstance(answer, Trajectory)
         return answer
 
     def _ask(self, request: dict[str, Any]) -> tuple[str, Any]:
@@ -143,7 +155,75 @@ class IsolatedSimulator:
             f"{self.path.name} was ended: no progress for {self.timeout:g} s, {place}; "
             "a longer time limit (--timeout) may help"
         )
-        return RunFailure(reason, progress.time if progress else None, request["parameters"])
+        return RunFailure(reason, progress.time if progress else None, request["arguments"].get("parameters"))
+
+
+class RemoteStepper:
+    """A run of an FMU in a process of its own; as ``AnyStepper``.
+
+    Args:
+        answer: what that process makes of a call.
+    """
+
+    def __init__(self, answer: Callable[[str, dict[str, Any], bool], Any]) -> None:
+        self._answer = answer
+
+    def abilities(self) -> Abilities:
+        """As ``AnyStepper``."""
+        abilities: Abilities = self._answer("abilities", {}, False)
+        return abilities
+
+    def begin(self, values: Mapping[str, float], start_time: float = 0.0, tolerance: float | None = None) -> None:
+        """As ``AnyStepper``."""
+        self._answer("begin", {"values": values, "start_time": start_time, "tolerance": tolerance}, True)
+
+    def initialised(self) -> None:
+        """As ``AnyStepper``."""
+        self._answer("initialised", {}, False)
+
+    def read(self, names: Sequence[str], inputs: Mapping[str, float] | None = None) -> list[float]:
+        """As ``AnyStepper``."""
+        values: list[float] = self._answer("read", {"names": names, "inputs": inputs}, False)
+        return values
+
+    def advance(
+        self,
+        duration: float,
+        inputs: Mapping[str, float] | None = None,
+        slopes: Mapping[str, float] | None = None,
+        names: Sequence[str] = (),
+        can_go_back: bool = False,
+    ) -> list[float]:
+        """As ``AnyStepper``."""
+        arguments = {
+            "duration": duration, "inputs": inputs, "slopes": slopes, "names": names, "can_go_back": can_go_back
+        }  # fmt: skip
+        values: list[float] = self._answer("advance", arguments, False)
+        return values
+
+    def save(self) -> int:
+        """As ``AnyStepper``."""
+        return int(self._answer("save", {}, False))
+
+    def restore(self, number: int) -> None:
+        """As ``AnyStepper``."""
+        self._answer("restore", {"number": number}, False)
+
+    def forget(self, number: int) -> None:
+        """As ``AnyStepper``."""
+        self._answer("forget", {"number": number}, False)
+
+    def freeze(self, number: int) -> bytes:
+        """As ``AnyStepper``."""
+        return bytes(self._answer("freeze", {"number": number}, False))
+
+    def thaw(self, state: bytes, time: float) -> int:
+        """As ``AnyStepper``."""
+        return int(self._answer("thaw", {"state": state, "time": time}, False))
+
+    def take_messages(self) -> list[str]:
+        """As ``AnyStepper``."""
+        return list(self._answer("take_messages", {}, False))
 
 
 def _start(path: Path, timeout: float) -> subprocess.Popen[bytes]:

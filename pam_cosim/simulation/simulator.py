@@ -15,6 +15,7 @@ from types import TracebackType
 
 import fmpy
 import numpy as np
+from fmpy.fmi1 import FMICallException
 from numpy.typing import ArrayLike
 
 from pam_cosim.arrays import Array
@@ -33,6 +34,7 @@ from pam_cosim.simulation.instance import (
     takes_slopes,
 )
 from pam_cosim.simulation.plan import plan
+from pam_cosim.simulation.stepper import Abilities, Stepper, abilities_of
 from pam_cosim.simulation.trajectory import Trajectory
 
 
@@ -68,6 +70,7 @@ class Simulator:
             v.name: v.unit for group in _groups(self.interface) for v in group.values()
         }  # fmt: skip
         self._instance: Instance | None = None
+        self._stepper: Stepper | None = None
         self._directory = tempfile.mkdtemp(prefix="pam-cosim-fmu-")
         try:
             self._load()
@@ -119,6 +122,7 @@ class Simulator:
 
     def close(self) -> None:
         """Frees the instance and removes its files; a second call does nothing."""
+        self._end_steps()
         instance, self._instance = self._instance, None
         if instance is not None:
             instance.freeInstance()
@@ -175,6 +179,7 @@ class Simulator:
                 tolerance, self._used, max_seconds,
             )  # fmt: skip
 
+        self._end_steps()
         outcome = drive()
         if outcome.failed in ("fmi2Reset", "fmi3Reset"):
             self._renew()
@@ -188,10 +193,44 @@ class Simulator:
         warnings = tuple(self._callbacks.take_messages())
         return Trajectory(wanted.copy(), dict(zip(names, columns, strict=True)), units, warnings)
 
+    def stepper(self) -> Stepper:
+        """A new run of the instance, step by step; it ends when another run begins.
+
+        Raises:
+            SimulationFailure: the FMU can neither be reset nor made anew.
+        """
+        if self._instance is None:
+            raise RuntimeError("the simulator is closed")
+        self._end_steps()
+        if self._used:
+            self._fresh(self._instance)
+        self._used = True
+        self._stepper = Stepper(self._instance, self.abilities, self._callbacks, self._references, self.path.name)
+        return self._stepper
+
+    @property
+    def abilities(self) -> Abilities:
+        """What the FMU can do beside a step."""
+        return abilities_of(self._description, self._slopes)
+
+    def _fresh(self, instance: Instance) -> None:
+        """The instance as it was made."""
+        try:
+            instance.reset()
+        except FMICallException:
+            self._renew()
+
+    def _end_steps(self) -> None:
+        stepper, self._stepper = self._stepper, None
+        if stepper is not None and self._instance is not None:
+            stepper.close()
+
     @property
     def progress(self) -> Progress | None:
         """How far the present run is, for another thread to ask; None between runs."""
-        return self._driver.progress if self._instance is not None else None
+        if self._instance is None:
+            return None
+        return self._stepper.progress if self._stepper is not None else self._driver.progress
 
     @property
     def statistics(self) -> SolverStatistics | None:

@@ -12,8 +12,10 @@ from typing import Any, BinaryIO
 
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.simulation.driver import Progress
+from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.keeper import ANSWER, PROGRESS, read_frame, write_frame
 from pam_cosim.simulation.simulator import Simulator
+from pam_cosim.simulation.stepper import Stepper
 
 
 def _private_output() -> BinaryIO:
@@ -45,6 +47,7 @@ class _Worker:
         self._lock = threading.Lock()
         self._told: Progress | None = None
         self.simulator: Simulator | None = None
+        self._stepper: Stepper | None = None
         threading.Thread(target=self._watch, daemon=True).start()
 
     def _watch(self) -> None:
@@ -64,9 +67,19 @@ class _Worker:
             if self.simulator is None:
                 self._send(PROGRESS, None)  # before the FMU is loaded: nothing in this process can speak meanwhile
                 self.simulator = Simulator(self._path)
-            return "trajectory", self.simulator.run(**request)
+            return "result", self._do(self.simulator, **request)
         except (InputError, SimulationFailure) as error:
             return "error", error
+
+    def _do(self, simulator: Simulator, call: str, arguments: dict[str, Any]) -> Any:
+        """One function of the simulator, or of a run step by step, which its ``begin`` starts."""
+        if call == "run":
+            return simulator.run(**arguments)
+        if call == "begin":
+            self._stepper = simulator.stepper()
+        if self._stepper is None:
+            raise RunFailure(f"the run of {self._path.name} has ended")
+        return getattr(self._stepper, call)(**arguments)
 
     def serve(self) -> None:
         """Answers requests until the input ends."""
