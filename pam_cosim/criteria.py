@@ -149,7 +149,7 @@ class EvidenceCriteria:
     very_strong: float = decides(10.0, "1", "difference of the criterion that counts as very strong", BAYES)
     cleared: float = decides(0.4, "of the excess", "an effect that counts leaves less, in fitted and other runs", BLIND)
     step: float = decides(0.9, "of the squared error", "a step forward leaves less, be it not the last")
-    least_samples: float = decides(2.0, "independent samples", "that the price of a parameter is reckoned from")
+    least_samples: float = decides(2.0, "independent samples", "that the BIC penalty of a parameter is reckoned from")
     as_good: float = decides(
         1.25, "times the squared holdout error", "a model with fewer effects may leave",
         "jumping robot: fewer effects fitted as well and predicted worse",
@@ -183,9 +183,9 @@ class SearchCriteria:
     general_evaluations: int = decides(40, "evaluations", "of each descent of a general member: its valleys are long")
     general_precision: float = decides(1e-4, "of chi-square", "at which they end: creeping further leads nowhere")
     at_noise: float = decides(0.1, "noise variances", "excess that needs no further effect tried")
-    brief_evaluations: int = decides(6, "evaluations", "tell a promising effect from a hopeless one")
-    brief_tolerance: float = decides(1e-5, "1", "of the solver then")
-    brief_precision: float = decides(1e-4, "of chi-square", "at which a brief descent ends")
+    screening_evaluations: int = decides(6, "evaluations", "tell a promising effect from a hopeless one")
+    screening_tolerance: float = decides(1e-5, "1", "of the solver then")
+    screening_precision: float = decides(1e-4, "of chi-square", "at which a descent ends then")
     combined_parameters: int = decides(2, "parameters", "started in all combinations of orders of magnitude")
     decades: int = decides(1, "decades", "that the start of an effect's parameter is varied by, up and down")
     general_decades: int = decides(2, "decades", "the same for a general member")

@@ -14,8 +14,8 @@ from pam_cosim.diagnosis.evidence import incomplete, rank
 from pam_cosim.diagnosis.explanation import LearnedModel, learned_term, ledger_of
 from pam_cosim.diagnosis.missing_term import MissingTerm, missing_term
 from pam_cosim.diagnosis.next_experiment import NextExperiment, Plan, told_apart
-from pam_cosim.diagnosis.path import find_path
 from pam_cosim.diagnosis.search import Search, describe_fit
+from pam_cosim.diagnosis.selection import select_effects
 from pam_cosim.diagnosis.verdict import Verdict, explained, judge, rivals
 from pam_cosim.diagnosis.workers import wake
 from pam_cosim.errors import InputError
@@ -144,14 +144,14 @@ def diagnose(
     data, base, outliers = _base(complete_noise(data), name, files, say)
     shelf = effect_classes(tree, origins(read_structure(qualified(tree, name), files=sources).parts))
     search = Search(tree, name, shelf, data, sources, say, workers)
-    path, tried = find_path(search, base)
+    selected, tried = select_effects(search, base)
     others: list[Plan] = []
-    if path:
-        last = [c for c in tried if c.effects[:-1] == path[-1].effects[:-1]]
-        others = _others(data, path[-1], rivals(path[-1], last), sources)
-    verdict = judge(base, path, [c for c, _ in others], tried)
-    present = path[-1].fit if path else base
-    added = [c.effect for c in path]
+    if selected:
+        last = [c for c in tried if c.effects[:-1] == selected[-1].effects[:-1]]
+        others = _others(data, selected[-1], rivals(selected[-1], last), sources)
+    verdict = judge(base, selected, [c for c, _ in others], tried)
+    present = selected[-1].fit if selected else base
+    added = [c.effect for c in selected]
     ledger = ledger_of(search, (), base) if explain and verdict.kind != "none_missing" else None
     learned, unexplained = None, verdict.kind == "unknown" or verdict.remainder
     if explain and unexplained:
@@ -162,7 +162,7 @@ def diagnose(
         model=name,
         base=base,
         candidates=tuple(rank(base, tried)),
-        path=tuple(path),
+        path=tuple(selected),
         balance=balance,
         verdict=verdict,
         failed=tuple(search.failed),

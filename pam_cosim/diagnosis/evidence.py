@@ -92,11 +92,11 @@ def scale(fits: Sequence[Fit]) -> tuple[float, float]:
 def bic(fit: Fit, variance: float, time: float) -> float:
     """Bayesian information criterion with the effective number of samples."""
     s = fit.residuals["fit"]
-    return s.chi2 / (variance * time) + fit.freedom * price(fit, time)
+    return s.chi2 / (variance * time) + fit.freedom * bic_penalty(fit, time)
 
 
-def price(fit: Fit, time: float) -> float:
-    """What a parameter costs in the criterion."""
+def bic_penalty(fit: Fit, time: float) -> float:
+    """What a parameter costs in the criterion: the logarithm of the effective number of samples."""
     return math.log(max(fit.residuals["fit"].samples / time, CRITERIA.evidence.least_samples))
 
 
@@ -107,8 +107,8 @@ def rank(base: Fit, candidates: Sequence[Candidate]) -> list[Candidate]:
     variance, time = scale([base, *(c.fit for c in candidates)])
     start = bic(base, variance, time)
     # an effect pays for every parameter it brings, also for those that have done their work at one end of their range
-    cost = price(base, time)
-    scored = [replace(c, delta_bic=bic(c.fit, variance, time) + cost * _lost(c) - start) for c in candidates]
+    penalty = bic_penalty(base, time)
+    scored = [replace(c, delta_bic=bic(c.fit, variance, time) + penalty * _lost(c) - start) for c in candidates]
     lowest = min(0.0, *(c.delta_bic for c in scored))
     weights = {c.effects: math.exp(-(c.delta_bic - lowest) / 2) for c in scored}
     total = math.exp(lowest / 2) + sum(weights.values())
@@ -159,7 +159,7 @@ def clears(base: Fit, fit: Fit) -> bool:
     return after < CRITERIA.evidence.cleared * before and _better(base, fit)
 
 
-def alone(base: Fit, tried: Sequence[Candidate]) -> Candidate | None:
+def dominant_effect(base: Fit, tried: Sequence[Candidate]) -> Candidate | None:
     """The effect that takes away nearly all that exceeds the noise, where no other family comes near; else None.
 
     In the fitted runs and in the others. What is left has structure then, and still the family is beyond doubt: what

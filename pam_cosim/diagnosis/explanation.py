@@ -49,17 +49,17 @@ def learned_term(search: Search, ledger: Ledger | None, effects: Sequence[str], 
             search.say(f"no formula could be found for what is missing: nothing explains the {term.balance} term")
             return None
         with tempfile.TemporaryDirectory(prefix="pam-cosim-") as folder:
-            found = try_learned(
+            attempt = try_learned(
                 term, search.data, Path(folder), search.model, effects=effects, start=present.values, files=search.files
             )
     except (InputError, ArithmeticError, ValueError) as problem:
         search.say(f"no formula could be found for what is missing: {problem}")
         return None
-    if isinstance(found, FailedTrial):
-        search.say(f"the model with the formula for what is missing could not be fitted: {found.failure}")
+    if isinstance(attempt, FailedTrial):
+        search.say(f"the model with the formula for what is missing could not be fitted: {attempt.failure}")
         return None
     entry = ledger.entry(term.balance)
     assert entry is not None, "the term was learned from it"
-    term = refitted(term, entry, found, search.tree)
+    term = refitted(term, entry, attempt, search.tree)
     search.say(f"described, not explained: {term}")
-    return LearnedModel(term, rank(present, [found])[0])
+    return LearnedModel(term, rank(present, [attempt])[0])

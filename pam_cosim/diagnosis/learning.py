@@ -155,16 +155,16 @@ def try_learned(
     return run_trial(Trial(effect, names, composition, data, dict(start or {}), tuple(sources)))
 
 
-def refitted(term: LearnedTerm, entry: Entry, found: Candidate, tree: ClassTree) -> LearnedTerm:
+def refitted(term: LearnedTerm, entry: Entry, model: Candidate, tree: ClassTree) -> LearnedTerm:
     """The term with the values that ``try_learned`` fitted.
 
     Args:
         term: what was learned.
         entry: of the ledger, that it was learned from.
-        found: the model with it.
+        model: the model with it.
         tree: the Modelica library.
     """
-    values = {name.rpartition(".")[2]: e for name, e in found.parameters.items()}
+    values = {name.rpartition(".")[2]: e for name, e in model.parameters.items()}
     terms = []
     for i, t in enumerate(term.terms, 1):
         shape = t.form.shape
@@ -210,9 +210,9 @@ class _Samples:
 def _samples(entry: Entry) -> _Samples:
     courses = entry.courses
     group, roles, count = [], [], 0
-    alone = sum(c.role == "fit" for c in courses) == 1
+    single = sum(c.role == "fit" for c in courses) == 1
     for c in courses:
-        parts = CRITERIA.learning.blocks if alone and c.role == "fit" else 1
+        parts = CRITERIA.learning.blocks if single and c.role == "fit" else 1
         group.append(count + np.arange(len(c.time)) * parts // len(c.time))
         roles += [c.role] * parts
         count += parts
@@ -285,8 +285,8 @@ def _refined(samples: _Samples, picked: Sequence[Form], form: Form) -> Form:
         np.log(max(shape.low, shape.value / CRITERIA.learning.shape_span)),
         np.log(min(shape.high, shape.value * CRITERIA.learning.shape_span)),
     )
-    found = minimize_scalar(error, bounds=bounds, method="bounded", options={"xatol": 0.01, "maxiter": 25})
-    return replace(form, shape=replace(shape, value=float(np.exp(found.x))))
+    optimum = minimize_scalar(error, bounds=bounds, method="bounded", options={"xatol": 0.01, "maxiter": 25})
+    return replace(form, shape=replace(shape, value=float(np.exp(optimum.x))))
 
 
 def _left_out(samples: _Samples, columns: Sequence[Array]) -> float:
@@ -316,8 +316,8 @@ def _solved(matrix: Array, right: Array) -> Array:
         return right
     size = np.sqrt(np.maximum(np.diag(matrix), 1e-300))
     scaled = matrix / np.outer(size, size) + 1e-9 * np.eye(len(right))
-    found: Array = np.linalg.solve(scaled, right / size) / size
-    return found
+    solution: Array = np.linalg.solve(scaled, right / size) / size
+    return solution
 
 
 def _fitted(samples: _Samples, picked: Sequence[Form]) -> _Fitted:

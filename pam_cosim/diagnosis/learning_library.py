@@ -78,16 +78,16 @@ class Form:
 
 def quantities(variables: Mapping[str, Array], units: Mapping[str, str]) -> list[Quantity]:
     """What a term can depend on; of variables that say the same the first."""
-    found: list[Quantity] = []
+    kept: list[Quantity] = []
     for name, z in variables.items():
         size = float(np.quantile(np.abs(z), 1 - CRITERIA.learning.extreme))
         if not size > 0 or np.ptp(z) < CRITERIA.learning.constant * size:
             continue
-        if any(abs(np.corrcoef(z, variables[q.name])[0, 1]) > CRITERIA.learning.same for q in found):
+        if any(abs(np.corrcoef(z, variables[q.name])[0, 1]) > CRITERIA.learning.same for q in kept):
             continue
         low, high = np.quantile(z, [CRITERIA.learning.extreme, 1 - CRITERIA.learning.extreme])
         digits = 10.0 ** np.floor(np.log10(size))
-        found.append(
+        kept.append(
             Quantity(
                 name,
                 units.get(name, ""),
@@ -95,19 +95,19 @@ def quantities(variables: Mapping[str, Array], units: Mapping[str, str]) -> list
                 bool(min(-low, high) > CRITERIA.learning.signed * size),
             )
         )
-    return found
+    return kept
 
 
 def forms(known: Sequence[Quantity]) -> list[Form]:
     """All forms of some variables, simple ones first."""
-    found = [Form("1", (), None, "1")]
+    listed = [Form("1", (), None, "1")]
     for q in known:
-        found += _powers(q)
-        found += _jumps(q) if q.signed else _curves(q)
+        listed += _powers(q)
+        listed += _jumps(q) if q.signed else _curves(q)
     for i, a in enumerate(known):
         for b in known[i + 1 :]:
-            found += _products(a, b)
-    return found
+            listed += _products(a, b)
+    return listed
 
 
 def _powers(q: Quantity) -> list[Form]:
@@ -126,21 +126,21 @@ def _jumps(q: Quantity) -> list[Form]:
 
 def _curves(q: Quantity) -> list[Form]:
     growths = [Shape(f"{q.name}_1", q, k * q.size, 0.1 * q.size, 5 * q.size) for k in _GROWTHS]
-    found = [Form(f"(exp({q.name}/{s.name}) - 1)", (q,), s, f"(exp({q.name}/{{shape}}) - 1)") for s in growths]
+    listed = [Form(f"(exp({q.name}/{s.name}) - 1)", (q,), s, f"(exp({q.name}/{{shape}}) - 1)") for s in growths]
     for k in _WAVES:
         s = Shape(f"{q.name}_2", q, k * q.size, 0.9 * k * q.size, 1.1 * k * q.size)
         for wave in ("sin", "cos"):
             text = f"{wave}(6.283185307*{q.name}/{s.name})"
-            found.append(Form(text, (q,), s, f"{wave}(2 pi {q.name}/{{shape}})"))
-    return found
+            listed.append(Form(text, (q,), s, f"{wave}(2 pi {q.name}/{{shape}})"))
+    return listed
 
 
 def _products(a: Quantity, b: Quantity) -> list[Form]:
-    found = [Form(f"{a.ratio}*{b.ratio}", (a, b), None, f"{a.name} {b.name}")]
+    listed = [Form(f"{a.ratio}*{b.ratio}", (a, b), None, f"{a.name} {b.name}")]
     for one, two in ((a, b), (b, a)):
         if two.signed:
             for jump in _jumps(two)[1:]:
-                found.append(Form(f"{one.ratio}*{jump.text}", (one, two), jump.shape, f"{one.name} {jump.words}"))
+                listed.append(Form(f"{one.ratio}*{jump.text}", (one, two), jump.shape, f"{one.name} {jump.words}"))
         else:
-            found.append(Form(f"{one.ratio}*{two.ratio}^2", (one, two), None, f"{one.name} {two.name}^2"))
-    return found
+            listed.append(Form(f"{one.ratio}*{two.ratio}^2", (one, two), None, f"{one.name} {two.name}^2"))
+    return listed

@@ -55,14 +55,14 @@ class Hypothesis:
         """
         known = self._simulator.interface.sensitivities
         slopes = {(s, p): n for s in self.sigma for p in self.free if (n := sensitivity_name(s, p)) in known}
-        found = simulate_run(self._simulator, self.data, run, self.values, None, [*self.sigma, *slopes.values()])
-        values = np.concatenate([found.model[s] / sigma for s, sigma in self.sigma.items()])
+        comparison = simulate_run(self._simulator, self.data, run, self.values, None, [*self.sigma, *slopes.values()])
+        values = np.concatenate([comparison.model[s] / sigma for s, sigma in self.sigma.items()])
         columns = np.zeros((len(values), len(self.free)))
         for j, p in enumerate(self.free):
             if p not in run.parameters:
                 columns[:, j] = np.concatenate(
                     [
-                        found.model[slopes[s, p]] / sigma if (s, p) in slopes else np.zeros(len(run.time))
+                        comparison.model[slopes[s, p]] / sigma if (s, p) in slopes else np.zeros(len(run.time))
                         for s, sigma in self.sigma.items()
                     ]
                 )

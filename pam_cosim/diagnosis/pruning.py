@@ -6,14 +6,14 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.evidence import price, scale
+from pam_cosim.diagnosis.evidence import bic_penalty, scale
 from pam_cosim.fitting import Estimate, Fit, FitOptions, Free, fit
 from pam_cosim.measurement import DataSet
 from pam_cosim.simulation import Simulator
 
 
 def pruned(
-    simulator: Simulator, data: DataSet, free: Sequence[Free], own: Sequence[str], found: Fit, precision: float
+    simulator: Simulator, data: DataSet, free: Sequence[Free], own: Sequence[str], full: Fit, precision: float
 ) -> Fit:
     """The fit without those of its ``own`` coefficients whose interval holds zero and that the evidence does not miss.
 
@@ -25,18 +25,18 @@ def pruned(
         data: the measurement.
         free: all parameters that were fitted.
         own: names of those that may be held.
-        found: the fit with all of them.
+        full: the fit with all of them.
         precision: at which a descent ends.
     """
-    level = max(1.0, found.residuals["fit"].noise_floor)
-    if found.residuals["fit"].excess > CRITERIA.search.pruning_excess * level:
-        return found
-    variance, time = scale([found])
-    worth = variance * time * price(found, time)  # chi-square that a parameter must take away
+    level = max(1.0, full.residuals["fit"].noise_floor)
+    if full.residuals["fit"].excess > CRITERIA.search.pruning_excess * level:
+        return full
+    variance, time = scale([full])
+    worth = variance * time * bic_penalty(full, time)  # chi-square that a parameter must take away
     options = FitOptions(evaluations=CRITERIA.search.pruning_evaluations, descents=1, precision=precision)
     held: dict[str, Estimate] = {}
     needed: set[str] = set()
-    best = found
+    best = full
     while name := _idle(best, [n for n in own if n not in needed and n not in held]):
         left = [replace(f, start=best.values[f.name]) for f in free if f.name != name and f.name not in held]
         zeros = dict.fromkeys([*held, name], 0.0)
@@ -49,7 +49,7 @@ def pruned(
     return replace(best, parameters={f.name: (best.parameters | held)[f.name] for f in free})
 
 
-def _idle(found: Fit, names: Sequence[str]) -> str:
+def _idle(fitted: Fit, names: Sequence[str]) -> str:
     """The coefficient that is least distinct from zero, if its interval holds zero; else nothing."""
-    some = [(n, e) for n in names if (e := found.parameters[n]).low <= 0 <= e.high and e.high > e.low]
+    some = [(n, e) for n in names if (e := fitted.parameters[n]).low <= 0 <= e.high and e.high > e.low]
     return min((abs(e.value) / (e.high - e.low), n) for n, e in some)[1] if some else ""

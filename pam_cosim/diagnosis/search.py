@@ -1,4 +1,4 @@
-"""Trying effects on top of a model: all of them briefly, the promising ones to the end."""
+"""Trying effects on top of a model: all of them are screened in a few steps, the promising ones refined to the end."""
 
 from __future__ import annotations
 
@@ -70,35 +70,35 @@ class Search:
         first = (
             _of_each_family(simple, [*(c.effect for c in known), *(c.effect for c in self.failed)]) if known else simple
         )
-        found = self._brief(first)
-        if first and not found:
+        screened = self._screened(first)
+        if first and not screened:
             raise SimulationFailure(f"no effect could be tried; {self.failed[-1].effect}: {self.failed[-1].failure}")
-        if not any(c.fit.residuals["fit"].excess < below for c in found):
-            return rank(present, found)
-        leading = self._deep(trials, found)
+        if not any(c.fit.residuals["fit"].excess < below for c in screened):
+            return rank(present, screened)
+        leading = self._refined(trials, screened)
         if not any(at_noise(c.fit) for c in leading):
-            left = self._untried(trials, [*found, *leading])
-            families = _leading_families([*found, *leading], CRITERIA.search.further_families)
-            rest = self._brief([t for t in left if t.effect.family in families])
-            found += rest
-            leading = [*leading, *self._deep(trials, rest, [*found, *leading])]
+            left = self._untried(trials, [*screened, *leading])
+            families = _leading_families([*screened, *leading], CRITERIA.search.further_families)
+            rest = self._screened([t for t in left if t.effect.family in families])
+            screened += rest
+            leading = [*leading, *self._refined(trials, rest, [*screened, *leading])]
         better = {c.effect: c for c in leading}
-        return rank(present, [better.pop(c.effect, c) for c in found] + list(better.values()))
+        return rank(present, [better.pop(c.effect, c) for c in screened] + list(better.values()))
 
-    def _brief(self, trials: Sequence[Trial]) -> list[Candidate]:
-        return self._run("in a few steps", [t.brief() for t in trials])
+    def _screened(self, trials: Sequence[Trial]) -> list[Candidate]:
+        return self._run("in a few steps", [t.screening() for t in trials])
 
-    def _deep(
-        self, trials: Sequence[Trial], found: Sequence[Candidate], among: Sequence[Candidate] = ()
+    def _refined(
+        self, trials: Sequence[Trial], candidates: Sequence[Candidate], among: Sequence[Candidate] = ()
     ) -> list[Candidate]:
-        """Fits the promising ones of ``found`` (that are so ``among`` more) to the end.
+        """Fits the promising ones of ``candidates`` (that are so ``among`` more) to the end.
 
         The other members of a leading family are fitted too, but richer ones only where a simple one came near: what
         bends in every direction must not stand in for a family that does not fit.
         """
-        every = [*found, *among]
+        every = [*candidates, *among]
         near, chosen = _near(every), worth_refitting(every)
-        names = {c.effect for c in found}
+        names = {c.effect for c in candidates}
         own = _onwards(trials, [c for c in chosen if c.effect in names])
         again = [t.fitted_with(descents=t.options.descents + 1) for t in own]
         plain = {t.effect.name for t in _simple(trials)}
@@ -111,8 +111,8 @@ class Search:
         ]
         return self._run("to the end, as they are promising,", [*again, *others])
 
-    def _untried(self, trials: Sequence[Trial], found: Sequence[Candidate]) -> list[Trial]:
-        seen = {c.effects for c in found} | {c.effects for c in self.failed}
+    def _untried(self, trials: Sequence[Trial], candidates: Sequence[Candidate]) -> list[Trial]:
+        seen = {c.effects for c in candidates} | {c.effects for c in self.failed}
         return [t for t in trials if t.effects not in seen]
 
     def with_effects(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate | None:
@@ -144,7 +144,7 @@ class Search:
         leading = _leading_families(known, CRITERIA.search.leading_families)
         own = [e for e in self.shelf if e.general and e.family in leading]
         trials = [
-            replace(_patient(t), found=best[t.effect.family].fit.values)
+            replace(_patient(t), further_start=best[t.effect.family].fit.values)
             for t in self._composed([(e.name,) for e in own], present.values)
         ]
         return self._run("to the end, in the general form of its family,", trials)
@@ -154,10 +154,10 @@ class Search:
         seen = {c.effects for c in known} | {c.effects for c in self.failed}
         own = [(e.name,) for e in self.shelf if e.general and (e.name,) not in seen]
         trials = [_patient(t) for t in self._composed(own, present.values)]
-        found = self._brief(trials)
-        chosen = _onwards(trials, _by_error(found)[: CRITERIA.search.last_resorts])
+        screened = self._screened(trials)
+        chosen = _onwards(trials, _by_error(screened)[: CRITERIA.search.last_resorts])
         better = {c.effect: c for c in self._run("to the end, in the general form of any family,", chosen)}
-        return rank(present, [better.get(c.effect, c) for c in found])
+        return rank(present, [better.get(c.effect, c) for c in screened])
 
     def fewer(self, effects: Sequence[str], start: Mapping[str, float], below: float) -> list[Candidate]:
         """Models with one of these effects less and another in a richer form of its family.
@@ -167,7 +167,7 @@ class Search:
         less = [_exchanged([e for e in effects if e != left], self.shelf, _richer) for left in reversed(effects)]
         alike = {frozenset(names): names for some in less for names in some}
         trials = self._composed(list(alike.values()), start)
-        near = [c for c in self._brief(trials) if c.fit.residuals["fit"].excess < below]
+        near = [c for c in self._screened(trials) if c.fit.residuals["fit"].excess < below]
         return self._run("to the end, with one effect less,", [_started(t) for t in _onwards(trials, near)])
 
     def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:
@@ -203,10 +203,10 @@ def _patient(trial: Trial) -> Trial:
     )
 
 
-def _onwards(trials: Sequence[Trial], found: Sequence[Candidate]) -> list[Trial]:
+def _onwards(trials: Sequence[Trial], candidates: Sequence[Candidate]) -> list[Trial]:
     """Those of the trials that gave these candidates, with one more start: where the candidate stands."""
-    values = {c.effects: c.fit.values for c in found}
-    return [replace(t, found=values[t.effects]) for t in trials if t.effects in values]
+    values = {c.effects: c.fit.values for c in candidates}
+    return [replace(t, further_start=values[t.effects]) for t in trials if t.effects in values]
 
 
 def _started(trial: Trial) -> Trial:
@@ -241,13 +241,13 @@ def told(c: Candidate | FailedTrial) -> str:
     return f"  {c.effect} ({c.family}): {describe_fit(c.fit)}"
 
 
-def describe_fit(found: Fit) -> str:
+def describe_fit(fit: Fit) -> str:
     """Root mean square errors of a fit in units a person reads, and the reduced chi-square of the runs of each role."""
-    scores = found.comparison.scores["fit"]
-    signals = found.comparison.data.signals
+    scores = fit.comparison.scores["fit"]
+    signals = fit.comparison.data.signals
     errors = ", ".join(f"{n} {readable(s.rmse, signals[n].unit)}" for n, s in scores.items())
-    text = f"rms error {errors}, chi2 {found.comparison.chi2_reduced('fit'):.4g}"
-    holdout = found.comparison.chi2_reduced("holdout")
+    text = f"rms error {errors}, chi2 {fit.comparison.chi2_reduced('fit'):.4g}"
+    holdout = fit.comparison.chi2_reduced("holdout")
     return text if math.isnan(holdout) else f"{text} (holdout {holdout:.4g})"
 
 
@@ -269,26 +269,26 @@ def _by_error(candidates: Sequence[Candidate]) -> list[Candidate]:
 def _near(candidates: Sequence[Candidate]) -> list[Candidate]:
     """Those whose error beyond the noise a few more steps may still bring down to that of the best; best first."""
     ordered = _by_error(candidates)
-    found = [(c.fit.residuals["fit"], c) for c in ordered]
-    if not found:
+    scored = [(c.fit.residuals["fit"], c) for c in ordered]
+    if not scored:
         return []
-    samples = found[0][0].samples
-    floor = min(max(s.noise_floor, 0.0) for s, _ in found) * samples
+    samples = scored[0][0].samples
+    floor = min(max(s.noise_floor, 0.0) for s, _ in scored) * samples
     limit = (
         floor
-        + CRITERIA.search.within_reach * max(found[0][0].chi2 - floor, 0.0)
+        + CRITERIA.search.within_reach * max(scored[0][0].chi2 - floor, 0.0)
         + CRITERIA.search.reach_at_noise * samples
     )
-    return [c for s, c in found if s.chi2 <= limit]
+    return [c for s, c in scored if s.chi2 <= limit]
 
 
 def _leading_families(candidates: Sequence[Candidate], count: int) -> list[str]:
     return list(dict.fromkeys(c.family for c in _by_error(candidates)))[:count]
 
 
-def at_noise(found: Fit) -> bool:
+def at_noise(fit: Fit) -> bool:
     """Whether the residuals of the fitted runs are down at the level of the noise."""
-    s = found.residuals["fit"]
+    s = fit.residuals["fit"]
     return s.excess < CRITERIA.search.at_noise * max(1.0, s.noise_floor)
 
 

@@ -32,7 +32,7 @@ class Trial:
         start: values to start from, by name [SI].
         files: further Modelica files.
         options: how it is fitted.
-        found: where a brief trial ended: another start.
+        further_start: values to start from besides, such as those where screening ended.
     """
 
     effect: EffectClass
@@ -42,23 +42,23 @@ class Trial:
     start: Mapping[str, float] = field(default_factory=dict)
     files: tuple[Path, ...] = ()
     options: FitOptions = FitOptions()
-    found: Mapping[str, float] = field(default_factory=dict)
+    further_start: Mapping[str, float] = field(default_factory=dict)
 
-    def brief(self) -> Trial:
+    def screening(self) -> Trial:
         """A few steps of the same from one start: enough to tell a promising effect from a hopeless one."""
         numbers = CRITERIA.search
         return self.fitted_with(
-            evaluations=numbers.brief_evaluations,
+            evaluations=numbers.screening_evaluations,
             descents=1,
             screened_starts=0,
-            tolerance=numbers.brief_tolerance,
-            precision=numbers.brief_precision,
+            tolerance=numbers.screening_tolerance,
+            precision=numbers.screening_precision,
         )
 
     @property
-    def is_brief(self) -> bool:
-        """Whether it makes a few steps only."""
-        return self.options.evaluations <= CRITERIA.search.brief_evaluations
+    def is_screening(self) -> bool:
+        """Whether it makes a few steps only: a screening."""
+        return self.options.evaluations <= CRITERIA.search.screening_evaluations
 
     def fitted_with(self, **changes: Any) -> Trial:
         """The same trial with other ``options``."""
@@ -77,7 +77,7 @@ class Trial:
             effects=self.effects,
             own_parameters=tuple(self.composition.parameters[self.effect.name]),
             equations=self.composition.text,
-            brief=self.is_brief,
+            brief=self.is_screening,
             general=self.effect.general,
             fit=fit,
         )
@@ -103,7 +103,7 @@ def run_trial(trial: Trial) -> Attempt:
                 starts=starts,
                 options=trial.options,
             )
-            if trial.effect.general and not trial.is_brief:
+            if trial.effect.general and not trial.is_screening:
                 names = trial.composition.parameters[trial.effect.name]
                 best = pruned(simulator, trial.data, moved, names, best, trial.options.precision)
             return trial.candidate(best)
@@ -134,7 +134,9 @@ def free_parameters(trial: Trial, interface: Interface) -> tuple[tuple[Free, ...
             if effect == trial.effect.name:
                 spread.append([(name, s) for s in _orders(parameter, trial.effect.general)])
     moved = [_from(f, trial.start) for f in free]
-    return tuple(moved), [dict(trial.found)] * bool(trial.found) + _combined(spread, trial.effect.general)
+    return tuple(moved), [dict(trial.further_start)] * bool(trial.further_start) + _combined(
+        spread, trial.effect.general
+    )
 
 
 def _combined(spread: Sequence[Sequence[tuple[str, float]]], pairs: bool) -> list[dict[str, float]]:

@@ -9,7 +9,7 @@ from typing import Literal
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.evidence import alone, foretold, incomplete, structured
+from pam_cosim.diagnosis.evidence import dominant_effect, foretold, incomplete, structured
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import ROLES
 
@@ -58,15 +58,15 @@ def rivals(best: Candidate, ranked: Sequence[Candidate]) -> list[Candidate]:
     Neither the evidence of the fitted samples, nor the holdout runs, nor signals that were compared but not fitted
     may tell them apart. What says whatever its family can is a rival only of its like, not of a law.
     """
-    found: dict[str, Candidate] = {}
+    by_family: dict[str, Candidate] = {}
     for c in ranked:
         if c.family == best.family or c.delta_bic - best.delta_bic > CRITERIA.evidence.very_strong:
             continue
         if c.general and not best.general:
             continue
         if not _refuted(c.fit, best.fit):
-            found.setdefault(c.family, c)
-    return list(found.values())
+            by_family.setdefault(c.family, c)
+    return list(by_family.values())
 
 
 def _refuted(rival: Fit, best: Fit) -> bool:
@@ -83,27 +83,27 @@ def _refuted(rival: Fit, best: Fit) -> bool:
 
 
 def judge(
-    base: Fit, path: Sequence[Candidate], others: Sequence[Candidate], tried: Sequence[Candidate] = ()
+    base: Fit, selected: Sequence[Candidate], others: Sequence[Candidate], tried: Sequence[Candidate] = ()
 ) -> Verdict:
-    """Turns the effects that were added (``path``), rivals of the last one and all that were tried into a verdict.
+    """Turns the effects that were ``selected``, rivals of the last one and all that were tried into a verdict.
 
     What leaves structure is unknown, whatever its rivals: that two families fail alike does not make one of them the
     answer.
     """
-    if not path:
+    if not selected:
         repeated = foretold(base)
         if any(structured(base.residuals[r], repeated) for r in ROLES):
             return Verdict("unknown", (), (), "The residual has structure, and no listed effect explains it.")
         return Verdict("none_missing", (), (), "The residual is noise: nothing is missing that these data could show.")
-    last = path[-1]
-    families = tuple(c.family for c in path)
-    effects = tuple(c.effect for c in path)
+    last = selected[-1]
+    families = tuple(c.family for c in selected)
+    effects = tuple(c.effect for c in selected)
     share = explained(base, last.fit)
     text = f"{' + '.join(effects)} removes {100 * share:.1f} % of the squared error beyond the noise"
     names = " and ".join([last.family, *(c.family for c in others)])
     if incomplete(last.fit):
-        one = alone(base, tried)
-        if one is not None and one.effects == last.effects and not others:
+        dominant = dominant_effect(base, tried)
+        if dominant is not None and dominant.effects == last.effects and not others:
             return Verdict("identified", families, effects, f"{text}, {_REST}{_caution(last.fit)}", remainder=True)
         text += ", but what remains has structure: something else is missing."
         also = f" Nor can these data separate {names}, and none of them is the answer." if others else ""
@@ -115,13 +115,13 @@ def judge(
     loud = last.fit.residuals["fit"].chi2_reduced
     noise = f"; the noise is {loud**0.5:.2g} times the stated one" if loud > CRITERIA.fit.loud else ""
     return Verdict(
-        "identified", families, effects, f"{text}; what remains is noise{noise}.{_open(path)}{_caution(last.fit)}"
+        "identified", families, effects, f"{text}; what remains is noise{noise}.{_open(selected)}{_caution(last.fit)}"
     )
 
 
-def _open(path: Sequence[Candidate]) -> str:
+def _open(selected: Sequence[Candidate]) -> str:
     """What an effect that says whatever its family can leaves open."""
-    names = [c.effect for c in path if c.general]
+    names = [c.effect for c in selected if c.general]
     if not names:
         return ""
     says, kind = ("say", "their families") if len(names) > 1 else ("says", "its family")
@@ -130,11 +130,11 @@ def _open(path: Sequence[Candidate]) -> str:
     )
 
 
-def _caution(found: Fit) -> str:
+def _caution(fit: Fit) -> str:
     """What keeps an explanation from being beyond doubt: no run that checks it, or a fit that ends at a bound."""
-    checked = found.residuals["holdout"].samples
+    checked = fit.residuals["holdout"].samples
     text = "" if checked else " No run was held out: nothing but what was fitted speaks for it."
-    names = [n for n, e in found.parameters.items() if e.at_bound]
+    names = [n for n, e in fit.parameters.items() if e.at_bound]
     if names:
         text += f" Caution: {', '.join(names)} ended at a bound; the model may stand in for something else."
     return text

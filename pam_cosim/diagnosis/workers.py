@@ -121,11 +121,11 @@ def run_tasks(
         workers: number of processes; default the processors at hand. 0: this process alone, which a crash ends.
     """
     if workers == 0:
-        alone = []
+        inline = []
         for task in tasks:
-            alone.append(function(task))
-            done(alone[-1])
-        return alone
+            inline.append(function(task))
+            done(inline[-1])
+        return inline
     results: dict[int, Result] = {}
     waiting = list(range(len(tasks)))
     # as many as ever, also for fewer tasks: a pool that shrinks has to start anew what it ended

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field, replace
 from pam_cosim.catalogue import effect_classes
 from pam_cosim.compiler import read_library
 from pam_cosim.diagnosis import Candidate
-from pam_cosim.diagnosis.path import find_path
 from pam_cosim.diagnosis.search import Search
+from pam_cosim.diagnosis.selection import select_effects
 from pam_cosim.diagnosis.trial import Trial
 from pam_cosim.fitting import Fit
 from tests.diagnosis.synthetic import fitted
@@ -40,7 +40,7 @@ def search(fits: Mapping[str, Fit]) -> Told:
 
 
 def found(searched: Told, base: Fit = BASE) -> list[str]:
-    path, _ = find_path(searched, base)
+    path, _ = select_effects(searched, base)
     return list(path[-1].effects) if path else []
 
 

@@ -1,4 +1,4 @@
-"""Which effects a model needs: added one after another, the superfluous ones removed."""
+"""Selection of the effects that a model needs: added one after another, the superfluous ones removed (stepwise)."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from collections.abc import Sequence
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.evidence import (
-    alone,
     as_good,
     clears,
     coherent,
     convincing,
+    dominant_effect,
     foretold,
     leading,
     promising,
@@ -23,7 +23,7 @@ from pam_cosim.diagnosis.search import Search, at_noise, describe_fit
 from pam_cosim.fitting import Fit
 
 
-def find_path(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidate]]:
+def select_effects(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidate]]:
     """The effects that are needed, in the order in which they were found, and all that were tried."""
     missing = any(coherent(s) for s in base.residuals.values())
     tried = search.round((), base, below=math.inf if missing else 0.0)
@@ -32,26 +32,26 @@ def find_path(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidat
         first = _generalized(search, base, first, tried)
     elif first and not _unsolved(first[0]) and not at_noise(first[0].fit):
         first = _outdone(search, base, first, tried)
-    path = [first[0]] if first else []
+    selected = [first[0]] if first else []
     if first and _unsolved(first[0]):
-        path = _second(search, base, first, tried)
-        if len(path) == 1 and not _nearly(base, first[0]):
-            path = _generalized(search, base, first, tried)[:1]
-        path = _lone(search, base, path, tried)
-    while 1 < len(path) < CRITERIA.search.most_effects and _unsolved(path[-1]):
-        path = _enriched(search, base, path, tried)
-        last = path[-1]
+        selected = _second(search, base, first, tried)
+        if len(selected) == 1 and not _nearly(base, first[0]):
+            selected = _generalized(search, base, first, tried)[:1]
+        selected = _dominant(search, base, selected, tried)
+    while 1 < len(selected) < CRITERIA.search.most_effects and _unsolved(selected[-1]):
+        selected = _enriched(search, base, selected, tried)
+        last = selected[-1]
         if not _unsolved(last):
             break
-        found = search.round(last.effects, last.fit, tried)
-        tried += found
-        steps = _steps(last.fit, found)
+        candidates = search.round(last.effects, last.fit, tried)
+        tried += candidates
+        steps = _steps(last.fit, candidates)
         if not steps:
             break
-        path.append(steps[0])
+        selected.append(steps[0])
         search.say(f"added {_told(steps[0])}")
-    path = _merged(search, base, _needed(search, base, path, tried), tried)
-    return (path, tried) if path and convincing(base, rank(base, [path[-1]])[0]) else ([], tried)
+    selected = _merged(search, base, _needed(search, base, selected, tried), tried)
+    return (selected, tried) if selected and convincing(base, rank(base, [selected[-1]])[0]) else ([], tried)
 
 
 def _nearly(base: Fit, c: Candidate) -> bool:
@@ -65,11 +65,11 @@ def _generalized(search: Search, base: Fit, first: Sequence[Candidate], tried: l
 
     Those of the leading families are fitted; where no effect helps at all, those of all others too.
     """
-    found = rank(base, search.general(base, tried))
-    if not first and not any(not _unsolved(c) for c in found):
-        found = rank(base, [*found, *search.last_resort(base, [*tried, *found])])
-    tried += found
-    solved = [c for c in _steps(base, found) if not _unsolved(c)]
+    candidates = rank(base, search.general(base, tried))
+    if not first and not any(not _unsolved(c) for c in candidates):
+        candidates = rank(base, [*candidates, *search.last_resort(base, [*tried, *candidates])])
+    tried += candidates
+    solved = [c for c in _steps(base, candidates) if not _unsolved(c)]
     if not solved:
         return list(first)
     search.say(f"in general form: {_told(solved[0])}")
@@ -82,10 +82,10 @@ def _outdone(search: Search, base: Fit, first: Sequence[Candidate], tried: list[
     For a remainder above the noise that does not come again in other runs: a drift as a rule, but not always.
     """
     present = first[0].fit
-    found = rank(base, search.general(base, tried))
-    tried += found
-    better = {c.effects for c in rank(present, found) if convincing(present, c)}
-    return [*(c for c in found if c.effects in better), *first]
+    candidates = rank(base, search.general(base, tried))
+    tried += candidates
+    better = {c.effects for c in rank(present, candidates) if convincing(present, c)}
+    return [*(c for c in candidates if c.effects in better), *first]
 
 
 def _second(search: Search, base: Fit, first: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
@@ -94,15 +94,15 @@ def _second(search: Search, base: Fit, first: Sequence[Candidate], tried: list[C
     One that is beyond doubt by itself is the only first one, and need not leave much undone then.
     """
     singles = list(tried)
-    one = alone(base, singles)
-    starts = [_plain(one, singles)] if one else first[: CRITERIA.search.first_effects]
+    dominant = dominant_effect(base, singles)
+    starts = [_plain(dominant, singles)] if dominant else first[: CRITERIA.search.first_effects]
     pairs: list[Candidate] = []
     for start in starts:
         search.say(f"with {_told(start)}")
-        below = CRITERIA.search.second_leaves * start.fit.residuals["fit"].excess if one else math.inf
-        found = search.round(start.effects, start.fit, singles, below=below)
-        tried += found
-        pairs += _steps(start.fit, found)[:1]
+        below = CRITERIA.search.second_leaves * start.fit.residuals["fit"].excess if dominant else math.inf
+        candidates = search.round(start.effects, start.fit, singles, below=below)
+        tried += candidates
+        pairs += _steps(start.fit, candidates)[:1]
         if pairs and not _unsolved(pairs[-1]):
             break
     if not pairs:
@@ -120,18 +120,18 @@ def _plain(one: Candidate, singles: Sequence[Candidate]) -> Candidate:
     return law if one.general and not _nearly(law.fit, one) else one
 
 
-def _lone(search: Search, base: Fit, path: list[Candidate], tried: Sequence[Candidate]) -> list[Candidate]:
-    """The path, or the one effect beyond doubt where a second one does not take away most of what that leaves."""
-    last, one = path[-1], alone(base, tried)
-    if one is None or not _unsolved(last) or (len(path) > 1 and _nearly(path[0].fit, last)):
-        return path
-    search.say(f"no second effect explains what is left by {_told(one)}")
-    return [one]
+def _dominant(search: Search, base: Fit, selected: list[Candidate], tried: Sequence[Candidate]) -> list[Candidate]:
+    """The selection, or the one effect beyond doubt where a second one does not take away most of what that leaves."""
+    last, dominant = selected[-1], dominant_effect(base, tried)
+    if dominant is None or not _unsolved(last) or (len(selected) > 1 and _nearly(selected[0].fit, last)):
+        return selected
+    search.say(f"no second effect explains what is left by {_told(dominant)}")
+    return [dominant]
 
 
-def _steps(present: Fit, found: Sequence[Candidate]) -> list[Candidate]:
+def _steps(present: Fit, candidates: Sequence[Candidate]) -> list[Candidate]:
     """Effects worth adding, the leading one first, one of each family."""
-    order = [leading(found), *found] if any(c.fit for c in found) else []
+    order = [leading(candidates), *candidates] if any(c.fit for c in candidates) else []
     best: dict[str, Candidate] = {}
     repeats = _structured(present)
     for c in order:
@@ -155,49 +155,49 @@ def _step(present: Fit, best: Candidate, repeats: bool) -> bool:
     return repeats and promising(present, best)
 
 
-def _structured(found: Fit) -> bool:
-    repeated = foretold(found)
-    return any(structured(s, repeated) for s in found.residuals.values())
+def _structured(fit: Fit) -> bool:
+    repeated = foretold(fit)
+    return any(structured(s, repeated) for s in fit.residuals.values())
 
 
-def _needed(search: Search, base: Fit, path: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
-    """The path without effects that those added later made superfluous."""
-    path = list(path)
-    for i in reversed(range(len(path) - 1)):
-        rest = [*path[:i], *path[i + 1 :]]
-        without = _refitted(search, [c.effect for c in rest], path[-1].fit, base, tried, again=True)
-        if without and as_good(without[-1].fit, path[-1]):
-            search.say(f"{path[i].effect} is not needed any more")
-            path = without
-    return path
+def _needed(search: Search, base: Fit, selected: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
+    """The selection without effects that those added later made superfluous."""
+    selected = list(selected)
+    for i in reversed(range(len(selected) - 1)):
+        rest = [*selected[:i], *selected[i + 1 :]]
+        without = _refitted(search, [c.effect for c in rest], selected[-1].fit, base, tried, again=True)
+        if without and as_good(without[-1].fit, selected[-1]):
+            search.say(f"{selected[i].effect} is not needed any more")
+            selected = without
+    return selected
 
 
-def _enriched(search: Search, base: Fit, path: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
-    """The path with one of its effects in another form, where that is better beyond chance; general ones come last."""
-    path = list(path)
+def _enriched(search: Search, base: Fit, selected: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
+    """The selection with one of its effects in another form, where that is better beyond chance; general ones last."""
+    selected = list(selected)
     for general in (False, True):
-        last = path[-1]
+        last = selected[-1]
         if not _unsolved(last):
             break
-        found = search.exchanged([c.effect for c in path], last.fit.values, general)
-        tried += found
-        better = [c for c in rank(last.fit, found) if convincing(last.fit, c)]
+        candidates = search.exchanged([c.effect for c in selected], last.fit.values, general)
+        tried += candidates
+        better = [c for c in rank(last.fit, candidates) if convincing(last.fit, c)]
         if better:
             search.say(f"in another form: {_told(better[0])}")
-            path = _refitted(search, better[0].effects, better[0].fit, base, tried) or path
-    return path
+            selected = _refitted(search, better[0].effects, better[0].fit, base, tried) or selected
+    return selected
 
 
-def _merged(search: Search, base: Fit, path: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
-    """The path with fewer effects, where a richer member of one's family does what two of them did."""
-    path = list(path)
-    while len(path) > 1:
-        full = path[-1]
-        found = search.fewer(
-            [c.effect for c in path], full.fit.values, CRITERIA.search.better_form * base.residuals["fit"].excess
+def _merged(search: Search, base: Fit, selected: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
+    """The selection with fewer effects, where a richer member of one's family does what two of them did."""
+    selected = list(selected)
+    while len(selected) > 1:
+        full = selected[-1]
+        candidates = search.fewer(
+            [c.effect for c in selected], full.fit.values, CRITERIA.search.better_form * base.residuals["fit"].excess
         )
-        tried += found
-        enough = [c for c in found if as_good(c.fit, full)]
+        tried += candidates
+        enough = [c for c in candidates if as_good(c.fit, full)]
         if not enough:
             break
         best = rank(base, enough)[0]
@@ -205,30 +205,30 @@ def _merged(search: Search, base: Fit, path: Sequence[Candidate], tried: list[Ca
         fewer = _refitted(search, best.effects, best.fit, base, tried)
         if not fewer:
             break
-        path = fewer
-    return path
+        selected = fewer
+    return selected
 
 
 def _refitted(
     search: Search, effects: Sequence[str], full: Fit, base: Fit, tried: list[Candidate], again: bool = False
 ) -> list[Candidate]:
-    """The chain of models that adds these effects one after another, fitted from the values of a fuller model.
+    """The models that add these effects one after another, fitted from the values of a fuller model.
 
     Models that were fitted before are taken as they are; the last one is fitted ``again``, since it may have stopped
     short of its best. Nothing where one of them cannot be fitted.
     """
-    chain: list[Candidate] = []
+    models: list[Candidate] = []
     for k in range(1, len(effects) + 1):
         names = tuple(effects[:k])
-        before = chain[-1].fit if chain else base
+        before = models[-1].fit if models else base
         known = next((c for c in tried if c.effects == names and not c.brief), None)
         if known is None or (again and k == len(effects)):
             fresh = search.with_effects(names, full.values)
             known = _lower(tried, known, rank(before, [fresh])[0]) if fresh else known
         if known is None:
             return []
-        chain.append(known)
-    return chain
+        models.append(known)
+    return models
 
 
 def _lower(tried: list[Candidate], known: Candidate | None, fresh: Candidate) -> Candidate:
