@@ -8,8 +8,8 @@ import numpy as np
 
 from pam_cosim.errors import InputError
 from pam_cosim.interface import Interface, Variable
-from pam_cosim.measurement import UnitError, quantity
-from pam_cosim.measurement.wording import did_you_mean, shown
+from pam_cosim.units import UnitError, parse_quantity
+from pam_cosim.wording import did_you_mean, shown
 
 # A number in the model's own (SI) unit, or a text such as "207 kPa".
 Setting = float | str
@@ -72,6 +72,6 @@ def _number(value: Setting, variable: Variable) -> float:
     except ValueError:
         pass
     try:
-        return quantity(value, variable.unit)
+        return parse_quantity(value, variable.unit)
     except UnitError as problem:
         raise InputError(f"{_said(value, variable)}: {problem}") from None

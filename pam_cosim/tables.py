@@ -13,8 +13,8 @@ from pam_cosim.diagnosis import NextExperiment
 from pam_cosim.errors import InputError
 from pam_cosim.files import read_json, write_text
 from pam_cosim.interface import Interface
-from pam_cosim.quantities import readable, readable_factor, readable_unit
 from pam_cosim.study import SweepPoint
+from pam_cosim.units import format_quantity, readable_factor, readable_unit
 
 
 def _headed(name: str, unit: str) -> str:
@@ -123,7 +123,7 @@ def against_lines(comparison: Comparison, earlier: Sequence[tuple[str, dict[str,
                 unit = comparison.data.signals[signal].unit
                 change = 100 * (score.rmse / before - 1)
                 lines.append(
-                    f"  against {name}: {signal} rms error {readable(before, unit)} -> {readable(score.rmse, unit)} "
-                    f"({change:+.0f} %)"
+                    f"  against {name}: {signal} rms error {format_quantity(before, unit)} -> "
+                    f"{format_quantity(score.rmse, unit)} ({change:+.0f} %)"
                 )
     return lines

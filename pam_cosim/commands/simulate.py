@@ -16,8 +16,8 @@ from pam_cosim.commands.common import (
     check_results,
     say_written,
 )
-from pam_cosim.quantities import readable
 from pam_cosim.reporting import plot_trajectory
+from pam_cosim.units import format_quantity
 
 
 def simulate(
@@ -44,7 +44,7 @@ def simulate(
         plot_trajectory(trajectory, plot)
     for name, values in trajectory.values.items():
         unit = trajectory.units[name]
-        low, high, last = (readable(float(v), unit) for v in (values.min(), values.max(), values[-1]))
+        low, high, last = (format_quantity(float(v), unit) for v in (values.min(), values.max(), values[-1]))
         typer.echo(f"{name}: from {low} to {high}, at the end {last}")
     say_written(output)
     say_written(plot)

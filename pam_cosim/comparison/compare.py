@@ -9,8 +9,8 @@ from pam_cosim.comparison.residuals import RunComparison, simulate_run
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.comparison.where import Rule, where
 from pam_cosim.measurement import ROLES, DataSet
-from pam_cosim.quantities import readable
 from pam_cosim.simulation import AnySimulator
+from pam_cosim.units import format_quantity
 
 
 @dataclass(frozen=True)
@@ -65,9 +65,9 @@ class Comparison:
         for role in ROLES:
             for name, s in self.scores[role].items():
                 unit = self.data.signals[name].unit
-                noise = "" if s.noise_rmse != s.noise_rmse else f", noise {readable(s.noise_rmse, unit)}"
+                noise = "" if s.noise_rmse != s.noise_rmse else f", noise {format_quantity(s.noise_rmse, unit)}"
                 share = f"{100 * s.nrmse:.1f} % of range{noise}"
-                lines.append(f"  {role:8} {name:4} rms error {readable(s.rmse, unit):>10} ({share})")
+                lines.append(f"  {role:8} {name:4} rms error {format_quantity(s.rmse, unit):>10} ({share})")
         for rule in self.where[:5]:
             lines.append(
                 f"  {100 * rule.error_share:.0f} % of the error of {rule.signal} in "

@@ -14,7 +14,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.domain import Domain
 from pam_cosim.interface import Variable
 from pam_cosim.measurement import Signal
-from pam_cosim.quantities import readable_factor, readable_unit
+from pam_cosim.units import readable_factor, readable_unit
 
 Mask = NDArray[np.bool_]
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from difflib import get_close_matches
 from functools import lru_cache
 from pathlib import Path
 
@@ -12,6 +11,7 @@ from pam_cosim.compiler.parser import parse_source
 from pam_cosim.compiler.source import Source
 from pam_cosim.compiler.syntax import ClassDefinition
 from pam_cosim.errors import ModelError
+from pam_cosim.wording import closest
 
 _Signature = tuple[tuple[str, int, int], ...]
 
@@ -68,7 +68,7 @@ class Library:
             if (node.parent is None or node.parent.kind == "package") and kind in ("", node.kind):
                 by_name.setdefault(node.name.lower(), []).append(node.qualified_name)
         last = names.last(name).lower()
-        near = by_name.get(last) or [n for close in get_close_matches(last, by_name, n=2) for n in by_name[close]]
+        near = by_name.get(last) or [n for close in closest(last, by_name, 2) for n in by_name[close]]
         return f"; did you mean {' or '.join(near)}?" if near else ""
 
     def _read_user_package(self, folder: Path) -> list[ClassDefinition]:

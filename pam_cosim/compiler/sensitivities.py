@@ -10,6 +10,7 @@ import casadi as ca
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import InputError
 from pam_cosim.interface import Variable, sensitivity_name
+from pam_cosim.units import quotient
 
 
 def with_sensitivities(ode: Ode, parameters: Sequence[str]) -> Ode:
@@ -74,23 +75,7 @@ def _variable(of: Variable, by: Variable) -> Variable:
     size = (of.nominal or 1.0) / abs(by.nominal or by.start or 1.0)
     return Variable(
         sensitivity_name(of.name, by.name),
-        _quotient(of.unit, by.unit),
+        quotient(of.unit, by.unit),
         f"Derivative of {of.name} with respect to {by.name}",
         nominal=size,
     )
-
-
-def _quotient(unit: str, by: str) -> str:
-    """Modelica's text for the unit of a derivative: factors joined by points, one solidus."""
-    (above, below), (by_above, by_below) = _parts(unit), _parts(by)
-    numerator, denominator = [*above, *by_below], [*below, *by_above]
-    if not denominator:
-        return ".".join(numerator)
-    text = denominator[0] if len(denominator) == 1 else f"({'.'.join(denominator)})"
-    return f"{'.'.join(numerator) or '1'}/{text}"
-
-
-def _parts(unit: str) -> tuple[list[str], list[str]]:
-    above, _, below = unit.partition("/")
-    factors = [[f for f in text.strip("()").split(".") if f not in ("", "1")] for text in (above, below)]
-    return factors[0], factors[1]

@@ -11,11 +11,10 @@ from types import TracebackType
 from pam_cosim.cosimulation.recorder import Recorder
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.interface import Interface, Variable
-from pam_cosim.measurement import UnitError, convert, quantity
 from pam_cosim.measurement.wording import did_you_mean
-from pam_cosim.quantities import readable
 from pam_cosim.settings import Setting, resolve, value_of
 from pam_cosim.simulation import AnySimulator, AnyStepper, Trajectory
+from pam_cosim.units import UnitError, convert, format_quantity, parse_quantity
 
 _MARK = b"pam-cosim state\0"
 _SIZE = struct.Struct("<Q")
@@ -39,7 +38,7 @@ class Readings(Mapping[str, float]):
         return len(self._values)
 
     def __repr__(self) -> str:
-        return ", ".join(f"{name} = {readable(value, self.units[name])}" for name, value in self._values.items())
+        return ", ".join(f"{name} = {format_quantity(value, self.units[name])}" for name, value in self._values.items())
 
 
 class RigState:
@@ -295,11 +294,11 @@ def seconds(value: float | str) -> float:
         UnitError: not a finite time.
     """
     try:
-        return quantity(f"{float(value)!r} s", "s")
+        return parse_quantity(f"{float(value)!r} s", "s")
     except ValueError as problem:
         if isinstance(problem, UnitError) or not isinstance(value, str):
             raise UnitError(str(problem)) from None
-        return quantity(value, "s")
+        return parse_quantity(value, "s")
 
 
 def _unpacked(state: bytes, interface: Interface) -> tuple[float, dict[str, float], bytes]:

@@ -23,8 +23,8 @@ from pam_cosim.fitting import Fit, fit
 from pam_cosim.fmu import build_model
 from pam_cosim.ledger import Ledger
 from pam_cosim.measurement import ROLES, DataSet, complete_noise
-from pam_cosim.quantities import readable
 from pam_cosim.simulation import Simulator
+from pam_cosim.units import format_quantity
 
 
 @dataclass(frozen=True)
@@ -97,10 +97,10 @@ class Diagnosis:
             for name, before in self.base.comparison.scores[role].items():
                 after = self.final.comparison.scores[role][name]
                 unit = self.data.signals[name].unit
-                noise = readable(before.noise_rmse, unit)
+                noise = format_quantity(before.noise_rmse, unit)
                 lines.append(
-                    f"  {role:8} {name:4} rms error {readable(before.rmse, unit)} -> {readable(after.rmse, unit)}"
-                    f" (noise {noise})"
+                    f"  {role:8} {name:4} rms error {format_quantity(before.rmse, unit)} -> "
+                    f"{format_quantity(after.rmse, unit)} (noise {noise})"
                 )
         lines += [f"  {n} = {e}" for n, e in self.final.parameters.items()]
         if self.learned is not None:

@@ -11,7 +11,7 @@ from pam_cosim.compiler import ClassTree
 from pam_cosim.diagnosis.learning_library import Form, Quantity
 from pam_cosim.ledger import Entry
 from pam_cosim.ledger.augmented import TERM
-from pam_cosim.quantities import readable
+from pam_cosim.units import format_quantity
 
 _REACH = 10.0  # a coefficient may become this many times larger when it is fitted
 
@@ -40,10 +40,11 @@ def formula_text(entry: Entry, terms: Sequence[Addend]) -> str:
     for t in terms:
         words = "" if t.form.words == "1" else f" {t.form.words}"
         if t.form.shape is not None:
-            words = words.replace("{shape}", f"({readable(t.form.shape.value, t.form.shape.of.unit)})")
+            words = words.replace("{shape}", f"({format_quantity(t.form.shape.value, t.form.shape.of.unit)})")
         sign = ("-" if t.coefficient < 0 else "") if not text else (" - " if t.coefficient < 0 else " + ")
         text += f"{sign}{_sized(abs(t.coefficient), entry.unit)}{words}"
-        where |= dict.fromkeys(f"{q.name} stands for {q.name}/({readable(q.size, q.unit)})" for q in _divided(t.form))
+        sizes = {q.name: format_quantity(q.size, q.unit) for q in _divided(t.form)}
+        where |= dict.fromkeys(f"{name} stands for {name}/({size})" for name, size in sizes.items())
     return f"missing {entry.balance} = {text}" + (f", where {'; '.join(where)}" if where else "")
 
 

@@ -18,7 +18,7 @@ from pam_cosim.diagnosis.workers import run_tasks
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import DataSet
-from pam_cosim.quantities import readable
+from pam_cosim.units import format_quantity
 
 
 @dataclass(frozen=True)
@@ -245,7 +245,7 @@ def describe_fit(fit: Fit) -> str:
     """Root mean square errors of a fit in units a person reads, and the reduced chi-square of the runs of each role."""
     scores = fit.comparison.scores["fit"]
     signals = fit.comparison.data.signals
-    errors = ", ".join(f"{n} {readable(s.rmse, signals[n].unit)}" for n, s in scores.items())
+    errors = ", ".join(f"{n} {format_quantity(s.rmse, signals[n].unit)}" for n, s in scores.items())
     text = f"rms error {errors}, chi2 {fit.comparison.chi2_reduced('fit'):.4g}"
     holdout = fit.comparison.chi2_reduced("holdout")
     return text if math.isnan(holdout) else f"{text} (holdout {holdout:.4g})"

@@ -13,6 +13,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.fitting.estimate import Estimate, standard_deviations
 from pam_cosim.fitting.objective import Objective
+from pam_cosim.units import product, quotient
 
 
 @dataclass(frozen=True)
@@ -101,14 +102,5 @@ def _combination(
     (first, a), (second, b) = parameters[i], parameters[j]
     value = a.value * b.value if kind == "product" else a.value / b.value
     reach = exp(min(CRITERIA.fit.interval * deviation, 700.0))
-    return Combination((first, second), kind, value, value / reach, value * reach, _unit(a.unit, b.unit, kind))
-
-
-def _unit(first: str, second: str, kind: str) -> str:
-    """Unit of a product or ratio, as Modelica writes it."""
-    own = [u for u in (first, second) if u not in ("", "1")]
-    if kind == "product":
-        return f"{first}2" if first == second and first.isalpha() else ".".join(own)
-    if first == second:
-        return "1"
-    return first if second in ("", "1") else f"{first or '1'}/({second})"
+    unit = (product if kind == "product" else quotient)(a.unit, b.unit)
+    return Combination((first, second), kind, value, value / reach, value * reach, unit)

@@ -14,8 +14,8 @@ from pam_cosim.errors import ModelError
 from pam_cosim.fmu.cache import digest
 from pam_cosim.fmu.structure import Dependencies, continuous_dependencies, initial_dependencies
 from pam_cosim.fmu.table import Entry, Kind
-from pam_cosim.fmu.units import Unit, parse_unit
 from pam_cosim.interface import Variable
+from pam_cosim.units import BaseUnit, UnitError, base_unit
 
 _LONGEST = 150
 # What XML 1.0 has no place for, not even as a reference.
@@ -54,14 +54,14 @@ def units(root: Xml.Element, variables: Iterable[Variable]) -> None:
         if variable.display_unit:
             try:
                 shown[variable.display_unit] = _unit_of(variable, variable.display_unit).display(unit)
-            except ModelError as error:
-                raise ModelError(f"variable '{variable.name}': {error.message}") from error
+            except UnitError as error:
+                raise ModelError(f"variable '{variable.name}': {error}") from error
     if not displays:
         return
     definitions = Xml.SubElement(root, "UnitDefinitions")
     for name in sorted(displays):
         element = Xml.SubElement(definitions, "Unit", {"name": name})
-        unit = parse_unit(name)
+        unit = base_unit(name)
         base = {symbol: str(exponent) for symbol, exponent in unit.exponents}
         if unit.factor != 1.0:
             base["factor"] = repr(unit.factor)
@@ -73,11 +73,11 @@ def units(root: Xml.Element, variables: Iterable[Variable]) -> None:
             Xml.SubElement(element, "DisplayUnit", {"name": display, **numbers})
 
 
-def _unit_of(variable: Variable, text: str) -> Unit:
+def _unit_of(variable: Variable, text: str) -> BaseUnit:
     try:
-        return parse_unit(text)
-    except ModelError as error:
-        raise ModelError(f"variable '{variable.name}': {error.message}") from error
+        return base_unit(text)
+    except UnitError as error:
+        raise ModelError(f"variable '{variable.name}': {error}") from error
 
 
 def log_categories(root: Xml.Element) -> None:

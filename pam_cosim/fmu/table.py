@@ -11,6 +11,7 @@ import casadi as ca
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import ModelError
 from pam_cosim.interface import Variable
+from pam_cosim.units import quotient
 
 
 class Kind(Enum):
@@ -68,14 +69,7 @@ def derivative_name(state: str) -> str:
 
 
 def _derivative(state: Variable) -> Variable:
-    unit = state.unit
-    if unit in ("", "1"):
-        rate = "1/s" if unit else ""
-    elif "/" not in unit:
-        rate = f"{unit}/s"
-    else:
-        numerator, _, denominator = unit.partition("/")
-        rate = f"{numerator}/({denominator.strip('()')}.s)"
+    rate = quotient(state.unit, "s") if state.unit else ""
     return Variable(derivative_name(state.name), rate, f"Time derivative of {state.name}")
 
 

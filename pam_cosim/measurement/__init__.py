@@ -4,7 +4,6 @@ from pam_cosim.measurement.data_set import ROLES, DataSet, FreeParameter, Role, 
 from pam_cosim.measurement.noise import complete_noise, estimate_noise, with_noise
 from pam_cosim.measurement.read import read_data_set
 from pam_cosim.measurement.recording import Recording, read_recording
-from pam_cosim.measurement.units import UnitError, convert, quantity
 from pam_cosim.measurement.write import write_data_set
 
 __all__ = [
@@ -15,11 +14,8 @@ __all__ = [
     "Role",
     "Run",
     "Signal",
-    "UnitError",
-    "convert",
     "complete_noise",
     "estimate_noise",
-    "quantity",
     "read_data_set",
     "read_recording",
     "with_noise",

@@ -15,7 +15,7 @@ from pydantic_core import ErrorDetails
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.text_file import read_text
 from pam_cosim.measurement.toml_text import line_of, parse_toml
-from pam_cosim.measurement.wording import did_you_mean, shown
+from pam_cosim.wording import did_you_mean, shown
 
 FILE_NAME = "experiment.toml"
 KeyPath = tuple[str | int, ...]

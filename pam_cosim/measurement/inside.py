@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path, PureWindowsPath
 
 from pam_cosim.measurement.experiment import ExperimentFile
-from pam_cosim.measurement.wording import shown
+from pam_cosim.wording import shown
 
 
 def file_inside(document: ExperimentFile, name: str, *path: str | int) -> Path:

@@ -8,8 +8,8 @@ from math import inf
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.measurement.data_set import FreeParameter
 from pam_cosim.measurement.experiment import ExperimentFile
-from pam_cosim.measurement.units import UnitError, quantity
-from pam_cosim.measurement.wording import did_you_mean, shown
+from pam_cosim.units import UnitError, parse_quantity
+from pam_cosim.wording import did_you_mean, shown
 
 
 def known_values(
@@ -74,7 +74,7 @@ def _parameter(document: ExperimentFile, interface: Interface, name: str) -> Var
 
 def _value(document: ExperimentFile, parameter: Variable, value: str | float, *path: str | int) -> float:
     try:
-        number = quantity(value, parameter.unit)
+        number = parse_quantity(value, parameter.unit)
     except UnitError as error:
         raise document.error(f"{parameter.name}: {error}", *path) from None
     low = -inf if parameter.min is None else parameter.min

@@ -12,8 +12,8 @@ from pam_cosim.measurement.experiment import FILE_NAME, ExperimentFile, RunTable
 from pam_cosim.measurement.inside import file_inside
 from pam_cosim.measurement.parameters import free_parameter, known_values
 from pam_cosim.measurement.recording import read_recording
-from pam_cosim.measurement.units import UnitError, quantity
-from pam_cosim.measurement.wording import did_you_mean, shown
+from pam_cosim.units import UnitError, parse_quantity
+from pam_cosim.wording import did_you_mean, shown
 
 
 def read_data_set(
@@ -113,7 +113,7 @@ def _signal(document: ExperimentFile, name: str, unit: str) -> Signal:
         return Signal(name, unit, fitted=not declared or name in declared)
     path = ("signals", name, "sigma")
     try:
-        sigma = quantity(table.sigma, unit, difference=True)
+        sigma = parse_quantity(table.sigma, unit, difference=True)
     except UnitError as error:
         raise document.error(f"sigma of {name}: {error}", *path) from None
     if sigma <= 0.0:

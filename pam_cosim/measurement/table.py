@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.text_file import read_text
-from pam_cosim.measurement.wording import shown
+from pam_cosim.wording import shown
 
 _HEADING = re.compile(r"([^\[\]]+?)\s*(?:\[([^\[\]]*)\])?")
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)

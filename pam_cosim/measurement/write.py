@@ -17,7 +17,7 @@ from pam_cosim.measurement.data_set import DataSet, Run
 from pam_cosim.measurement.experiment import FILE_NAME
 from pam_cosim.measurement.read import read_data_set
 from pam_cosim.measurement.recording import TIME
-from pam_cosim.measurement.units import UnitError, convert, is_dimensionless
+from pam_cosim.units import UnitError, convert, is_dimensionless
 
 
 def write_data_set(

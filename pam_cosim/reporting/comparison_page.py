@@ -13,7 +13,7 @@ from pam_cosim.reporting.figures.layer import rivals
 from pam_cosim.reporting.figures.residuals import residual_pictures
 from pam_cosim.reporting.labels import model_labels
 from pam_cosim.reporting.page import provenance, render, score_rows, signal_rows
-from pam_cosim.reporting.wording import NOTHING, listed, number, quantity
+from pam_cosim.reporting.wording import NOTHING, listed, number, quantity_text
 
 Row = dict[str, str]
 
@@ -49,8 +49,8 @@ def _headline(comparison: Comparison) -> str:
     parts = []
     for name, s in comparison.scores["all"].items():
         signal = comparison.data.signals[name]
-        noise = "" if signal.sigma is None else f" (noise {quantity(signal.sigma, signal.unit)})"
-        parts.append(f"{quantity(s.rmse, signal.unit)} in {name}{noise}")
+        noise = "" if signal.sigma is None else f" (noise {quantity_text(signal.sigma, signal.unit)})"
+        parts.append(f"{quantity_text(s.rmse, signal.unit)} in {name}{noise}")
     return f"The rms error over all runs is {listed(parts)}." if parts else "There is no sample to compare with."
 
 
@@ -61,7 +61,7 @@ def _beside(comparisons: Sequence[Comparison]) -> list[dict[str, object]]:
         for name in comparisons[0].scores[role]:
             scores = [c.scores.get(role, {}).get(name) for c in comparisons]
             unit = comparisons[0].data.signals[name].unit
-            cells = [NOTHING if s is None else quantity(s.rmse, unit) for s in scores]
+            cells = [NOTHING if s is None else quantity_text(s.rmse, unit) for s in scores]
             known = [s.rmse for s in scores if s is not None]
             best = [s is not None and len(known) > 1 and s.rmse == min(known) for s in scores]
             rows.append({"role": role, "name": name, "cells": list(zip(cells, best, strict=True))})
@@ -73,7 +73,7 @@ def _run_rows(comparison: Comparison) -> list[dict[str, object]]:
     for run in comparison.runs:
         found = score([run], comparison.data.signals)
         cells = [
-            quantity(found[name].rmse, signal.unit) if name in found else NOTHING
+            quantity_text(found[name].rmse, signal.unit) if name in found else NOTHING
             for name, signal in comparison.data.signals.items()
         ]
         rows.append({"name": run.run.name, "role": run.run.role, "cells": cells})

@@ -28,7 +28,7 @@ from pam_cosim.reporting.wording import (
     fixed,
     number,
     percent,
-    quantity,
+    quantity_text,
     remark,
     unit_text,
     words,
@@ -126,9 +126,9 @@ def _summary(diagnosis: Diagnosis) -> list[Row]:
                 {
                     "name": name if diagnosis.data.signals[name].fitted else f"{name} (not fitted)",
                     "role": role,
-                    "before": quantity(before.rmse, unit),
-                    "after": NOTHING if after is None else quantity(after.rmse, unit),
-                    "noise": quantity(before.noise_rmse, unit),
+                    "before": quantity_text(before.rmse, unit),
+                    "after": NOTHING if after is None else quantity_text(after.rmse, unit),
+                    "noise": quantity_text(before.noise_rmse, unit),
                     "chi2_before": number(before.chi2_reduced),
                     "chi2_after": NOTHING if after is None else number(after.chi2_reduced),
                 }
@@ -211,7 +211,7 @@ def _missing_term(diagnosis: Diagnosis) -> dict[str, Any] | None:
     rows = [
         {
             "name": name,
-            "rmse": quantity(s.rmse, diagnosis.data.signals[name].unit),
+            "rmse": quantity_text(s.rmse, diagnosis.data.signals[name].unit),
             "size": number(s.noise_standard_deviations),
             "with": s.correlates_with or NOTHING,
             "correlation": number(s.correlation, 2),

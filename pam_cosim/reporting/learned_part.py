@@ -6,7 +6,7 @@ from typing import Any
 
 from pam_cosim.diagnosis import Candidate, Diagnosis
 from pam_cosim.measurement import ROLES
-from pam_cosim.reporting.wording import NOTHING, estimate_texts, number, percent, quantity, remark, unit_text
+from pam_cosim.reporting.wording import NOTHING, estimate_texts, number, percent, quantity_text, remark, unit_text
 
 CAUTION = (
     "This is a description, not a cause: another formula may describe the same measurement as well, and beyond the "
@@ -50,9 +50,9 @@ def _rows(diagnosis: Diagnosis, candidate: Candidate) -> list[dict[str, str]]:
                 {
                     "role": role,
                     "name": name if signal.fitted else f"{name} (not fitted)",
-                    "before": quantity(before.rmse, signal.unit),
-                    "after": NOTHING if after is None else quantity(after.rmse, signal.unit),
-                    "noise": quantity(before.noise_rmse, signal.unit),
+                    "before": quantity_text(before.rmse, signal.unit),
+                    "after": NOTHING if after is None else quantity_text(after.rmse, signal.unit),
+                    "noise": quantity_text(before.noise_rmse, signal.unit),
                     "chi2_before": number(before.chi2_reduced),
                     "chi2_after": NOTHING if after is None else number(after.chi2_reduced),
                 }

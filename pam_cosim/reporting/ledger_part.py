@@ -8,7 +8,7 @@ from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.ledger import Entry, Ledger, Reading
 from pam_cosim.reporting.figures.ledger import ledger_figure
 from pam_cosim.reporting.style import Picture, drawing, picture
-from pam_cosim.reporting.wording import NOTHING, listed, number, percent, quantity, words
+from pam_cosim.reporting.wording import NOTHING, listed, number, percent, quantity_text, words
 
 _SHOWN = 0.005  # share that is worth a word
 
@@ -67,7 +67,7 @@ def _row(entry: Entry) -> dict[str, str]:
         "balance": words(entry.balance),
         "share": percent(entry.share),
         "explains": percent(entry.explains),
-        "size": quantity(entry.size, entry.unit) if there else NOTHING,
+        "size": quantity_text(entry.size, entry.unit) if there else NOTHING,
         "outside": percent(entry.outside) if there else NOTHING,
         "note": "; ".join(t for t in (entry.note, same) if t),
     }
@@ -80,9 +80,9 @@ def _sign(entry: Entry) -> str:
 def _reading(r: Reading) -> dict[str, str]:
     return {
         "signal": r.signal,
-        "offset": f"{quantity(r.offset, r.unit)} ± {quantity(r.offset_deviation, r.unit, 2)}",
+        "offset": f"{quantity_text(r.offset, r.unit)} ± {quantity_text(r.offset_deviation, r.unit, 2)}",
         "factor": f"{number(1 + r.gain, 4)} ± {number(r.gain_deviation, 2)}",
-        "lag": quantity(r.lag, "s", 2) if r.lag else "none",
+        "lag": quantity_text(r.lag, "s", 2) if r.lag else "none",
         "explains": percent(r.explains),
     }
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pam_cosim.diagnosis import Diagnosis, Verdict
 from pam_cosim.domain import Domain
-from pam_cosim.reporting.wording import listed, quantity, words
+from pam_cosim.reporting.wording import listed, quantity_text, words
 
 _NAMES = {
     "none_missing": "Nothing missing",
@@ -84,11 +84,11 @@ def error_sentence(diagnosis: Diagnosis) -> str:
     name = max(names, key=lambda n: before[n].chi2_reduced - (after[n].chi2_reduced if final else 0.0))
     unit = signals[name].unit
     runs = "runs that were never fitted" if role == "holdout" else "the fitted runs"
-    noise = f"the noise is {quantity(before[name].noise_rmse, unit)}"
+    noise = f"the noise is {quantity_text(before[name].noise_rmse, unit)}"
     if not final:
-        return f"On {runs} the rms error of {name} is {quantity(before[name].rmse, unit)}; {noise}."
+        return f"On {runs} the rms error of {name} is {quantity_text(before[name].rmse, unit)}; {noise}."
     old, new = before[name].rmse, after[name].rmse
-    course = f"{'falls' if new < old else 'goes'} from {quantity(old, unit)} to {quantity(new, unit)}"
+    course = f"{'falls' if new < old else 'goes'} from {quantity_text(old, unit)} to {quantity_text(new, unit)}"
     return f"On {runs} the rms error of {name} {course}; {noise}."
 
 
@@ -100,6 +100,6 @@ def compared_sentence(diagnosis: Diagnosis) -> str:
     for name, signal in diagnosis.data.signals.items():
         if signal.fitted or name not in before or name not in after:
             continue
-        old, new = (quantity(s[name].rmse, signal.unit) for s in (before, after))
+        old, new = (quantity_text(s[name].rmse, signal.unit) for s in (before, after))
         parts.append(f"{name}, with an rms error of {f'{old} before and {new} after' if diagnosis.path else old}")
     return f"Compared but not fitted, so the verdict does not rest on it: {listed(parts)}." if parts else ""

@@ -7,8 +7,8 @@ from typing import Any
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import NextExperiment
-from pam_cosim.quantities import readable_factor, readable_unit
-from pam_cosim.reporting.wording import listed, number, quantity, words
+from pam_cosim.reporting.wording import listed, number, quantity_text, words
+from pam_cosim.units import readable_factor, readable_unit
 
 _MOST_ROWS = 40
 
@@ -56,7 +56,7 @@ def next_run_line(plan: NextExperiment) -> str:
 
 
 def _settings(plan: NextExperiment) -> str:
-    return ", ".join(f"{n} = {quantity(v, plan.units[n], 4)}" for n, v in plan.parameters.items())
+    return ", ".join(f"{n} = {quantity_text(v, plan.units[n], 4)}" for n, v in plan.parameters.items())
 
 
 def _head(name: str, units: Mapping[str, str]) -> str:

@@ -10,7 +10,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from pam_cosim.comparison import Comparison
 from pam_cosim.measurement import ROLES, DataSet
-from pam_cosim.reporting.wording import NOTHING, number, quantity
+from pam_cosim.reporting.wording import NOTHING, number, quantity_text
 
 _LIBRARIES = ("fmpy", "numpy", "scipy", "matplotlib")
 
@@ -61,7 +61,7 @@ def signal_rows(data: DataSet) -> list[dict[str, str]]:
         rows.append(
             {
                 "name": name,
-                "noise": quantity(signal.sigma, signal.unit),
+                "noise": quantity_text(signal.sigma, signal.unit),
                 "source": NOTHING if signal.sigma is None else source,
                 "use": "fitted" if signal.fitted else "compared, not fitted",
                 "fit": str(counts["fit"]),
@@ -81,11 +81,11 @@ def score_rows(comparison: Comparison) -> list[dict[str, str]]:
                 {
                     "role": role,
                     "name": name if comparison.data.signals[name].fitted else f"{name} (not fitted)",
-                    "rmse": quantity(s.rmse, unit),
-                    "noise": quantity(s.noise_rmse, unit),
+                    "rmse": quantity_text(s.rmse, unit),
+                    "noise": quantity_text(s.noise_rmse, unit),
                     "range": number(100 * s.nrmse),
-                    "bias": quantity(s.bias, unit),
-                    "max": quantity(s.max, unit),
+                    "bias": quantity_text(s.bias, unit),
+                    "max": quantity_text(s.max, unit),
                     "at": f"{number(s.max_time)} s in {s.max_run}",
                     "correlation": number(s.correlation, 4),
                     "chi2": number(s.chi2_reduced),

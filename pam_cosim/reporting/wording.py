@@ -6,7 +6,7 @@ import math
 import re
 
 from pam_cosim.fitting import Estimate
-from pam_cosim.quantities import readable_factor, readable_unit
+from pam_cosim.units import readable_factor, readable_unit
 
 NOTHING = "–"
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -44,7 +44,7 @@ def unit_text(unit: str) -> str:
     return text.replace("*", "·").replace(".", "·")
 
 
-def quantity(value: float | None, unit: str, digits: int = 3) -> str:
+def quantity_text(value: float | None, unit: str, digits: int = 3) -> str:
     """``value`` [SI ``unit``] with a readable unit: 84000 Pa is "84.0 kPa"."""
     if value is None or not math.isfinite(value):
         return NOTHING

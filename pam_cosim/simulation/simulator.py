@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import difflib
 import math
 import os
 import shutil
@@ -36,6 +35,7 @@ from pam_cosim.simulation.instance import (
 from pam_cosim.simulation.plan import plan
 from pam_cosim.simulation.stepper import Abilities, Stepper, abilities_of
 from pam_cosim.simulation.trajectory import Trajectory
+from pam_cosim.wording import did_you_mean
 
 
 @dataclass(frozen=True)
@@ -279,9 +279,5 @@ def _number(name: str, value: float) -> float:
 
 
 def _unknown(name: str, known: Mapping[str, object], role: str, model: str) -> InputError:
-    close = difflib.get_close_matches(name, known, n=3, cutoff=0.5)
-    if close:
-        hint = f"did you mean {' or '.join(close)}?"
-    else:
-        hint = f"there are {', '.join(sorted(known)[:12])}" if known else f"it has no {role}s"
+    hint = did_you_mean(name, known) if known else f"it has no {role}s"
     return InputError(f"{model} has no {role} '{name}'; {hint}")

@@ -40,6 +40,7 @@ def _digest(folder: Path) -> dict[str, str]:
     return {p.name: hashlib.sha256(p.read_bytes()).hexdigest() for p in sorted(folder.iterdir())}
 
 
+@pytest.mark.full
 def test_same_case_gives_the_same_bytes(tmp_path):
     made = [make(case_of("tuning", _number("new_form"))) for _ in range(2)]
     for k, one in enumerate(made):

@@ -39,6 +39,7 @@ def test_sweep_goes_on(process: Command, place: Path, monkeypatch: pytest.Monkey
     assert counts[0.5] == counts[0.7] == 101 and counts[2.0] <= 1  # a line without values for the one that failed
 
 
+@pytest.mark.full
 @needs_proc
 @pytest.mark.parametrize("how", [signal.SIGKILL, pytest.param(signal.SIGINT, marks=pytest.mark.full)])
 @pytest.mark.parametrize("where", ["load", "fmi2DoStep"])

@@ -32,6 +32,7 @@ def holdout(summary: dict) -> float:  # type: ignore[type-arg]
     return float(summary["holdout"]["chi2_reduced"])
 
 
+@pytest.mark.full
 def test_the_page_as_it_stands(command: Callable[..., Outcome], place: Path) -> None:
     os.symlink(ROOT / "examples", place / "examples")
     blocks = re.findall(r"```sh\n(.*?)```", PAGE, re.DOTALL)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
+
 from tests.cli.conftest import EXPERIMENT, Outcome
 
 # The exponent held where it is wrong: something is missing, so that the ledger is asked for.
@@ -23,6 +25,7 @@ end My;
 """
 
 
+@pytest.mark.full
 def test_a_diagnosis_keeps_its_ledger(data: Path, place: Path, process: Callable[..., Outcome]) -> None:
     """The file is the model and, given again, a further file too: it is read once. A candidate that breaks an
     assertion is one that could not be fitted; the others are judged."""

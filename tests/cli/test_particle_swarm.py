@@ -6,9 +6,12 @@ import json
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
+
 from tests.cli.conftest import Outcome
 
 
+@pytest.mark.full
 def test_swarm_is_reported_by_itself(process: Callable[..., Outcome], data: Path, place: Path) -> None:
     found = process("fit", data, "--method", "particle-swarm", "--json", place / "fit.json", "-o", place / "best.json")
     assert found.status == 0, found.err
@@ -26,6 +29,7 @@ def test_swarm_is_reported_by_itself(process: Callable[..., Outcome], data: Path
     )
 
 
+@pytest.mark.full
 def test_product_that_alone_is_determined_is_said(process: Callable[..., Outcome], place: Path) -> None:
     """Of a and b in DY (10)-(11) no measurement tells more than the product."""
     folder = place / "rig"

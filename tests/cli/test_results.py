@@ -108,6 +108,7 @@ def test_a_link_stays_and_its_file_is_replaced(
     assert sorted(p.name for p in place.iterdir()) == sorted(["data", "far", "middle", link.name])
 
 
+@pytest.mark.full
 def test_a_redirected_stream_keeps_what_was_said(place: Path) -> None:
     """``-o /dev/stdout > out.txt`` would replace out.txt under the command's own feet."""
     with open(place / "out.txt", "w") as out:

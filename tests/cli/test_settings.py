@@ -265,5 +265,5 @@ def test_one_value_is_no_list(place: Path) -> None:
 
 
 def test_unknown_input_names_the_model(place: Path) -> None:
-    with pytest.raises(pam.InputError, match=rf"^\S+\.{BENCH} has no input 'u_inn'; did you mean u_in"):
+    with pytest.raises(pam.InputError, match=rf"^\S+\.{BENCH} has no input 'u_inn'; did you mean 'u_in'"):
         pam.simulate(BENCH, inputs=pam.Inputs([0.0, 1.0], {"u_inn": [0.0, 1.0]}))

@@ -45,6 +45,7 @@ def test_readme_leads_to_every_story() -> None:
     assert all(f"docs/stories/{story.name}" in readme for story in STORIES)
 
 
+@pytest.mark.full
 def test_vessel(command: Callable[..., Outcome], place: Path) -> None:
     os.symlink(ROOT / "examples", place / "examples")
     said = [done(command(*words[1:])) for words in lines(page("vessel")) if words[0] == "pam-cosim"]

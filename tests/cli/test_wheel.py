@@ -48,6 +48,7 @@ def test_metadata(wheel: Path) -> None:
     assert {"Classifier: Typing :: Typed", "Provides-Extra: docs"} <= set(lines)
 
 
+@pytest.mark.full
 def test_works_from_elsewhere(wheel: Path, tmp_path: Path) -> None:
     """Unpacked, from another folder, with a cache of its own: the catalogue, and a run that compiles a model."""
     with zipfile.ZipFile(wheel) as archive:

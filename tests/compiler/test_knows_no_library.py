@@ -48,7 +48,9 @@ def test_no_library_has_a_name_in_python() -> None:
     assert not told
 
 
-@pytest.mark.parametrize("room, before", [("compiler", ()), ("catalogue", ("compiler",))])
+@pytest.mark.parametrize(
+    "room, before", [("units", ()), ("compiler", ("units",)), ("catalogue", ("compiler", "units"))]
+)
 def test_a_room_imports_only_from_the_rooms_before(room: str, before: tuple[str, ...]) -> None:
     shared = {p.stem for p in PACKAGE.glob("*.py")} - {"study", "cli"}
     allowed = {room, *before, *shared}

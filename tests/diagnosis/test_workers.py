@@ -15,6 +15,7 @@ from pam_cosim.diagnosis.workers import run_tasks
 from tests.diagnosis.tasks import process_beside_another, slow_square, square_or_die
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("workers", [1, 2])
 def test_crash_loses_one_task_only(workers: int) -> None:
     crashed: list[int] = []
@@ -94,6 +95,7 @@ if __name__ == "__main__":
 """
 
 
+@pytest.mark.full
 @pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
 def test_interrupted_tasks_clean_up_and_large_ones_in_the_queue_hold_nothing_up(tmp_path: Path) -> None:
     process = subprocess.Popen(

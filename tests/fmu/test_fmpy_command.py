@@ -24,10 +24,10 @@ from fmpy.util import read_csv
 from lxml import etree
 
 import pam_cosim as pam
-from pam_cosim.fmu.build import FMI_VERSIONS
 from pam_cosim.study import benches
 from tests.fmu.test_conformance import _read, _schema
 
+VERSIONS = ["2.0", pytest.param("3.0", marks=pytest.mark.full)]
 ROOT = Path(__file__).parents[2]
 
 # FMPy drives our own solver (co-simulation) over the same communication points: only the times differ, by rounding.
@@ -70,7 +70,7 @@ def largest_difference(result: np.ndarray, bench: str) -> dict[str, tuple[float,
     return found
 
 
-@pytest.mark.parametrize("fmi", FMI_VERSIONS)
+@pytest.mark.parametrize("fmi", VERSIONS)
 @pytest.mark.parametrize("bench", benches())
 def test_every_bench(run: Callable[..., str], bench: str, fmi: str, tmp_path: Path) -> None:
     path, result = pam.build(bench, fmi=fmi), tmp_path / "result.csv"
@@ -106,7 +106,7 @@ README = (ROOT / "README.md").read_text()
 FETCH = "import sys, urllib.request as u; open(sys.argv[1], 'wb').write(u.urlopen(sys.argv[2]).read())"
 
 
-@pytest.mark.parametrize("fmi", FMI_VERSIONS)
+@pytest.mark.parametrize("fmi", VERSIONS)
 def test_the_line_of_the_readme_shows_its_plot(tmp_path: Path, fmi: str) -> None:
     """As it stands there, in processes of their own; the browser is a program in the background
     that keeps the page it is sent to."""

@@ -80,6 +80,7 @@ def test_the_solution_is_not_touched_by_its_sensitivities() -> None:
     assert all(np.array_equal(a[name], b[name]) for name in a)
 
 
+@pytest.mark.full
 def test_model_exchange_with_another_integrator_agrees() -> None:
     path = str(build_model("Isotonic", sensitivities=("load.m", "valve.C_A")))
     assert validate_fmu(path) == []

@@ -89,8 +89,10 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-@pytest.mark.parametrize("name", NAMES.values(), ids=NAMES.keys())
-@pytest.mark.parametrize("fmi", ["2.0", "3.0"])
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, id=key, marks=[pytest.mark.full] * (key == "long")) for key, name in NAMES.items()]
+)
+@pytest.mark.parametrize("fmi", ["2.0", pytest.param("3.0", marks=pytest.mark.full)])
 def test_names_come_back_as_they_are(name: str, fmi: str, place: Path) -> None:
     """Through compiler, C, model description and archive; nothing but the answer comes of them."""
     file = _write(place, name)

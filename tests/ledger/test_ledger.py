@@ -69,6 +69,7 @@ def test_failing_balance_is_named(hidden: str) -> None:
     assert sum(ledger.shares.values()) == pytest.approx(1.0)
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("hidden", PAIRS)
 def test_both_failing_balances_are_named(hidden: str) -> None:
     ledger = _ledger(hidden)
@@ -178,6 +179,7 @@ def test_bad_input() -> None:
         keep_ledger(replace(data, model="PneumaticMuscle.Benches.StaticForce"))
 
 
+@pytest.mark.full
 @pytest.mark.parametrize(("effect", "failing"), [(None, ()), ("LinearBladder", ("force",)), ("OrificeLeak", ("mass",))])
 def test_other_bench_with_faster_dynamics(effect: str | None, failing: tuple[str, ...]) -> None:
     """The drive of the isometric bench is ten times faster than the samples: the grid must be refined by itself."""

@@ -522,6 +522,7 @@ UNLISTED: dict[str, tuple[str, float, Effect]] = {
 }
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("name", UNLISTED)
 def test_meets_an_unlisted_law(name: str) -> None:
     effect, bound, law = UNLISTED[name]

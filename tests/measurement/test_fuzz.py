@@ -9,8 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement import DataSet, UnitError, convert, quantity, read_data_set
+from pam_cosim.measurement import DataSet, read_data_set
 from pam_cosim.measurement.toml_text import line_of
+from pam_cosim.units import UnitError, convert, parse_quantity
 from tests.measurement.bench import EXPERIMENT, RUN_01, RUN_02, describe
 
 FILES = {"experiment.toml": EXPERIMENT, "run-01.csv": RUN_01, "run-02.csv": RUN_02}
@@ -53,7 +54,7 @@ def test_any_text_as_unit(text):
         for difference in (False, True):
             try:
                 assert convert(1.0, text, target, difference=difference).shape == ()
-                assert isinstance(quantity("1 " + text, target, difference=difference), float)
+                assert isinstance(parse_quantity("1 " + text, target, difference=difference), float)
             except UnitError as error:
                 assert str(error)
 

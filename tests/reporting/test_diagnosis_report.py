@@ -142,12 +142,14 @@ def test_a_run_that_lacks_a_signal_and_a_signal_whose_noise_nobody_knows():
     assert "x 0.200 mm stated fitted 200 200" in text
 
 
+@pytest.mark.full
 def test_many_runs_go_to_further_figures():
     few = checked(diagnosis_report(make_diagnosis("identified", make_data(("fit",) * 5 + ("holdout",), 25))))
     many = checked(diagnosis_report(make_diagnosis("identified", make_data(("fit",) * 6 + ("holdout",), 25))))
     assert many.tags.count("img") == few.tags.count("img") + 2
 
 
+@pytest.mark.full
 def test_several_effects_make_a_longer_ladder():
     diagnosis = make_diagnosis("identified")
     first, second = diagnosis.path[0], diagnosis.candidates[1]
@@ -158,6 +160,7 @@ def test_several_effects_make_a_longer_ladder():
     assert html.count('<tr class="added">') == 2
 
 
+@pytest.mark.full
 def test_nothing_tried_and_nothing_free():
     diagnosis = make_diagnosis("none_missing", candidates=(), balance={})
     diagnosis = replace(diagnosis, base=replace(diagnosis.base, parameters={}, failures=()))
@@ -165,6 +168,7 @@ def test_nothing_tried_and_nothing_free():
     assert "No effect could be fitted." in text and "No parameter was free." in text
 
 
+@pytest.mark.full
 def test_a_family_whose_form_is_open_is_not_said_to_leave_noise() -> None:
     plain = make_diagnosis("identified")
     assert "what remains is noise" in checked(diagnosis_report(plain)).text

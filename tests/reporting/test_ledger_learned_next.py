@@ -50,6 +50,7 @@ def make_learned(data):
     return LearnedModel(term, make_candidate(data, "LearnedForce", "learned", "force", 0.5))
 
 
+@pytest.mark.full
 def test_which_balance_fails_is_said_drawn_and_tabled():
     ledger = make_ledger()
     html = diagnosis_report(make_diagnosis("identified", ledger=ledger))
@@ -66,6 +67,7 @@ def test_which_balance_fails_is_said_drawn_and_tabled():
     assert html == diagnosis_report(make_diagnosis("identified", ledger=ledger))
 
 
+@pytest.mark.full
 def test_a_ledger_that_does_not_close_or_finds_nothing_says_so():
     def text(**changes):
         return checked(diagnosis_report(make_diagnosis("unknown", ledger=make_ledger(**changes)))).text
@@ -75,6 +77,7 @@ def test_a_ledger_that_does_not_close_or_finds_nothing_says_so():
     assert "may" not in diagnosis_text(make_diagnosis("unknown", ledger=make_ledger(failing=(), notes=())))
 
 
+@pytest.mark.full
 def test_effects_of_another_balance_than_the_ledger_names_are_pointed_out():
     diagnosis = make_diagnosis("identified", ledger=make_ledger(failing=("mass",)))
     text = checked(diagnosis_report(diagnosis)).text
@@ -97,6 +100,7 @@ def test_a_learned_term_is_shown_with_its_source_and_its_limits():
     assert "What is missing, described" not in checked(diagnosis_report(make_diagnosis("unknown"))).text
 
 
+@pytest.mark.full
 def test_outliers_are_among_the_notes():
     text = checked(diagnosis_report(make_diagnosis("identified", outliers={"p": 3, "x": 1}))).text
     assert "3 samples of p, far off the neighbours, were set aside as outliers" in text
@@ -173,6 +177,7 @@ def test_few_samples_make_no_map():
         assert residual_map(layers, list(data.signals.values())) is None
 
 
+@pytest.mark.full
 def test_a_long_ranking_is_folded_but_never_what_was_added():
     diagnosis = make_diagnosis("identified")
     best, rival = diagnosis.candidates[:2]

@@ -82,6 +82,7 @@ def test_a_comparison_as_png(tmp_path):
     assert size(tmp_path / "c.png")[0] == 1650
 
 
+@pytest.mark.full
 def test_a_users_settings_neither_change_a_report_nor_are_changed_by_it():
     comparison = make_comparison(make_data(("fit",), 15), 3.0)
     html = comparison_report(comparison)

@@ -9,7 +9,7 @@ from pam_cosim.reporting.wording import (
     listed,
     number,
     percent,
-    quantity,
+    quantity_text,
     remark,
     shortened,
     unit_text,
@@ -33,7 +33,7 @@ def test_numbers(value, text):
     [(84e3, "Pa", "84.0 kPa"), (2e-4, "m", "0.200 mm"), (0.3, "K", "0.300 K"), (0.7, "1", "0.700"), (3.0, "", "3.00")],
 )
 def test_quantities(value, unit, text):
-    assert quantity(value, unit).replace("\u00a0", " ") == text
+    assert quantity_text(value, unit).replace("\u00a0", " ") == text
 
 
 def test_units_have_superscripts():

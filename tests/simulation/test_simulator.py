@@ -59,11 +59,11 @@ def test_feedthrough_before_and_after_a_step() -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({"parameters": {"taw": 1.0}}, "no parameter or input 'taw'; did you mean tau?"),
+        ({"parameters": {"taw": 1.0}}, "no parameter or input 'taw'; did you mean 'tau'?"),
         ({"parameters": {"x": 1.0}}, "no parameter or input 'x'"),
         ({"parameters": {"tau": float("nan")}}, "parameter 'tau' must be a finite number"),
-        ({"outputs": ["feeed"]}, "no output 'feeed'; did you mean feed?"),
-        ({"inputs": Inputs([0.0], {"v": [0.0]})}, "no input 'v'; there are u"),
+        ({"outputs": ["feeed"]}, "no output 'feeed'; did you mean 'feed'?"),
+        ({"inputs": Inputs([0.0], {"v": [0.0]})}, "no input 'v'; Known: u"),
     ],
 )
 def test_unknown_names(arguments: dict, message: str) -> None:  # type: ignore[type-arg]

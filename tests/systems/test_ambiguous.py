@@ -83,6 +83,7 @@ def _swinging_vessel(seed: int) -> DataSet:
     return data_set("PneumaticMuscle.Benches.VesselOrifice", [run], {"p": 1e3}, parameters=known)
 
 
+@pytest.mark.full
 def test_what_two_families_leave_alike_is_unknown(workers: int | None) -> None:
     found = study.diagnose(_swinging_vessel(3), workers=workers, explain=False)
     verdict = found.verdict

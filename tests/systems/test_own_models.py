@@ -93,6 +93,7 @@ def test_own_bench(workers: int | None) -> None:
     assert {"bottle.gas.h", "hole.C_d"} <= set(found.final.parameters)
 
 
+@pytest.mark.full
 def test_error_that_no_effect_explains_is_unknown(workers: int | None) -> None:
     """A compressor nearby makes the pressure gauge swing by 4 kPa every 7 s."""
     swing = 4e3 * np.sin(2 * np.pi * TIMES / 7)

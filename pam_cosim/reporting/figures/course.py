@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from matplotlib.figure import Figure
 
-from pam_cosim.quantities import readable_factor
 from pam_cosim.reporting.style import AFTER, new_figure
 from pam_cosim.reporting.wording import unit_text
 from pam_cosim.simulation import Trajectory
+from pam_cosim.units import readable_factor
 
 _WIDE = 6  # outputs up to which one column holds them
 

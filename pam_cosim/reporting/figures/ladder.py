@@ -12,9 +12,9 @@ from matplotlib.patches import Patch
 
 from pam_cosim.comparison import SignalScore
 from pam_cosim.measurement import ROLES, Signal
-from pam_cosim.quantities import readable_factor
 from pam_cosim.reporting.style import AFTER, BEFORE, INK, SOFT, WIDTH, Picture, drawing, new_figure, picture
 from pam_cosim.reporting.wording import number, shortened, unit_text
+from pam_cosim.units import readable_factor
 
 _WIDEST = 3  # panels beside each other
 

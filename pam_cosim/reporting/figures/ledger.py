@@ -8,8 +8,8 @@ from matplotlib.figure import Figure
 
 from pam_cosim.domain import Domain
 from pam_cosim.ledger import Entry, Ledger, binned, mapped
-from pam_cosim.quantities import readable_factor, readable_unit
 from pam_cosim.reporting.style import BAND, INK, SOFT, balance_colours, message, new_figure
+from pam_cosim.units import readable_factor, readable_unit
 
 _SMALL = 0.005  # share of a balance that nothing is said to be missing in
 

@@ -10,10 +10,10 @@ from matplotlib.collections import QuadMesh
 
 from pam_cosim.arrays import Array
 from pam_cosim.measurement import Signal
-from pam_cosim.quantities import readable_factor
 from pam_cosim.reporting.figures.layer import Layer
 from pam_cosim.reporting.style import BAND, SOFT, WIDTH, Picture, drawing, new_figure, picture
 from pam_cosim.reporting.wording import unit_text
+from pam_cosim.units import readable_factor
 
 _CELLS = 14
 _FEWEST = 200  # samples, below which a plane of cells shows single samples

@@ -7,6 +7,7 @@ from difflib import get_close_matches
 
 _LONGEST = 60
 _MOST_NAMES = 20
+_ALIKE = 0.55  # of the letters, from which on a name may have been meant
 
 
 def shown(value: object) -> str:
@@ -22,10 +23,16 @@ def listed(names: Iterable[str]) -> str:
     return (", ".join(names[:_MOST_NAMES]) or "none") + (f" and {rest} more" if rest > 0 else "")
 
 
+def closest(name: str, known: Iterable[str], most: int = 1) -> list[str]:
+    """The names among ``known`` that ``name`` may have been meant for, best first; case does not matter."""
+    folded = {one.casefold(): one for one in known}
+    close = get_close_matches(name[:_LONGEST].casefold(), list(folded), n=most, cutoff=_ALIKE)
+    return [folded[one] for one in close]
+
+
 def did_you_mean(name: str, known: Iterable[str]) -> str:
     """A hint to append to "unknown name": the closest known name, then all of them."""
     known = list(known)
-    folded = {one.casefold(): one for one in known}
-    close = get_close_matches(name[:_LONGEST].casefold(), list(folded), n=1, cutoff=0.55)
-    hint = f"did you mean '{folded[close[0]]}'? " if close else ""
+    close = closest(name, known)
+    hint = f"did you mean '{close[0]}'? " if close else ""
     return f"{hint}Known: {listed(known)}"

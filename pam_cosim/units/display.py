@@ -1,4 +1,4 @@
-"""Numbers with units as a person at the rig would write them."""
+"""Numbers in SI units as a person at the rig would write them."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def readable_factor(unit: str) -> float:
     return _READABLE.get(unit, (unit, 1.0, 0.0))[1]
 
 
-def readable(value: float, unit: str, digits: int = 3) -> str:
+def format_quantity(value: float, unit: str, digits: int = 3) -> str:
     """``value`` [SI unit] with a unit that is easy to read: 84000 Pa is "84 kPa"."""
     number = f"{value * readable_factor(unit):.{digits}g}"
     return f"{number} {readable_unit(unit)}".rstrip()

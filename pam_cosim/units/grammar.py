@@ -1,4 +1,4 @@
-"""Physical units: texts as people and Modelica write them, converted by pint.
+"""Texts of units as people and Modelica write them, read for pint.
 
 Both spellings are read by one small grammar: ``W/(m2.K)``, ``N.s/m``, ``m/s^2``, ``kg*m``, ``degC``, ``%``.
 Pressures carry no reference: ``kPa`` on a gauge pressure is gauge.
@@ -6,29 +6,22 @@ Pressures carry no reference: ``kPa`` on a gauge pressure is gauge.
 
 from __future__ import annotations
 
-import math
 import re
 from functools import cache, lru_cache
 from typing import Any
 
-import numpy as np
 import pint
-from numpy.typing import ArrayLike, NDArray
 
-from pam_cosim.measurement.wording import shown
+from pam_cosim.wording import shown
 
 _ALIASES = {
     "%": "percent", "Ohm": "ohm", "°C": "degC", "°F": "degF", "°": "degree", "μm": "um",
-    "barg": "bar", "psig": "psi", "kPag": "kPa",
-}  # fmt: skip
-_EXAMPLES = {
-    "Pa": "kPa, bar or psi", "m": "mm", "K": "degC", "A": "mA", "N": "kN", "kg": "g", "m3": "l", "s": "ms",
+    "barg": "bar", "psig": "psi", "kPag": "kPa", "rev": "revolution",
 }  # fmt: skip
 _DIMENSIONLESS = ("", "1", "-")
 _TOKEN = re.compile(
     r"\s*(?:(?P<symbol>[cm]mH2O|inH2O|[A-Za-zµμ°Ω%_]+)|(?P<number>\d{1,2}(?!\d))|(?P<sign>\*\*|[-+*/.·^()]))"
 )
-_QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", re.DOTALL)
 _LONGEST = 60
 
 
@@ -37,7 +30,8 @@ class UnitError(ValueError):
 
 
 @cache
-def _registry() -> Any:
+def registry() -> Any:
+    """The one registry of units, pint's."""
     registry: Any = pint.UnitRegistry(autoconvert_offset_to_baseunit=True, cache_folder=None)
     registry.formatter.default_format = "~"
     return registry
@@ -46,11 +40,6 @@ def _registry() -> Any:
 def is_dimensionless(unit: str) -> bool:
     """Whether numbers of this unit are written without one: "" and "1" (and "-" in a CSV header)."""
     return unit.strip() in _DIMENSIONLESS
-
-
-def examples(unit: str) -> str:
-    """Units a person might have meant where the model uses ``unit``."""
-    return f"{unit}, {_EXAMPLES[unit]}" if unit in _EXAMPLES else unit
 
 
 class _Parser:
@@ -115,7 +104,7 @@ class _Parser:
         if kind == "symbol":
             return self._symbol(text)
         if kind == "number" and text == "1":
-            return _registry().Unit("")
+            return registry().Unit("")
         if text == "(":
             unit = self._product()
             if self._take()[1] == ")":
@@ -124,10 +113,10 @@ class _Parser:
 
     def _symbol(self, symbol: str) -> Any:
         try:
-            unit = _registry().parse_units(_ALIASES.get(symbol, symbol))
+            unit = registry().parse_units(_ALIASES.get(symbol, symbol))
             if not self.alone or self.difference:
                 delta = f"delta_{unit:D}"
-                unit = _registry().parse_units(delta) if f"{unit:D}" in _offset_units() else unit
+                unit = registry().parse_units(delta) if f"{unit:D}" in _offset_units() else unit
         except (pint.PintError, AttributeError, ValueError, TypeError, KeyError):
             raise UnitError(f"unit {shown(symbol)} is unknown; write 'kPa', 'mm', 'degC' or the like") from None
         return unit
@@ -135,69 +124,21 @@ class _Parser:
 
 @cache
 def _offset_units() -> tuple[str, ...]:
-    return tuple(f"{_registry().Unit(name):D}" for name in ("degC", "degF", "degRe"))
+    return tuple(f"{registry().Unit(name):D}" for name in ("degC", "degF", "degRe"))
 
 
 @lru_cache(maxsize=512)
-def _unit(text: str, difference: bool) -> Any:
+def read_unit(text: str, difference: bool) -> Any:
+    """pint's unit for a text; one with an origin of its own (degC) is without it where a ``difference`` is meant.
+
+    Raises:
+        UnitError: the text cannot be read, or a symbol is unknown.
+    """
     if is_dimensionless(text):
-        return _registry().Unit("")
+        return registry().Unit("")
     try:
         return _Parser(text, difference).parse()
     except (pint.PintError, OverflowError, ZeroDivisionError):
         raise UnitError(f"unit {shown(text)} cannot be read") from None
 
 
-def convert(values: ArrayLike, unit: str, target: str, *, difference: bool = False) -> NDArray[np.float64]:
-    """Numbers in ``unit`` as numbers in ``target``.
-
-    Args:
-        values: any shape; NaN stays NaN.
-        unit: as a person writes it; "", "1" and "-" are dimensionless.
-        target: the model's unit.
-        difference: the values are differences (0.5 degC is 0.5 K, not 273.65 K).
-
-    Raises:
-        UnitError: a unit is unknown, or the dimensions differ.
-    """
-    source, goal = _unit(unit, difference), _unit(target, difference)
-    if source.dimensionality != goal.dimensionality:
-        if is_dimensionless(target):
-            raise UnitError(f"unit {shown(unit)} does not fit a number without dimension; leave it out")
-        if is_dimensionless(unit):
-            raise UnitError(f"a unit is missing; use one of {examples(target)}")
-        message = f"unit {shown(unit)} cannot be converted to '{target}'; use one of {examples(target)}"
-        raise UnitError(message)
-    numbers = np.array(values, dtype=float)
-    try:
-        with np.errstate(over="ignore", invalid="ignore"):
-            return np.asarray(_registry().Quantity(numbers, source).to(goal).magnitude, dtype=float)
-    except (pint.PintError, ValueError, OverflowError):
-        raise UnitError(f"unit {shown(unit)} cannot be converted to '{target}'") from None
-
-
-def quantity(value: str | float, target: str, *, difference: bool = False) -> float:
-    """One value such as ``"2.27 kg"``, in ``target``; a bare number only where ``target`` has no dimension.
-
-    Raises:
-        UnitError: no number, not finite, no unit where one is needed, or a unit that does not fit.
-    """
-    number, unit = _split_quantity(value, target) if isinstance(value, str) else (float(value), "")
-    if not math.isfinite(number):
-        raise UnitError(f"{shown(value)} is not a finite number")
-    if is_dimensionless(unit) and not is_dimensionless(target):
-        raise UnitError(f'{shown(value)} needs a unit; write for example "{number:g} {target}"')
-    result = float(convert(number, unit, target, difference=difference))
-    if not math.isfinite(result):
-        raise UnitError(f"{shown(value)} is too large")
-    return result
-
-
-def _split_quantity(text: str, target: str) -> tuple[float, str]:
-    match = _QUANTITY.fullmatch(text)
-    if match is None:
-        example = "0.7" if is_dimensionless(target) else f"0.7 {target}"
-        raise UnitError(f'{shown(text)} is not a number with a unit; write for example "{example}"')
-    if match.group(2).startswith(","):
-        raise UnitError(f"{shown(text)} has a decimal comma; write a decimal point")
-    return float(match.group(1)), match.group(2)

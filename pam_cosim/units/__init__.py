@@ -1,0 +1,22 @@
+"""Units: texts read, numbers converted, quantities written, all on one registry."""
+
+from pam_cosim.units.algebra import product, quotient
+from pam_cosim.units.base import BaseUnit, base_unit
+from pam_cosim.units.conversion import convert, examples, parse_quantity
+from pam_cosim.units.display import format_quantity, readable_factor, readable_unit
+from pam_cosim.units.grammar import UnitError, is_dimensionless
+
+__all__ = [
+    "BaseUnit",
+    "UnitError",
+    "base_unit",
+    "convert",
+    "examples",
+    "format_quantity",
+    "is_dimensionless",
+    "parse_quantity",
+    "product",
+    "quotient",
+    "readable_factor",
+    "readable_unit",
+]

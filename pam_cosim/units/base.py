@@ -1,0 +1,64 @@
+"""Modelica's unit texts as FMI's unit definitions: exponents of SI base units, factor and offset."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cache
+
+from pam_cosim.units.grammar import UnitError, read_unit, registry
+
+# FMI's names of the base units, in the order of its schema, by pint's names.
+_BASE = {
+    "kilogram": "kg",
+    "meter": "m",
+    "second": "s",
+    "ampere": "A",
+    "kelvin": "K",
+    "mole": "mol",
+    "candela": "cd",
+    "radian": "rad",
+}
+_FACTOR = r"[A-Za-z]+(?:[+-]?\d+)?"
+_PRODUCT = rf"{_FACTOR}(?:\.{_FACTOR})*"
+_MODELICA = re.compile(rf"(?:1|{_PRODUCT})(?:/(?:{_FACTOR}|\({_PRODUCT}\)))?")
+
+
+@dataclass(frozen=True)
+class BaseUnit:
+    """A unit by its relation to SI base units: value [SI] = factor * value + offset."""
+
+    name: str
+    exponents: tuple[tuple[str, int], ...] = ()
+    factor: float = 1.0
+    offset: float = 0.0
+
+    def display(self, unit: BaseUnit) -> tuple[float, float]:
+        """Factor and offset that turn a value of ``unit`` into this display unit.
+
+        Raises:
+            UnitError: the two measure different quantities.
+        """
+        if self.exponents != unit.exponents:
+            raise UnitError(f"display unit '{self.name}' does not fit unit '{unit.name}'")
+        return unit.factor / self.factor, (unit.offset - self.offset) / self.factor
+
+
+@cache
+def base_unit(text: str) -> BaseUnit:
+    """Reads a unit of Modelica's grammar (chapter 19 of its specification), such as ``W/(m2.K)``.
+
+    Raises:
+        UnitError: the text is not a unit or contains an unknown symbol.
+    """
+    if not _MODELICA.fullmatch(text.replace(" ", "")):
+        raise UnitError(f"unit '{text}' cannot be read; write it as Modelica does, for example 'W/(m2.K)'")
+    unit = read_unit(text, False)
+    zero, one = (registry().Quantity(value, unit).to_base_units() for value in (0.0, 1.0))
+    exponents = {}
+    for name, exponent in one.unit_items():
+        if name not in _BASE or exponent != int(exponent):
+            raise UnitError(f"unit '{text}' is not made of SI base units")
+        exponents[_BASE[name]] = int(exponent)
+    ordered = tuple((name, exponents[name]) for name in _BASE.values() if exponents.get(name))
+    return BaseUnit(text, ordered, float(one.magnitude - zero.magnitude), float(zero.magnitude))

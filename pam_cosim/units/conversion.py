@@ -1,0 +1,78 @@
+"""Numbers with units to numbers in the model's unit."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import numpy as np
+import pint
+from numpy.typing import ArrayLike, NDArray
+
+from pam_cosim.units.grammar import UnitError, is_dimensionless, read_unit, registry
+from pam_cosim.wording import shown
+
+_EXAMPLES = {
+    "Pa": "kPa, bar or psi", "m": "mm", "K": "degC", "A": "mA", "N": "kN", "kg": "g", "m3": "l", "s": "ms",
+}  # fmt: skip
+_QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", re.DOTALL)
+
+
+def examples(unit: str) -> str:
+    """Units a person might have meant where the model uses ``unit``."""
+    return f"{unit}, {_EXAMPLES[unit]}" if unit in _EXAMPLES else unit
+
+
+def convert(values: ArrayLike, unit: str, target: str, *, difference: bool = False) -> NDArray[np.float64]:
+    """Numbers in ``unit`` as numbers in ``target``.
+
+    Args:
+        values: any shape; NaN stays NaN.
+        unit: as a person writes it; "", "1" and "-" are dimensionless.
+        target: the model's unit.
+        difference: the values are differences (0.5 degC is 0.5 K, not 273.65 K).
+
+    Raises:
+        UnitError: a unit is unknown, or the dimensions differ.
+    """
+    source, goal = read_unit(unit, difference), read_unit(target, difference)
+    if source.dimensionality != goal.dimensionality:
+        if is_dimensionless(target):
+            raise UnitError(f"unit {shown(unit)} does not fit a number without dimension; leave it out")
+        if is_dimensionless(unit):
+            raise UnitError(f"a unit is missing; use one of {examples(target)}")
+        message = f"unit {shown(unit)} cannot be converted to '{target}'; use one of {examples(target)}"
+        raise UnitError(message)
+    numbers = np.array(values, dtype=float)
+    try:
+        with np.errstate(over="ignore", invalid="ignore"):
+            return np.asarray(registry().Quantity(numbers, source).to(goal).magnitude, dtype=float)
+    except (pint.PintError, ValueError, OverflowError):
+        raise UnitError(f"unit {shown(unit)} cannot be converted to '{target}'") from None
+
+
+def parse_quantity(value: str | float, target: str, *, difference: bool = False) -> float:
+    """One value such as ``"2.27 kg"``, in ``target``; a bare number only where ``target`` has no dimension.
+
+    Raises:
+        UnitError: no number, not finite, no unit where one is needed, or a unit that does not fit.
+    """
+    number, unit = _split_quantity(value, target) if isinstance(value, str) else (float(value), "")
+    if not math.isfinite(number):
+        raise UnitError(f"{shown(value)} is not a finite number")
+    if is_dimensionless(unit) and not is_dimensionless(target):
+        raise UnitError(f'{shown(value)} needs a unit; write for example "{number:g} {target}"')
+    result = float(convert(number, unit, target, difference=difference))
+    if not math.isfinite(result):
+        raise UnitError(f"{shown(value)} is too large")
+    return result
+
+
+def _split_quantity(text: str, target: str) -> tuple[float, str]:
+    match = _QUANTITY.fullmatch(text)
+    if match is None:
+        example = "0.7" if is_dimensionless(target) else f"0.7 {target}"
+        raise UnitError(f'{shown(text)} is not a number with a unit; write for example "{example}"')
+    if match.group(2).startswith(","):
+        raise UnitError(f"{shown(text)} has a decimal comma; write a decimal point")
+    return float(match.group(1)), match.group(2)
