@@ -11,10 +11,10 @@ from types import TracebackType
 from pam_cosim.cosimulation.recorder import Recorder
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.interface import Interface, Variable
-from pam_cosim.measurement.wording import did_you_mean
 from pam_cosim.settings import Setting, resolve, value_of
 from pam_cosim.simulation import AnySimulator, AnyStepper, Trajectory
 from pam_cosim.units import UnitError, convert, format_quantity, parse_quantity
+from pam_cosim.wording import did_you_mean
 
 _MARK = b"pam-cosim state\0"
 _SIZE = struct.Struct("<Q")
