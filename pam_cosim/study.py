@@ -17,7 +17,7 @@ from pam_cosim.comparison import compare as _compare
 from pam_cosim.compiler import read_library
 from pam_cosim.compiler.names import last
 from pam_cosim.cosimulation import Rig
-from pam_cosim.diagnosis import Diagnosis
+from pam_cosim.diagnosis import Diagnosis, Message
 from pam_cosim.diagnosis import diagnose as _diagnose
 from pam_cosim.domain import Domain
 from pam_cosim.errors import InputError, SimulationFailure
@@ -166,11 +166,14 @@ def diagnose(
     model: str | None = None,
     *,
     files: Paths = (),
-    say: Callable[[str], None] = lambda text: None,
+    say: Callable[[Message], None] = lambda message: None,
     workers: int | None = None,
     explain: bool = True,
 ) -> Diagnosis:
-    """Finds the effect that ``model`` (default: the bench of the data set) lacks; see ``diagnosis.diagnose``."""
+    """Finds the effect that ``model`` (default: the bench of the data set) lacks; see ``diagnosis.diagnose``.
+
+    ``say`` is told each step and each result as a line of text (``print`` will do) that knows which of them it is.
+    """
     return _diagnose(data, model, files=_paths(files), say=say, workers=workers, explain=explain)
 
 

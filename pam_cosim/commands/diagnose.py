@@ -21,7 +21,7 @@ from pam_cosim.commands.common import (
     read_data,
     say_written,
 )
-from pam_cosim.diagnosis import Diagnosis
+from pam_cosim.diagnosis import Diagnosis, Message
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_json, write_text
 from pam_cosim.reporting import diagnosis_report, diagnosis_text, write_report
@@ -76,14 +76,14 @@ def _write_advice(found: Diagnosis, following: Path | None, learned: Path | None
             say_written(learned)
 
 
-def _teller(status: Any) -> Callable[[str], None]:
+def _teller(status: Any) -> Callable[[Message], None]:
     """Prints what happens; the status line shows the last headline, and how many results came since."""
     headline, count = "", 0
 
-    def say(text: str) -> None:
+    def say(message: Message) -> None:
         nonlocal headline, count
-        console.print(text, markup=False, soft_wrap=True)
-        headline, count = (headline, count + 1) if text.startswith(" ") else (escape(text), 0)
+        console.print(message, markup=False, soft_wrap=True)
+        headline, count = (headline, count + 1) if message.detail else (escape(message), 0)
         status.update(f"{headline}: {count} done" if count else headline)
 
     return say

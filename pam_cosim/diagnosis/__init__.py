@@ -3,6 +3,7 @@
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
 from pam_cosim.diagnosis.diagnose import Diagnosis, diagnose
 from pam_cosim.diagnosis.explanation import LearnedModel
+from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.missing_term import LeftInSignal, MissingTerm
 from pam_cosim.diagnosis.next_experiment import NextExperiment
 from pam_cosim.diagnosis.verdict import Verdict
@@ -13,6 +14,7 @@ __all__ = [
     "FailedTrial",
     "LearnedModel",
     "LeftInSignal",
+    "Message",
     "MissingTerm",
     "NextExperiment",
     "Verdict",

@@ -12,6 +12,7 @@ from pam_cosim.compiler import read_library, read_structure
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial, role_summary
 from pam_cosim.diagnosis.evidence import incomplete, rank
 from pam_cosim.diagnosis.explanation import LearnedModel, learned_term, ledger_of
+from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.missing_term import MissingTerm, missing_term
 from pam_cosim.diagnosis.next_experiment import NextExperiment, Plan, told_apart
 from pam_cosim.diagnosis.search import Search, describe_fit
@@ -116,7 +117,7 @@ def diagnose(
     model: str | None = None,
     *,
     files: Sequence[Path] = (),
-    say: Callable[[str], None] = lambda text: None,
+    say: Callable[[Message], None] = lambda message: None,
     workers: int | None = None,
     explain: bool = True,
 ) -> Diagnosis:
@@ -126,7 +127,7 @@ def diagnose(
         data: the measurement.
         model: the base model; default the bench of the data set.
         files: further Modelica files, whose effects are tried too.
-        say: told what happens, line by line.
+        say: told what happens, line by line: texts that know whether they are a headline or a result (``Message``).
         workers: number of processes; 0: this one alone.
         explain: whether to keep a ledger and to describe what no effect explains; the verdict is the same.
 
@@ -182,7 +183,7 @@ def _others(data: DataSet, best: Candidate, near: Sequence[Candidate], files: Se
 
 
 def _base(
-    data: DataSet, model: str, files: Sequence[Path], say: Callable[[str], None]
+    data: DataSet, model: str, files: Sequence[Path], say: Callable[[Message], None]
 ) -> tuple[DataSet, Fit, dict[str, int]]:
     """The base model fitted to the data without outliers, these data, and how many samples were set aside."""
     with Simulator(build_model(model, files, sensitivities=tuple(data.fit), where_smooth=True)) as simulator:
@@ -190,9 +191,9 @@ def _base(
         data, outliers = without_outliers(data, base.comparison.runs)
         if outliers:
             counts = ", ".join(f"{count} of {name}" for name, count in outliers.items())
-            say(f"single samples far off their neighbours are set aside: {counts}")
+            say(Message(f"single samples far off their neighbours are set aside: {counts}"))
             base = fit(simulator, data)
-    say(f"base model refitted: {describe_fit(base)}")
+    say(Message(f"base model refitted: {describe_fit(base)}"))
     return data, base, outliers
 
 

@@ -10,6 +10,7 @@ from pathlib import Path
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
 from pam_cosim.diagnosis.evidence import rank
 from pam_cosim.diagnosis.learning import LearnedTerm, learn, refitted, try_learned
+from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.search import Search
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
@@ -35,7 +36,7 @@ def ledger_of(search: Search, effects: Sequence[str], present: Fit) -> Ledger | 
             search.data, present.values, search.model, effects=effects, files=search.files, tree=search.tree
         )
     except (InputError, ArithmeticError, ValueError) as problem:  # numpy reports a singular system as a ValueError
-        search.say(f"no ledger could be kept: {problem}")
+        search.say(Message(f"no ledger could be kept: {problem}"))
         return None
 
 
@@ -46,20 +47,22 @@ def learned_term(search: Search, ledger: Ledger | None, effects: Sequence[str], 
     try:
         term = learn(ledger, tree=search.tree)
         if not term.terms:
-            search.say(f"no formula could be found for what is missing: nothing explains the {term.balance} term")
+            search.say(
+                Message(f"no formula could be found for what is missing: nothing explains the {term.balance} term")
+            )
             return None
         with tempfile.TemporaryDirectory(prefix="pam-cosim-") as folder:
             attempt = try_learned(
                 term, search.data, Path(folder), search.model, effects=effects, start=present.values, files=search.files
             )
     except (InputError, ArithmeticError, ValueError) as problem:
-        search.say(f"no formula could be found for what is missing: {problem}")
+        search.say(Message(f"no formula could be found for what is missing: {problem}"))
         return None
     if isinstance(attempt, FailedTrial):
-        search.say(f"the model with the formula for what is missing could not be fitted: {attempt.failure}")
+        search.say(Message(f"the model with the formula for what is missing could not be fitted: {attempt.failure}"))
         return None
     entry = ledger.entry(term.balance)
     assert entry is not None, "the term was learned from it"
     term = refitted(term, entry, attempt, search.tree)
-    search.say(f"described, not explained: {term}")
+    search.say(Message(f"described, not explained: {term}"))
     return LearnedModel(term, rank(present, [attempt])[0])

@@ -13,6 +13,7 @@ from pam_cosim.compiler import ClassTree, Structure, read_structure
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
 from pam_cosim.diagnosis.evidence import rank
+from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.trial import Trial, crashed, run_trial
 from pam_cosim.diagnosis.workers import run_tasks
 from pam_cosim.errors import SimulationFailure
@@ -31,7 +32,7 @@ class Search:
         shelf: the effects there are.
         data: the measurement, with noise levels.
         files: further Modelica files.
-        say: told each result, in a line.
+        say: told each step and each result, in a line.
         workers: number of processes; None: the processors at hand.
         failed: trials without a fit so far; this grows.
     """
@@ -41,7 +42,7 @@ class Search:
     shelf: Sequence[EffectClass]
     data: DataSet
     files: tuple[Path, ...] = ()
-    say: Callable[[str], None] = lambda text: None
+    say: Callable[[Message], None] = lambda message: None
     workers: int | None = None
     failed: list[FailedTrial] = field(default_factory=list)
 
@@ -172,7 +173,7 @@ class Search:
 
     def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:
         if trials:
-            self.say(f"fitting {how} {len(trials)} effect{'s' if len(trials) > 1 else ''}")
+            self.say(Message(f"fitting {how} {len(trials)} effect{'s' if len(trials) > 1 else ''}"))
         results = run_tasks(run_trial, trials, crashed, lambda c: self.say(told(c)), self.workers)
         self.failed.extend(c for c in results if isinstance(c, FailedTrial))
         return [c for c in results if isinstance(c, Candidate)]
@@ -234,11 +235,10 @@ def _richer(own: EffectClass, other: EffectClass) -> bool:
     return len(other.parameters) > len(own.parameters)
 
 
-def told(c: Candidate | FailedTrial) -> str:
+def told(c: Candidate | FailedTrial) -> Message:
     """A candidate in a line."""
-    if isinstance(c, FailedTrial):
-        return f"  {c.effect} ({c.family}): could not be fitted: {c.failure}"
-    return f"  {c.effect} ({c.family}): {describe_fit(c.fit)}"
+    result = f"could not be fitted: {c.failure}" if isinstance(c, FailedTrial) else describe_fit(c.fit)
+    return Message(f"{c.effect} ({c.family}): {result}", detail=True)
 
 
 def describe_fit(fit: Fit) -> str:

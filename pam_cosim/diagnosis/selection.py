@@ -19,6 +19,7 @@ from pam_cosim.diagnosis.evidence import (
     rank,
     structured,
 )
+from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.search import Search, at_noise, describe_fit
 from pam_cosim.fitting import Fit
 
@@ -49,7 +50,7 @@ def select_effects(search: Search, base: Fit) -> tuple[list[Candidate], list[Can
         if not steps:
             break
         selected.append(steps[0])
-        search.say(f"added {_told(steps[0])}")
+        search.say(Message(f"added {_told(steps[0])}"))
     selected = _merged(search, base, _needed(search, base, selected, tried), tried)
     return (selected, tried) if selected and convincing(base, rank(base, [selected[-1]])[0]) else ([], tried)
 
@@ -72,7 +73,7 @@ def _generalized(search: Search, base: Fit, first: Sequence[Candidate], tried: l
     solved = [c for c in _steps(base, candidates) if not _unsolved(c)]
     if not solved:
         return list(first)
-    search.say(f"in general form: {_told(solved[0])}")
+    search.say(Message(f"in general form: {_told(solved[0])}"))
     return solved
 
 
@@ -98,7 +99,7 @@ def _second(search: Search, base: Fit, first: Sequence[Candidate], tried: list[C
     starts = [_plain(dominant, singles)] if dominant else first[: CRITERIA.search.first_effects]
     pairs: list[Candidate] = []
     for start in starts:
-        search.say(f"with {_told(start)}")
+        search.say(Message(f"with {_told(start)}"))
         below = CRITERIA.search.second_leaves * start.fit.residuals["fit"].excess if dominant else math.inf
         candidates = search.round(start.effects, start.fit, singles, below=below)
         tried += candidates
@@ -109,7 +110,7 @@ def _second(search: Search, base: Fit, first: Sequence[Candidate], tried: list[C
         return [starts[0]]
     best = rank(base, pairs)[0]
     chosen = next(p for p in pairs if p.effects == best.effects)
-    search.say(f"added {_told(chosen)}")
+    search.say(Message(f"added {_told(chosen)}"))
     return [next(c for c in starts if c.effects == chosen.effects[:1]), chosen]
 
 
@@ -125,7 +126,7 @@ def _dominant(search: Search, base: Fit, selected: list[Candidate], tried: Seque
     last, dominant = selected[-1], dominant_effect(base, tried)
     if dominant is None or not _unsolved(last) or (len(selected) > 1 and _nearly(selected[0].fit, last)):
         return selected
-    search.say(f"no second effect explains what is left by {_told(dominant)}")
+    search.say(Message(f"no second effect explains what is left by {_told(dominant)}"))
     return [dominant]
 
 
@@ -167,7 +168,7 @@ def _needed(search: Search, base: Fit, selected: Sequence[Candidate], tried: lis
         rest = [*selected[:i], *selected[i + 1 :]]
         without = _refitted(search, [c.effect for c in rest], selected[-1].fit, base, tried, again=True)
         if without and as_good(without[-1].fit, selected[-1]):
-            search.say(f"{selected[i].effect} is not needed any more")
+            search.say(Message(f"{selected[i].effect} is not needed any more"))
             selected = without
     return selected
 
@@ -183,7 +184,7 @@ def _enriched(search: Search, base: Fit, selected: Sequence[Candidate], tried: l
         tried += candidates
         better = [c for c in rank(last.fit, candidates) if convincing(last.fit, c)]
         if better:
-            search.say(f"in another form: {_told(better[0])}")
+            search.say(Message(f"in another form: {_told(better[0])}"))
             selected = _refitted(search, better[0].effects, better[0].fit, base, tried) or selected
     return selected
 
@@ -201,7 +202,7 @@ def _merged(search: Search, base: Fit, selected: Sequence[Candidate], tried: lis
         if not enough:
             break
         best = rank(base, enough)[0]
-        search.say(f"fewer effects do as well: {_told(best)}")
+        search.say(Message(f"fewer effects do as well: {_told(best)}"))
         fewer = _refitted(search, best.effects, best.fit, base, tried)
         if not fewer:
             break

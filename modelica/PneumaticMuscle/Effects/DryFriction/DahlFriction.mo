@@ -12,8 +12,8 @@ equation
   d*der(r) = v - sqrt(v^2 + v_smooth^2)*r;
   f = F_c*r;
   annotation (defaultComponentName="dryFriction", Documentation(info="<html>
-<p>f = F_c r, d r_dot = v - |v| r. Source: Dahl 1968; stiffness F_c/d
-before slip. Typical F_c 1 to 30 N, d 0.1 to 2 mm; more than 4 mm of travel is a spring, not friction.</p>
+<p>f = F_c r, d r_dot = v - |v| r. Source: Dahl 1968. Before it slips, its stiffness is F_c/d. Typical F_c 1 to 30 N,
+d 0.1 to 2 mm; more than 4 mm of travel is a spring, not friction.</p>
 <p>Fingerprint: as CoulombFriction; after a reversal the contraction answers at first as against a spring.</p>
 </html>"));
 end DahlFriction;

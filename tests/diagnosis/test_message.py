@@ -1,0 +1,56 @@
+"""What a diagnosis tells while it goes on: lines that print as they are and know what they are."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import pam_cosim as pam
+from pam_cosim.commands.diagnose import _teller
+from pam_cosim.diagnosis import FailedTrial, Message
+from pam_cosim.diagnosis.search import told
+from rig.short import write_light_data
+
+
+class Status:
+    """A status line that remembers what it showed."""
+
+    def __init__(self) -> None:
+        self.shown: list[str] = []
+
+    def update(self, text: str) -> None:
+        self.shown.append(text)
+
+
+def test_a_result_is_a_detail_and_a_step_a_headline() -> None:
+    failed = told(FailedTrial("Spring", "elasticity", "force", ("Spring",), "no start value can be simulated"))
+    assert failed == "  Spring (elasticity): could not be fitted: no start value can be simulated"
+    assert failed.detail and not Message("fitting 3 effects").detail
+
+
+def test_status_line_counts_the_results_since_the_last_headline() -> None:
+    status = Status()
+    say = _teller(status)
+    for message in (
+        Message("  fitting [red]"),
+        Message("a", detail=True),
+        Message("b", detail=True),
+        Message("added a"),
+    ):
+        say(message)
+    assert status.shown == [r"  fitting \[red]", r"  fitting \[red]: 1 done", r"  fitting \[red]: 2 done", "added a"]
+
+
+def test_a_diagnosis_prints_what_it_tells(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    messages: list[Message] = []
+
+    def say(message: Message) -> None:
+        messages.append(message)
+        print(message)
+
+    pam.diagnose(pam.read(write_light_data(tmp_path / "d", [], 1)), say=say, workers=0, explain=False)
+    lines = capsys.readouterr().out.splitlines()
+    assert lines == messages and lines[0].startswith("base model refitted: ")
+    assert [m.detail for m in messages] == [line.startswith("  ") for line in lines]
+    assert sum(m.detail for m in messages) > 3
