@@ -15,7 +15,9 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from pam_cosim.analysis import LinearCourse, LinearModel, OperatingPoint
     from pam_cosim.diagnosis import Diagnosis
+    from pam_cosim.dynamics import linearise, linearise_along
     from pam_cosim.errors import InputError, ModelError, SimulationFailure
     from pam_cosim.products import load, save
     from pam_cosim.simulation import Inputs, Trajectory
@@ -40,7 +42,10 @@ __all__ = [
     "Diagnosis",
     "InputError",
     "Inputs",
+    "LinearCourse",
+    "LinearModel",
     "ModelError",
+    "OperatingPoint",
     "SimulationFailure",
     "SweepPoint",
     "Trajectory",
@@ -53,6 +58,8 @@ __all__ = [
     "draw",
     "effects",
     "fit",
+    "linearise",
+    "linearise_along",
     "load",
     "read",
     "save",
@@ -66,7 +73,7 @@ if not TYPE_CHECKING:
     def __getattr__(name: str) -> object:
         """Loads what is asked for first: the command can be interrupted while it loads (``command``)."""
         if name in __all__:
-            for room in ("study", "products", "errors"):
+            for room in ("study", "dynamics", "products", "errors", "analysis"):
                 module = import_module(f"pam_cosim.{room}")
                 if hasattr(module, name):
                     return getattr(module, name)

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 
 from pam_cosim import study
 from pam_cosim.compiler import names
+from pam_cosim.dynamics import conditions_of
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.description import model_identifier
-from pam_cosim.interface import Interface
+from pam_cosim.interface import Interface, Variable
 from pam_cosim.measurement import read_recording
 from pam_cosim.settings import settable, value_of
 from pam_cosim.simulation import Inputs
@@ -73,6 +76,31 @@ def parse_variations(words: Sequence[str], interface: Interface) -> dict[str, li
         else:
             found[name] = [value_of(p, variable) for p in _alike(text.split(","), word)]
     return found
+
+
+def parse_point(words: Sequence[str], interface: Interface) -> Literal["rest"] | dict[str, float] | list[float]:
+    """What ``--at`` says: "rest", values by name [SI] of one state, or times [s] of a run.
+
+    Raises:
+        InputError: not of that form, or several of these.
+    """
+    if list(words) == ["rest"]:
+        return "rest"
+    pairs = [_split(part, "NAME=VALUE, such as \"p=6 bar\", or rest") for word in words for part in _parts(word)]
+    names = [name for name, _ in pairs]
+    if set(names) == {"time"}:
+        return [value_of(text, Variable("time", "s")) for _, text in pairs]
+    twice = next((name for name in names if names.count(name) > 1), None)
+    if twice is not None:
+        raise InputError(f"'{twice}' is given twice")
+    if "time" in names:
+        raise InputError("a time is of a run and has its state; give either times or values of a state")
+    return conditions_of(dict(pairs), interface)
+
+
+def _parts(word: str) -> list[str]:
+    """The parts between commas, but for those in brackets."""
+    return [part for part in re.split(r",(?![^\[]*\])", word) if part.strip()]
 
 
 def _alike(texts: list[str], word: str) -> list[str]:

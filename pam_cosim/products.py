@@ -17,6 +17,7 @@ from cattrs import Converter
 from cattrs.errors import BaseValidationError
 from cattrs.strategies import configure_tagged_union, include_subclasses
 
+from pam_cosim.analysis import LinearCourse, LinearModel
 from pam_cosim.comparison import Comparison
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
@@ -25,8 +26,10 @@ from pam_cosim.fitting import Fit, Record
 from pam_cosim.ledger import Ledger
 from pam_cosim.simulation import Trajectory
 
-Product = Trajectory | Comparison | Fit | Ledger | Diagnosis
-_KINDS: dict[str, type[Any]] = {kind.__name__: kind for kind in (Trajectory, Comparison, Fit, Ledger, Diagnosis)}
+Product = Trajectory | Comparison | Fit | Ledger | Diagnosis | LinearModel | LinearCourse
+_KINDS: dict[str, type[Any]] = {
+    kind.__name__: kind for kind in (Trajectory, Comparison, Fit, Ledger, Diagnosis, LinearModel, LinearCourse)
+}
 _TEXT = "product"
 _DAMAGE = (ValueError, KeyError, TypeError, AttributeError, EOFError, BadZipFile, BaseValidationError)
 

@@ -18,20 +18,41 @@ def read_description(path: Path) -> ModelDescription:
     Raises:
         InputError: not an FMU, or not of that kind.
     """
-    if not Path(path).exists():
-        raise InputError("there is no such file", path)
-    try:
-        description = fmpy.read_model_description(str(path), validate=False)
-    except ValidationError as error:
-        raise InputError(f"the FMU is not valid: {error.problems[0]}", path) from error
-    except Exception as error:  # fmpy raises bare Exceptions, zipfile, lxml and OS errors
-        raise InputError(f"this is not an FMU: {error}", path) from error
+    description = _description(path)
     if fmi_version(description) not in ("2.0", "3.0") or description.coSimulation is None:
         kind = "co-simulation" if description.coSimulation is not None else "without co-simulation"
         raise InputError(
             f"a co-simulation FMU of FMI 2.0 or 3.0 is needed; this is FMI {description.fmiVersion} {kind}", path
         )
     return description
+
+
+def exchange_description(path: Path) -> ModelDescription:
+    """FMPy's model description of a model-exchange FMU of FMI 2.0 or 3.0.
+
+    Raises:
+        InputError: not an FMU, or not of that kind.
+    """
+    description = _description(path)
+    if fmi_version(description) not in ("2.0", "3.0") or description.modelExchange is None:
+        kind = "model exchange" if description.modelExchange is not None else "no model exchange"
+        raise InputError(
+            "the states and their rates are needed, which an FMU of FMI 2.0 or 3.0 shows in model exchange; this is "
+            f"FMI {description.fmiVersion} with {kind} (our own FMUs lack it where the model delays a signal)",
+            path,
+        )
+    return description
+
+
+def _description(path: Path) -> ModelDescription:
+    if not Path(path).exists():
+        raise InputError("there is no such file", path)
+    try:
+        return fmpy.read_model_description(str(path), validate=False)
+    except ValidationError as error:
+        raise InputError(f"the FMU is not valid: {error.problems[0]}", path) from error
+    except Exception as error:  # fmpy raises bare Exceptions, zipfile, lxml and OS errors
+        raise InputError(f"this is not an FMU: {error}", path) from error
 
 
 def fmi_version(description: ModelDescription) -> str:

@@ -7,6 +7,7 @@ from functools import singledispatch
 from pathlib import Path
 from typing import Any
 
+from pam_cosim.analysis import LinearCourse, LinearModel
 from pam_cosim.comparison import Comparison
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
@@ -14,6 +15,7 @@ from pam_cosim.files import check_writable, write_bytes
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger
 from pam_cosim.reporting.diagnosis_page import layers_of, rungs_of
+from pam_cosim.reporting.figures.bode import bode, poles_along
 from pam_cosim.reporting.figures.course import course
 from pam_cosim.reporting.figures.curves import draw_curves, legend
 from pam_cosim.reporting.figures.layer import SPARSE, rivals
@@ -78,6 +80,20 @@ def _(product: Ledger, path: Path | str) -> None:
     check_writable(Path(path))
     with drawing():
         write_bytes(Path(path), png(ledger_figure(product)))
+
+
+@draw.register
+def _(product: LinearModel, path: Path | str) -> None:
+    check_writable(Path(path))
+    with drawing():
+        write_bytes(Path(path), png(bode(product)))
+
+
+@draw.register
+def _(product: LinearCourse, path: Path | str) -> None:
+    check_writable(Path(path))
+    with drawing():
+        write_bytes(Path(path), png(poles_along(product)))
 
 
 @draw.register

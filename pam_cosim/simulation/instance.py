@@ -31,10 +31,10 @@ def load_instance(description: ModelDescription, directory: str) -> Instance:
     }
     if fmi_version(description) == "3.0":
         return FMU3Slave(**arguments)
-    return FMU2Slave(**arguments, libraryPath=_own_library(directory, identifier))
+    return FMU2Slave(**arguments, libraryPath=own_library(directory, identifier))
 
 
-def _own_library(directory: str, identifier: str) -> str | None:
+def own_library(directory: str, identifier: str) -> str | None:
     """The binary in a directory of this platform's own; None: FMPy's choice, in the directory that FMI names."""
     own = PLATFORMS[native_platform()]
     path = Path(directory, "binaries", own.folder, f"{identifier}{own.suffix}")

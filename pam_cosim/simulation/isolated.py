@@ -125,7 +125,7 @@ class IsolatedSimulator:
             raise self._late(None, request)
         if self._process is not None and self._process.poll() is not None:
             self._end()
-        process = self._process = self._process or _start(self.path, self.timeout)
+        process = self._process = self._process or start_kept(self.path, self.timeout)
         assert process.stdin is not None and process.stdout is not None
         try:
             with contextlib.suppress(OSError):  # it has ended: the answer says why
@@ -145,7 +145,7 @@ class IsolatedSimulator:
             progress = pickle.loads(content) if content else None
             self._never_loaded = bool(content) and progress is None
             raise self._late(progress, request)
-        raise RunFailure(f"{self.path.name} crashed its process ({_cause(int(content))})")
+        raise RunFailure(f"{self.path.name} crashed its process ({cause_of_end(int(content))})")
 
     def _late(self, progress: Progress | None, request: dict[str, Any]) -> RunFailure:
         place = (
@@ -226,21 +226,22 @@ class RemoteStepper:
         return list(self._answer("take_messages", {}, False))
 
 
-def _start(path: Path, timeout: float) -> subprocess.Popen[bytes]:
-    """The keeper of a process that answers requests (``worker.py``)."""
+def start_kept(path: Path, timeout: float, worker: str = "pam_cosim.simulation.worker") -> subprocess.Popen[bytes]:
+    """The keeper of a process that answers requests: the module ``worker`` with an FMU's path."""
     prepare_driver()  # not within the time limit
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
     limit = timeout if math.isfinite(timeout) else 0.0
     tick = min(_LONGEST_TICK, timeout / _TICKS)
-    worker = [sys.executable, "-m", "pam_cosim.simulation.worker", str(path), str(tick)]
-    command = [sys.executable, "-I", "-S", str(Path(keeper.__file__)), str(limit), *worker]
+    answering = [sys.executable, "-m", worker, str(path), str(tick)]
+    command = [sys.executable, "-I", "-S", str(Path(keeper.__file__)), str(limit), *answering]
     # a session of its own: an interrupt from the terminal is this process's alone, which then ends the others
     return subprocess.Popen(
         command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment, start_new_session=True
     )
 
 
-def _cause(code: int) -> str:
+def cause_of_end(code: int) -> str:
+    """Of a process, by its exit status."""
     if code >= 0:
         return f"exit status {code}"
     try:

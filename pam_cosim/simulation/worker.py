@@ -18,14 +18,14 @@ from pam_cosim.simulation.simulator import Simulator
 from pam_cosim.simulation.stepper import Stepper
 
 
-def _private_output() -> BinaryIO:
+def private_output() -> BinaryIO:
     """Standard output for the answers alone; what the FMU prints goes to standard error."""
     channel = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)
     return channel
 
 
-def _private_input() -> BinaryIO:
+def private_input() -> BinaryIO:
     """Standard input for the requests alone; an FMU that reads from it finds nothing."""
     channel = os.fdopen(os.dup(0), "rb")
     with open(os.devnull, "rb") as nothing:
@@ -43,7 +43,7 @@ class _Worker:
 
     def __init__(self, path: Path, tick: float) -> None:
         self._path, self._tick = path, tick
-        self._requests, self._channel = _private_input(), _private_output()
+        self._requests, self._channel = private_input(), private_output()
         self._lock = threading.Lock()
         self._told: Progress | None = None
         self.simulator: Simulator | None = None

@@ -1,0 +1,6 @@
+""".fmu and a point or a measurement -> LinearModel: linear models, frequency responses, observers."""
+
+from pam_cosim.analysis.linear import LinearCourse, LinearModel, Mode
+from pam_cosim.analysis.operating_point import OperatingPoint
+
+__all__ = ["LinearCourse", "LinearModel", "Mode", "OperatingPoint"]

@@ -1,0 +1,65 @@
+"""The course of a model for model exchange over time, by a solver of SciPy with the FMU's exact Jacobian."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from scipy.integrate import solve_ivp
+
+from pam_cosim.analysis.exchange import ExchangeModel
+from pam_cosim.arrays import Array
+from pam_cosim.simulation.failure import RunFailure
+
+RELATIVE_TOLERANCE, ABSOLUTE_TOLERANCE = 1e-8, 1e-10  # the latter in nominal sizes of the states
+# The second, implicit throughout and slower, is for states that the first cannot pass.
+_METHODS = ("LSODA", "Radau")
+
+InputCourse = Callable[[float], Array]
+
+
+def held(inputs: Array) -> InputCourse:
+    """Constant inputs (m,)."""
+    return lambda _: inputs
+
+
+def flow(model: ExchangeModel, start: Array, times: Array, inputs: InputCourse) -> Array:
+    """States (n, k) at increasing times (k,) [s], from ``start`` (n,) at the first of them.
+
+    Args:
+        model: initialised.
+        start: (n,) state.
+        times: (k,) [s].
+        inputs: (m,) at a time [s], smooth between the first and the last time.
+
+    Raises:
+        SimulationFailure: no solver gets to the end.
+    """
+    if not model.states:
+        return np.zeros((0, len(times)))
+    floor = ABSOLUTE_TOLERANCE * np.array([model.scale(name) for name in model.states])
+
+    def rates(t: float, x: Array) -> Array:
+        try:
+            model.set(t, x, inputs(t))
+            return model.rates()
+        except RunFailure:  # a trial step beyond what the model can say; the solver tries a shorter one
+            return np.full(len(x), np.nan)
+
+    def jacobian(t: float, x: Array) -> Array:
+        model.set(t, x, inputs(t))
+        return model.jacobian(model.rate_names, model.states)[0]
+
+    message = ""
+    for method in _METHODS:
+        try:
+            found = solve_ivp(
+                rates, (times[0], times[-1]), start, method, times, rtol=RELATIVE_TOLERANCE, atol=floor, jac=jacobian
+            )
+        except (RunFailure, ValueError) as error:  # SciPy raises ValueError where a Jacobian is not finite
+            message = str(error)
+            continue
+        if found.success and np.isfinite(found.y).all():
+            return np.asarray(found.y, dtype=float)
+        message = str(found.message)
+    raise RunFailure(f"no solver gets from {times[0]:.6g} s to {times[-1]:.6g} s: {message}", model.time)

@@ -1,0 +1,189 @@
+"""Steps of a study that look at a model's dynamics, as one function each."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+
+from pam_cosim import study
+from pam_cosim.analysis.apart import work_on
+from pam_cosim.analysis.linear import LinearCourse, LinearModel
+from pam_cosim.analysis.linearise import linearise_at, linearise_run
+from pam_cosim.errors import InputError
+from pam_cosim.fmu.read import exchange_description, interface_of
+from pam_cosim.interface import Interface
+from pam_cosim.settings import Setting, resolve, value_of
+from pam_cosim.simulation import Inputs, Trajectory
+from pam_cosim.wording import did_you_mean
+
+Point = Literal["rest"] | Mapping[str, Setting] | float | tuple[Trajectory, float]
+
+
+@dataclass(frozen=True)
+class Exchange:
+    """A model for model exchange that is ready to be worked on.
+
+    Attributes:
+        path: of its FMU.
+        trusted: whether it was built here, and may run in this process.
+        interface: its names and units.
+    """
+
+    path: Path
+    trusted: bool
+    interface: Interface
+
+
+def exchange(model: str, files: study.Paths = ()) -> Exchange:
+    """Finds or builds the FMU of a model.
+
+    Raises:
+        InputError: no such model, or one without model exchange.
+    """
+    path = study.build(model, files=files)
+    return Exchange(path, not model.endswith(".fmu"), interface_of(exchange_description(path)))
+
+
+def linearise(
+    model: str,
+    parameters: Mapping[str, Setting] | None = None,
+    *,
+    at: Point = "rest",
+    free: Sequence[str] = (),
+    inputs: Inputs | None = None,
+    outputs: Sequence[str] | None = None,
+    files: study.Paths = (),
+    timeout: float | None = None,
+) -> LinearModel:
+    """The linear model about a point, from the FMU's exact derivatives.
+
+    Args:
+        model: a bench, a Modelica class, a ``.mo`` or an ``.fmu`` file with model exchange.
+        parameters: as in ``simulate``; inputs among them are held.
+        at: "rest": where a run with constant inputs settles. Values by name: that state; named states and inputs take
+            their values, and where another variable is named, such as an output, the other states change as little as
+            they must from their start values. A number: that time [s] of the run that ``inputs`` drive. A trajectory
+            that has all states, and a time [s].
+        free: inputs that the solver chooses; ``at`` is then a rest at which what is named has its value.
+        inputs: over time; only for a time of a run.
+        outputs: names of outputs or of any other variable; default: every output.
+        files: further Modelica files.
+        timeout: as in ``simulate``.
+
+    Raises:
+        InputError: an unknown name, a value that cannot be used, a model without model exchange; no rest, or no such
+            state.
+        SimulationFailure: the model cannot be evaluated there.
+    """
+    known = exchange(model, files)
+    settings = resolve(parameters or {}, known.interface)
+    if isinstance(at, str) and at != "rest":
+        raise InputError(f"'{at}' is no point: give 'rest', values by name, or a time")
+    if isinstance(at, str | Mapping):
+        if inputs is not None:
+            raise InputError("inputs over time are for a time of a run; inputs that are held belong to the parameters")
+        conditions = {} if isinstance(at, str) else conditions_of(at, known.interface)
+        rest = isinstance(at, str) or bool(free)
+        return work_on(
+            known.path, known.trusted, timeout, linearise_at, settings, conditions, rest, list(free),
+            _listed(outputs),
+        )  # fmt: skip
+    if free:
+        raise InputError("inputs are free at a rest only")
+    if isinstance(at, tuple):
+        points = [_of_trajectory(at[0], float(at[1]), known)]
+    else:
+        points = _of_run(model, settings, inputs, [float(at)], known, files, timeout)
+    return work_on(known.path, known.trusted, timeout, linearise_run, settings, points, _listed(outputs))[0]
+
+
+def linearise_along(
+    model: str,
+    parameters: Mapping[str, Setting] | None = None,
+    inputs: Inputs | None = None,
+    *,
+    times: Sequence[float],
+    outputs: Sequence[str] | None = None,
+    files: study.Paths = (),
+    timeout: float | None = None,
+) -> LinearCourse:
+    """The linear models at several times of one run.
+
+    Args:
+        model, parameters, inputs, files, timeout: as in ``simulate``.
+        times: (k,) [s], increasing.
+        outputs: as in ``linearise``.
+
+    Raises:
+        InputError: as ``linearise``; no times, or times that do not increase.
+        SimulationFailure: the run does not get there.
+    """
+    if not len(times):
+        raise InputError("no time is given")
+    known = exchange(model, files)
+    settings = resolve(parameters or {}, known.interface)
+    points = _of_run(model, settings, inputs, [float(t) for t in times], known, files, timeout)
+    found = work_on(known.path, known.trusted, timeout, linearise_run, settings, points, _listed(outputs))
+    return LinearCourse(tuple(found))
+
+
+def conditions_of(at: Mapping[str, Setting], interface: Interface) -> dict[str, float]:
+    """Values [SI] of any variables.
+
+    Raises:
+        InputError: an unknown name, or a value that cannot be used.
+    """
+    groups = (interface.inputs, interface.outputs, interface.locals, interface.sensitivities)
+    known = {name: variable for group in groups for name, variable in group.items()}
+    for name in at:
+        if name in interface.parameters:
+            raise InputError(f"'{name}' is a parameter: set it with the parameters")
+        if name not in known:
+            raise InputError(f"{interface.model} has no variable '{name}'; {did_you_mean(name, known)}")
+    return {name: value_of(value, known[name]) for name, value in at.items()}
+
+
+def _listed(names: Sequence[str] | None) -> list[str] | None:
+    return None if names is None else list(names)
+
+
+def _of_trajectory(trajectory: Trajectory, time: float, known: Exchange) -> tuple[float, dict[str, float]]:
+    needed = state_names(known.path)
+    missing = [name for name in needed if name not in trajectory.values]
+    if missing:
+        raise InputError(
+            f"the trajectory lacks {', '.join(missing)}: it must be simulated with the outputs {', '.join(needed)}"
+        )
+    if not trajectory.time[0] <= time <= trajectory.time[-1]:
+        span = f"from {trajectory.time[0]:g} s to {trajectory.time[-1]:g} s"
+        raise InputError(f"the trajectory is {span}, without {time:g} s")
+    starts = {name: variable.start or 0.0 for name, variable in known.interface.inputs.items()}
+    values = {n: float(np.interp(time, trajectory.time, trajectory.values[n])) for n in trajectory.values}
+    return time, starts | values
+
+
+def _of_run(
+    model: str,
+    settings: Mapping[str, float],
+    inputs: Inputs | None,
+    times: list[float],
+    known: Exchange,
+    files: study.Paths,
+    timeout: float | None,
+) -> list[tuple[float, dict[str, float]]]:
+    start = float(inputs.time[0]) if inputs is not None else 0.0
+    if times[0] < start or any(b <= a for a, b in zip(times, times[1:], strict=False)):
+        raise InputError(f"the times must increase, from {start:g} s on")
+    names = [*state_names(known.path), *known.interface.inputs]
+    with study.opened(model, files, timeout=timeout) as simulator:
+        run = simulator.run(times, parameters=settings, inputs=inputs, outputs=names, start_time=start)
+    return [(t, {name: float(run[name][i]) for name in names}) for i, t in enumerate(times)]
+
+
+def state_names(path: Path) -> list[str]:
+    """The continuous states of an FMU with model exchange."""
+    return [unknown.variable.derivative.name for unknown in exchange_description(path).derivatives]

@@ -1,0 +1,250 @@
+"""Linear models against formulas, against differences, and in the hands of scipy and python-control."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy import signal
+
+import pam_cosim as pam
+from tests.fmu import models
+from tests.simulation.misbehaving import hanging, patched, repacked
+
+INTEGRATOR = """
+model Heater "A store that is heated and loses nothing"
+  input Real u(start=2, unit="W");
+  output Real T(unit="K");
+  parameter Real C(unit="J/K") = 5;
+  Real x(start=290, fixed=true, unit="K");
+equation
+  C*der(x) = u;
+  T = x;
+end Heater;
+"""
+PENDULUM = """
+model Pendulum "Upright at the start, and pushed a little"
+  input Real M(start=0, unit="N.m");
+  output Real angle(unit="rad");
+  parameter Real d(unit="1/s") = 0.4;
+  Real phi(start=3.1, fixed=true, unit="rad");
+  Real w(start=0, fixed=true, unit="rad/s");
+equation
+  der(phi) = w;
+  der(w) = -9.81*sin(phi) - d*w + M;
+  angle = phi;
+end Pendulum;
+"""
+
+
+@pytest.fixture
+def modelica(tmp_path: Path):
+    def write(text: str) -> str:
+        path = tmp_path / f"{text.split()[1]}.mo"
+        path.write_text(text)
+        return str(path)
+
+    return write
+
+
+def test_the_matrices_of_the_slides() -> None:
+    tau, c_1, c_2, k, b, m = 0.1, 5.7238e-4, 8061.8, 500.0, 60.0, 2.0
+    found = pam.linearise("LumpedLinear")
+    assert (found.states, found.inputs, found.outputs) == (("P", "l", "v"), ("p_in",), ("p", "L", "F"))
+    np.testing.assert_allclose(found.A, [[-1 / tau, 0, 0], [0, 0, 1], [-c_1 / m, -(c_2 + k) / m, -b / m]], rtol=1e-12)
+    np.testing.assert_allclose(found.B, [[1 / tau], [0], [0]], rtol=1e-12)
+    np.testing.assert_allclose(found.C, [[1, 0, 0], [0, 1, 0], [c_1, c_2, 0]], rtol=1e-12)
+    assert not found.D.any()
+    assert found.units == {"P": "Pa", "l": "m", "v": "m/s", "p_in": "Pa", "p": "Pa", "L": "m", "F": "N"}
+    swing = np.sqrt((c_2 + k) / m)
+    slow, fast = found.modes
+    assert slow.time_constant == pytest.approx(tau) and slow.shares["P"] == pytest.approx(1)
+    assert fast.frequency == pytest.approx(swing / (2 * np.pi)) and fast.damping == pytest.approx(b / m / (2 * swing))
+    assert found.static_gain[1, 0] == pytest.approx(-c_1 / (c_2 + k))
+    assert found.is_stable and "time constant 0.1 s (P 100%)" in str(found)
+
+
+def test_a_law_without_states_has_gains_alone() -> None:
+    found = pam.linearise("StaticForce", at={"p": "6 bar", "eps": "10 %"})
+    assert found.point.outputs["F"] == pytest.approx(205.67, abs=5e-3)
+    assert found.D[0, 0] == pytest.approx(5.7239e-4, rel=1e-4)
+    assert -found.D[0, 1] / 0.3 == pytest.approx(8061.8, rel=1e-5)
+    np.testing.assert_array_equal(found.static_gain, found.D)
+    with pytest.raises(pam.InputError, match="no states"):
+        found.to_scipy()
+
+
+def test_at_rest_nothing_changes_and_a_run_ends_there() -> None:
+    found = pam.linearise("Isotonic", {"u_out": 0.25, "u_in": "0.3 A"})
+    assert found.point.kind == "rest" and "settles" in found.point.how
+    assert all(abs(rate) < 1e-2 for rate in found.point.rates.values())
+    run = pam.simulate("Isotonic", {"u_out": 0.25, "u_in": 0.3}, stop_time=60)
+    assert found.point.outputs["x"] == pytest.approx(run["x"][-1], rel=1e-6)
+    assert found.point.outputs["p"] == pytest.approx(run["p"][-1], rel=1e-6)
+
+
+def test_small_steps_of_the_model_are_those_of_the_linear_one() -> None:
+    """An independent check of every number on the way from current to contraction."""
+    found = pam.linearise("Isotonic", {"u_out": 0.25}, at={"p": "1 bar"}, free=["u_in"]).select(["u_in"], ["p", "x"])
+    at = found.point.inputs["u_in"]
+    time, size = np.array([0, 60, 60, 70.0]), 1e-3
+
+    def stepped(by: float) -> pam.Trajectory:
+        steps = pam.Inputs(time, {"u_in": at + by * np.array([0, 0, 1, 1])})
+        return pam.simulate("Isotonic", {"u_out": 0.25}, steps)
+
+    up, down = stepped(size), stepped(-size)  # their difference is free of the curvature
+    after = up.time > 60
+    linear = found.step(up.time[after] - 60)[:, :, 0]
+    for i, name in enumerate(found.outputs):
+        real = (up[name] - down[name])[after] / (2 * size)
+        np.testing.assert_allclose(real, linear[:, i], atol=1e-3 * np.abs(linear[:, i]).max())
+
+
+def test_a_state_is_found_from_outputs() -> None:
+    found = pam.linearise("Isotonic", at={"p": "60 kPa", "x": "30 mm", "u_in": 0.2})
+    assert found.point.outputs["p"] == pytest.approx(60e3) and found.point.states["load.s"] == pytest.approx(0.03)
+    assert found.point.states["muscle.gas.p"] == pytest.approx(60e3 + 101325)
+    assert found.point.inputs["u_in"] == 0.2 and found.point.states["load.v"] == 0
+    assert "Not at rest" in found.notes[-1]
+
+
+def test_differences_where_an_fmu_has_no_derivatives(tmp_path: Path) -> None:
+    """Such an FMU is foreign: it runs in a process of its own."""
+    built = pam.build("Isotonic")
+    foreign = repacked(built, tmp_path / "f.fmu", {'providesDirectionalDerivative="true"': ""})
+    exact = pam.linearise("Isotonic", at={"p": "60 kPa", "x": "30 mm"})
+    other = pam.linearise(str(foreign), at={"p": "60 kPa", "x": "30 mm"})
+    assert exact.method != other.method and "central differences" in other.notes[0] and not exact.notes[:-1]
+    for name in "ABCD":
+        one, two = getattr(exact, name), getattr(other, name)
+        np.testing.assert_allclose(two, one, rtol=1e-6, atol=1e-7 * np.abs(one).max(initial=0.0))
+
+
+def test_both_versions_of_fmi_say_the_same(tmp_path: Path) -> None:
+    path = pam.build("Isotonic", tmp_path / "three.fmu", fmi="3.0")
+    three, two = (pam.linearise(str(path), at={"x": 0.03}), pam.linearise("Isotonic", at={"x": 0.03}))
+    assert three.method == two.method and "directional" in two.method
+    np.testing.assert_array_equal(three.A, two.A)
+    np.testing.assert_array_equal(three.B, two.B)
+
+
+def test_along_a_run() -> None:
+    times = [0.5, 1.0, 3.0]
+    steps = pam.Inputs([0, 2, 2, 4], {"u_in": [0.35, 0.35, 0, 0], "u_out": [0, 0, 0.35, 0.35]})
+    found = pam.linearise_along("Isotonic", inputs=steps, times=times)
+    assert found.times.tolist() == times and found.poles.shape == (3, 3)
+    run = pam.simulate("Isotonic", inputs=steps, interval=0.5)
+    assert found[2].point.outputs["x"] == pytest.approx(float(np.interp(3.0, run.time, run["x"])), rel=1e-4)
+    assert found[2].point.inputs["u_out"] == 0.35
+    one = pam.linearise("Isotonic", at=1.0, inputs=steps)
+    np.testing.assert_allclose(one.A, found[1].A, rtol=1e-5, atol=1e-3)
+
+
+def test_at_a_time_of_a_trajectory() -> None:
+    import pam_cosim.study as study
+
+    with study.opened("Isotonic") as simulator:
+        run = simulator.run([0.0, 1.0], outputs=["muscle.gas.p", "load.s", "load.v", "u_in"])
+    found = pam.linearise("Isotonic", at=(run, 1.0))
+    assert found.point.states["load.s"] == run["load.s"][1]
+    with pytest.raises(pam.InputError, match="lacks muscle.gas.p"):
+        pam.linearise("Isotonic", at=(pam.simulate("Isotonic", stop_time=1), 0.5))
+    with pytest.raises(pam.InputError, match="without 7 s"):
+        pam.linearise("Isotonic", at=(run, 7.0))
+
+
+def test_no_rest(modelica) -> None:
+    heater = modelica(INTEGRATOR)
+    with pytest.raises(pam.InputError, match=r"no rest was found.*x still changes by 0.4 K/s.*free: u"):
+        pam.linearise(heater)
+    found = pam.linearise(heater, free=["u"])
+    assert found.point.inputs["u"] == pytest.approx(0, abs=1e-5) and "integrates" in str(found)
+    assert np.isnan(found.static_gain).all() and not found.is_stable
+
+
+def test_a_rest_that_is_left_again(modelica) -> None:
+    pendulum = modelica(PENDULUM)
+    down = pam.linearise(pendulum)
+    assert down.point.states["phi"] == pytest.approx(0, abs=1e-6) and down.is_stable
+    up = pam.linearise(pendulum, at={"angle": np.pi}, free=["M"])
+    assert not up.is_stable and up.modes[1].time_constant > 0 > up.modes[0].time_constant
+    assert up.A[1, 0] == pytest.approx(9.81) and "grows" in str(up)
+
+
+def test_fewer_states_keep_the_static_gain() -> None:
+    whole = pam.linearise("Isotonic", {"u_out": 0.25}, at={"p": "1 bar"}, free=["u_in"])
+    small = whole.select(["u_in"], ["x"], ["muscle.gas.p"])
+    assert small.A.shape == (1, 1) and "at once" in small.notes[-1]
+    assert small.static_gain[0, 0] == pytest.approx(whole.static_gain[1, 0], rel=1e-10)
+    assert -1 / small.A[0, 0] == pytest.approx(whole.modes[0].time_constant, rel=0.1)
+    with pytest.raises(pam.InputError, match="no output 'xx'; did you mean 'x'"):
+        whole.select(outputs=["xx"])
+
+
+def test_for_scipy_and_python_control() -> None:
+    import control
+
+    found = pam.linearise("LumpedLinear")
+    times = np.linspace(0, 1, 201)
+    ours = found.step(times)[:, :, 0]
+    scipy_s = signal.step(found.to_scipy(), T=times)[1]
+    np.testing.assert_allclose(ours, scipy_s, atol=1e-9 * np.abs(ours).max())
+    system = found.to_control()
+    assert system.state_labels == ["P", "l", "v"] and system.input_labels == ["p_in"]
+    np.testing.assert_allclose(np.sort_complex(system.poles()), np.sort_complex(found.poles))
+    frequencies = np.array([0.1, 1, 10, 20])
+    theirs = control.frequency_response(system, 2 * np.pi * frequencies).complex
+    np.testing.assert_allclose(np.moveaxis(found.response(frequencies), 0, -1), theirs.reshape(3, 1, 4), rtol=1e-9)
+    assert pam.linearise("Isotonic").to_control().state_labels[0] == "muscle_gas_p"
+
+
+def test_saved_loaded_drawn_and_shown(tmp_path: Path) -> None:
+    found = pam.linearise("LumpedLinear")
+    again = pam.load(pam.save(found, tmp_path / "l.npz"))
+    assert again.as_dict() == found.as_dict() and str(again) == str(found)
+    pam.draw(found, tmp_path / "l.png")
+    assert (tmp_path / "l.png").read_bytes().startswith(b"\x89PNG")
+    assert "<table>" in found._repr_html_() and "der(v) [m/s2]" in found._repr_html_()
+    rows = found.to_csv(tmp_path / "l.csv").read_text().splitlines()
+    assert rows[0] == ",P [Pa],l [m],v [m/s],p_in [Pa]" and rows[3].startswith("der(v) [m/s2],-0.00028619,")
+    along = pam.linearise_along("Isotonic", times=[0.5, 1])
+    pam.draw(along, tmp_path / "poles.png")
+    assert pam.load(pam.save(along, tmp_path / "a.npz")).as_dict() == along.as_dict()
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ({"at": {"q": 1}}, "no variable 'q'"),
+        ({"at": {"load.m": 1}}, "'load.m' is a parameter"),
+        ({"at": {"p": "3 kg"}}, "p=3 kg"),
+        ({"at": {"T": 400, "p": "1 bar"}}, "no state was found at which"),
+        ({"at": "start"}, "'start' is no point"),
+        ({"free": ["u"]}, "no input 'u'"),
+        ({"at": {"u_in": 0.2}, "free": ["u_in"]}, "'u_in' is given and free"),
+        ({"at": -1.0}, "the times must increase, from 0 s on"),
+        ({"outputs": ["y"]}, "no variable 'y'"),
+        ({"parameters": {"mass": 1}}, "no parameter or input 'mass'"),
+        ({"timeout": 0.0}, "a time limit"),
+    ],
+)
+def test_bad_input(words: dict, message: str) -> None:
+    with pytest.raises(pam.InputError, match=message.replace("(", r"\(")):
+        pam.linearise("Isotonic", **words)
+
+
+def test_an_fmu_without_model_exchange() -> None:
+    with pytest.raises(pam.InputError, match="no model exchange .*delays a signal"):
+        pam.linearise(str(models.fmu(models.delayed_lag)))
+
+
+def test_an_fmu_that_crashes_or_hangs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    start = "fmi2Status fmi2NewDiscreteStates(fmi2Component component, fmi2EventInfo *info) {"
+    crashing = patched(tmp_path, "pam_fmi2.c", start, start + " abort();")
+    with pytest.raises(pam.SimulationFailure, match=r"crashed its process \(signal SIGABRT\)"):
+        pam.linearise(str(crashing))
+    monkeypatch.setenv("HANG", "fmi2GetDerivatives")
+    with pytest.raises(pam.SimulationFailure, match="no progress for 1 s"):
+        pam.linearise(str(hanging(tmp_path)), timeout=1)
