@@ -12,7 +12,7 @@ class Domain:
     Attributes:
         balances: in the order in which they are opened and drawn.
         confused: rows of two balances and a sentence. Where a term of the first is missing while a law hides the
-            second, models that keep books of the second are tried too; the sentence is what to say where both will do.
+            second, models that have a balance of the second are tried too; the sentence is said where both will do.
         phases: rows of a unit and three words. The first output with that unit divides a run into parts in which it
             rises, rests and falls.
         moving: units of outputs of which it matters whether they grow, rest or shrink, and how fast.

@@ -28,5 +28,5 @@ def test_nothing_to_judge() -> None:
 def test_scores_tell_it_of_each_signal() -> None:
     time = np.linspace(0.0, 1.0, 400)
     one = run("r", time, p=np.sin(9 * time))
-    found = score_signal([RunComparison(one, {"p": 0 * time})], Signal("p", "Pa", 1.0))
-    assert found is not None and found.autocorrelation > 0.95 and found.whiteness_score > 15
+    score = score_signal([RunComparison(one, {"p": 0 * time})], Signal("p", "Pa", 1.0))
+    assert score is not None and score.autocorrelation > 0.95 and score.whiteness_score > 15

@@ -18,11 +18,11 @@ TIME = np.linspace(0.0, 10.0, 501)
 
 def _runs(error: Callable[[int, Array], Array], count: int = 6) -> list[RunComparison]:
     """Runs of a model whose output swings at a different pace in each; what was measured differs by ``error``."""
-    found = []
+    runs = []
     for k in range(count):
         y = np.sin((1 + 0.3 * k) * TIME + k)
-        found.append(RunComparison(recording(TIME, {"y": y + error(k, y)}), {"y": y}))
-    return found
+        runs.append(RunComparison(recording(TIME, {"y": y + error(k, y)}), {"y": y}))
+    return runs
 
 
 @pytest.mark.parametrize("seed", range(5))
@@ -32,15 +32,15 @@ def test_noise_of_any_colour_does_not_come_again(seed: int) -> None:
         lambda k, y: red(0.9, 100 * seed + k, 501),
         lambda k, y: white(100 * seed + k, 501) + 0.7 * np.sin(0.4 * TIME + white(seed + k, 1)[0] * 7),
     ):
-        found = reproducibility(_runs(noise), {"y": 1.0})
-        assert found.variance < 0.02 or found.score < 1.0
+        repeated = reproducibility(_runs(noise), {"y": 1.0})
+        assert repeated.variance < 0.02 or repeated.score < 1.0
 
 
 @pytest.mark.parametrize("runs", [2, 3, 6])
 def test_an_effect_of_the_signal_comes_again(runs: int) -> None:
     """A cubic of the signal with 0.4 of the noise's variance."""
-    found = reproducibility(_runs(lambda k, y: white(k, 501) + 1.1 * y**3, runs), {"y": 1.0})
-    assert found.variance == pytest.approx(1.1**2 * 5 / 16, rel=0.4) and found.score > 2
+    repeated = reproducibility(_runs(lambda k, y: white(k, 501) + 1.1 * y**3, runs), {"y": 1.0})
+    assert repeated.variance == pytest.approx(1.1**2 * 5 / 16, rel=0.4) and repeated.score > 2
 
 
 def test_too_few_runs_and_missing_samples() -> None:

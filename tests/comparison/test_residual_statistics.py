@@ -27,49 +27,49 @@ def red(rho: float, seed: int, n: int = 4000) -> Array:
 
 def test_white_noise_has_a_standard_score() -> None:
     """Over 400 seeds: mean 0 +- 0.05, standard deviation 1 +- 0.035; thrice that is allowed."""
-    found = [residual_statistics([white(s), white(s + 1000, 300)]) for s in range(400)]
-    scores = np.array([f.whiteness_score for f in found])
+    statistics = [residual_statistics([white(s), white(s + 1000, 300)]) for s in range(400)]
+    scores = np.array([f.whiteness_score for f in statistics])
     assert abs(scores.mean()) < 0.15
     assert scores.std() == pytest.approx(1.0, abs=0.11)
-    assert np.mean([f.chi2_reduced for f in found]) == pytest.approx(1.0, abs=0.01)
-    assert np.mean([f.white_variance for f in found]) == pytest.approx(1.0, abs=0.01)
-    assert np.mean([f.correlation_time for f in found]) < 1.15
+    assert np.mean([f.chi2_reduced for f in statistics]) == pytest.approx(1.0, abs=0.01)
+    assert np.mean([f.white_variance for f in statistics]) == pytest.approx(1.0, abs=0.01)
+    assert np.mean([f.correlation_time for f in statistics]) < 1.15
 
 
 @pytest.mark.parametrize("rho", [0.3, 0.6, 0.9])
 def test_autoregression(rho: float) -> None:
     """Correlation time (1 + rho)/(1 - rho), white part 1 - rho, score rho sqrt(n)."""
-    found = [residual_statistics([red(rho, s)]) for s in range(20)]
-    assert np.mean([f.correlation_time for f in found]) == pytest.approx((1 + rho) / (1 - rho), rel=0.1)
-    assert np.mean([f.white_variance for f in found]) == pytest.approx(1 - rho, rel=0.05)
-    assert np.mean([f.excess for f in found]) == pytest.approx(rho, abs=0.05)
-    assert np.mean([f.whiteness_score for f in found]) == pytest.approx(rho * np.sqrt(4000), rel=0.05)
+    statistics = [residual_statistics([red(rho, s)]) for s in range(20)]
+    assert np.mean([f.correlation_time for f in statistics]) == pytest.approx((1 + rho) / (1 - rho), rel=0.1)
+    assert np.mean([f.white_variance for f in statistics]) == pytest.approx(1 - rho, rel=0.05)
+    assert np.mean([f.excess for f in statistics]) == pytest.approx(rho, abs=0.05)
+    assert np.mean([f.whiteness_score for f in statistics]) == pytest.approx(rho * np.sqrt(4000), rel=0.05)
 
 
 def test_alternating_residuals_are_not_taken_for_drift() -> None:
-    found = residual_statistics([red(-0.5, 0)])
-    assert found.whiteness_score < -20 and found.correlation_time == 1.0 and found.excess == 0.0
+    statistics = residual_statistics([red(-0.5, 0)])
+    assert statistics.whiteness_score < -20 and statistics.correlation_time == 1.0 and statistics.excess == 0.0
 
 
 def test_offset_shows_as_structure() -> None:
     """A constant of one noise standard deviation doubles the mean square; the white part does not see it."""
-    found = residual_statistics([white(0, 2000) + 1.0])
-    assert found.whiteness_score > 15
-    assert found.excess == pytest.approx(1.0, abs=0.1)
-    assert found.white_variance == pytest.approx(1.0, abs=0.1)
+    statistics = residual_statistics([white(0, 2000) + 1.0])
+    assert statistics.whiteness_score > 15
+    assert statistics.excess == pytest.approx(1.0, abs=0.1)
+    assert statistics.white_variance == pytest.approx(1.0, abs=0.1)
 
 
 def test_series_are_not_joined() -> None:
     """The jump from one series to the next is no residual."""
-    found = residual_statistics([white(1, 100) * 1e-3 + 1.0, white(2, 100) * 1e-3 - 1.0])
-    assert found.white_variance == pytest.approx(1e-6, rel=0.3)
-    assert (found.samples, found.chi2) == (200, pytest.approx(200, rel=1e-2))
+    statistics = residual_statistics([white(1, 100) * 1e-3 + 1.0, white(2, 100) * 1e-3 - 1.0])
+    assert statistics.white_variance == pytest.approx(1e-6, rel=0.3)
+    assert (statistics.samples, statistics.chi2) == (200, pytest.approx(200, rel=1e-2))
 
 
 def test_nothing_and_next_to_nothing() -> None:
     for series in ([], [np.zeros(0)], [np.array([2.0])], [np.zeros(50)]):
-        found = residual_statistics(series)
-        assert (found.whiteness_score, found.correlation_time) == (0.0, 1.0)
+        statistics = residual_statistics(series)
+        assert (statistics.whiteness_score, statistics.correlation_time) == (0.0, 1.0)
     assert residual_statistics([np.array([2.0])]).chi2_reduced == 4.0
 
 

@@ -44,13 +44,13 @@ def test_bias_is_measured_minus_model() -> None:
 
 def test_roles_are_scored_apart_and_together() -> None:
     runs = [run("a", TIME, p=np.array(MODEL) + 1), run("b", TIME, "holdout", p=np.array(MODEL) - 3)]
-    found = compare(_simulator(), data_set(runs, {"p": 1.0}))
-    rmse = {role: scores["p"].rmse for role, scores in found.scores.items()}
+    comparison = compare(_simulator(), data_set(runs, {"p": 1.0}))
+    rmse = {role: scores["p"].rmse for role, scores in comparison.scores.items()}
     assert rmse == pytest.approx({"fit": 1.0, "holdout": 3.0, "all": math.sqrt(5)})
-    assert found.chi2_reduced("fit") == pytest.approx(1.0)
-    assert found.chi2_reduced("holdout") == pytest.approx(9.0)
-    assert found.chi2_reduced() == pytest.approx(5.0)
-    assert found.scores["all"]["p"].max_run == "b"
+    assert comparison.chi2_reduced("fit") == pytest.approx(1.0)
+    assert comparison.chi2_reduced("holdout") == pytest.approx(9.0)
+    assert comparison.chi2_reduced() == pytest.approx(5.0)
+    assert comparison.scores["all"]["p"].max_run == "b"
 
 
 def test_chi_square_counts_every_sample_once_and_fitted_signals_only() -> None:
@@ -67,11 +67,11 @@ def test_chi_square_counts_every_sample_once_and_fitted_signals_only() -> None:
 def test_missing_samples_and_signals_that_a_run_lacks() -> None:
     runs = [run("a", TIME, p=MEASURED), run("b", TIME, x=[1.0, NAN, NAN, NAN]), run("c", TIME, p=[NAN] * 4)]
     data = data_set(runs, {"p": 0.5, "x": 0.1})
-    found = compare(_simulator(), data)
-    assert {n: s.samples for n, s in found.scores["all"].items()} == {"p": 3, "x": 1}
-    assert score([found.runs[2]], data.signals) == {}
-    assert score_signal(found.runs[1:2], data.signals["p"]) is None
-    assert found.scores["all"]["x"].rmse == 1.0
+    comparison = compare(_simulator(), data)
+    assert {n: s.samples for n, s in comparison.scores["all"].items()} == {"p": 3, "x": 1}
+    assert score([comparison.runs[2]], data.signals) == {}
+    assert score_signal(comparison.runs[1:2], data.signals["p"]) is None
+    assert comparison.scores["all"]["x"].rmse == 1.0
 
 
 def test_numbers_that_do_not_exist() -> None:
@@ -103,15 +103,15 @@ def test_start_time_rule() -> None:
 def test_what_is_known_of_a_run_overrules_fitted_values() -> None:
     simulator = FakeSimulator(lambda t, q: {"p": np.full(len(t), q["m"] + q["c"]), "x": t})
     runs = [run("a", TIME, p=[3.0] * 4, parameters={"m": 2.0}), run("b", TIME, p=[3.0] * 4)]
-    found = compare(simulator, data_set(runs, {"p": 1.0}), {"m": 7.0, "c": 1.0})
+    comparison = compare(simulator, data_set(runs, {"p": 1.0}), {"m": 7.0, "c": 1.0})
     assert [c["parameters"] for c in simulator.calls] == [{"m": 2.0, "c": 1.0}, {"m": 7.0, "c": 1.0}]
-    assert [float(r.residual("p")[0]) for r in found.runs] == [0.0, -5.0]
+    assert [float(r.residual("p")[0]) for r in comparison.runs] == [0.0, -5.0]
 
 
 def test_json_has_the_keys_that_programs_rely_on(tmp_path) -> None:  # type: ignore[no-untyped-def]
     runs = [run("a", TIME, p=MEASURED), run("b", TIME, "holdout", p=MODEL)]
-    found = compare(_simulator(), data_set(runs, {"p": 0.5}), {"k": 2.0})
-    write_json(tmp_path / "c.json", found.as_dict())
+    comparison = compare(_simulator(), data_set(runs, {"p": 0.5}), {"k": 2.0})
+    write_json(tmp_path / "c.json", comparison.as_dict())
     content = json.loads((tmp_path / "c.json").read_text())
     keys = {"rmse", "nrmse", "bias", "max", "correlation", "chi2_reduced", "noise_rmse"}
     for place in (content, content["roles"]["fit"], content["roles"]["holdout"], *content["runs"]):
@@ -127,5 +127,5 @@ def test_text_shows_readable_units() -> None:
     def model(t, _):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
         return {"p": np.zeros(4), "x": np.zeros(4)}
 
-    found = compare(FakeSimulator(model), data_set([run("a", TIME, p=[3e3, -3e3, 3e3, -3e3])], {"p": 500.0}))
-    assert "fit      p    rms error      3 kPa (50.0 % of range, noise 0.5 kPa)" in str(found)
+    comparison = compare(FakeSimulator(model), data_set([run("a", TIME, p=[3e3, -3e3, 3e3, -3e3])], {"p": 500.0}))
+    assert "fit      p    rms error      3 kPa (50.0 % of range, noise 0.5 kPa)" in str(comparison)

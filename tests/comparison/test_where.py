@@ -56,10 +56,10 @@ def test_planted_error_is_found(words: list[str], planted: Callable[[Array, Arra
 
 def test_pressure_band_alone() -> None:
     """An error below 100 kPa in either direction is two bands, or more generally rules that all lie there."""
-    found = rules(lambda t, p: p < 50e3)
-    assert found[0].rule == "0 kPa < p < 50 kPa" or "x <" in found[0].rule or " < x" in found[0].rule
-    assert found[0].error_share > 0.93
-    assert found[0].time_share == pytest.approx(0.2, abs=0.02)
+    stated = rules(lambda t, p: p < 50e3)
+    assert stated[0].rule == "0 kPa < p < 50 kPa" or "x <" in stated[0].rule or " < x" in stated[0].rule
+    assert stated[0].error_share > 0.93
+    assert stated[0].time_share == pytest.approx(0.2, abs=0.02)
 
 
 def test_error_in_one_run() -> None:
@@ -70,9 +70,9 @@ def test_error_in_one_run() -> None:
 
 
 def test_two_places_are_two_rules() -> None:
-    found = rules(lambda t, p: 1.0 * (t < 4) + 1.0 * (t > 8))
-    assert found[0].rule.startswith("filling")
-    assert any("late" in r.rule or "venting" in r.rule for r in found[1:]), found
+    stated = rules(lambda t, p: 1.0 * (t < 4) + 1.0 * (t > 8))
+    assert stated[0].rule.startswith("filling")
+    assert any("late" in r.rule or "venting" in r.rule for r in stated[1:]), stated
 
 
 def test_error_within_the_noise_is_no_rule() -> None:

@@ -47,21 +47,21 @@ def test_rank_and_probabilities() -> None:
 
 
 def test_probabilities_of_overwhelming_evidence_do_not_overflow() -> None:
-    found = rank(fitted(1e6), [candidate("a", fitted(1.0)), candidate("b", fitted(1e5))])
-    assert [c.probability for c in found] == pytest.approx([1.0, 0.0])
+    ranked = rank(fitted(1e6), [candidate("a", fitted(1.0)), candidate("b", fitted(1e5))])
+    assert [c.probability for c in ranked] == pytest.approx([1.0, 0.0])
 
 
 def test_correlated_residuals_count_for_fewer_samples() -> None:
     """The best model leaves residuals of which ten make one: the evidence shrinks to a tenth."""
     base = fitted(1.2, parameters=2, score=20.0, time=10.0)
-    (found,) = rank(base, [candidate("a", fitted(1.0, parameters=3, score=20.0, time=10.0))])
-    assert found.delta_bic == pytest.approx(-20 + math.log(100))
+    (only,) = rank(base, [candidate("a", fitted(1.0, parameters=3, score=20.0, time=10.0))])
+    assert only.delta_bic == pytest.approx(-20 + math.log(100))
 
 
 def test_evidence_is_weighed_by_the_noise_that_is_left() -> None:
     """Noise of four times the stated variance makes the same gain a quarter of the evidence."""
-    (found,) = rank(fitted(4.4), [candidate("a", fitted(4.0))])
-    assert found.delta_bic == pytest.approx(-100.0)
+    (only,) = rank(fitted(4.4), [candidate("a", fitted(4.0))])
+    assert only.delta_bic == pytest.approx(-100.0)
 
 
 def test_nothing_tried_is_no_rank() -> None:

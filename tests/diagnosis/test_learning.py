@@ -45,10 +45,10 @@ def test_learned_term_brings_the_error_down_on_a_run_it_has_not_seen(hidden: str
     data, base, _ = _kept(hidden)
     term = _learned(hidden)
     assert term.balance == "force" and term.score > 0.9
-    found = try_learned(term, data, tmp_path, start=base.values)
-    assert isinstance(found, Candidate) and found.family == "learned"
+    model = try_learned(term, data, tmp_path, start=base.values)
+    assert isinstance(model, Candidate) and model.family == "learned"
     before = base.comparison.chi2_reduced("holdout")
-    after = found.fit.comparison.chi2_reduced("holdout")
+    after = model.fit.comparison.chi2_reduced("holdout")
     assert before > 5 and after < 1.5, (before, after, term.formula)
 
 
@@ -56,10 +56,10 @@ def test_the_written_class_starts_from_the_refitted_values(tmp_path: Path) -> No
     data, base, ledger = _kept("ripple")
     term, entry = _learned("ripple"), ledger.entry("force")
     assert entry is not None
-    found = try_learned(term, data, tmp_path, start=base.values)
-    assert isinstance(found, Candidate)
-    after = refitted(term, entry, found, read_library())
-    fitted = {n.rpartition(".")[2]: e.value for n, e in found.parameters.items()}
+    model = try_learned(term, data, tmp_path, start=base.values)
+    assert isinstance(model, Candidate)
+    after = refitted(term, entry, model, read_library())
+    fitted = {n.rpartition(".")[2]: e.value for n, e in model.parameters.items()}
     assert after.terms[0].coefficient == fitted["c_1"] != term.terms[0].coefficient
     assert f"= {fitted['c_1']:.6g} " in after.modelica_source and after.formula != term.formula
 

@@ -33,14 +33,14 @@ def prune(monkeypatch: pytest.MonkeyPatch, chi2: float) -> tuple[Fit, list[set[s
 
 
 def test_what_the_evidence_does_not_miss_is_held(monkeypatch: pytest.MonkeyPatch) -> None:
-    found, asked = prune(monkeypatch, 1.0)
+    pruned_fit, asked = prune(monkeypatch, 1.0)
     assert asked == [{"a"}, {"a", "c"}]  # the least certain first; b is certain
-    assert found.values["a"] == 0 and found.parameters["a"].held and not found.parameters["a"].determined
-    assert "held" in str(found.parameters["a"])
-    assert {n: found.values[n] for n in "bc"} == {"b": -2.5, "c": 0.2}
-    assert list(found.parameters) == [f.name for f in FREE]
+    assert pruned_fit.values["a"] == 0 and pruned_fit.parameters["a"].held and not pruned_fit.parameters["a"].determined
+    assert "held" in str(pruned_fit.parameters["a"])
+    assert {n: pruned_fit.values[n] for n in "bc"} == {"b": -2.5, "c": 0.2}
+    assert list(pruned_fit.parameters) == [f.name for f in FREE]
 
 
 def test_a_model_that_is_far_from_the_noise_is_left_as_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
-    found, asked = prune(monkeypatch, 3.0)
-    assert not asked and not any(e.held for e in found.parameters.values())
+    pruned_fit, asked = prune(monkeypatch, 3.0)
+    assert not asked and not any(e.held for e in pruned_fit.parameters.values())

@@ -26,10 +26,10 @@ def test_crash_loses_one_task_only(workers: int) -> None:
         return -1
 
     tasks = [1, 2, -3, 4, 5, -6, 7]
-    found = run_tasks(square_or_die, tasks, on_crash, told.append, workers)
-    assert found == [1, 4, -1, 16, 25, -1, 49]
+    results = run_tasks(square_or_die, tasks, on_crash, told.append, workers)
+    assert results == [1, 4, -1, 16, 25, -1, 49]
     assert crashed == [-3, -6]
-    assert sorted(told) == sorted(found)
+    assert sorted(told) == sorted(results)
 
 
 def test_results_keep_the_order_of_the_tasks() -> None:
@@ -43,9 +43,9 @@ def test_no_tasks() -> None:
 
 
 def test_tasks_run_in_other_processes_and_side_by_side(tmp_path: Path) -> None:
-    found = run_tasks(process_beside_another, [str(tmp_path)] * 2, lambda _: -1, lambda _: None, 2)
-    assert os.getpid() not in found
-    assert len(dict.fromkeys(found)) == 2
+    results = run_tasks(process_beside_another, [str(tmp_path)] * 2, lambda _: -1, lambda _: None, 2)
+    assert os.getpid() not in results
+    assert len(dict.fromkeys(results)) == 2
 
 
 _STUDY = """

@@ -42,8 +42,8 @@ def recording(
 def discharge(c_d: float = TRUE_C_D, n: float = TRUE_N, times: Array = TIMES) -> tuple[Array, Array]:
     """Pressure [Pa gauge] and temperature [K] of the reference vessel that empties."""
     vessel = Vessel(VOLUME, n, P_START + P_ATM, T_START)
-    found = simulate_vessel(vessel, orifice_port(DIAMETER, c_d, 0.0), times, P_START)
-    return found.p, found.temperature
+    trajectory = simulate_vessel(vessel, orifice_port(DIAMETER, c_d, 0.0), times, P_START)
+    return trajectory.p, trajectory.temperature
 
 
 C_D = FreeParameter("orifice.C_d", 0.5, 1.1, 0.7, "1")

@@ -37,13 +37,13 @@ def test_model_does_break_down(fragile: Simulator) -> None:
 
 @pytest.mark.parametrize("start", [0.01, 5.9, 9.0, 60.0], ids=["far", "at the edge", "beyond", "far beyond"])
 def test_fit_gets_around_the_hole(fragile: Simulator, start: float) -> None:
-    found = fit(fragile, decay(2.0, 0.0, 100.0, start))
-    estimate = found.parameters["a"]
+    result = fit(fragile, decay(2.0, 0.0, 100.0, start))
+    estimate = result.parameters["a"]
     assert estimate.low <= 2.0 <= estimate.high
     assert estimate.high - estimate.low < 0.1
-    assert bool(found.failures) == (start > 5.5)  # at 5.9 the first difference reaches into the hole
-    if found.failures:
-        assert "not a finite number" in found.failures[0] and "a = " in found.failures[0]
+    assert bool(result.failures) == (start > 5.5)  # at 5.9 the first difference reaches into the hole
+    if result.failures:
+        assert "not a finite number" in result.failures[0] and "a = " in result.failures[0]
 
 
 @pytest.mark.parametrize("start", [0.01, 5.9, 9.0, 60.0], ids=["far", "at the edge", "beyond", "far beyond"])
@@ -51,18 +51,18 @@ def test_an_assertion_is_a_hole_like_any_other(start: float) -> None:
     with Simulator(study.build(str(Path(__file__).parent / "Guarded.mo"))) as guarded:
         with pytest.raises(SimulationFailure, match="at time 0.25 s: too fast at s = 0.19"):
             guarded.run(TIME, parameters={"a": 6.5})
-        found = fit(guarded, decay(2.0, 0.0, 100.0, start))
-    estimate = found.parameters["a"]
+        result = fit(guarded, decay(2.0, 0.0, 100.0, start))
+    estimate = result.parameters["a"]
     assert estimate.low <= 2.0 <= estimate.high
-    assert bool(found.failures) == (start > 5.5)
-    if found.failures:
-        assert "too fast at s = " in found.failures[0] and "a = " in found.failures[0]
+    assert bool(result.failures) == (start > 5.5)
+    if result.failures:
+        assert "too fast at s = " in result.failures[0] and "a = " in result.failures[0]
 
 
 def test_truth_beside_the_edge(fragile: Simulator) -> None:
     """The step of the derivative falls into the hole: it is taken the other way."""
-    found = fit(fragile, decay(5.95, 0.0, 100.0, 5.5))
-    estimate = found.parameters["a"]
+    result = fit(fragile, decay(5.95, 0.0, 100.0, 5.5))
+    estimate = result.parameters["a"]
     assert estimate.low <= 5.95 <= estimate.high
 
 

@@ -40,16 +40,16 @@ def test_exact_and_difference_agree() -> None:
         Simulator(build_model("VesselOrifice", sensitivities=names[:1])) as part,
     ):
         z = np.array([f.to_z(f.start) for f in _FREE])
-        found = []
+        jacobians = []
         for simulator in (plain, told, part):
             objective = _objective(simulator)
-            found.append(objective.jacobian(z, objective.residuals(z)))
+            jacobians.append(objective.jacobian(z, objective.residuals(z)))
             evaluations = objective.evaluations
             assert evaluations == {plain: 4, told: 1, part: 3}[simulator]
-    size = np.abs(found[0]).max(axis=0)
-    assert found[0].shape == (2 * 60, 3)
-    assert (np.abs(found[1] - found[0]).max(axis=0) < 5e-3 * size).all()
-    assert np.abs(found[2][:, 0] - found[1][:, 0]).max() < 1e-6 * size[0]
+    size = np.abs(jacobians[0]).max(axis=0)
+    assert jacobians[0].shape == (2 * 60, 3)
+    assert (np.abs(jacobians[1] - jacobians[0]).max(axis=0) < 5e-3 * size).all()
+    assert np.abs(jacobians[2][:, 0] - jacobians[1][:, 0]).max() < 1e-6 * size[0]
 
 
 def test_a_parameter_known_for_a_run_does_not_move_it() -> None:

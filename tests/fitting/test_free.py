@@ -42,9 +42,9 @@ def test_rate_is_found_over_seven_decades(start: float) -> None:
     y = np.exp(-7.0 * time) + 0.01 * np.random.default_rng(1).standard_normal(101)
     free = FreeParameter("a", 1e-3, 1e5, start, "1")
     with Simulator(study.build(str(Path(__file__).parent / "Decay.mo"))) as simulator:
-        found = fit(simulator, data_set("Decay", [recording(time, {"y": y})], {"y": 0.01}, [free]),
+        result = fit(simulator, data_set("Decay", [recording(time, {"y": y})], {"y": 0.01}, [free]),
                     starts=[{"a": 0.1}, {"a": 10.0}, {"a": 1e3}])  # fmt: skip
-    estimate = found.parameters["a"]
+    estimate = result.parameters["a"]
     assert estimate.low <= 7.0 <= estimate.high
     assert estimate.low > 0 and estimate.high / estimate.low < 1.1
     # symmetric by order of magnitude

@@ -30,9 +30,9 @@ def vessel(bench: Bench):  # type: ignore[no-untyped-def]
 
 def test_exact_data_give_the_exact_parameters(vessel: Simulator) -> None:
     """Two independent solutions of the same equations agree to the digits of their solvers."""
-    found = fit(vessel, vessel_data(seed=None))
-    assert found.values == pytest.approx(TRUE, rel=2e-4)
-    assert found.comparison.scores["fit"]["p"].rmse < 50.0
+    result = fit(vessel, vessel_data(seed=None))
+    assert result.values == pytest.approx(TRUE, rel=2e-4)
+    assert result.comparison.scores["fit"]["p"].rmse < 50.0
 
 
 def test_intervals_hold_the_truth_as_often_as_they_say(vessel: Simulator) -> None:
@@ -56,14 +56,14 @@ def test_muscle(bench: Bench, tmp_path: Path) -> None:
     """Valve calibration and bladder friction of the reference rig's muscle from three noisy signals."""
     write_light_data(tmp_path / "d", seed=3)
     with Simulator(bench("Isotonic")) as simulator:
-        found = fit(simulator, read_data_set(tmp_path / "d", lambda _: simulator.interface))
+        result = fit(simulator, read_data_set(tmp_path / "d", lambda _: simulator.interface))
     for name, true in (("valve.C_A", TRUTH.calibration), ("muscle.mu_fb", TRUTH.mu_fb)):
-        e = found.parameters[name]
+        e = result.parameters[name]
         assert e.low <= true <= e.high, (name, str(e))
         assert (e.high - e.low) / true < 0.02
-    assert 0.85 < found.residuals["fit"].chi2_reduced < 1.15
-    assert 0.85 < found.residuals["holdout"].chi2_reduced < 1.15
-    assert found.freedom == 2
+    assert 0.85 < result.residuals["fit"].chi2_reduced < 1.15
+    assert 0.85 < result.residuals["holdout"].chi2_reduced < 1.15
+    assert result.freedom == 2
 
 
 def test_noise_twice_as_large_as_stated_widens_the_interval(vessel: Simulator) -> None:
@@ -92,8 +92,8 @@ def test_correlated_errors_widen_the_interval(vessel: Simulator) -> None:
 
 
 def test_parameter_at_a_bound_is_reported(vessel: Simulator) -> None:
-    found = fit(vessel, vessel_data(fit=(FreeParameter("orifice.C_d", 0.5, 0.8, 0.7, "1"), N)))
-    estimate = found.parameters["orifice.C_d"]
+    result = fit(vessel, vessel_data(fit=(FreeParameter("orifice.C_d", 0.5, 0.8, 0.7, "1"), N)))
+    estimate = result.parameters["orifice.C_d"]
     assert estimate.value == pytest.approx(0.8, abs=1e-6)
     assert estimate.at_bound and estimate.high == pytest.approx(0.8)
     assert "at its bound" in str(estimate)
@@ -106,13 +106,13 @@ def test_parameter_without_a_say_is_not_determined_and_not_counted(tmp_path: Pat
     study.add(["EnergyGas"], "VesselOrifice", tmp_path / "Warm.mo")
     data = vessel_data(fit=(C_D, N, FreeParameter("tank.gas.h", 0.5, 100.0, 10.0, "W/(m2.K)")))
     with Simulator(study.build(str(tmp_path / "Warm.mo"))) as simulator:
-        found = fit(simulator, data)
-    dead = found.parameters["tank.n"]
+        result = fit(simulator, data)
+    dead = result.parameters["tank.n"]
     assert not dead.determined
     assert (dead.low, dead.high) == pytest.approx((1.0, 1.4))
     assert "not determined by these data" in str(dead)
-    assert found.freedom == 2
-    assert found.parameters["orifice.C_d"].determined
+    assert result.freedom == 2
+    assert result.parameters["orifice.C_d"].determined
 
 
 def test_two_parameters_that_only_act_as_a_product_are_not_determined(vessel: Simulator) -> None:
@@ -120,9 +120,9 @@ def test_two_parameters_that_only_act_as_a_product_are_not_determined(vessel: Si
     hole = FreeParameter("orifice.d", 2e-3, 3.4e-3, 2.6e-3, "m")
     data = vessel_data(fit=(C_D, hole))
     free_hole = [replace(r, parameters={k: v for k, v in r.parameters.items() if k != "orifice.d"}) for r in data.runs]
-    found = fit(vessel, replace(data, runs=tuple(free_hole)), fixed={"tank.n": TRUE_N})
-    assert not any(e.determined for e in found.parameters.values())
-    area = found.values["orifice.C_d"] * found.values["orifice.d"] ** 2
+    result = fit(vessel, replace(data, runs=tuple(free_hole)), fixed={"tank.n": TRUE_N})
+    assert not any(e.determined for e in result.parameters.values())
+    area = result.values["orifice.C_d"] * result.values["orifice.d"] ** 2
     assert area == pytest.approx(TRUE_C_D * 2.71e-3**2, rel=0.01)
 
 
@@ -131,8 +131,8 @@ def test_start_outside_the_bounds_begins_at_the_bound(vessel: Simulator, start: 
     data = vessel_data(fit=(FreeParameter("orifice.C_d", 0.5, 1.1, start, "1"), N))
     (first, _) = base_parameters(data, vessel.interface)
     assert first.start in (0.5, 1.1)
-    found = fit(vessel, data, starts=[{"orifice.C_d": start * 10, "tank.n": -3.0}])
-    assert found.values == pytest.approx(TRUE, rel=0.02)
+    result = fit(vessel, data, starts=[{"orifice.C_d": start * 10, "tank.n": -3.0}])
+    assert result.values == pytest.approx(TRUE, rel=0.02)
 
 
 def test_start_default_of_the_model(vessel: Simulator) -> None:
@@ -142,17 +142,17 @@ def test_start_default_of_the_model(vessel: Simulator) -> None:
 
 
 def test_fixed_values_are_kept(vessel: Simulator) -> None:
-    found = fit(vessel, vessel_data(fit=(C_D,)), fixed={"tank.n": 1.4})
-    assert list(found.parameters) == ["orifice.C_d"]
-    wrong = found.comparison.chi2_reduced("fit")
+    result = fit(vessel, vessel_data(fit=(C_D,)), fixed={"tank.n": 1.4})
+    assert list(result.parameters) == ["orifice.C_d"]
+    wrong = result.comparison.chi2_reduced("fit")
     right = fit(vessel, vessel_data(fit=(C_D,)), fixed={"tank.n": TRUE_N}).comparison.chi2_reduced("fit")
     assert wrong > 3 * right
 
 
 def test_nothing_free_is_a_comparison(vessel: Simulator) -> None:
-    found = fit(vessel, vessel_data(fit=()), fixed=TRUE)
-    assert found.parameters == {} and found.freedom == 0
-    assert found.comparison.chi2_reduced("fit") == pytest.approx(1.0, abs=0.4)
+    result = fit(vessel, vessel_data(fit=()), fixed=TRUE)
+    assert result.parameters == {} and result.freedom == 0
+    assert result.comparison.chi2_reduced("fit") == pytest.approx(1.0, abs=0.4)
 
 
 def test_fit_repeats_itself_to_the_last_bit(vessel: Simulator) -> None:

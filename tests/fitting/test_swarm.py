@@ -80,23 +80,23 @@ def test_swarm_passes_by_where_nothing_can_be_computed() -> None:
 
 def test_fit_tells_what_the_swarm_did_and_what_the_descent_made_of_it() -> None:
     data = vessel_data()
-    found = study.fit(data, method="particle-swarm")
-    assert found.search is not None
-    own = found.search
+    result = study.fit(data, method="particle-swarm")
+    assert result.search is not None
+    own = result.search
     assert own.generations == 10 and own.evaluations == 550 and len(own.chi2_reduced) == 11
     with Simulator(study.build("VesselOrifice")) as simulator:
         free = base_parameters(data, simulator.interface)
         objective = Objective(simulator, data, data.fit_runs, free, tolerance=1e-6)
         there = objective.cost(np.array([f.to_z(own.parameters[f.name]) for f in free])) / objective.size
     assert there == pytest.approx(own.chi2_reduced[-1], rel=1e-4)
-    assert found.residuals["fit"].chi2_reduced <= own.chi2_reduced[-1]
-    assert found.values != own.parameters
-    assert found.values == pytest.approx({"orifice.C_d": TRUE_C_D, "tank.n": TRUE_N}, rel=0.02)
-    plain = json.loads(json.dumps(found.as_dict()))
+    assert result.residuals["fit"].chi2_reduced <= own.chi2_reduced[-1]
+    assert result.values != own.parameters
+    assert result.values == pytest.approx({"orifice.C_d": TRUE_C_D, "tank.n": TRUE_N}, rel=0.02)
+    plain = json.loads(json.dumps(result.as_dict()))
     assert plain["search"]["chi2_by_generation"] == list(own.chi2_reduced)
     assert plain["search"]["best_particle"]["orifice.C_d"] == {"value": own.parameters["orifice.C_d"], "unit": "1"}
     assert plain["chi2_reduced"] <= plain["search"]["chi2_reduced"]
-    text = str(found)
+    text = str(result)
     for part in ("by generation", "its own best particle", "the descent from there"):
         assert part in text
     assert study.fit(data).search is None
@@ -144,19 +144,19 @@ def confounded(law: str, tmp_path, seed: int = 0):  # type: ignore[no-untyped-de
 
 @pytest.mark.parametrize(("law", "kind"), [("a*b", "product"), ("a/b", "ratio")])
 def test_only_the_product_or_ratio_is_claimed_where_only_that_is_known(law: str, kind: str, tmp_path) -> None:  # type: ignore[no-untyped-def]
-    found = confounded(law, tmp_path)
-    assert not found.parameters["a"].determined and not found.parameters["b"].determined
-    assert found.parameters["c"].determined
-    (pair,) = found.combinations
+    result = confounded(law, tmp_path)
+    assert not result.parameters["a"].determined and not result.parameters["b"].determined
+    assert result.parameters["c"].determined
+    (pair,) = result.combinations
     assert (pair.names, pair.kind) == (("a", "b"), kind)
     assert pair.low < 0.3 < pair.high and pair.high - pair.low < 0.03
     assert pair.unit == ("s2" if kind == "product" else "1")
-    assert f"only the {kind} is determined" in str(found)
-    assert found.as_dict()["combinations"] == [pair.as_dict()]
+    assert f"only the {kind} is determined" in str(result)
+    assert result.as_dict()["combinations"] == [pair.as_dict()]
 
 
 def test_a_sum_is_no_product(tmp_path) -> None:  # type: ignore[no-untyped-def]
     """Where both are equal its slopes look like a product's; raising one and lowering the other tells."""
-    found = confounded("(a + b)", tmp_path)
-    assert not found.parameters["a"].determined
-    assert found.combinations == ()
+    result = confounded("(a + b)", tmp_path)
+    assert not result.parameters["a"].determined
+    assert result.combinations == ()

@@ -89,7 +89,7 @@ def hanging(folder: Path) -> Path:
 
 def processes_of(path: Path) -> list[int]:
     """Those that were started for this file; reads /proc."""
-    found = []
+    processes = []
     for folder in Path("/proc").iterdir():
         if folder.name.isdigit():
             try:
@@ -97,5 +97,5 @@ def processes_of(path: Path) -> list[int]:
             except OSError:
                 continue
             if str(path).encode() in words:
-                found.append(int(folder.name))
-    return found
+                processes.append(int(folder.name))
+    return processes

@@ -93,10 +93,10 @@ def test_outputs_cost_no_steps() -> None:
 def test_dense_output_is_as_good_as_the_steps() -> None:
     exact = _van_der_pol_reference(1000.0, 0.7, 1401)[0]
     with Simulator(models.fmu(models.van_der_pol)) as simulator:
-        found = simulator.run(np.linspace(0.0, 0.7, 1401), tolerance=1e-7)["y"]
+        simulated = simulator.run(np.linspace(0.0, 0.7, 1401), tolerance=1e-7)["y"]
         statistics = simulator.statistics
     assert statistics is not None and statistics.steps < 350  # most points lie inside a step
-    assert np.abs(found - exact).max() < 1e-6
+    assert np.abs(simulated - exact).max() < 1e-6
 
 
 def _chain(t: Array, u0: float, slope: float, x0: float) -> Array:

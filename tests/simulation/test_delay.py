@@ -32,7 +32,7 @@ def _exact_lag(inputs: Inputs, delay: float, times: Array, tau: float = 0.5) -> 
     """x' = (u(t - delay) - x)/tau from x(0) = 0, line by line."""
     lines = _delayed(inputs, "u", delay)
     ends = np.append(lines.time[1:], np.inf)
-    found, x, begin = np.full(times.shape, np.nan), 0.0, 0.0
+    x_of_times, x, begin = np.full(times.shape, np.nan), 0.0, 0.0
     for end in ends[ends > 0.0]:
         value, slope = (float(v) for v in lines.at(np.array(begin)))
         steady = value - slope * tau
@@ -41,10 +41,10 @@ def _exact_lag(inputs: Inputs, delay: float, times: Array, tau: float = 0.5) -> 
             return s + k * (t - b) + (x0 - s) * np.exp(-(t - b) / tau)
 
         inside = (times >= begin) & (times <= end)
-        found[inside] = at(times[inside])
+        x_of_times[inside] = at(times[inside])
         if np.isfinite(end):
             x, begin = float(at(end)), float(end)
-    return found
+    return x_of_times
 
 
 @pytest.mark.parametrize("count", [11, 10001])
@@ -131,12 +131,12 @@ def test_delay_costs_no_more_than_the_same_jumps_at_once() -> None:
 def test_runs_with_other_delays_do_not_disturb_each_other() -> None:
     times = np.linspace(0.0, 3.0, 201)
     with Simulator(models.fmu(models.delayed_lag)) as simulator:
-        found = {}
+        by_turn = {}
         for turn, delay in enumerate((0.3, 0.01, 1.2, 0.3)):
             run = simulator.run(times, inputs=RAMP_AND_STEPS, parameters={"T": delay}, tolerance=1e-9)
-            found[turn] = run["y"]
+            by_turn[turn] = run["y"]
             assert run["y"] == pytest.approx(_exact_lag(RAMP_AND_STEPS, delay, times), abs=2e-8)
-    assert np.array_equal(found[0], found[3])
+    assert np.array_equal(by_turn[0], by_turn[3])
 
 
 def test_curved_records_are_followed() -> None:

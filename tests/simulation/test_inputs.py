@@ -15,32 +15,32 @@ from pam_cosim.simulation.plan import plan
 
 def test_constant_is_one_piece_and_its_ends() -> None:
     time = np.linspace(0.0, 10.0, 1001)
-    found = pieces(time, np.full(1001, 0.35), "linear")
-    assert found.slope.tolist() == [0.0, 0.0, 0.0]
+    course = pieces(time, np.full(1001, 0.35), "linear")
+    assert course.slope.tolist() == [0.0, 0.0, 0.0]
     assert plan(np.array([0.0, 10.0]), 0.0, Inputs(time, {"u": np.full(1001, 0.35)})).times.tolist() == [0.0, 10.0]
 
 
 def test_step_is_applied_at_its_second_row() -> None:
-    found = pieces(np.array([0.0, 1.0, 1.0, 2.0]), np.array([0.0, 0.0, 5.0, 5.0]), "linear")
-    assert found.at(np.array([0.5, 1.0 - 1e-9, 1.0, 1.5, 9.0]))[0].tolist() == [0.0, 0.0, 5.0, 5.0, 5.0]
+    course = pieces(np.array([0.0, 1.0, 1.0, 2.0]), np.array([0.0, 0.0, 5.0, 5.0]), "linear")
+    assert course.at(np.array([0.5, 1.0 - 1e-9, 1.0, 1.5, 9.0]))[0].tolist() == [0.0, 0.0, 5.0, 5.0, 5.0]
 
 
 def test_previous_holds_until_the_next_sample() -> None:
-    found = pieces(np.array([0.0, 1.0, 2.0, 3.0]), np.array([1.0, 1.0, 4.0, 4.0]), "previous")
-    assert found.time.tolist() == [-np.inf, 2.0]
-    assert found.at(np.array([-5.0, 1.9, 2.0, 99.0]))[0].tolist() == [1.0, 1.0, 4.0, 4.0]
+    course = pieces(np.array([0.0, 1.0, 2.0, 3.0]), np.array([1.0, 1.0, 4.0, 4.0]), "previous")
+    assert course.time.tolist() == [-np.inf, 2.0]
+    assert course.at(np.array([-5.0, 1.9, 2.0, 99.0]))[0].tolist() == [1.0, 1.0, 4.0, 4.0]
 
 
 def test_held_before_the_first_and_after_the_last_sample() -> None:
-    found = pieces(np.array([1.0, 2.0]), np.array([3.0, 5.0]), "linear")
-    values, slopes = found.at(np.array([0.0, 1.5, 2.0, 7.0]))
+    course = pieces(np.array([1.0, 2.0]), np.array([3.0, 5.0]), "linear")
+    values, slopes = course.at(np.array([0.0, 1.5, 2.0, 7.0]))
     assert values.tolist() == [3.0, 4.0, 5.0, 5.0] and slopes.tolist() == [0.0, 2.0, 0.0, 0.0]
 
 
 def test_single_sample() -> None:
     for interpolation in ("linear", "previous"):
-        found = pieces(np.array([1.0]), np.array([3.0]), interpolation)
-        assert found.at(np.array([0.0, 9.0]))[0].tolist() == [3.0, 3.0]
+        course = pieces(np.array([1.0]), np.array([3.0]), interpolation)
+        assert course.at(np.array([0.0, 9.0]))[0].tolist() == [3.0, 3.0]
 
 
 @settings(max_examples=200, deadline=None)
@@ -53,37 +53,37 @@ def test_pieces_say_the_same_as_interpolation(ticks: list[int], data: st.DataObj
     time = np.array(ticks, dtype=float) / 7.0
     levels = st.sampled_from([-2.0, 0.0, 0.1, 1.0, 3.0])
     values = np.array(data.draw(st.lists(levels, min_size=len(ticks), max_size=len(ticks))))
-    found = pieces(time, values, "linear")
+    course = pieces(time, values, "linear")
     distinct, first = np.unique(time, return_index=True)
     last = np.append(first[1:], time.size) - 1
-    assert found.at(distinct)[0] == pytest.approx(values[last], abs=1e-9)
+    assert course.at(distinct)[0] == pytest.approx(values[last], abs=1e-9)
     for i in range(distinct.size - 1):
         inside = distinct[i] + (distinct[i + 1] - distinct[i]) * np.array([0.25, 0.9])
         line = values[last[i]] + (values[first[i + 1]] - values[last[i]]) * np.array([0.25, 0.9])
-        assert found.at(inside)[0] == pytest.approx(line, abs=1e-9)
+        assert course.at(inside)[0] == pytest.approx(line, abs=1e-9)
 
 
 def test_slow_curve_of_many_tiny_bends_is_kept() -> None:
     """Each bend is below rounding of the signal, their sum is not."""
     time = np.linspace(0.0, 1.0, 1_000_001)
     values = 1e3 + 0.1 * time**2
-    found = pieces(time, values, "linear")
+    course = pieces(time, values, "linear")
     at = np.linspace(0.0, 1.0, 97)
-    assert found.at(at)[0] == pytest.approx(1e3 + 0.1 * at**2, abs=1e-6)
+    assert course.at(at)[0] == pytest.approx(1e3 + 0.1 * at**2, abs=1e-6)
 
 
 def test_change_beside_an_output_by_rounding_happens_there() -> None:
     inputs = Inputs(np.array([0.0, 0.1 + 0.2, 0.1 + 0.2]), {"u": np.array([0.0, 0.0, 1.0])})
-    found = plan(np.array([0.0, 0.3, 1.0]), 0.0, inputs)
-    assert found.times.tolist() == [0.0, 0.3, 1.0]
-    assert found.values.tolist() == [[0.0], [1.0]] and found.knots.tolist() == [0, 1, -1]
+    points = plan(np.array([0.0, 0.3, 1.0]), 0.0, inputs)
+    assert points.times.tolist() == [0.0, 0.3, 1.0]
+    assert points.values.tolist() == [[0.0], [1.0]] and points.knots.tolist() == [0, 1, -1]
 
 
 def test_outputs_before_and_after_a_step() -> None:
-    found = plan(np.array([1.0, 2.0, 2.0, 3.0, 3.0, 3.0]), 0.0, None)
-    assert found.times.tolist() == [0.0, 1.0, 2.0, 3.0]
-    assert found.rows_after.tolist() == [-1, 0, 1, 2] and found.rows_before.tolist() == [-1, -1, 3, 4]
-    assert found.rows.tolist() == [0, 3, 1, 4, 2, 2]
+    points = plan(np.array([1.0, 2.0, 2.0, 3.0, 3.0, 3.0]), 0.0, None)
+    assert points.times.tolist() == [0.0, 1.0, 2.0, 3.0]
+    assert points.rows_after.tolist() == [-1, 0, 1, 2] and points.rows_before.tolist() == [-1, -1, 3, 4]
+    assert points.rows.tolist() == [0, 3, 1, 4, 2, 2]
 
 
 def test_changes_outside_the_run_are_left_out() -> None:

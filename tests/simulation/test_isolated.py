@@ -101,9 +101,9 @@ def test_slow_run_that_goes_on_is_not_ended(tmp_path: Path, monkeypatch: pytest.
     monkeypatch.setenv("DAWDLE", "yes")
     begin = time.monotonic()
     with IsolatedSimulator(hanging(tmp_path), LIMIT) as simulator:
-        found = simulator.run(TIMES, parameters={"x_start": 1.0})
+        result = simulator.run(TIMES, parameters={"x_start": 1.0})
     assert time.monotonic() - begin > 20 * 0.15 > 2.5 * LIMIT
-    assert found["y"] == pytest.approx(np.exp(-TIMES / 0.5), abs=1e-4)
+    assert result["y"] == pytest.approx(np.exp(-TIMES / 0.5), abs=1e-4)
 
 
 def test_there_is_a_limit_by_default() -> None:
@@ -120,7 +120,7 @@ def test_fit_goes_on_beside_values_that_hang(tmp_path: Path, monkeypatch: pytest
     known = {"x_start": 1.0}
     data = data_set("Lag", [recording(TIMES, {"y": y})], {"y": 0.01}, [FreeParameter("tau", 0.1, 5.0, 1.2, "s")], known)
     with IsolatedSimulator(hanging(tmp_path), LIMIT) as simulator:
-        found = fit(simulator, data)
-    estimate = found.parameters["tau"]
+        result = fit(simulator, data)
+    estimate = result.parameters["tau"]
     assert estimate.low <= 0.6 <= estimate.high
-    assert found.failures and "no progress for 1 s, fmi2SetReal" in found.failures[0]
+    assert result.failures and "no progress for 1 s, fmi2SetReal" in result.failures[0]
