@@ -15,9 +15,9 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from pam_cosim.analysis import LinearCourse, LinearModel, OperatingPoint
+    from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, OperatingPoint
     from pam_cosim.diagnosis import Diagnosis
-    from pam_cosim.dynamics import linearise, linearise_along
+    from pam_cosim.dynamics import frequency_response, linearise, linearise_along
     from pam_cosim.errors import InputError, ModelError, SimulationFailure
     from pam_cosim.products import load, save
     from pam_cosim.simulation import Inputs, Trajectory
@@ -40,6 +40,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Diagnosis",
+    "FrequencyResponse",
     "InputError",
     "Inputs",
     "LinearCourse",
@@ -58,6 +59,7 @@ __all__ = [
     "draw",
     "effects",
     "fit",
+    "frequency_response",
     "linearise",
     "linearise_along",
     "load",

@@ -98,6 +98,23 @@ def parse_point(words: Sequence[str], interface: Interface) -> Literal["rest"] |
     return conditions_of(dict(pairs), interface)
 
 
+def parse_frequencies(text: str) -> list[float]:
+    """``FROM:TO:N``, evenly in the logarithm, or ``A,B,C`` [Hz].
+
+    Raises:
+        InputError: not of that form.
+    """
+    frequency, parts = Variable("frequencies", "Hz"), text.split(":")
+    if len(parts) == 1:
+        return [value_of(part, frequency) for part in text.split(",")]
+    if len(parts) != 3 or not parts[2].strip().isdecimal() or not 1 <= int(parts[2]) <= study.MOST_RUNS:
+        raise InputError(f"'{text}': write FROM:TO:N, such as 0.1:20:16")
+    low, high = (value_of(part, frequency) for part in _alike(parts[:2], text))
+    if not 0 < low <= high:
+        raise InputError(f"'{text}': frequencies must be above zero, the lower one first")
+    return [float(v) for v in np.geomspace(low, high, int(parts[2]))]
+
+
 def _parts(word: str) -> list[str]:
     """The parts between commas, but for those in brackets."""
     return [part for part in re.split(r",(?![^\[]*\])", word) if part.strip()]

@@ -7,6 +7,7 @@ import sys
 import typer
 
 from pam_cosim.commands.add import add
+from pam_cosim.commands.bode import bode
 from pam_cosim.commands.build import build
 from pam_cosim.commands.common import INTERRUPTED, interrupted, results
 from pam_cosim.commands.compare import compare
@@ -25,7 +26,7 @@ app = typer.Typer(
     rich_markup_mode=None,
     help="Compare models with measurements and find the physical effect they lack.",
 )
-for _command in (build, simulate, sweep, linearise, compare, fit, diagnose, add, effects):
+for _command in (build, simulate, sweep, linearise, bode, compare, fit, diagnose, add, effects):
     app.command()(_command)
 
 

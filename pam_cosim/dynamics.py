@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
 
@@ -11,10 +11,12 @@ import numpy as np
 
 from pam_cosim import study
 from pam_cosim.analysis.apart import work_on
+from pam_cosim.analysis.frequency_response import FrequencyResponse
 from pam_cosim.analysis.linear import LinearCourse, LinearModel
 from pam_cosim.analysis.linearise import linearise_at, linearise_run
+from pam_cosim.analysis.sines import Sines, respond, respond_from_start
 from pam_cosim.errors import InputError
-from pam_cosim.fmu.read import exchange_description, interface_of
+from pam_cosim.fmu.read import exchange_description, has_exchange, interface_of
 from pam_cosim.interface import Interface
 from pam_cosim.settings import Setting, resolve, value_of
 from pam_cosim.simulation import Inputs, Trajectory
@@ -46,6 +48,12 @@ def exchange(model: str, files: study.Paths = ()) -> Exchange:
     """
     path = study.build(model, files=files)
     return Exchange(path, not model.endswith(".fmu"), interface_of(exchange_description(path)))
+
+
+def interface(model: str, files: study.Paths = ()) -> Interface:
+    """As ``study.describe``, also for an FMU for model exchange alone."""
+    path = study.build(model, files=files)
+    return interface_of(exchange_description(path)) if has_exchange(path) else study.describe(model, files)
 
 
 def linearise(
@@ -187,3 +195,65 @@ def _of_run(
 def state_names(path: Path) -> list[str]:
     """The continuous states of an FMU with model exchange."""
     return [unknown.variable.derivative.name for unknown in exchange_description(path).derivatives]
+
+
+def frequency_response(
+    model: str,
+    parameters: Mapping[str, Setting] | None = None,
+    *,
+    input: str,
+    outputs: Sequence[str] | None = None,
+    amplitude: Setting,
+    frequencies: Sequence[float] | None = None,
+    at: Literal["rest"] | Mapping[str, Setting] = "rest",
+    free: Sequence[str] = (),
+    most_periods: int = 200,
+    files: study.Paths = (),
+    progress: Callable[[int, int], None] | None = None,
+    timeout: float | None = None,
+) -> FrequencyResponse:
+    """How a model answers to sines of an input, nonlinear as it is, beside its linear model.
+
+    An FMU for co-simulation alone swings about its start values, prolonged until it settles, without a linear model.
+
+    Args:
+        model, parameters, free, files, timeout: as in ``linearise``.
+        input: that swings about its value at rest.
+        outputs: names of outputs or of any other variable; default: every output.
+        amplitude: of the input.
+        frequencies: [Hz]; default: sixteen from 0.1 to 20 Hz.
+        at: "rest", or values that a rest shall have which ``free`` inputs make possible.
+        most_periods: at each frequency; a response that has not settled by then is marked.
+        progress: called with the number of frequencies done and of all.
+
+    Raises:
+        InputError: as ``linearise``; an amplitude or frequency that is not above zero.
+        SimulationFailure: as ``linearise``.
+    """
+    chosen = np.geomspace(0.1, 20.0, 16) if frequencies is None else np.asarray(frequencies, dtype=float)
+    if not chosen.size or not np.all(np.isfinite(chosen) & (chosen > 0)):
+        raise InputError("frequencies must be above zero")
+    if most_periods < 2:
+        raise InputError("two periods at least are compared")
+    path, face = study.build(model, files=files), interface(model, files)
+    exchanging = has_exchange(path)
+    if input not in face.inputs:
+        raise InputError(f"{face.model} has no input '{input}'; {did_you_mean(input, face.inputs)}")
+    size = value_of(amplitude, replace(face.inputs[input], min=None, max=None))
+    if not size > 0:
+        raise InputError(f"the amplitude must be above zero, not {size:g}")
+    sines = Sines(
+        input, tuple(face.outputs if outputs is None else outputs), tuple(chosen.tolist()), size, most_periods
+    )  # fmt: skip
+    settings = resolve(parameters or {}, face)
+    conditions = {} if isinstance(at, str) else conditions_of(at, face)
+    if conditions and not free:
+        raise InputError("a sine swings about a rest: name the inputs that may be chosen for it (free)")
+    if exchanging:
+        trusted = not model.endswith(".fmu")
+        told = progress if trusted else None  # what runs in another process cannot call
+        return work_on(path, trusted, timeout, respond, settings, conditions, list(free), sines, told)
+    if conditions:
+        raise InputError("a rest can be looked for in an FMU with model exchange only", path)
+    with study.opened(model, files, timeout=timeout) as simulator:
+        return respond_from_start(simulator, settings, sines, progress)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import io
 import json
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 from zipfile import BadZipFile
 
 import numpy as np
@@ -17,7 +17,7 @@ from cattrs import Converter
 from cattrs.errors import BaseValidationError
 from cattrs.strategies import configure_tagged_union, include_subclasses
 
-from pam_cosim.analysis import LinearCourse, LinearModel
+from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel
 from pam_cosim.comparison import Comparison
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
@@ -26,16 +26,14 @@ from pam_cosim.fitting import Fit, Record
 from pam_cosim.ledger import Ledger
 from pam_cosim.simulation import Trajectory
 
-Product = Trajectory | Comparison | Fit | Ledger | Diagnosis | LinearModel | LinearCourse
-_KINDS: dict[str, type[Any]] = {
-    kind.__name__: kind for kind in (Trajectory, Comparison, Fit, Ledger, Diagnosis, LinearModel, LinearCourse)
-}
+Product = Trajectory | Comparison | Fit | Ledger | Diagnosis | LinearModel | LinearCourse | FrequencyResponse
+_KINDS: dict[str, type[Any]] = {kind.__name__: kind for kind in get_args(Product)}
 _TEXT = "product"
 _DAMAGE = (ValueError, KeyError, TypeError, AttributeError, EOFError, BadZipFile, BaseValidationError)
 
 
 def save(product: Product, path: Path | str) -> Path:
-    """Writes a trajectory, comparison, fit, ledger or diagnosis; whole or not at all.
+    """Writes a trajectory, comparison or any other product of a study; whole or not at all.
 
     Raises:
         InputError: another kind of thing, or the file cannot be written.
@@ -56,7 +54,7 @@ def save(product: Product, path: Path | str) -> Path:
 
 
 def load(path: Path | str) -> Any:
-    """What ``save`` wrote: a trajectory, comparison, fit, ledger or diagnosis.
+    """What ``save`` wrote: a product of a study.
 
     Raises:
         InputError: no such file, or not such a file.

@@ -1,6 +1,7 @@
 """.fmu and a point or a measurement -> LinearModel: linear models, frequency responses, observers."""
 
+from pam_cosim.analysis.frequency_response import FrequencyResponse
 from pam_cosim.analysis.linear import LinearCourse, LinearModel, Mode
 from pam_cosim.analysis.operating_point import OperatingPoint
 
-__all__ = ["LinearCourse", "LinearModel", "Mode", "OperatingPoint"]
+__all__ = ["FrequencyResponse", "LinearCourse", "LinearModel", "Mode", "OperatingPoint"]

@@ -44,6 +44,15 @@ def exchange_description(path: Path) -> ModelDescription:
     return description
 
 
+def has_exchange(path: Path) -> bool:
+    """Whether an FMU is for model exchange.
+
+    Raises:
+        InputError: not an FMU.
+    """
+    return _description(path).modelExchange is not None
+
+
 def _description(path: Path) -> ModelDescription:
     if not Path(path).exists():
         raise InputError("there is no such file", path)

@@ -7,7 +7,7 @@ from functools import singledispatch
 from pathlib import Path
 from typing import Any
 
-from pam_cosim.analysis import LinearCourse, LinearModel
+from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel
 from pam_cosim.comparison import Comparison
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
@@ -18,6 +18,7 @@ from pam_cosim.reporting.diagnosis_page import layers_of, rungs_of
 from pam_cosim.reporting.figures.bode import bode, poles_along
 from pam_cosim.reporting.figures.course import course
 from pam_cosim.reporting.figures.curves import draw_curves, legend
+from pam_cosim.reporting.figures.frequency import frequency_figure
 from pam_cosim.reporting.figures.layer import SPARSE, rivals
 from pam_cosim.reporting.figures.ledger import ledger_figure
 from pam_cosim.reporting.figures.panels import panels
@@ -87,6 +88,13 @@ def _(product: LinearModel, path: Path | str) -> None:
     check_writable(Path(path))
     with drawing():
         write_bytes(Path(path), png(bode(product)))
+
+
+@draw.register
+def _(product: FrequencyResponse, path: Path | str) -> None:
+    check_writable(Path(path))
+    with drawing():
+        write_bytes(Path(path), png(frequency_figure(product)))
 
 
 @draw.register

@@ -24,7 +24,8 @@ def test_page(page: str, command: Callable[..., Outcome], place: Path, capsys: p
     for line in lines:
         done(command(*shlex.split(line)[1:]))
     scripts = blocks(page, "python")
+    names: dict[str, object] = {}  # the scripts of a page go on from each other
     assert scripts
     for script in scripts:
-        exec(compile(script, page, "exec"), {})
+        exec(compile(script, page, "exec"), names)
     assert (place / "linear.png").exists() and (place / "linear.json").exists()

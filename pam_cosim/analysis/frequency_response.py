@@ -1,0 +1,169 @@
+"""The product of a measurement by sines: gains, distortion, and the linear model about the same point."""
+
+from __future__ import annotations
+
+import csv
+import io
+from dataclasses import dataclass
+from html import escape
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pam_cosim.analysis.linear import LinearModel
+from pam_cosim.arrays import Array
+from pam_cosim.files import write_json, write_text
+from pam_cosim.units import format_quantity
+
+
+@dataclass(frozen=True)
+class FrequencyResponse:
+    """How outputs answer to a sine of an input.
+
+    Attributes:
+        model: its name.
+        input, outputs: names.
+        units: of each of them.
+        amplitude: of the input [its unit].
+        frequencies: (k,) [Hz].
+        gain: (k, p) complex, fundamental of the output by that of the input.
+        distortion: (k, p) harmonics of the output, root of the sum of squares, by its fundamental.
+        shift: (k, p) mean of the output, from that at rest; where there is no ``linear``, the mean itself.
+        periods: (k,) done at each frequency.
+        settled: (k,) whether the last two periods were alike to a thousandth.
+        linear: the linear model from the same input to the same outputs, about the same rest; None: not known.
+    """
+
+    model: str
+    input: str
+    outputs: tuple[str, ...]
+    units: dict[str, str]
+    amplitude: float
+    frequencies: Array
+    gain: Array
+    distortion: Array
+    shift: Array
+    periods: Array
+    settled: Array
+    linear: LinearModel | None = None
+
+    @property
+    def linear_gain(self) -> Array:
+        """(k, p) complex gain of the linear model at the same frequencies; not a number where there is none."""
+        if self.linear is None:
+            return np.full(self.gain.shape, np.nan + 0j)
+        return self.linear.response(self.frequencies)[:, :, 0]
+
+    @property
+    def bandwidth(self) -> dict[str, float]:
+        """For each output the frequency [Hz] at which its gain is 3 dB below the static gain of the linear model.
+
+        Where that is not known, below the gain at the lowest frequency. Between measured frequencies by straight lines
+        in the logarithms; not a number where it is not crossed.
+        """
+        return {name: self._bandwidth(i) for i, name in enumerate(self.outputs)}
+
+    def _bandwidth(self, i: int) -> float:
+        gain = np.abs(self.gain[:, i])
+        static = gain[0] if self.linear is None else abs(float(self.linear.static_gain[i, 0]))
+        return _crossing(self.frequencies, gain, static if np.isfinite(static) else float(gain[0]))
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain data; SI units, phases in degrees."""
+        linear = self.linear_gain
+        rows = {
+            name: {
+                "gain": np.abs(self.gain[:, i]).tolist(),
+                "phase": phase(self.gain[:, i]).tolist(),
+                "distortion": self.distortion[:, i].tolist(),
+                "shift": self.shift[:, i].tolist(),
+                "linear_gain": None if self.linear is None else np.abs(linear[:, i]).tolist(),
+                "linear_phase": None if self.linear is None else phase(linear[:, i]).tolist(),
+                "bandwidth": None if np.isnan(self.bandwidth[name]) else self.bandwidth[name],
+            }
+            for i, name in enumerate(self.outputs)
+        }
+        return {
+            "model": self.model,
+            "input": self.input,
+            "amplitude": self.amplitude,
+            "units": dict(self.units),
+            "frequencies": self.frequencies.tolist(),
+            "periods": self.periods.tolist(),
+            "settled": [bool(v) for v in self.settled],
+            "outputs": rows,
+            "linear": None if self.linear is None else self.linear.as_dict(),
+        }
+
+    def to_json(self, path: Path | str) -> Path:
+        """Writes ``as_dict``."""
+        write_json(Path(path), self.as_dict())
+        return Path(path)
+
+    def to_csv(self, path: Path | str) -> Path:
+        """Writes a row for each frequency."""
+        text = io.StringIO()
+        writer = csv.writer(text, lineterminator="\n")
+        parts = ("gain", "phase [deg]", "distortion", "linear gain", "linear phase [deg]")
+        heads = [f"{name} {part}" for name in self.outputs for part in parts]
+        writer.writerow(["frequency [Hz]", *heads, "periods", "settled"])
+        linear = self.linear_gain
+        columns = [self.frequencies]
+        for i in range(len(self.outputs)):
+            own, other = self.gain[:, i], linear[:, i]
+            columns += [np.abs(own), phase(own), self.distortion[:, i], np.abs(other), phase(other)]
+        for row, periods, settled in zip(np.array(columns).T.tolist(), self.periods, self.settled, strict=True):
+            writer.writerow([*map(repr, row), int(periods), int(settled)])
+        write_text(Path(path), text.getvalue())
+        return Path(path)
+
+    def _lines(self) -> tuple[list[str], list[list[str]]]:
+        heads = ["frequency [Hz]"]
+        for name in self.outputs:
+            heads += [f"{name}: gain", "phase [deg]", "distortion", "by linear model"]
+        linear, rows = self.linear_gain, []
+        phases = [phase(self.gain[:, i]) for i in range(len(self.outputs))]
+        for k, frequency in enumerate(self.frequencies):
+            row = [f"{frequency:.4g}" + ("" if self.settled[k] else " (not settled)")]
+            for i in range(len(self.outputs)):
+                ratio = np.abs(self.gain[k, i]) / np.abs(linear[k, i]) if np.abs(linear[k, i]) > 0 else np.nan
+                row += [f"{np.abs(self.gain[k, i]):.4g}", f"{phases[i][k]:.1f}", f"{self.distortion[k, i]:.2%}"]
+                row.append("-" if np.isnan(ratio) else f"{ratio:.4f}")
+            rows.append(row)
+        return heads, rows
+
+    def _title(self) -> str:
+        swing = format_quantity(self.amplitude, self.units[self.input])
+        return f"{self.model}: {', '.join(self.outputs)} by {self.input}, which swings by {swing}"
+
+    def __str__(self) -> str:
+        heads, rows = self._lines()
+        widths = [max(map(len, column)) for column in zip(heads, *rows, strict=True)]
+        lines = ["  ".join(f"{cell:>{w}}" for cell, w in zip(row, widths, strict=True)) for row in (heads, *rows)]
+        where = [] if self.linear is None else [str(self.linear.point)]
+        bands = [f"{n}: 3 dB less at {f:.3g} Hz" for n, f in self.bandwidth.items() if np.isfinite(f)]
+        return "\n".join([self._title(), *where, "", *lines, *bands])
+
+    def _repr_html_(self) -> str:
+        heads, rows = self._lines()
+        head = "".join(f"<th>{escape(h)}</th>" for h in heads)
+        body = "".join(f"<tr>{''.join(f'<td>{escape(c)}</td>' for c in row)}</tr>" for row in rows)
+        return f"<p>{escape(self._title())}</p><table><tr>{head}</tr>{body}</table>"
+
+
+def phase(gain: Array) -> Array:
+    """In degrees, continuous."""
+    return np.asarray(np.degrees(np.unwrap(np.angle(gain))))
+
+
+def _crossing(frequencies: Array, gain: Array, static: float) -> float:
+    with np.errstate(divide="ignore"):
+        below = np.log(gain) - np.log(static / np.sqrt(2))
+    after = np.flatnonzero(below < 0)
+    if not after.size or after[0] == 0 or not np.isfinite(below[: after[0] + 1]).all():
+        return float("nan")
+    i = after[0]
+    share = below[i - 1] / (below[i - 1] - below[i])
+    logs = np.log(frequencies[i - 1 : i + 1])
+    return float(np.exp(logs[0] + share * (logs[1] - logs[0])))
