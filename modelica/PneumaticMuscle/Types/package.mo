@@ -9,6 +9,7 @@ package Types "Physical quantities with their SI units"
   type Acceleration = Real(final quantity="Acceleration", final unit="m/s2") "Acceleration";
   type Area = Real(final quantity="Area", final unit="m2") "Area";
   type Volume = Real(final quantity="Volume", final unit="m3", nominal=1e-4) "Volume";
+  type VolumeFlowRate = Real(final quantity="VolumeFlowRate", final unit="m3/s", nominal=1e-4) "Rate of a volume";
   type Mass = Real(final quantity="Mass", final unit="kg") "Mass";
   type MassFlowRate = Real(final quantity="MassFlowRate", final unit="kg/s", nominal=1e-4) "Mass flow rate";
   type Force = Real(final quantity="Force", final unit="N", nominal=10) "Force";
