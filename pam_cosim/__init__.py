@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, OperatingPoint
+    from pam_cosim.cosimulation import Controller, CoupledRun, Rig, System, controller
     from pam_cosim.diagnosis import Diagnosis
     from pam_cosim.dynamics import frequency_response, linearise, linearise_along
     from pam_cosim.errors import InputError, ModelError, SimulationFailure
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
         benches,
         build,
         compare,
+        couple,
         describe,
         diagnose,
         draw,
@@ -39,6 +41,8 @@ if TYPE_CHECKING:
     )
 
 __all__ = [
+    "Controller",
+    "CoupledRun",
     "Diagnosis",
     "FrequencyResponse",
     "InputError",
@@ -47,13 +51,17 @@ __all__ = [
     "LinearModel",
     "ModelError",
     "OperatingPoint",
+    "Rig",
     "SimulationFailure",
     "SweepPoint",
+    "System",
     "Trajectory",
     "add",
     "benches",
     "build",
     "compare",
+    "controller",
+    "couple",
     "describe",
     "diagnose",
     "draw",
@@ -75,7 +83,7 @@ if not TYPE_CHECKING:
     def __getattr__(name: str) -> object:
         """Loads what is asked for first: the command can be interrupted while it loads (``command``)."""
         if name in __all__:
-            for room in ("study", "dynamics", "products", "errors", "analysis"):
+            for room in ("study", "dynamics", "products", "errors", "analysis", "cosimulation"):
                 module = import_module(f"pam_cosim.{room}")
                 if hasattr(module, name):
                     return getattr(module, name)

@@ -16,7 +16,7 @@ from pam_cosim.comparison import Comparison
 from pam_cosim.comparison import compare as _compare
 from pam_cosim.compiler import read_library
 from pam_cosim.compiler.names import last
-from pam_cosim.cosimulation import Rig
+from pam_cosim.cosimulation import Controller, Part, Rig, System, connect, couple_values
 from pam_cosim.diagnosis import Diagnosis, Message
 from pam_cosim.diagnosis import diagnose as _diagnose
 from pam_cosim.domain import Domain
@@ -25,6 +25,7 @@ from pam_cosim.files import check_writable, make_folder, write_bytes, write_text
 from pam_cosim.fitting import Fit, FitOptions, base_parameters
 from pam_cosim.fitting import fit as _fit
 from pam_cosim.fmu import build_model, read_interface
+from pam_cosim.fmu.read import feedthrough
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet, complete_noise, read_data_set
 from pam_cosim.products import Product
@@ -279,6 +280,50 @@ def start(
     except BaseException:
         simulator.close()
         raise
+
+
+def couple(
+    components: Mapping[str, str | Path | Controller],
+    connections: Sequence[str] = (),
+    parameters: Mapping[str, Setting] | None = None,
+    *,
+    title: str = "",
+    files: Paths = (),
+    timeout: float | None = None,
+) -> System:
+    """A system of FMUs and controllers, to be simulated together.
+
+    ```python
+    system = pam.couple(
+        {"gas": "CoSimulation.ValveAndGas", "muscle": "CoSimulation.MuscleAndLoad"},
+        ["gas.p -> muscle.p", "muscle.V -> gas.V", "muscle.V_flow -> gas.V_flow", "muscle.A -> gas.A"],
+        {"muscle.load.m": "5 kg"},
+    )
+    run = system.simulate(stop_time=1, step="1 ms")
+    ```
+
+    Args:
+        components: by name, in the order in which Gauss-Seidel takes them: a model as in ``simulate``, or a
+            ``controller``.
+        connections: "a.output -> b.input"; units are converted.
+        parameters: by "component.variable", as in ``simulate``.
+        title: for people.
+        files: further Modelica files.
+        timeout: as in ``simulate``.
+
+    Raises:
+        InputError: an unknown model or name, units that do not fit, an input with two sources.
+    """
+    made = {
+        name: one if isinstance(one, Controller) else _part(name, str(one), files) for name, one in components.items()
+    }
+    joined = tuple(connect(text, made) for text in connections)
+    return System(made, joined, couple_values(parameters or {}, made), timeout, title)
+
+
+def _part(name: str, model: str, files: Paths) -> Part:
+    path = build(model, files=files)
+    return Part(name, model, path, read_interface(path), *feedthrough(path), foreign=model.endswith(".fmu"))
 
 
 def output_times(

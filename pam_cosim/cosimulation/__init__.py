@@ -1,5 +1,23 @@
-"""FMUs driven step by step, alone (``Rig``) and coupled."""
+"""FMUs driven step by step, alone (``Rig``) and coupled (``System``)."""
 
+from pam_cosim.cosimulation.network import ControllerError, CouplingFailure
+from pam_cosim.cosimulation.parts import Connection, Controller, Part, Port, connect, controller
 from pam_cosim.cosimulation.rig import Readings, Rig, RigState
+from pam_cosim.cosimulation.system import CoupledRun, System, couple_values
 
-__all__ = ["Readings", "Rig", "RigState"]
+__all__ = [
+    "Connection",
+    "Controller",
+    "ControllerError",
+    "CoupledRun",
+    "CouplingFailure",
+    "Part",
+    "Port",
+    "Readings",
+    "Rig",
+    "RigState",
+    "System",
+    "connect",
+    "controller",
+    "couple_values",
+]

@@ -136,3 +136,21 @@ def _variable(scalar: Any) -> Variable:
         display_unit=_attribute(scalar, "displayUnit") or "",
         quantity=_attribute(scalar, "quantity") or "",
     )
+
+
+def feedthrough(path: Path) -> tuple[dict[str, frozenset[str]], bool]:
+    """Which inputs each output depends on at once, and whether the model description says so for all of them.
+
+    By FMI an output without a declaration depends on every input.
+
+    Raises:
+        InputError: not a co-simulation FMU of FMI 2.0 or 3.0.
+    """
+    description = read_description(path)
+    inputs = frozenset(v.name for v in real_variables(description) if v.causality == "input")
+    outputs = [v.name for v in real_variables(description) if v.causality == "output"]
+    declared = {u.variable.name: u.dependencies for u in description.outputs}
+    known = {
+        name: frozenset(v.name for v in declared[name]) & inputs for name in outputs if declared.get(name) is not None
+    }
+    return {name: known.get(name, inputs) for name in outputs}, len(known) == len(outputs) or not inputs

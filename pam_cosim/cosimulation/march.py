@@ -1,0 +1,195 @@
+"""From one communication point to the next: fixed steps, or steps chosen by an estimate of their error."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+
+from pam_cosim.cosimulation.network import CouplingFailure, Network, Saved
+from pam_cosim.cosimulation.parts import Part, Port
+from pam_cosim.errors import InputError
+
+# Hairer, Norsett, Wanner, Solving ODEs I, II.4: safety, and how much a step may change at once.
+_SAFETY, _SHRINK, _GROW = 0.9, 0.2, 3.0
+_SMALLEST = 1e-9  # of the run: no step is shorter
+_SAME_TIME = 1e-9  # of a step
+_FEWEST = 20  # steps in a run, so that the picture of it is not a polygon
+
+
+@dataclass
+class Step:
+    """How steps are chosen, and what came of it.
+
+    Attributes:
+        length: fixed or first step [s].
+        tolerance: relative error of a step; None: fixed steps.
+        order: of the method: halving the step divides the error of a run by 2 to this power.
+        lengths: of the steps made [s].
+        rejected: steps taken back.
+    """
+
+    length: float
+    tolerance: float | None
+    order: int
+    lengths: list[float] = field(default_factory=list)
+    rejected: int = 0
+
+
+def march(
+    network: Network, plan: Step, stop: float, write_down: Callable[[], None], progress: Callable[[float, float], None]
+) -> None:
+    """Runs the network up to ``stop`` [s], writing down every communication point.
+
+    Raises:
+        InputError: an FMU that cannot do what such steps need.
+        CouplingFailure: a component fails, or no step is short enough for the tolerance.
+        ControllerError: a controller cannot go on.
+    """
+    _check_abilities(network, plan)
+    write_down()
+    chooser = _Chooser(network, plan, stop) if plan.tolerance is not None else None
+    for index, end in enumerate(_stretches(network, plan, stop)):
+        if chooser is None:
+            begin = network.now.time
+            network.step(end - begin)
+            network.now.time = end
+            plan.lengths.append(end - begin)
+            write_down()
+        else:
+            chooser.go(end, write_down)
+        if network.event(end):
+            write_down()
+        if index % 16 == 0 or end == stop:
+            progress(end, stop)
+
+
+def _check_abilities(network: Network, plan: Step) -> None:
+    for name in network.parts:
+        able, model = network.steppers[name].abilities(), network.components[name].model
+        if plan.tolerance is not None and not able.saves:
+            raise InputError(
+                f"component '{name}' ({model}) cannot go back: its model description does not declare "
+                "canGetAndSetFMUstate, and steps chosen by their error are taken back; use fixed steps"
+            )
+        if plan.tolerance is not None and not able.any_step:
+            raise InputError(f"component '{name}' ({model}) needs steps of one length; use fixed steps")
+
+
+def _stretches(network: Network, plan: Step, stop: float) -> list[float]:
+    """Ends of the steps [s], or where their length is chosen, the times that no step may cross."""
+    start = network.now.time
+    ends = {stop, *network.breaks(stop)}
+    grids = [c.seconds for c in network.controllers.values()]
+    if plan.tolerance is None:
+        grids.append(plan.length)
+    for distance in grids:
+        count = math.floor((stop - start) / distance * (1 - _SAME_TIME))
+        ends.update(start + i * distance for i in range(1, count + 1))
+    ordered: list[float] = []
+    near = _SAME_TIME * min([*grids, stop - start])
+    for time in sorted(ends):
+        if not ordered or time - ordered[-1] > near:
+            ordered.append(time)
+    if stop - ordered[-1] <= near:
+        ordered[-1] = stop
+    return ordered
+
+
+@contextlib.contextmanager
+def _instead(failure: CouplingFailure | None) -> Iterator[None]:
+    """A component that cannot go back after a failure has that failure, and no other."""
+    try:
+        yield
+    except CouplingFailure as second:
+        raise failure or second from None
+
+
+class _Chooser:
+    """Chooses steps so that the error of each, estimated by halving it, is within the tolerance."""
+
+    def __init__(self, network: Network, plan: Step, stop: float) -> None:
+        self._network, self._plan = network, plan
+        self._next = plan.length
+        self._largest, self._smallest = stop / _FEWEST, _SMALLEST * stop
+        self._nominal = _nominal(network)
+        self._seen = dict.fromkeys(network.signals, 0.0)
+
+    def go(self, end: float, write_down: Callable[[], None]) -> None:
+        """Up to ``end`` [s]."""
+        network = self._network
+        while network.now.time < end:
+            saved = network.save()
+            self._one(saved, end, write_down)
+            network.forget(saved)  # where a component fails, its states go with it
+
+    def _one(self, saved: Saved, end: float, write_down: Callable[[], None]) -> None:
+        """One step that stands, in two halves."""
+        network, plan, start = self._network, self._plan, self._network.now.time
+        while True:
+            wished = min(self._next, self._largest)
+            left = end - start
+            length = left if left <= wished * (1 + _SAME_TIME) else left / 2 if left < 2 * wished else wished
+            failed: CouplingFailure | None = None
+            try:
+                error, worst = self._try(saved, length, end if length == left else start + length)
+            except CouplingFailure as failure:
+                error, worst, failed = math.inf, None, failure
+            if error <= 1:
+                break
+            plan.rejected += 1
+            with _instead(failed):
+                network.restore(saved)
+            if failed is not None and length <= self._smallest:
+                raise failed
+            if worst is not None and length <= self._smallest:
+                raise CouplingFailure(
+                    str(worst.component), network.components[worst.component].model, start,
+                    f"no step is short enough for the tolerance {plan.tolerance:g}; the error is in '{worst}'",
+                )  # fmt: skip
+            self._next = max(self._smallest, length * max(_SHRINK, self._factor(error)))
+        for moment in (self._middle, network.now):
+            held, network.now = network.now, moment
+            write_down()
+            network.now = held
+            for signal in network.signals:
+                self._seen[signal] = max(self._seen[signal], abs(moment.values[signal]))
+        plan.lengths += [length / 2, length / 2]
+        proposed = length * min(_GROW, self._factor(error))
+        self._next = (
+            max(self._next, proposed) if length < wished * (1 - _SAME_TIME) and proposed >= length else proposed
+        )
+
+    def _factor(self, error: float) -> float:
+        return _SAFETY * max(error, 1e-10) ** (-1 / (self._plan.order + 1)) if math.isfinite(error) else 0.0
+
+    def _try(self, saved: Saved, length: float, end: float) -> tuple[float, Port | None]:
+        """The step as a whole and in halves, at whose end the network then is: the error over what is allowed."""
+        network = self._network
+        network.step(length, can_go_back=True)
+        whole = dict(network.now.values)
+        network.restore(saved)
+        network.step(length / 2, can_go_back=True)
+        self._middle = network.moment()
+        network.step(end - network.now.time, can_go_back=True)
+        network.now.time = end
+        worst, largest = None, 0.0
+        for signal in network.signals:
+            value = network.now.values[signal]
+            scale = max(self._nominal[signal], self._seen[signal], abs(value))
+            allowed = self._plan.tolerance * scale * (2**self._plan.order - 1)  # type: ignore[operator]
+            error = abs(value - whole[signal]) / allowed if allowed > 0 else 0.0
+            if error >= largest:
+                worst, largest = signal, error
+        return largest, worst
+
+
+def _nominal(network: Network) -> Mapping[Port, float]:
+    """The size of each signal that its model declares; 0: it does not."""
+    sizes = {}
+    for signal in network.signals:
+        component = network.components[signal.component]
+        declared = component.interface.outputs[signal.variable].nominal if isinstance(component, Part) else None
+        sizes[signal] = abs(declared or 0.0)
+    return sizes

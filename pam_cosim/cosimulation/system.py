@@ -1,0 +1,298 @@
+"""A coupled system: what it is made of, and how it is run."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from pam_cosim.cosimulation.loops import algebraic_loop, refuse_loop
+from pam_cosim.cosimulation.march import Step, march
+from pam_cosim.cosimulation.network import (
+    ControllerError,
+    CouplingFailure,
+    Extrapolation,
+    Loops,
+    Method,
+    Network,
+    Work,
+)
+from pam_cosim.cosimulation.parts import Component, Connection, Controller, Part, Port, check_name, check_once, port
+from pam_cosim.cosimulation.recorder import Recorder
+from pam_cosim.cosimulation.rig import seconds, variables_of
+from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.interface import Variable
+from pam_cosim.settings import Setting, settable, value_of
+from pam_cosim.simulation import AnySimulator, AnyStepper, Inputs, IsolatedSimulator, Simulator, Trajectory
+from pam_cosim.units import UnitError
+from pam_cosim.wording import did_you_mean, shown
+
+METHODS = ("jacobi", "gauss-seidel")
+EXTRAPOLATIONS = ("constant", "linear")
+LOOPS = ("refuse", "delay", "iterate")
+_STEPS = 1000  # of a run for which nobody has said how long a step is
+MOST_STEPS = 10_000_000
+
+
+@dataclass(frozen=True)
+class CoupledRun:
+    """What came of a run of a coupled system.
+
+    Attributes:
+        trajectory: the outputs of all components and the inputs of the system, as ``component.variable``, at every
+            communication point; where something jumps, a time stands twice.
+        method: "jacobi" or "gauss-seidel".
+        steps: communication steps that stand.
+        rejected: those that were taken back because their error was too large.
+        component_steps: steps that each FMU has made, for error estimates and in rejected steps too.
+        rollbacks: how often the system went back to a saved state.
+        smallest, largest: step [s].
+    """
+
+    trajectory: Trajectory
+    method: str
+    steps: int
+    rejected: int
+    component_steps: Mapping[str, int]
+    rollbacks: int
+    smallest: float
+    largest: float
+
+    def __repr__(self) -> str:
+        low, high = f"{self.smallest:.3g}", f"{self.largest:.3g}"
+        spread = f"{low} s" if low == high else f"{low} to {high} s"
+        cost = ", ".join(f"{name} {count}" for name, count in self.component_steps.items())
+        taken_back = f", {self.rejected} taken back" if self.rejected else ""
+        return (
+            f"{self.method} up to {self.trajectory.time[-1]:.6g} s: {self.steps} steps of {spread}{taken_back}; "
+            f"steps of the components: {cost}; {self.rollbacks} rollbacks"
+        )
+
+
+@dataclass(frozen=True)
+class System:
+    """Components and the connections between them; ``couple`` makes it.
+
+    Attributes:
+        components: by name, in the order in which Gauss-Seidel takes them.
+        connections: between outputs and inputs.
+        values: parameters, start values and inputs that are held, by component [the model's own units].
+        timeout: as in ``simulate``.
+        title: for people.
+    """
+
+    components: Mapping[str, Component]
+    connections: tuple[Connection, ...]
+    values: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+    timeout: float | None = None
+    title: str = ""
+    stop_time: float | None = None
+
+    def __post_init__(self) -> None:
+        if not any(isinstance(c, Part) for c in self.components.values()):
+            raise InputError("a system needs an FMU at least")
+        for name in self.components:
+            check_name(name)
+        given = {f"{c}.{n}": "a value" for c, values in self.values.items() for n in values}
+        check_once(self.connections, given)
+
+    def __repr__(self) -> str:
+        lines = [self.title] * bool(self.title)
+        for name, component in self.components.items():
+            kind = f"every {component.seconds:.6g} s" if isinstance(component, Controller) else component.model
+            lines.append(f"{name}: {kind}" if isinstance(component, Part) else f"{name}: {component.model}, {kind}")
+        lines += [f"  {connection}" for connection in self.connections]
+        if loop := self.algebraic_loop:
+            lines.append(f"algebraic loop: {' -> '.join(map(str, loop))}")
+        return "\n".join(lines)
+
+    @property
+    def algebraic_loop(self) -> list[Port]:
+        """Variables of which each acts at once on the next, the first again at the end; empty where there is none."""
+        return algebraic_loop(self.components, self.connections)
+
+    @property
+    def inputs(self) -> dict[str, Variable]:
+        """Inputs of the components that are not connected, by ``component.variable``."""
+        taken = {str(c.target) for c in self.connections}
+        names = {f"{c}.{n}": v for c, part in self.components.items() for n, v in part.interface.inputs.items()}
+        return {name: variable for name, variable in names.items() if name not in taken}
+
+    def simulate(
+        self,
+        stop_time: float | str | None = None,
+        *,
+        method: Method = "gauss-seidel",
+        step: float | str | None = None,
+        tolerance: float | None = None,
+        extrapolation: Extrapolation = "linear",
+        loops: Loops = "refuse",
+        inputs: Inputs | None = None,
+        outputs: Sequence[str] = (),
+        order: Sequence[str] = (),
+        solver_tolerance: float | None = None,
+        progress: Callable[[float, float], None] = lambda time, stop: None,
+    ) -> CoupledRun:
+        """Runs the system from zero.
+
+        Args:
+            stop_time: [s], or a text such as "500 ms"; default: the longest of the FMUs' own.
+            method: "jacobi": all components make a step at once, from what was known at its start; "gauss-seidel": one
+                after the other, each with what those before it have come to.
+            step: between communication points; with ``tolerance`` the first one. Default: a thousandth of the run.
+            tolerance: relative error of a step, by which steps are chosen: each is made once whole and once in halves,
+                and taken back if the two differ by more. None: fixed steps.
+            extrapolation: what is assumed of an output over a step: "constant", or "linear" from the step before.
+            loops: algebraic loops: "refuse", "iterate" (Newton's method at every communication point), or "delay" (one
+                connection of each loop is taken a step late).
+            inputs: of the system over time, by ``component.variable``.
+            outputs: further variables of components to record, such as "muscle.load.v".
+            order: of the components for Gauss-Seidel; default: that of the system.
+            solver_tolerance: relative, of the solvers inside the FMUs.
+            progress: called with the time reached and the end [s].
+
+        Raises:
+            InputError: names or numbers that cannot be used, an algebraic loop that is not to be solved, an FMU that
+                cannot go back where steps are chosen by their error; a controller that raised an exception
+                (``ControllerError``).
+            SimulationFailure: (``CouplingFailure``) a component failed; the error says which and when.
+                Both errors then have what was reached as ``run``, a ``CoupledRun``.
+        """
+        _choice("method", method, METHODS)
+        _choice("extrapolation", extrapolation, EXTRAPOLATIONS)
+        _choice("loops", loops, LOOPS)
+        if loops == "refuse":
+            refuse_loop(self.components, self.connections)
+        observed = [self._observed(name) for name in outputs]
+        self._check_inputs(inputs)
+        self._check_order(order)
+        stop = self._stop(stop_time, inputs)
+        plan = self._plan(step, tolerance, extrapolation, stop)
+        with self._running(solver_tolerance) as steppers:
+            network = Network(
+                self.components, self.connections, steppers, inputs, method=method, extrapolation=extrapolation,
+                loops=loops, order=order, observed=observed,
+            )  # fmt: skip
+            recorder = Recorder(self._columns(observed, inputs))
+            try:
+                march(network, plan, stop, lambda: self._write_down(network, recorder, inputs), progress)
+            except (CouplingFailure, ControllerError) as error:
+                error.run = _run(recorder, method, plan, network.work)
+                raise
+            return _run(recorder, method, plan, network.work)
+
+    def _plan(self, step: float | str | None, tolerance: float | None, extrapolation: str, stop: float) -> Step:
+        if tolerance is not None and not (tolerance > 0 and math.isfinite(tolerance)):
+            raise InputError(f"the tolerance of a step must be larger than zero, not {tolerance}")
+        length = stop / _STEPS if step is None else _time("step", step)
+        if tolerance is None and stop / length > MOST_STEPS:
+            raise InputError(f"a run has {MOST_STEPS} steps at most; {stop:g} s in steps of {length:g} s are more")
+        order = 2 if extrapolation == "linear" else 1
+        return Step(min(length, stop), tolerance, order)
+
+    def _stop(self, stop_time: float | str | None, inputs: Inputs | None) -> float:
+        if stop_time is not None:
+            return _time("stop time", stop_time)
+        if inputs is not None and inputs.time[-1] > 0:
+            return float(inputs.time[-1])
+        own = [c.interface.stop_time for c in self.components.values() if isinstance(c, Part)]
+        return self.stop_time or max(own)
+
+    @contextlib.contextmanager
+    def _running(self, tolerance: float | None) -> Iterator[dict[str, AnyStepper]]:
+        """The FMUs, in initialization mode; they are closed at the end."""
+        with contextlib.ExitStack() as stack:
+            steppers: dict[str, AnyStepper] = {}
+            for name, part in self.components.items():
+                if not isinstance(part, Part):
+                    continue
+                try:
+                    simulator = self._opened(part)
+                    stack.callback(simulator.close)
+                    steppers[name] = simulator.stepper()
+                    steppers[name].begin(self.values.get(name, {}), 0.0, tolerance)
+                except SimulationFailure as failure:
+                    raise CouplingFailure(name, part.model, 0.0, str(failure)) from failure
+            yield steppers
+
+    def _opened(self, part: Part) -> AnySimulator:
+        return IsolatedSimulator(part.path, self.timeout) if part.foreign else Simulator(part.path)
+
+    def _observed(self, name: str) -> Port:
+        one = port(name, self.components)
+        interface = self.components[one.component].interface
+        known = variables_of(interface)
+        if one.variable not in known:
+            raise InputError(f"{interface.model} has no variable '{one.variable}'; {did_you_mean(one.variable, known)}")
+        return one
+
+    def _check_inputs(self, inputs: Inputs | None) -> None:
+        for name in inputs.values if inputs is not None else ():
+            if name not in self.inputs:
+                if name in {str(c.target) for c in self.connections}:
+                    raise InputError(f"input '{name}' is connected and cannot be given over time")
+                raise InputError(f"the system has no free input '{name}'; {did_you_mean(name, self.inputs)}")
+            component, _, variable = name.partition(".")
+            if variable in self.values.get(component, {}):
+                raise InputError(f"the input '{name}' is given over time and as a constant; keep one of them")
+
+    def _check_order(self, order: Sequence[str]) -> None:
+        parts = [name for name, c in self.components.items() if isinstance(c, Part)]
+        if order and sorted(order) != sorted(parts):
+            raise InputError(f"the order must name each FMU once: {', '.join(parts)}")
+
+    def _columns(self, observed: Sequence[Port], inputs: Inputs | None) -> dict[str, str]:
+        units = {
+            f"{name}.{n}": v.unit for name, part in self.components.items() for n, v in part.interface.outputs.items()
+        }
+        for one in observed:
+            units[str(one)] = variables_of(self.components[one.component].interface)[one.variable].unit
+        units.update({name: self.inputs[name].unit for name in (inputs.values if inputs is not None else ())})
+        return units
+
+    def _write_down(self, network: Network, recorder: Recorder, inputs: Inputs | None) -> None:
+        values = {str(port): value for port, value in network.now.values.items()}
+        values.update(network.external())
+        recorder.add(network.now.time, [values[name] for name in recorder.units])
+
+
+def couple_values(
+    parameters: Mapping[str, Setting], components: Mapping[str, Component]
+) -> dict[str, dict[str, float]]:
+    """Settings by ``component.variable``, by component and in the model's own units.
+
+    Raises:
+        InputError: an unknown name, or a value that cannot be used.
+    """
+    values: dict[str, dict[str, float]] = {}
+    for name, value in parameters.items():
+        one = port(name, components)
+        if isinstance(components[one.component], Controller):
+            raise InputError(f"'{name}': a controller's inputs come from connections or over time")
+        variable = settable(one.variable, components[one.component].interface)
+        values.setdefault(one.component, {})[one.variable] = value_of(value, variable)
+    return values
+
+
+def _time(what: str, value: float | str) -> float:
+    try:
+        length = seconds(value)
+    except UnitError as problem:
+        raise InputError(f"the {what}: {problem}") from None
+    if not length > 0:
+        raise InputError(f"the {what} must be larger than zero, not {value}")
+    return length
+
+
+def _choice(what: str, value: str, known: Sequence[str]) -> None:
+    if value not in known:
+        raise InputError(f"unknown {what} {shown(value)}; {did_you_mean(str(value), known)}")
+
+
+def _run(recorder: Recorder, method: str, plan: Step, work: Work) -> CoupledRun:
+    sizes = plan.lengths or [0.0]
+    return CoupledRun(
+        recorder.trajectory(), method, len(plan.lengths), plan.rejected, dict(work.component_steps), work.rollbacks,
+        min(sizes), max(sizes),
+    )  # fmt: skip
