@@ -5,10 +5,10 @@ model ContractionController "A proportional controller of the contraction with t
   input Types.Length x_wanted(start=0.02) "Contraction wanted";
   output Types.Current u_in "Current of the inlet valve";
   output Types.Current u_out "Current of the exhaust valve";
-  parameter Real K(unit="A/m", min=0, max=1e4) = 40 "Gain" annotation (Dialog(group="Control"));
-  parameter Types.Current u_max(min=0, max=1) = 0.35 "Largest current" annotation (Dialog(group="Control"));
+  parameter Real K(unit="A/m", min=0, max=1e4) = 40 "Gain" annotation (Dialog(group="Dynamics"));
+  parameter Types.Current u_max(min=0, max=1) = 0.35 "Largest current" annotation (Dialog(group="Dynamics"));
   parameter Types.Time tau(min=1e-4, max=10) = 0.02 "Time constant of the filter of the contraction"
-    annotation (Dialog(group="Control"));
+    annotation (Dialog(group="Dynamics"));
   Types.Length x_filtered(start=0, fixed=true) "Contraction without noise";
 protected
   Types.Current u "Demand, positive to contract";
