@@ -1,0 +1,39 @@
+"""The examples run as they stand and print what the pages quote."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pam_cosim as pam
+
+ROOT = Path(__file__).parents[2]
+
+
+def run(script: str, folder: Path) -> str:
+    command = [sys.executable, str(ROOT / "examples" / script), str(folder)]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_overshoot_of_the_slides_step() -> None:
+    """Quick: the middle of the example's numbers."""
+    linear = pam.linearise("LumpedLinear", {"C_1": 5.7239e-4})
+    force = linear.step(np.linspace(0, 1.2, 1201))[:, 2, 0] * 2e5
+    assert force.max() == pytest.approx(17.0, abs=0.1) and force[-1] == pytest.approx(6.7, abs=0.05)
+    assert force[::100].max() < 6.75
+
+
+@pytest.mark.full
+def test_slides(tmp_path: Path) -> None:
+    said = run("linear-analysis/slides.py", tmp_path)
+    for number in ("F = 205.67 N, C_1 = 5.7239e-04 m2, C_2 = 8061.8 N/m", "84.8 N", "114.5 N", "85.6 N", "11.4 N",
+                   "10.41 Hz, damping ratio 0.229; pull up to 17.0 N (6.7 at 10 Hz, 16.9 at 80 Hz)",
+                   "2 bar: 2.29 % per bar at 0.1 Hz (linear model 1.45), -6° (-48°), distortion 8.0%"):  # fmt: skip
+        assert number in said
+    assert len(list(tmp_path.glob("*.png"))) == 3
