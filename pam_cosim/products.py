@@ -18,7 +18,7 @@ from cattrs.errors import BaseValidationError
 from cattrs.strategies import configure_tagged_union, include_subclasses
 
 from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel
-from pam_cosim.comparison import Comparison
+from pam_cosim.comparison import Comparison, ConditionTable
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, write_bytes
@@ -26,7 +26,17 @@ from pam_cosim.fitting import Fit, Record
 from pam_cosim.ledger import Ledger
 from pam_cosim.simulation import Trajectory
 
-Product = Trajectory | Comparison | Fit | Ledger | Diagnosis | LinearModel | LinearCourse | FrequencyResponse
+Product = (
+    Trajectory
+    | Comparison
+    | ConditionTable
+    | Fit
+    | Ledger
+    | Diagnosis
+    | LinearModel
+    | LinearCourse
+    | FrequencyResponse
+)
 _KINDS: dict[str, type[Any]] = {kind.__name__: kind for kind in get_args(Product)}
 _TEXT = "product"
 _DAMAGE = (ValueError, KeyError, TypeError, AttributeError, EOFError, BadZipFile, BaseValidationError)

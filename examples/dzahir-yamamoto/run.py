@@ -25,7 +25,7 @@ import vertical_rig as rig  # noqa: E402
 import pam_cosim as pam  # noqa: E402
 from examples.raw_data import markdown_table  # noqa: E402
 from pam_cosim import Diagnosis  # noqa: E402
-from pam_cosim.comparison import Comparison, RunComparison  # noqa: E402
+from pam_cosim.comparison import Comparison, RunComparison, Statistic  # noqa: E402
 
 PICTURE = ROOT / "docs" / "pictures" / "dzahir-yamamoto-friction.png"
 COLOURS = plt.get_cmap("viridis")(np.linspace(0, 0.85, len(rig.LOADS)))
@@ -36,35 +36,10 @@ def by_condition(comparison: Comparison) -> dict[tuple[float, float], RunCompari
     return {(r.run.parameters["load.m"], r.run.parameters["frequency"]): r for r in comparison.runs}
 
 
-def correlations(comparison: Comparison) -> str:
-    """Of contraction measured and modelled: load by frequency, mean and standard deviation, as DY Table 3."""
-    runs = by_condition(comparison)
-    table = np.array(
-        [[_correlation(runs[load, frequency]) for frequency in rig.FREQUENCIES] for load in rig.LOADS]
-    )  # fmt: skip
-    rows = [[f"{load:g} kg", *(f"{r:.4f}" for r in row)] for load, row in zip(rig.LOADS, table, strict=True)]
-    last = [f"{m:.4f} ± {s:.4f}" for m, s in zip(table.mean(axis=0), table.std(axis=0), strict=True)]
-    return markdown_table(["load", *(f"{f:g} Hz" for f in rig.FREQUENCIES)], [*rows, ["mean ± σ", *last]])
-
-
-def errors(comparison: Comparison) -> str:
-    """Root mean square of measured minus modelled contraction [mm]: load by frequency."""
-    runs = by_condition(comparison)
-    rows = [
-        [f"{load:g} kg", *(f"{1e3 * _rms(runs[load, frequency]):.2f}" for frequency in rig.FREQUENCIES)]
-        for load in rig.LOADS
-    ]
-    return markdown_table(["load", *(f"{f:g} Hz" for f in rig.FREQUENCIES)], rows)
-
-
-def _correlation(run: RunComparison) -> float:
-    measured = run.run.measurements["x"]
-    kept = np.isfinite(measured)
-    return float(np.corrcoef(measured[kept], run.model["x"][kept])[0, 1])
-
-
-def _rms(run: RunComparison) -> float:
-    return float(np.sqrt(np.nanmean(run.residual("x") ** 2)))
+def tabled(comparison: Comparison, statistic: Statistic) -> str:
+    """Load by frequency, with mean and standard deviation, as DY Table 3."""
+    head, *rows = comparison.table("load.m", "frequency").texts(statistic)
+    return markdown_table(head, rows)
 
 
 def draw(found: Diagnosis, picture: Path) -> None:
@@ -95,7 +70,8 @@ def main() -> None:
         found = pam.diagnose(pam.read(folder), say=lambda line: print(line, flush=True))
     print(found)
     for name, comparison in (("existing model", found.base.comparison), ("with the effect", found.final.comparison)):
-        print(f"\nCorrelation, {name}\n\n{correlations(comparison)}\n\nRms error [mm]\n\n{errors(comparison)}")
+        print(f"\nCorrelation, {name}\n\n{tabled(comparison, 'correlation')}")
+        print(f"\nRms error [mm]\n\n{tabled(comparison, 'rmse')}")
     draw(found, PICTURE)
 
 

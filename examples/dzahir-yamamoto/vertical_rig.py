@@ -10,7 +10,7 @@ Run as ``python examples/dzahir-yamamoto/vertical_rig.py FOLDER``.
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from math import exp, pi, radians, sin, tan, tanh
 from pathlib import Path
@@ -109,7 +109,7 @@ class Rig:
         return Measured(load, frequency, time, p_told, np.asarray(reading))
 
 
-EXPERIMENT = """title = "empirical muscle at six loads and four frequencies"
+EXPERIMENT = """title = "{title}"
 model = "PneumaticMuscle.Examples.ConstantFrictionLoad"
 
 [signals.x]
@@ -130,23 +130,31 @@ frequency = "{frequency:g} Hz"
 """
 
 
-def conditions() -> Mapping[tuple[float, float], str]:
+def conditions(
+    loads: Sequence[float] = LOADS, frequencies: Sequence[float] = FREQUENCIES
+) -> Mapping[tuple[float, float], str]:
     """Role by load and frequency: every other condition is fitted, as on a chessboard; the others only judge."""
-    grid = [(i, j) for i in range(len(LOADS)) for j in range(len(FREQUENCIES))]
-    return {(LOADS[i], FREQUENCIES[j]): "holdout" if (i + j) % 2 else "fit" for i, j in grid}
+    grid = [(i, j) for i in range(len(loads)) for j in range(len(frequencies))]
+    return {(loads[i], frequencies[j]): "holdout" if (i + j) % 2 else "fit" for i, j in grid}
 
 
-def write_data_set(folder: Path, rig: Rig | None = None) -> Path:
-    """All 24 conditions of DY Table 3 as a data set of the base model."""
+def write_data_set(
+    folder: Path,
+    rig: Rig | None = None,
+    loads: Sequence[float] = LOADS,
+    frequencies: Sequence[float] = FREQUENCIES,
+    title: str = "empirical muscle at six loads and four frequencies",
+) -> Path:
+    """All conditions as a data set of the base model; by default the 24 of DY Table 3."""
     folder.mkdir(parents=True, exist_ok=True)
     runs = ""
-    for (load, frequency), role in conditions().items():
+    for (load, frequency), role in conditions(loads, frequencies).items():
         run = (rig or Rig()).run(load, frequency)
         file = f"{load:g}kg-{frequency:g}Hz.csv"
         rows = [f"{t:.2f},{p / 1e3:.2f},{x * 1e3:.4f}" for t, p, x in zip(run.time, run.p, run.x, strict=True)]
         (folder / file).write_text("\n".join(["time [s],p [kPa],x [mm]", *rows]) + "\n", encoding="utf-8")
         runs += RUN.format(file=file, role=role, load=load, frequency=frequency)
-    (folder / "experiment.toml").write_text(EXPERIMENT.format(runs=runs), encoding="utf-8")
+    (folder / "experiment.toml").write_text(EXPERIMENT.format(title=title, runs=runs), encoding="utf-8")
     return folder
 
 

@@ -19,10 +19,11 @@ from pam_cosim.commands.common import (
     read_data,
     say_written,
 )
-from pam_cosim.comparison import Comparison
+from pam_cosim.comparison import write_tables
+from pam_cosim.errors import InputError
 from pam_cosim.files import write_json
 from pam_cosim.fitting import read_parameters
-from pam_cosim.reporting import comparison_report, write_report
+from pam_cosim.reporting import comparison_report, plot_tables, write_report
 from pam_cosim.tables import against_lines, read_comparison
 
 
@@ -31,23 +32,38 @@ def compare(
     model: ModelOption = None,
     params: Annotated[Path | None, typer.Option(help="Fitted parameters, from 'fit -o'.")] = None,
     against: Annotated[list[Path] | None, typer.Option(help="Earlier 'compare --json' results.")] = None,
+    table: Annotated[
+        tuple[str, str] | None,
+        typer.Option(help="Scores by two parameters of the runs, such as load.m frequency.", metavar="ROWS COLUMNS"),
+    ] = None,
+    table_csv: Annotated[Path | None, typer.Option(help="Write that table as CSV, SI units.")] = None,
+    table_plot: Annotated[Path | None, typer.Option(help="Draw that table as PNG.")] = None,
     json: JsonOption = None,
     report: ReportOption = None,
     files: FilesOption = None,
     timeout: TimeoutOption = None,
 ) -> None:
     """How far a model is from a measurement, and where."""
-    check_results(json, report, sources=[model, params, *(against or []), *(files or [])])
+    if table is None and (table_csv or table_plot):
+        raise InputError("--table-csv and --table-plot need --table ROWS COLUMNS, two parameters of the runs")
+    check_results(json, report, table_csv, table_plot, sources=[model, params, *(against or []), *(files or [])])
     values = read_parameters(params) if params else {}
     earlier = [(path.stem, read_comparison(path)) for path in against or []]
     read = read_data(data, model, files)
-    found: Comparison = study.compare(read, model, values, files=files or [], timeout=timeout)
+    found = study.compare(read, model, values, files=files or [], timeout=timeout)
     typer.echo(str(found))
     for line in against_lines(found, earlier):
         typer.echo(line)
+    tables = [found.table(*table, signal) for signal in found.scores["all"]] if table else []
+    for one in tables:
+        typer.echo(f"\n{one}")
     if json:
-        write_json(json, found.as_dict())
+        write_json(json, found.as_dict() | ({"tables": [one.as_dict() for one in tables]} if tables else {}))
     if report:
         write_report(report, comparison_report(found))
-    say_written(json)
-    say_written(report)
+    if table_csv:
+        write_tables(table_csv, tables)
+    if table_plot:
+        plot_tables(tables, table_plot)
+    for path in (json, report, table_csv, table_plot):
+        say_written(path)

@@ -1,6 +1,7 @@
 """Trajectory and data set -> residuals, scores, and where the error sits."""
 
 from pam_cosim.comparison.compare import Comparison, compare
+from pam_cosim.comparison.condition_table import STATISTICS, Condition, ConditionTable, Statistic, write_tables
 from pam_cosim.comparison.outliers import outliers, without_outliers
 from pam_cosim.comparison.reproducibility import Reproducibility, reproducibility
 from pam_cosim.comparison.residual_statistics import (
@@ -15,12 +16,16 @@ from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.comparison.where import Rule, where
 
 __all__ = [
+    "STATISTICS",
     "Comparison",
+    "Condition",
+    "ConditionTable",
     "Reproducibility",
     "ResidualStatistics",
     "Rule",
     "RunComparison",
     "SignalScore",
+    "Statistic",
     "chi2_reduced",
     "compare",
     "lag_one",
@@ -34,4 +39,5 @@ __all__ = [
     "stated_of",
     "where",
     "without_outliers",
+    "write_tables",
 ]

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
+from pam_cosim.comparison.condition_table import ConditionTable, condition_table
 from pam_cosim.comparison.residuals import RunComparison, simulate_run
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.comparison.where import Rule, where
+from pam_cosim.errors import InputError
 from pam_cosim.measurement import ROLES, DataSet
 from pam_cosim.simulation import AnySimulator
 from pam_cosim.units import format_quantity
+from pam_cosim.wording import did_you_mean
 
 
 @dataclass(frozen=True)
@@ -24,6 +27,7 @@ class Comparison:
         runs: every run, simulated.
         scores: per role ("fit", "holdout", "all") and signal.
         where: rules that hold most of the error, over all runs.
+        units: SI units of the parameters of the runs, by name.
     """
 
     model: str
@@ -32,10 +36,30 @@ class Comparison:
     runs: tuple[RunComparison, ...]
     scores: dict[str, dict[str, SignalScore]]
     where: tuple[Rule, ...]
+    units: dict[str, str] = field(default_factory=dict)
 
     def chi2_reduced(self, role: str = "all") -> float:
         """Mean square error in noise standard deviations over the fitted signals of the runs with ``role``."""
         return chi2_reduced({n: s for n, s in self.scores[role].items() if self.data.signals[n].fitted})
+
+    def table(self, rows: str, columns: str, signal: str | None = None) -> ConditionTable:
+        """Correlation, rms error and chi-square by two parameters of the runs, such as load and frequency.
+
+        Args:
+            rows: name of a parameter that every run has.
+            columns: of another one.
+            signal: default: the first one that is fitted.
+
+        Raises:
+            InputError: a parameter that a run does not have, or a signal that nobody measured.
+        """
+        measured = self.scores["all"]
+        chosen = signal or next((n for n in measured if self.data.signals[n].fitted), "")
+        if chosen not in measured:
+            raise InputError(f"no run has samples of '{chosen}'; {did_you_mean(chosen, measured)}")
+        return condition_table(
+            self.model, self.runs, self.data.signals[chosen], rows, columns, self.units, self.parameters
+        )
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
@@ -53,6 +77,7 @@ class Comparison:
                 {
                     "name": r.run.name,
                     "role": r.run.role,
+                    "parameters": dict(r.run.parameters),
                     "signals": {n: s.as_dict() for n, s in score([r], self.data.signals).items()},
                 }
                 for r in self.runs
@@ -95,4 +120,7 @@ def compare(
     scores["all"] = score(runs, data.signals)
     outputs = simulator.interface.outputs
     rules = where(runs, data.signals, outputs, data.domain)
-    return Comparison(simulator.interface.model, data, known, runs, scores, tuple(rules))
+    settable = simulator.interface.settable
+    named = dict.fromkeys([*known, *(name for run in data.runs for name in run.parameters)])
+    units = {name: settable[name].unit for name in named if name in settable}
+    return Comparison(simulator.interface.model, data, known, runs, scores, tuple(rules), units)

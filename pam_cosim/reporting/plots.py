@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel
-from pam_cosim.comparison import Comparison
+from pam_cosim.comparison import Comparison, ConditionTable
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, write_bytes
@@ -16,6 +16,7 @@ from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger
 from pam_cosim.reporting.diagnosis_page import layers_of, rungs_of
 from pam_cosim.reporting.figures.bode import bode, poles_along
+from pam_cosim.reporting.figures.condition_maps import condition_maps
 from pam_cosim.reporting.figures.course import course
 from pam_cosim.reporting.figures.curves import draw_curves, legend
 from pam_cosim.reporting.figures.frequency import frequency_figure
@@ -74,6 +75,22 @@ def plot_comparison(comparison: Comparison, path: Path | str, against: Sequence[
         handles = legend(layers, few)
         figure.legend(handles=handles, loc="outside upper center", ncols=len(handles))
         write_bytes(Path(path), png(figure))
+
+
+@draw.register
+def _(product: ConditionTable, path: Path | str) -> None:
+    plot_tables([product], path)
+
+
+def plot_tables(tables: Sequence[ConditionTable], path: Path | str) -> None:
+    """Draws tables over the same conditions, a row of maps for each signal, as PNG.
+
+    Raises:
+        InputError: the file cannot be written.
+    """
+    check_writable(Path(path))
+    with drawing():
+        write_bytes(Path(path), png(condition_maps(tables)))
 
 
 @draw.register

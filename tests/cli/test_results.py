@@ -30,6 +30,8 @@ WRITERS = {
     "sweep -o": ["sweep", "VesselOrifice", "--vary", "tank.n=1,1.4", "-o", "{}"],
     "compare --json": ["compare", "data", "--json", "{}"],
     "compare --report": ["compare", "data", "--report", "{}"],
+    "compare --table-csv": ["compare", "data", "--table", "tank.V", "orifice.d", "--table-csv", "{}"],
+    "compare --table-plot": ["compare", "data", "--table", "tank.V", "orifice.d", "--table-plot", "{}"],
     "fit -o": ["fit", "data", "-o", "{}"],
     "fit --json": ["fit", "data", "--json", "{}"],
     "diagnose --json": ["diagnose", "data", "--json", "{}"],
@@ -39,7 +41,13 @@ WRITERS = {
     "add -o": ["add", "EnergyGas", "--to", "VesselOrifice", "-o", "{}"],
     "build -o": ["build", "VesselOrifice", "-o", "{}"],
 }
-ENDINGS = {"add -o": ".mo", "diagnose --learned": ".mo", "build -o": ".fmu", "simulate --plot": ".png"}
+ENDINGS = {
+    "add -o": ".mo",
+    "diagnose --learned": ".mo",
+    "build -o": ".fmu",
+    "simulate --plot": ".png",
+    "compare --table-plot": ".png",
+}
 QUICK = ["simulate -o", "simulate --plot", "sweep -o", "compare --json", "compare --report", "add -o", "build -o"]
 
 

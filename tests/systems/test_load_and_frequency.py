@@ -60,6 +60,6 @@ def test_example_draws_the_loops_and_tables_them_as_the_paper_does(
 ) -> None:
     example.draw(found, tmp_path / "loops.png")
     assert (tmp_path / "loops.png").stat().st_size > 10_000
-    table = example.correlations(found.final.comparison).splitlines()
+    table = example.tabled(found.final.comparison, "correlation").splitlines()
     assert [line.split("|")[1].strip() for line in table[2:-1]] == ["5 kg", "10 kg", "15 kg", "20 kg", "25 kg", "30 kg"]
     assert "nan" not in table[-1] and "±" in table[-1]
