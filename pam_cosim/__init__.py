@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, OperatingPoint
     from pam_cosim.cosimulation import Controller, CoupledRun, Rig, System, controller
+    from pam_cosim.coupling import couple, read_system, start, write_system
     from pam_cosim.diagnosis import Diagnosis
     from pam_cosim.dynamics import frequency_response, linearise, linearise_along
     from pam_cosim.errors import InputError, ModelError, SimulationFailure
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
         benches,
         build,
         compare,
-        couple,
         describe,
         diagnose,
         draw,
@@ -36,7 +36,6 @@ if TYPE_CHECKING:
         fit,
         read,
         simulate,
-        start,
         sweep,
     )
 
@@ -72,10 +71,12 @@ __all__ = [
     "linearise_along",
     "load",
     "read",
+    "read_system",
     "save",
     "simulate",
     "start",
     "sweep",
+    "write_system",
 ]
 
 if not TYPE_CHECKING:
@@ -83,7 +84,7 @@ if not TYPE_CHECKING:
     def __getattr__(name: str) -> object:
         """Loads what is asked for first: the command can be interrupted while it loads (``command``)."""
         if name in __all__:
-            for room in ("study", "dynamics", "products", "errors", "analysis", "cosimulation"):
+            for room in ("study", "dynamics", "coupling", "products", "errors", "analysis", "cosimulation"):
                 module = import_module(f"pam_cosim.{room}")
                 if hasattr(module, name):
                     return getattr(module, name)

@@ -11,6 +11,7 @@ from pam_cosim.commands.bode import bode
 from pam_cosim.commands.build import build
 from pam_cosim.commands.common import INTERRUPTED, interrupted, results
 from pam_cosim.commands.compare import compare
+from pam_cosim.commands.couple import couple
 from pam_cosim.commands.diagnose import diagnose
 from pam_cosim.commands.effects import effects
 from pam_cosim.commands.fit import fit
@@ -26,7 +27,7 @@ app = typer.Typer(
     rich_markup_mode=None,
     help="Compare models with measurements and find the physical effect they lack.",
 )
-for _command in (build, simulate, sweep, linearise, bode, compare, fit, diagnose, add, effects):
+for _command in (build, simulate, sweep, couple, linearise, bode, compare, fit, diagnose, add, effects):
     app.command()(_command)
 
 

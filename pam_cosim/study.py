@@ -16,7 +16,6 @@ from pam_cosim.comparison import Comparison
 from pam_cosim.comparison import compare as _compare
 from pam_cosim.compiler import read_library
 from pam_cosim.compiler.names import last
-from pam_cosim.cosimulation import Controller, Part, Rig, System, connect, couple_values
 from pam_cosim.diagnosis import Diagnosis, Message
 from pam_cosim.diagnosis import diagnose as _diagnose
 from pam_cosim.domain import Domain
@@ -25,7 +24,6 @@ from pam_cosim.files import check_writable, make_folder, write_bytes, write_text
 from pam_cosim.fitting import Fit, FitOptions, base_parameters
 from pam_cosim.fitting import fit as _fit
 from pam_cosim.fmu import build_model, read_interface
-from pam_cosim.fmu.read import feedthrough
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet, complete_noise, read_data_set
 from pam_cosim.products import Product
@@ -240,90 +238,6 @@ def simulate(
     with opened(model, files, timeout=timeout) as simulator:
         times = output_times(simulator.interface, inputs, stop_time, interval)
         return simulator.run(times, parameters=resolve(parameters or {}, simulator.interface), inputs=inputs)
-
-
-def start(
-    model: str,
-    parameters: Mapping[str, Setting] | None = None,
-    *,
-    outputs: Sequence[str] | None = None,
-    start_time: float = 0.0,
-    tolerance: float | None = None,
-    files: Paths = (),
-    timeout: float | None = None,
-) -> Rig:
-    """A model to be driven step by step, as a rig in the laboratory.
-
-    ```python
-    with pam.start("Isotonic", {"load.m": "5 kg"}) as rig:
-        while rig["x"] < 0.02:
-            rig.step("10 ms", u_in=0.35)
-        print(rig)
-    ```
-
-    Args:
-        model: a bench, a Modelica class, a ``.mo`` or an ``.fmu`` file.
-        parameters: as in ``simulate``; inputs among them are the first ones.
-        outputs: variables to record; default: every output.
-        start_time: [s].
-        tolerance: relative, of the FMU's solver.
-        files: further Modelica files.
-        timeout: as in ``simulate``.
-
-    Raises:
-        InputError: an unknown model or name, a value that cannot be used.
-        SimulationFailure: the model cannot be started.
-    """
-    simulator = opened(model, files, timeout=timeout)
-    try:
-        return Rig(simulator, parameters, outputs, start_time, tolerance)
-    except BaseException:
-        simulator.close()
-        raise
-
-
-def couple(
-    components: Mapping[str, str | Path | Controller],
-    connections: Sequence[str] = (),
-    parameters: Mapping[str, Setting] | None = None,
-    *,
-    title: str = "",
-    files: Paths = (),
-    timeout: float | None = None,
-) -> System:
-    """A system of FMUs and controllers, to be simulated together.
-
-    ```python
-    system = pam.couple(
-        {"gas": "CoSimulation.ValveAndGas", "muscle": "CoSimulation.MuscleAndLoad"},
-        ["gas.p -> muscle.p", "muscle.V -> gas.V", "muscle.V_flow -> gas.V_flow", "muscle.A -> gas.A"],
-        {"muscle.load.m": "5 kg"},
-    )
-    run = system.simulate(stop_time=1, step="1 ms")
-    ```
-
-    Args:
-        components: by name, in the order in which Gauss-Seidel takes them: a model as in ``simulate``, or a
-            ``controller``.
-        connections: "a.output -> b.input"; units are converted.
-        parameters: by "component.variable", as in ``simulate``.
-        title: for people.
-        files: further Modelica files.
-        timeout: as in ``simulate``.
-
-    Raises:
-        InputError: an unknown model or name, units that do not fit, an input with two sources.
-    """
-    made = {
-        name: one if isinstance(one, Controller) else _part(name, str(one), files) for name, one in components.items()
-    }
-    joined = tuple(connect(text, made) for text in connections)
-    return System(made, joined, couple_values(parameters or {}, made), timeout, title)
-
-
-def _part(name: str, model: str, files: Paths) -> Part:
-    path = build(model, files=files)
-    return Part(name, model, path, read_interface(path), *feedthrough(path), foreign=model.endswith(".fmu"))
 
 
 def output_times(

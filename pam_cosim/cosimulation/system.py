@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from pam_cosim.cosimulation.loops import algebraic_loop, refuse_loop
 from pam_cosim.cosimulation.march import Step, march
@@ -22,7 +22,7 @@ from pam_cosim.cosimulation.parts import Component, Connection, Controller, Part
 from pam_cosim.cosimulation.recorder import Recorder
 from pam_cosim.cosimulation.rig import seconds, variables_of
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.interface import Variable
+from pam_cosim.interface import Interface, Variable
 from pam_cosim.settings import Setting, settable, value_of
 from pam_cosim.simulation import AnySimulator, AnyStepper, Inputs, IsolatedSimulator, Simulator, Trajectory
 from pam_cosim.units import UnitError
@@ -80,6 +80,8 @@ class System:
         values: parameters, start values and inputs that are held, by component [the model's own units].
         timeout: as in ``simulate``.
         title: for people.
+        stop_time: of a run for which nobody says it [s]; None: the longest of the FMUs' own.
+        scratch: keeps the FMUs' files, where they were unpacked for this system.
     """
 
     components: Mapping[str, Component]
@@ -88,6 +90,7 @@ class System:
     timeout: float | None = None
     title: str = ""
     stop_time: float | None = None
+    scratch: object = field(default=None, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         if not any(isinstance(c, Part) for c in self.components.values()):
@@ -118,6 +121,30 @@ class System:
         taken = {str(c.target) for c in self.connections}
         names = {f"{c}.{n}": v for c, part in self.components.items() for n, v in part.interface.inputs.items()}
         return {name: variable for name, variable in names.items() if name not in taken}
+
+    @property
+    def interface(self) -> Interface:
+        """The whole system's, with names ``component.variable``; inputs are those that are not connected."""
+        groups: dict[str, dict[str, Variable]] = {"outputs": {}, "parameters": {}, "locals": {}}
+        for name, component in self.components.items():
+            for group, variables in groups.items():
+                some: Mapping[str, Variable] = getattr(component.interface, group)
+                variables.update({f"{name}.{n}": replace(v, name=f"{name}.{n}") for n, v in some.items()})
+        inputs = {name: replace(variable, name=name) for name, variable in self.inputs.items()}
+        return Interface(
+            self.title or "the system", inputs, groups["outputs"], groups["parameters"], groups["locals"]
+        )
+
+    def having(self, parameters: Mapping[str, Setting]) -> System:
+        """The same system with other values, by ``component.variable`` as in ``couple``.
+
+        Raises:
+            InputError: an unknown name, or a value that cannot be used.
+        """
+        values = {name: dict(some) for name, some in self.values.items()}
+        for component, some in couple_values(parameters, self.components).items():
+            values[component] = values.get(component, {}) | some
+        return replace(self, values=values)
 
     def simulate(
         self,

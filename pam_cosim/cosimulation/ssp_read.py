@@ -1,0 +1,286 @@
+"""A system of FMUs as another tool describes it: an archive of SSP 1.0, ``.ssp``.
+
+What the archive holds is data. Its FMUs are found by name among its entries and written under names of our own, so
+nothing in it becomes a path.
+"""
+
+from __future__ import annotations
+
+import math
+import posixpath
+import zipfile
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+from urllib.parse import unquote, urlsplit
+
+from fmpy.ssp.ssd import validate_tree
+from lxml import etree
+
+from pam_cosim.cosimulation.parts import Connection, Part, Port, joined
+from pam_cosim.cosimulation.ssp_names import DESCRIPTION, FMU_TYPE, NAMESPACES
+from pam_cosim.errors import InputError
+from pam_cosim.interface import Interface
+from pam_cosim.settings import Setting
+from pam_cosim.wording import shown
+
+_MOST_BYTES = 2 << 30  # of one entry of an archive, unpacked
+_MOST_SYSTEMS = 50  # one inside the other
+_Place = tuple[str, ...]  # names of the systems around an element, and its own
+
+
+@dataclass(frozen=True)
+class _Wire:
+    """A connection as the archive has it."""
+
+    start: tuple[_Place, str]
+    end: tuple[_Place, str]
+    factor: float = 1.0
+    offset: float = 0.0
+    convert: bool = True
+
+
+@dataclass
+class _Found:
+    """What an archive's description says."""
+
+    title: str
+    stop_time: float | None = None
+    sources: dict[_Place, str] = field(default_factory=dict)
+    systems: set[_Place] = field(default_factory=set)
+    wires: list[_Wire] = field(default_factory=list)
+    values: list[tuple[_Place, str, Setting]] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Archive:
+    """A system that was read.
+
+    Attributes:
+        parts: by name; a component in a system within the system is named ``system_component``.
+        connections: between them.
+        parameters: by ``component.variable``, with their units.
+        title, stop_time: as the description has them, [s].
+    """
+
+    parts: dict[str, Part]
+    connections: tuple[Connection, ...]
+    parameters: dict[str, Setting]
+    title: str
+    stop_time: float | None
+
+
+def read_ssp(file: Path, folder: Path, made: Callable[[str, Path], Part]) -> Archive:
+    """Reads an archive.
+
+    Args:
+        file: the ``.ssp``.
+        folder: where its FMUs are unpacked.
+        made: the component of a name and an FMU's file.
+
+    Raises:
+        InputError: no archive of SSP 1.0, or one with parts that are not FMUs.
+    """
+    try:
+        with zipfile.ZipFile(file) as archive:
+            found = _described(_Entries(archive, file))
+            parts = _unpacked(_Entries(archive, file), found, folder, made)
+    except (OSError, zipfile.BadZipFile, NotImplementedError, RuntimeError, EOFError) as problem:
+        raise InputError(f"this is not an SSP archive: {problem}", file) from problem
+    names = {place: _name(place) for place in found.sources}
+    try:
+        connections = tuple(_connections(found, names, parts))
+    except InputError as problem:
+        raise InputError(problem.message, file) from problem
+    parameters = {f"{names[place]}.{name}": value for place, name, value in _placed(found, names, file)}
+    return Archive(parts, connections, parameters, found.title, found.stop_time)
+
+
+class _Entries:
+    """The files in an archive, by their names there."""
+
+    def __init__(self, archive: zipfile.ZipFile, file: Path) -> None:
+        self._archive, self.file = archive, file
+        self._known = {name: name for name in archive.namelist()}
+
+    def read(self, source: str, what: str) -> bytes:
+        """The content of the entry that a relative URI names."""
+        parts = urlsplit(source)
+        name = posixpath.normpath(unquote(parts.path))
+        if parts.scheme or parts.netloc or name.startswith(("/", "..")) or name not in self._known:
+            raise InputError(f"{what} is {shown(source)}, which is not in the archive", self.file)
+        if self._archive.getinfo(name).file_size > _MOST_BYTES:
+            raise InputError(f"{shown(name)} has more than {_MOST_BYTES >> 30} GiB", self.file)
+        return self._archive.read(name)
+
+    def tree(self, source: str, what: str, schema: str) -> Any:
+        """An XML document, valid by the standard's schema."""
+        parser = etree.XMLParser(resolve_entities=False, no_network=True, load_dtd=False)
+        try:
+            root = etree.fromstring(self.read(source, what), parser)
+        except etree.XMLSyntaxError as problem:
+            raise InputError(f"{shown(source)} is not XML: {problem}", self.file) from problem
+        if root.getroottree().docinfo.doctype:
+            raise InputError(f"{shown(source)} declares a document type, which SSP does not have", self.file)
+        try:
+            validate_tree(root, schema)
+        except Exception as problem:  # FMPy raises it bare
+            message = str(problem).split("\n")[-1]
+            raise InputError(f"{shown(source)} is not valid by SSP 1.0: {message}", self.file) from problem
+        return root
+
+
+def _described(entries: _Entries) -> _Found:
+    root = entries.tree(DESCRIPTION, "the description", "SystemStructureDescription.xsd")
+    system = root.find("ssd:System", NAMESPACES)
+    experiment = root.find("ssd:DefaultExperiment", NAMESPACES)
+    found = _Found(root.get("name"))
+    if experiment is not None and experiment.get("stopTime"):
+        begin, end = float(experiment.get("startTime") or 0.0), float(experiment.get("stopTime"))
+        found.stop_time = end - begin if math.isfinite(end - begin) and end > begin else None
+    _system(entries, system, (), found)
+    if not found.sources:
+        raise InputError("the system has no components", entries.file)
+    return found
+
+
+def _system(entries: _Entries, system: Any, place: _Place, found: _Found) -> None:
+    if len(place) > _MOST_SYSTEMS:
+        raise InputError("systems are nested too deeply", entries.file)
+    found.systems.add(place)
+    _bindings(entries, system, place, found)
+    for element in system.iterfind("ssd:Elements/*", NAMESPACES):
+        kind = etree.QName(element).localname
+        own = (*place, str(element.get("name")))
+        if kind == "System":
+            _system(entries, element, own, found)
+        elif kind != "Component" or element.get("type", FMU_TYPE) != FMU_TYPE:
+            raise InputError(f"'{'.'.join(own)}' is not an FMU ({element.get('type', kind)})", entries.file)
+        elif own in found.sources:
+            raise InputError(f"there are two components '{'.'.join(own)}'", entries.file)
+        else:
+            found.sources[own] = str(element.get("source"))
+            _bindings(entries, element, own, found)
+    for element in system.iterfind("ssd:Connections/ssd:Connection", NAMESPACES):
+        found.wires.append(_wire(entries, element, place))
+
+
+def _wire(entries: _Entries, element: Any, place: _Place) -> _Wire:
+    def end(which: str) -> tuple[_Place, str]:
+        name = element.get(f"{which}Element")
+        return ((*place, name) if name else place), str(element.get(f"{which}Connector"))
+
+    plain = element.get("suppressUnitConversion") in ("true", "1")
+    for child in element:
+        kind = etree.QName(child).localname
+        if kind == "LinearTransformation":
+            factor, offset = (float(child.get(key, default)) for key, default in (("factor", 1.0), ("offset", 0.0)))
+            return _Wire(end("start"), end("end"), factor, offset, not plain)
+        if kind.endswith("Transformation"):
+            raise InputError(f"a connection has a {kind}; only linear ones of real signals are read", entries.file)
+    return _Wire(end("start"), end("end"), convert=not plain)
+
+
+def _bindings(entries: _Entries, element: Any, place: _Place, found: _Found) -> None:
+    for binding in element.iterfind("ssd:ParameterBindings/ssd:ParameterBinding", NAMESPACES):
+        if binding.find("ssd:ParameterMapping", NAMESPACES) is not None:
+            raise InputError("parameter mappings are not read; bind the parameters by their own names", entries.file)
+        if binding.get("source"):
+            if binding.get("sourceBase", "SSD") != "SSD":
+                raise InputError("parameter values inside an FMU are not read", entries.file)
+            source = binding.get("source")
+            sets = [entries.tree(source, "a parameter set", "SystemStructureParameterValues.xsd")]
+        else:
+            sets = binding.findall("ssd:ParameterValues/ssv:ParameterSet", NAMESPACES)
+        prefix = binding.get("prefix", "")
+        for one in sets:
+            for parameter in one.iterfind("ssv:Parameters/ssv:Parameter", NAMESPACES):
+                found.values.append((place, prefix + parameter.get("name"), _value(entries, parameter)))
+
+
+def _value(entries: _Entries, parameter: Any) -> Setting:
+    real = parameter.find("ssv:Real", NAMESPACES)
+    if real is None:
+        raise InputError(f"parameter '{parameter.get('name')}' is no real number", entries.file)
+    unit = real.get("unit")
+    return f"{float(real.get('value'))!r} {unit}" if unit and unit != "1" else float(real.get("value"))
+
+
+def _unpacked(entries: _Entries, found: _Found, folder: Path, made: Callable[[str, Path], Part]) -> dict[str, Part]:
+    parts: dict[str, Part] = {}
+    files: dict[str, Path] = {}
+    for number, (place, source) in enumerate(found.sources.items()):
+        name = _name(place)
+        if name in parts:
+            raise InputError(f"two components would be called '{name}'", entries.file)
+        if source not in files:
+            files[source] = folder / f"component-{number}.fmu"
+            files[source].write_bytes(entries.read(source, f"component '{name}'"))
+        try:
+            parts[name] = made(name, files[source])
+        except InputError as problem:
+            raise InputError(f"component '{name}' ({source}): {problem.message}", entries.file) from problem
+    return parts
+
+
+def _name(place: _Place) -> str:
+    """A component's name without dots, which separate it from its variables."""
+    return "_".join("".join(c if c.isascii() and (c.isalnum() or c in "_-") else "_" for c in one) for one in place)
+
+
+def _connections(found: _Found, names: dict[_Place, str], parts: dict[str, Part]) -> Iterator[Connection]:
+    """Those between components, followed through the borders of systems."""
+    into: dict[tuple[_Place, str], _Wire] = {}
+    for wire in found.wires:
+        if wire.end in into:
+            raise InputError(f"two connections end at '{'.'.join((*wire.end[0], wire.end[1]))}'")
+        into[wire.end] = wire
+    for wire in found.wires:
+        place, variable = wire.end
+        if place in found.systems:
+            continue
+        chain = [wire]
+        while chain[-1].start[0] in found.systems and chain[-1].start in into and len(chain) <= len(found.wires):
+            chain.append(into[chain[-1].start])
+        start, output = chain[-1].start
+        if start in found.systems:
+            continue  # an input of the whole system: it stays free
+        if start not in names or place not in names:
+            missing = start if start not in names else place
+            raise InputError(f"a connection names '{'.'.join(missing)}', which is no component")
+        yield _joined(Port(names[start], output), Port(names[place], variable), chain, parts)
+
+
+def _joined(source: Port, target: Port, chain: list[_Wire], parts: dict[str, Part]) -> Connection:
+    plain = not all(wire.convert for wire in chain)
+    whole = joined(source, target, {name: _unitless(part) for name, part in parts.items()} if plain else parts)
+    factor, offset = whole.factor, whole.offset
+    for wire in reversed(chain):
+        factor, offset = wire.factor * factor, wire.factor * offset + wire.offset
+    return Connection(source, target, factor, offset)
+
+
+def _unitless(part: Part) -> Part:
+    from dataclasses import replace
+
+    def plain(variables: dict[str, Any]) -> dict[str, Any]:
+        return {name: replace(variable, unit="") for name, variable in variables.items()}
+
+    face = part.interface
+    return replace(part, interface=Interface(face.model, plain(face.inputs), plain(face.outputs)))
+
+
+def _placed(found: _Found, names: dict[_Place, str], file: Path) -> Iterator[tuple[_Place, str, Setting]]:
+    """Parameter values by component; one of a system begins with the names of the elements inside it."""
+    values: dict[tuple[_Place, str], Setting] = {}
+    for place, name, value in sorted(found.values, key=lambda one: -len(one[0])):  # the outermost wins
+        while place in found.systems:
+            fit = [p for p in (*names, *found.systems) if len(p) == len(place) + 1 and p[:-1] == place]
+            inner = next((p for p in fit if name.startswith(p[-1] + ".")), None)
+            if inner is None:
+                raise InputError(f"parameter '{name}' is of no component", file)
+            place, name = inner, name[len(inner[-1]) + 1 :]
+        values[place, name] = value
+    for (place, name), value in values.items():
+        yield place, name, value

@@ -1,0 +1,105 @@
+"""A system as a person writes it down: a ``.toml`` file."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
+from typing import Any
+
+from pam_cosim.cosimulation.rig import seconds
+from pam_cosim.errors import InputError
+from pam_cosim.measurement.toml_text import line_of, parse_toml
+from pam_cosim.settings import Setting
+from pam_cosim.units import UnitError
+from pam_cosim.wording import did_you_mean, listed, shown
+
+_KEYS = ("title", "stop_time", "components", "connections", "parameters")
+_FILES = (".fmu", ".mo")
+
+
+@dataclass(frozen=True)
+class Written:
+    """What such a file says, not yet checked against the models.
+
+    Attributes:
+        components: name to model; one that is a file is its path, in the folder of this file.
+        connections: "a.output -> b.input".
+        parameters: by ``component.variable``.
+        title: for people.
+        stop_time: [s], or None.
+    """
+
+    components: dict[str, str]
+    connections: list[str]
+    parameters: dict[str, Setting]
+    title: str
+    stop_time: float | None
+
+
+def read_toml(file: Path) -> Written:
+    """Reads the file.
+
+    Raises:
+        InputError: with the line of what cannot be used.
+    """
+    try:
+        text = file.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as problem:
+        raise InputError(f"cannot be read: {problem}", file) from problem
+    content = parse_toml(text, file)
+
+    def wrong(message: str, *path: str | int) -> InputError:
+        return InputError(message, file, line_of(text, path))
+
+    for key in content:
+        if key not in _KEYS:
+            raise wrong(f"unknown key '{key}'; {did_you_mean(key, _KEYS)}", key)
+    components, connections = content.get("components"), content.get("connections", [])
+    parameters, title = content.get("parameters", {}), content.get("title", "")
+    if not isinstance(components, dict) or not components:
+        raise InputError("name the components under [components]: NAME = 'MODEL'", file)
+    if not isinstance(title, str):
+        raise wrong("the title must be a text", "title")
+    if not isinstance(connections, list) or not all(isinstance(one, str) for one in connections):
+        raise wrong("connections must be a list of 'a.output -> b.input', above the tables", "connections")
+    for name, model in components.items():
+        if not isinstance(model, str):
+            raise wrong(f"component '{name}' must name a model: a bench, a class, or a file", "components", name)
+    if not isinstance(parameters, dict):
+        raise wrong("parameters must be a table", "parameters")
+    for name, value in parameters.items():
+        if isinstance(value, bool) or not isinstance(value, (int, float, str)):
+            raise wrong(
+                f'"{name}" must be a number or a text with a unit; names with a dot need quotes', "parameters", name
+            )
+    models = {
+        name: _model(model, file, lambda m, n=name: wrong(m, "components", n)) for name, model in components.items()
+    }
+    return Written(models, connections, parameters, title, _stop_time(content, wrong))
+
+
+def _stop_time(content: dict[str, Any], wrong: Any) -> float | None:
+    value = content.get("stop_time")
+    if value is None:
+        return None
+    try:
+        time = seconds(value)
+    except (UnitError, TypeError) as problem:
+        raise wrong(f"stop_time: {problem}", "stop_time") from None
+    if not time > 0:
+        raise wrong("stop_time must be larger than zero", "stop_time")
+    return time
+
+
+def _model(model: str, file: Path, wrong: Any) -> str:
+    """A model's name, or the path of a file in the folder of this one."""
+    if not model.endswith(_FILES):
+        return model
+    path = PurePosixPath(model)
+    if path.is_absolute() or ".." in path.parts or "\\" in model or ":" in model:
+        raise wrong(f"{shown(model)} must lie in the folder of this file")
+    found = file.parent / Path(*path.parts)
+    if not found.is_file():
+        others = listed(sorted(p.name for p in file.parent.iterdir() if p.suffix in _FILES))
+        raise wrong(f"there is no file {shown(model)}; in the folder: {others}")
+    return str(found)
