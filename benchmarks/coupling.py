@@ -159,6 +159,7 @@ def draw(order: dict[str, Points], cost: dict[str, dict[str, Points]]) -> str:
                 axis.set_major_formatter("{x:g}")
                 axis.set_minor_formatter("")
         left.set_xticks([1e3 * step for step in STEPS])
+        right.set_ylim(bottom=2e-7)  # below the points is room for the legend
         target.write_bytes(png(figure, 120))
     return str(target)
 
