@@ -24,7 +24,6 @@ if TYPE_CHECKING:
     from pam_cosim.products import load, save
     from pam_cosim.simulation import Inputs, Trajectory
     from pam_cosim.study import (
-        SweepPoint,
         add,
         benches,
         build,
@@ -38,6 +37,7 @@ if TYPE_CHECKING:
         simulate,
         sweep,
     )
+    from pam_cosim.sweeps import Sweep, SweepPoint
 
 __all__ = [
     "Controller",
@@ -52,6 +52,7 @@ __all__ = [
     "OperatingPoint",
     "Rig",
     "SimulationFailure",
+    "Sweep",
     "SweepPoint",
     "System",
     "Trajectory",
@@ -84,7 +85,8 @@ if not TYPE_CHECKING:
     def __getattr__(name: str) -> object:
         """Loads what is asked for first: the command can be interrupted while it loads (``command``)."""
         if name in __all__:
-            for room in ("study", "dynamics", "coupling", "products", "errors", "analysis", "cosimulation"):
+            rooms = ("study", "sweeps", "dynamics", "coupling", "products", "errors", "analysis", "cosimulation")
+            for room in rooms:
                 module = import_module(f"pam_cosim.{room}")
                 if hasattr(module, name):
                     return getattr(module, name)

@@ -9,15 +9,13 @@ from typing import Literal
 
 import numpy as np
 
-from pam_cosim import study
 from pam_cosim.compiler import names
 from pam_cosim.dynamics import conditions_of
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.description import model_identifier
 from pam_cosim.interface import Interface, Variable
-from pam_cosim.measurement import read_recording
 from pam_cosim.settings import settable, value_of
-from pam_cosim.simulation import Inputs
+from pam_cosim.sweeps import MOST_RUNS
 
 
 def fmu_files(models: Sequence[str], output: Path) -> list[tuple[str, Path]]:
@@ -53,24 +51,43 @@ def parse_settings(settings: Sequence[str], interface: Interface) -> dict[str, f
     return values
 
 
-def parse_variations(words: Sequence[str], interface: Interface) -> dict[str, list[float]]:
-    """``NAME=FROM:TO:N`` or ``NAME=A,B,C`` words to lists of values [SI].
+def parse_named(words: Sequence[str]) -> dict[str, str]:
+    """``NAME=TEXT`` words by name; a word without a name is its own.
+
+    Raises:
+        InputError: a name twice.
+    """
+    named: dict[str, str] = {}
+    for word in words:
+        name, equals, text = (part.strip() for part in word.partition("="))
+        if name in named:
+            raise InputError(f"'{name}' is asked for twice")
+        named[name] = text if equals else name
+    return named
+
+
+def parse_variations(words: Sequence[str], interface: Interface, *, ranges: bool = False) -> dict[str, list[float]]:
+    """``NAME=FROM:TO:N`` or ``NAME=A,B,C`` words to lists of values [SI]; with ``ranges``, ``NAME=FROM:TO`` words.
 
     Raises:
         InputError: as ``parse_settings``.
     """
     found: dict[str, list[float]] = {}
     for word in words:
-        name, text = _split(word, "NAME=FROM:TO:N or NAME=A,B,C")
+        name, text = _split(word, "NAME=FROM:TO" if ranges else "NAME=FROM:TO:N or NAME=A,B,C")
         variable = settable(name, interface)
         if name in found:
             raise InputError(f"'{name}' is varied twice")
-        if ":" in text:
+        if ranges:
+            if text.count(":") != 1:
+                raise InputError(f"'{word}': write FROM:TO, such as 1:10; --runs says how many")
+            found[name] = [value_of(p, variable) for p in _alike(text.split(":"), word)]
+        elif ":" in text:
             parts = text.split(":")
             if len(parts) != 3 or not parts[2].strip().isdecimal() or int(parts[2]) < 1:
                 raise InputError(f"'{word}': write FROM:TO:N, such as 1:10:5")
-            if int(parts[2]) > study.MOST_RUNS:
-                raise InputError(f"'{word}': a sweep has {study.MOST_RUNS} runs at most")
+            if int(parts[2]) > MOST_RUNS:
+                raise InputError(f"'{word}': a sweep has {MOST_RUNS} runs at most")
             low, high = (value_of(p, variable) for p in _alike(parts[:2], word))
             found[name] = [float(v) for v in np.linspace(low, high, int(parts[2]))]
         else:
@@ -107,7 +124,7 @@ def parse_frequencies(text: str) -> list[float]:
     frequency, parts = Variable("frequencies", "Hz"), text.split(":")
     if len(parts) == 1:
         return [value_of(part, frequency) for part in text.split(",")]
-    if len(parts) != 3 or not parts[2].strip().isdecimal() or not 1 <= int(parts[2]) <= study.MOST_RUNS:
+    if len(parts) != 3 or not parts[2].strip().isdecimal() or not 1 <= int(parts[2]) <= MOST_RUNS:
         raise InputError(f"'{text}': write FROM:TO:N, such as 0.1:20:16")
     low, high = (value_of(part, frequency) for part in _alike(parts[:2], text))
     if not 0 < low <= high:
@@ -135,19 +152,6 @@ def _is_number(text: str) -> bool:
     except ValueError:
         return False
     return True
-
-
-def read_inputs(file: Path, interface: Interface) -> Inputs:
-    """The input columns of a CSV file, as inputs of a model.
-
-    Raises:
-        InputError: the file cannot be read or has no input column.
-    """
-    recording = read_recording(file, interface)
-    if not recording.inputs:
-        known = ", ".join(interface.inputs) or "none"
-        raise InputError(f"has no column of an input; the inputs of {interface.model}: {known}", file, 1)
-    return Inputs(recording.time, recording.inputs, "linear")
 
 
 def _split(word: str, form: str) -> tuple[str, str]:

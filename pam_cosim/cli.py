@@ -9,7 +9,7 @@ import typer
 from pam_cosim.commands.add import add
 from pam_cosim.commands.bode import bode
 from pam_cosim.commands.build import build
-from pam_cosim.commands.common import INTERRUPTED, interrupted, results
+from pam_cosim.commands.common import INTERRUPTED, interrupted, remarks, results
 from pam_cosim.commands.compare import compare
 from pam_cosim.commands.couple import couple
 from pam_cosim.commands.diagnose import diagnose
@@ -34,6 +34,7 @@ for _command in (build, simulate, sweep, couple, linearise, bode, compare, fit, 
 def main(arguments: list[str] | None = None) -> int:
     """Runs the command; 0 when done, 2 when the input cannot be used, 1 when a simulation failed, 130 on Ctrl-C."""
     results.clear()
+    remarks.clear()
     try:
         app(args=arguments)
     except KeyboardInterrupt:

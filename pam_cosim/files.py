@@ -6,7 +6,8 @@ import json
 import os
 import stat
 import tempfile
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -31,19 +32,30 @@ def write_bytes(path: Path, content: bytes) -> None:
     Raises:
         InputError: the folder does not exist or cannot be written, or ``path`` is no regular file.
     """
+    with written_whole(path) as name:
+        name.write_bytes(content)
+
+
+@contextmanager
+def written_whole(path: Path) -> Iterator[Path]:
+    """A temporary name beside ``path`` for a program to write; moved to ``path`` at the end, removed after an error.
+
+    Raises:
+        InputError: as ``write_bytes``.
+    """
     target = _target(path)
     try:
         mode = stat.S_IMODE(os.stat(target).st_mode) & 0o777 if target.exists() else 0o666 & ~_umask()
         handle, name = tempfile.mkstemp(prefix=f".{target.name[:_LONGEST_PREFIX]}.", dir=target.parent)
+        os.close(handle)
     except OSError as problem:
         raise InputError(f"cannot be written: {problem.strerror}", path) from problem
     try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(content)
+        yield Path(name)
         os.chmod(name, mode)
         os.replace(name, target)
     except OSError as problem:
-        raise InputError(f"cannot be written: {problem.strerror}", path) from problem
+        raise InputError(f"cannot be written: {problem.strerror or problem}", path) from problem
     finally:
         Path(name).unlink(missing_ok=True)
 

@@ -44,6 +44,11 @@ class Interface:
     sensitivities: dict[str, Variable] = field(default_factory=dict)
 
     @property
+    def variables(self) -> dict[str, Variable]:
+        """What can be read of a run: outputs and everything else that changes with time, and parameters."""
+        return {**self.outputs, **self.sensitivities, **self.inputs, **self.locals, **self.parameters}
+
+    @property
     def settable(self) -> dict[str, Variable]:
         """What may be given one value for a whole run: parameters, inputs, which are then held, and start values."""
         starts = {name: v for name, v in (self.locals | self.outputs).items() if v.start is not None}

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
-from itertools import product
-from math import prod
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -19,7 +18,7 @@ from pam_cosim.compiler.names import last
 from pam_cosim.diagnosis import Diagnosis, Message
 from pam_cosim.diagnosis import diagnose as _diagnose
 from pam_cosim.domain import Domain
-from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, make_folder, write_bytes, write_text
 from pam_cosim.fitting import Fit, FitOptions, base_parameters
 from pam_cosim.fitting import fit as _fit
@@ -29,10 +28,15 @@ from pam_cosim.measurement import DataSet, complete_noise, read_data_set
 from pam_cosim.products import Product
 from pam_cosim.settings import Setting, resolve
 from pam_cosim.simulation import Inputs, IsolatedSimulator, Simulator, Trajectory
+from pam_cosim.simulation.fmpy_engine import run_with_fmpy
+from pam_cosim.sources import Source, inputs_of
+from pam_cosim.sweeps import Plan, Sweep, design_of, make_sweep, read_scalars
+from pam_cosim.units import UnitError, seconds
+from pam_cosim.wording import did_you_mean
 
 Paths = Sequence[Path | str]
 MOST_STEPS = 10_000_000  # of one run, whose outputs are kept in memory: 80 MB each
-MOST_RUNS = 1_000_000  # of one sweep
+ENGINES = ("own", "fmpy")
 
 
 def describe(model: str, files: Paths = ()) -> Interface:
@@ -212,22 +216,32 @@ def add(names: Sequence[str], to: str, output: Path | str | None = None, *, file
 def simulate(
     model: str,
     parameters: Mapping[str, Setting] | None = None,
-    inputs: Inputs | None = None,
+    inputs: Source | None = None,
     *,
-    stop_time: float | None = None,
-    interval: float | None = None,
+    outputs: Sequence[str] = (),
+    stop_time: Setting | None = None,
+    interval: Setting | None = None,
+    engine: str = "own",
     files: Paths = (),
     timeout: float | None = None,
 ) -> Trajectory:
     """One run of a model.
 
+    ```python
+    run = pam.simulate("Isotonic", {"u_in": 0.35, "load.m": "5 kg"}, outputs=["valve.inlet.m_flow"])
+    wave = pam.simulate("Isotonic", inputs={"u_in": lambda t: 0.3 + 0.05 * np.sin(t)}, stop_time="20 s")
+    ```
+
     Args:
         model: a bench, a Modelica class, a ``.mo`` or an ``.fmu`` file.
         parameters: by name, what differs from the model's defaults: parameters, inputs that are held constant, start
             values; a number [SI] or a text with a unit such as "207 kPa".
-        inputs: over time.
+        inputs: over time: ``Inputs``, a CSV file, a mapping of names to arrays or functions of time, a pandas frame
+            (``sources.inputs_of``).
+        outputs: further variables to keep, beside the model's outputs.
         stop_time: [s]; default: the last time of ``inputs``, or the model's own.
         interval: [s] between outputs; default: the model's own.
+        engine: "own", or "fmpy": FMPy drives the same FMU, in this process.
         files: further Modelica files.
         timeout: [s]; an FMU that makes no progress for so long is ended, and its run fails; default: a minute.
 
@@ -235,9 +249,46 @@ def simulate(
         InputError: an unknown model or name, a value that cannot be used, an input given both ways.
         SimulationFailure: the run did not reach its end.
     """
+    if engine not in ENGINES:
+        raise InputError(f"there is no engine '{engine}'; there are {', '.join(ENGINES)}")
     with opened(model, files, timeout=timeout) as simulator:
-        times = output_times(simulator.interface, inputs, stop_time, interval)
-        return simulator.run(times, parameters=resolve(parameters or {}, simulator.interface), inputs=inputs)
+        face = simulator.interface
+        course, times = _course(face, inputs, stop_time, interval)
+        values, kept = resolve(parameters or {}, face), _kept(face, outputs)
+        if engine == "fmpy":
+            return run_with_fmpy(simulator.path, times, parameters=values, inputs=course, outputs=kept)
+        return simulator.run(times, parameters=values, inputs=course, outputs=kept)
+
+
+def _course(
+    interface: Interface, source: Source | None, stop_time: Setting | None, interval: Setting | None
+) -> tuple[Inputs | None, np.ndarray]:
+    """Inputs over time, and the times of the outputs."""
+    stop, step = (_seconds(given, what) for given, what in ((stop_time, "stop time"), (interval, "interval")))
+    inputs = inputs_of(source, interface, lambda: output_times(interface, None, stop, step))
+    return inputs, output_times(interface, inputs, stop, step)
+
+
+def _seconds(given: Setting | None, what: str) -> float | None:
+    try:
+        return None if given is None else seconds(given)
+    except UnitError as problem:
+        raise InputError(f"the {what}: {problem}") from None
+
+
+def _kept(interface: Interface, outputs: Sequence[str]) -> list[str]:
+    """The model's own outputs and the variables that are asked for beside them.
+
+    Raises:
+        InputError: there is no such variable; says which is nearest.
+    """
+    if isinstance(outputs, str):
+        raise InputError(f"outputs are a list of names: write ['{outputs}']")
+    known = interface.variables
+    for name in outputs:
+        if name not in known:
+            raise InputError(f"{interface.model} has no variable '{name}'; {did_you_mean(name, known)}")
+    return list(dict.fromkeys([*interface.outputs, *interface.sensitivities, *outputs]))
 
 
 def output_times(
@@ -246,7 +297,7 @@ def output_times(
     """(n,) [s]: from the first input sample (or zero) to the last (or the model's default stop time)."""
     start = float(inputs.time[0]) if inputs is not None else 0.0
     end = stop_time if stop_time is not None else float(inputs.time[-1]) if inputs is not None else interface.stop_time
-    step = interval or interface.interval or (end - start) / 1000
+    step = interval if interval is not None else interface.interval or (end - start) / 1000
     if not end > start or not step > 0:
         raise InputError(f"the run must end after its start: from {start:g} s to {end:g} s in steps of {step:g} s")
     steps = (end - start) / step
@@ -256,71 +307,89 @@ def output_times(
     return start + (end - start) * np.linspace(0, 1, max(2, round(steps) + 1))
 
 
-@dataclass(frozen=True)
-class SweepPoint:
-    """One simulation of a sweep: what was varied [SI], and its trajectory or what went wrong."""
-
-    parameters: dict[str, float]
-    trajectory: Trajectory | None
-    failure: str | None = None
-
-
 def sweep(
     model: str,
-    vary: Mapping[str, Iterable[Setting]],
+    vary: Mapping[str, Iterable[Setting]] | Sequence[Mapping[str, Setting]] | Any,
     *,
     parameters: Mapping[str, Setting] | None = None,
-    inputs: Inputs | None = None,
-    stop_time: float | None = None,
+    inputs: Source | None = None,
+    outputs: Sequence[str] = (),
+    scalars: Mapping[str, str] | Sequence[str] = (),
+    trajectories: bool | None = None,
+    design: str = "grid",
+    runs: int | None = None,
+    seed: int = 0,
+    stop_time: Setting | None = None,
+    interval: Setting | None = None,
+    output: Path | str | None = None,
+    executor: Any = None,
+    workers: int | None = None,
     files: Paths = (),
     progress: Callable[[int, int], None] | None = None,
     timeout: float | None = None,
-) -> list[SweepPoint]:
-    """Simulates every combination of what is varied; a run that fails is reported and the others go on.
+) -> Sweep:
+    """Many runs of a model; one that fails is reported and the others go on.
+
+    ```python
+    swept = pam.sweep(
+        "TankFilling",
+        {"u_in": np.linspace(0.2, 0.35, 16), "p_supply": ["138 kPa", "207 kPa"]},
+        scalars={"filling time": "time_to(p, 90 %)", "peak temperature": "max(T)"},
+        output="filling.nc",
+    )
+    swept.dataset()["filling time"].sel(p_supply=138e3)
+    ```
 
     Args:
         model: as in ``simulate``.
-        vary: values by name of a parameter, an input that is held constant or a start value, as in ``simulate``.
-        parameters: of every run, as in ``simulate``.
-        inputs: of every run.
-        stop_time: of every run [s].
+        vary: by name of a parameter, an input that is held constant or a start value: its values for a "grid", where
+            every combination is a run, and for a "list", run by run (or a mapping for each run, or a pandas frame);
+            its lowest and highest value for "random" and "latin-hypercube".
+        parameters, inputs, stop_time, interval: of every run, as in ``simulate``.
+        outputs: further variables to keep over time, beside the model's outputs.
+        scalars: numbers of each run by name, or a list: "max(T)", "time_to(p, 90 %)", "steady(x)",
+            "mean(valve.inlet.m_flow)"; ``sweeps.FUNCTIONS`` lists them.
+        trajectories: whether values over time are kept; default: where there are no scalars.
+        design: "grid", "list", "random" or "latin-hypercube".
+        runs: how many, of "random" and "latin-hypercube".
+        seed: of these.
+        output: a file for the result, NetCDF (.nc), Parquet (.parquet) or CSV. Runs that are done are kept beside it: a
+            sweep that was stopped goes on with the same call.
+        executor: where runs are made: any executor of ``concurrent.futures``, a Dask client or the address of a Dask
+            scheduler; default: processes of this machine, as soon as the work is worth them.
+        workers: how many of these; 1: this process alone.
         files: further Modelica files.
         timeout: of every run, as in ``simulate``.
         progress: called with the number of runs done and of all runs.
 
     Raises:
-        InputError: as ``simulate``; a name that is both varied and set.
+        InputError: as ``simulate``; a name that is both varied and set; ``output`` belongs to another sweep.
+        SimulationFailure: a process that makes runs ended.
     """
-    points = []
-    with opened(model, files, timeout=timeout) as simulator:
-        fixed = resolve(parameters or {}, simulator.interface)
-        grid = [resolve(values, simulator.interface) for values in _combinations(vary, fixed)]
-        times = output_times(simulator.interface, inputs, stop_time)
-        for i, varied in enumerate(grid):
-            try:
-                points.append(SweepPoint(varied, simulator.run(times, parameters=fixed | varied, inputs=inputs)))
-            except SimulationFailure as failure:
-                points.append(SweepPoint(varied, None, str(failure)))
-            if progress is not None:
-                progress(i + 1, len(grid))
-    return points
-
-
-def _combinations(vary: Mapping[str, Iterable[Setting]], fixed: Mapping[str, float]) -> list[dict[str, Setting]]:
-    values = {name: _several(name, given) for name, given in vary.items()}
-    for name in values:
-        if name in fixed:
-            raise InputError(f"'{name}' is both set and varied; keep one of them")
-    count = prod(len(given) for given in values.values())
-    if count > MOST_RUNS:
-        raise InputError(f"these are {count} combinations; a sweep has {MOST_RUNS} at most")
-    return [dict(zip(values, chosen, strict=True)) for chosen in product(*values.values())]
-
-
-def _several(name: str, given: Iterable[Setting]) -> list[Setting]:
-    if isinstance(given, str) or not isinstance(given, Iterable):
-        raise InputError(f"'{name}' is varied: give a list of values, not one")
-    return list(given)
+    if output is not None:
+        check_writable(Path(output))
+    foreign, fmu = model.endswith(".fmu"), build(model, files=files)
+    face = read_interface(fmu)
+    course, times = _course(face, inputs, stop_time, interval)
+    asked = read_scalars(scalars, face)
+    plan = Plan(
+        fmu=fmu,
+        interface=face,
+        design=design_of(vary, face, design, runs, seed),
+        fixed=resolve(parameters or {}, face),
+        inputs=course,
+        times=times,
+        outputs=tuple(_kept(face, outputs)),
+        scalars=asked,
+        keep=not asked if trajectories is None else trajectories,
+        foreign=foreign,
+        timeout=timeout,
+    )
+    result = None if output is None else Path(output)
+    made = make_sweep(plan, result, executor=executor, workers=workers, progress=progress)
+    if result is not None:
+        made.save(result)
+    return made
 
 
 def _paths(files: Paths) -> list[Path]:

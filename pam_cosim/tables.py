@@ -1,4 +1,4 @@
-"""Results as tables: sweeps as CSV, comparisons beside earlier ones."""
+"""Results as tables: the next run, comparisons beside earlier ones."""
 
 from __future__ import annotations
 
@@ -12,38 +12,11 @@ from pam_cosim.comparison import Comparison
 from pam_cosim.diagnosis import NextExperiment
 from pam_cosim.errors import InputError
 from pam_cosim.files import read_json, write_text
-from pam_cosim.interface import Interface
-from pam_cosim.study import SweepPoint
 from pam_cosim.units import format_quantity, readable_factor, readable_unit
 
 
 def _headed(name: str, unit: str) -> str:
     return f"{name} [{unit or '1'}]"
-
-
-def write_sweep(path: Path, points: Sequence[SweepPoint], interface: Interface) -> None:
-    """Writes all trajectories of a sweep below each other: what was varied, time, outputs [SI].
-
-    A run that failed has one row with empty outputs and the reason in the last column.
-
-    Raises:
-        InputError: the file cannot be written.
-    """
-    varied = list(points[0].parameters) if points else []
-    outputs = list(interface.outputs)
-    text = io.StringIO()
-    table = csv.writer(text, lineterminator="\n")
-    head = [_headed(n, interface.settable[n].unit) for n in varied]
-    table.writerow([*head, "time [s]", *[_headed(n, v.unit) for n, v in interface.outputs.items()], "failure"])
-    for point in points:
-        values = [repr(point.parameters[n]) for n in varied]
-        if point.trajectory is None:
-            table.writerow([*values, "", *[""] * len(outputs), point.failure])
-            continue
-        columns = [point.trajectory.values[n] for n in outputs]
-        for i, time in enumerate(point.trajectory.time):
-            table.writerow([*values, repr(float(time)), *[repr(float(c[i])) for c in columns], ""])
-    write_text(path, text.getvalue())
 
 
 def write_next_run(path: Path, plan: NextExperiment) -> None:

@@ -30,6 +30,7 @@ DECIDE_NOTHING = {
     "_SPEEDS": "forms on the shelf",
     "_GROWTHS": "forms on the shelf",
     "_WAVES": "forms on the shelf",
+    "_SAME": "digits in which two values of a run are one condition of a table",
 }
 BY_NAME = {c.name: c for c in every_criterion()}
 LINK = re.compile(r"\[([^\]]+)\]\(criteria\.md#([\w.]+)\)")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Annotated
 
@@ -11,12 +11,13 @@ import typer
 from rich.console import Console
 
 from pam_cosim import study
-from pam_cosim.diagnosis.workers import stop_workers
 from pam_cosim.files import check_distinct, check_spared, check_writable, identity
 from pam_cosim.measurement import DataSet
+from pam_cosim.workers import stop_workers
 
 INTERRUPTED = 130  # as shells have it for a command that Ctrl-C ended
 results: dict[Path, object] = {}  # files that the command is to write, and what was there before
+remarks: list[Callable[[], str]] = []  # what else an interrupted command has to say
 console = Console(stderr=True, highlight=False)
 
 ModelOption = Annotated[str | None, typer.Option("--model", help="A bench, a Modelica class, a .mo or an .fmu file.")]
@@ -32,6 +33,9 @@ SetOption = Annotated[
 TimeoutOption = Annotated[
     float | None,
     typer.Option(help="End an .fmu that makes no progress for so many seconds; default 60, inf: never.", min=0.0),
+]
+VariablesOption = Annotated[
+    list[str] | None, typer.Option("--output", help="A variable to keep beside the model's outputs; can be repeated.")
 ]
 Data = Annotated[Path, typer.Argument(help="Folder with experiment.toml and CSV files.")]
 
@@ -64,5 +68,6 @@ def interrupted() -> int:
     stop_workers()
     saved = [str(path) for path, before in results.items() if identity(path) not in (None, before)]
     what = f"written: {', '.join(saved)}" if saved else "nothing was written"
-    print(f"pam-cosim: interrupted; {what}", file=sys.stderr)
+    more = "".join(f"; {text}" for text in (remark() for remark in remarks) if text)
+    print(f"pam-cosim: interrupted; {what}{more}", file=sys.stderr)
     return INTERRUPTED

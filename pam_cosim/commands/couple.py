@@ -9,12 +9,13 @@ import typer
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
 from pam_cosim import coupling
-from pam_cosim.arguments import parse_settings, read_inputs
+from pam_cosim.arguments import parse_settings
 from pam_cosim.commands.common import FilesOption, SetOption, TimeoutOption, check_results, console, say_written
 from pam_cosim.cosimulation import Controller, ControllerError, CoupledRun, CouplingFailure
 from pam_cosim.cosimulation.python_file import controller_from
 from pam_cosim.errors import InputError
 from pam_cosim.reporting import plot_trajectory
+from pam_cosim.sources import read_inputs
 from pam_cosim.units import format_quantity
 
 _ADAPTIVE = 1e-3  # relative error of a step, where nobody says another

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from pam_cosim import dynamics, study
-from pam_cosim.arguments import parse_point, parse_settings, read_inputs
+from pam_cosim.arguments import parse_point, parse_settings
 from pam_cosim.commands.common import (
     FilesOption,
     JsonOption,
@@ -19,6 +19,7 @@ from pam_cosim.commands.common import (
 )
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_json
+from pam_cosim.sources import read_inputs
 
 
 def linearise(

@@ -13,7 +13,7 @@ from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.settings import Setting, resolve, value_of
 from pam_cosim.simulation import AnySimulator, AnyStepper, Trajectory
-from pam_cosim.units import UnitError, convert, format_quantity, parse_quantity
+from pam_cosim.units import UnitError, convert, format_quantity, seconds
 from pam_cosim.wording import did_you_mean
 
 _MARK = b"pam-cosim state\0"
@@ -285,20 +285,6 @@ def _duration(value: float | str) -> float:
     if not length > 0:
         raise InputError(f"a step must be longer than zero, not {length:g} s")
     return length
-
-
-def seconds(value: float | str) -> float:
-    """A number [s], or a text such as "10 ms".
-
-    Raises:
-        UnitError: not a finite time.
-    """
-    try:
-        return parse_quantity(f"{float(value)!r} s", "s")
-    except ValueError as problem:
-        if isinstance(problem, UnitError) or not isinstance(value, str):
-            raise UnitError(str(problem)) from None
-        return parse_quantity(value, "s")
 
 
 def _unpacked(state: bytes, interface: Interface) -> tuple[float, dict[str, float], bytes]:

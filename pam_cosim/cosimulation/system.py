@@ -20,12 +20,12 @@ from pam_cosim.cosimulation.network import (
 )
 from pam_cosim.cosimulation.parts import Component, Connection, Controller, Part, Port, check_name, check_once, port
 from pam_cosim.cosimulation.recorder import Recorder
-from pam_cosim.cosimulation.rig import seconds, variables_of
+from pam_cosim.cosimulation.rig import variables_of
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.settings import Setting, settable, value_of
 from pam_cosim.simulation import AnySimulator, AnyStepper, Inputs, IsolatedSimulator, Simulator, Trajectory
-from pam_cosim.units import UnitError
+from pam_cosim.units import UnitError, seconds
 from pam_cosim.wording import did_you_mean, shown
 
 METHODS = ("jacobi", "gauss-seidel")

@@ -6,11 +6,10 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-from pam_cosim.cosimulation.rig import seconds
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.toml_text import line_of, parse_toml
 from pam_cosim.settings import Setting
-from pam_cosim.units import UnitError
+from pam_cosim.units import UnitError, seconds
 from pam_cosim.wording import did_you_mean, listed, shown
 
 _KEYS = ("title", "stop_time", "components", "connections", "parameters")

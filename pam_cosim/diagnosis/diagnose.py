@@ -18,7 +18,6 @@ from pam_cosim.diagnosis.next_experiment import NextExperiment, Plan, told_apart
 from pam_cosim.diagnosis.search import Search, describe_fit
 from pam_cosim.diagnosis.selection import select_effects
 from pam_cosim.diagnosis.verdict import Verdict, explained, judge, rivals
-from pam_cosim.diagnosis.workers import wake
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit, fit
 from pam_cosim.fmu import build_model
@@ -26,6 +25,7 @@ from pam_cosim.ledger import Ledger
 from pam_cosim.measurement import ROLES, DataSet, complete_noise
 from pam_cosim.simulation import Simulator
 from pam_cosim.units import format_quantity
+from pam_cosim.workers import wake
 
 
 @dataclass(frozen=True)

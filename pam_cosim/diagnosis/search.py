@@ -15,11 +15,11 @@ from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
 from pam_cosim.diagnosis.evidence import rank
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.trial import Trial, crashed, run_trial
-from pam_cosim.diagnosis.workers import run_tasks
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import DataSet
 from pam_cosim.units import format_quantity
+from pam_cosim.workers import run_tasks
 
 
 @dataclass(frozen=True)

@@ -24,10 +24,12 @@ from pam_cosim.reporting.figures.layer import SPARSE, rivals
 from pam_cosim.reporting.figures.ledger import ledger_figure
 from pam_cosim.reporting.figures.panels import panels
 from pam_cosim.reporting.figures.showcase import showcase
+from pam_cosim.reporting.figures.sweep import sweep_figure
 from pam_cosim.reporting.labels import model_labels
 from pam_cosim.reporting.style import drawing, png
 from pam_cosim.reporting.telling import most_telling
 from pam_cosim.simulation import Trajectory
+from pam_cosim.sweeps import Sweep
 
 
 @singledispatch
@@ -52,6 +54,13 @@ def plot_trajectory(trajectory: Trajectory, path: Path | str) -> None:
     check_writable(Path(path))
     with drawing():
         write_bytes(Path(path), png(course(trajectory)))
+
+
+@draw.register
+def _(product: Sweep, path: Path | str) -> None:
+    check_writable(Path(path))
+    with drawing():
+        write_bytes(Path(path), png(sweep_figure(product)))
 
 
 @draw.register

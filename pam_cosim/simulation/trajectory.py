@@ -7,18 +7,25 @@ import io
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from html import escape
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
-from pam_cosim.files import write_text
+from pam_cosim.files import write_text, written_whole
+from pam_cosim.units import format_quantity
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
 
 _HEADER = re.compile(r"\s*(?P<name>.*?)(?:\s+\[(?P<unit>[^\[\]]*)\])?\s*")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Trajectory:
     """Signals of one run.
 
@@ -36,6 +43,66 @@ class Trajectory:
 
     def __getitem__(self, name: str) -> Array:
         return self.values[name]
+
+    def to_frame(self) -> pandas.DataFrame:
+        """A column for each signal over "time" [s]; ``attrs["units"]`` has the units."""
+        import pandas
+
+        frame = pandas.DataFrame(dict(self.values), index=pandas.Index(self.time, name="time"))
+        frame.attrs["units"] = {"time": "s", **self.units}
+        return frame
+
+    def to_xarray(self) -> xarray.Dataset:
+        """A variable for each signal over "time" [s], with its unit as an attribute."""
+        import xarray
+
+        variables = {name: ("time", v, {"units": self.units.get(name) or "1"}) for name, v in self.values.items()}
+        return xarray.Dataset(variables, {"time": ("time", self.time, {"units": "s"})})
+
+    def draw(self, path: Path | str) -> None:
+        """Draws every signal, one panel each, as PNG.
+
+        Raises:
+            InputError: there is nothing to draw, or the file cannot be written.
+        """
+        from pam_cosim.reporting import draw
+
+        draw(self, path)
+
+    def __repr__(self) -> str:
+        count = len(self.time)
+        span = f", {self.time[0]:g} s to {self.time[-1]:g} s" if count else ""
+        lines = [f"{len(self.values)} signals at {count} times{span}"]
+        for name, values in self.values.items():
+            if count:
+                low, high, last = (
+                    format_quantity(float(v), self.units.get(name, ""))
+                    for v in (values.min(), values.max(), values[-1])
+                )
+                lines.append(f"  {name}: from {low} to {high}, at the end {last}")
+        return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{escape(repr(self))}</pre>"
+
+    def save(self, path: Path | str) -> Path:
+        """Writes NetCDF (.nc), Parquet (.parquet) or CSV (any other ending), whole or not at all.
+
+        Raises:
+            InputError: the file cannot be written.
+        """
+        path = Path(path)
+        if path.suffix.lower() == ".nc":
+            with written_whole(path) as name:
+                self.to_xarray().to_netcdf(name, engine="h5netcdf")
+        elif path.suffix.lower() == ".parquet":
+            frame = self.to_frame().reset_index()
+            units = frame.attrs.pop("units")
+            with written_whole(path) as name:
+                frame.rename(columns={n: f"{n} [{units[n] or '1'}]" for n in frame.columns}).to_parquet(name)
+        else:
+            self.to_csv(path)
+        return path
 
     def to_csv(self, path: Path) -> Path:
         """Writes every number so that it reads back exactly; the file is written whole or not at all."""

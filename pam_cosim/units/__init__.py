@@ -2,7 +2,7 @@
 
 from pam_cosim.units.algebra import product, quotient
 from pam_cosim.units.base import BaseUnit, base_unit
-from pam_cosim.units.conversion import convert, examples, parse_quantity
+from pam_cosim.units.conversion import convert, examples, parse_quantity, seconds
 from pam_cosim.units.display import format_quantity, readable_factor, readable_unit
 from pam_cosim.units.grammar import UnitError, is_dimensionless
 
@@ -19,4 +19,5 @@ __all__ = [
     "quotient",
     "readable_factor",
     "readable_unit",
+    "seconds",
 ]

@@ -76,3 +76,20 @@ def _split_quantity(text: str, target: str) -> tuple[float, str]:
     if match.group(2).startswith(","):
         raise UnitError(f"{shown(text)} has a decimal comma; write a decimal point")
     return float(match.group(1)), match.group(2)
+
+
+def seconds(value: float | str) -> float:
+    """A number [s], or a text such as "10 ms".
+
+    Raises:
+        UnitError: not a finite time.
+    """
+    try:
+        number = float(value)
+    except TypeError:
+        raise UnitError(f"{shown(value)} is not a time; write for example '10 ms'") from None
+    except ValueError:
+        return parse_quantity(value, "s")
+    if not math.isfinite(number):
+        raise UnitError(f"{shown(value)} is not a finite time")
+    return number

@@ -102,6 +102,10 @@ def compiling(running: Running) -> bool:
     return any("zig cc" in command for command in running.family())
 
 
+def kept(running: Running) -> bool:
+    return any(file.stat().st_size > 100_000 for file in running.temporary.parent.glob("*.partial"))
+
+
 def isolated(running: Running) -> bool:
     return any("simulation.worker" in command for command in running.family())
 
@@ -126,7 +130,7 @@ def measured(tmp_path_factory: pytest.TempPathFactory) -> Path:
 MOMENTS = {
     "sweep, while it loads": (["sweep", "Isotonic", "--vary", "load.m=1:9:3", "-o", "out"], loading, 0.0),
     "simulate": (["simulate", "Isotonic", "--stop-time", "3e4", "-o", "out"], simulating, 0.3),
-    "sweep": (["sweep", "Isotonic", "--vary", "load.m=1:9:20000", "-o", "out"], simulating, 0.3),
+    "sweep": (["sweep", "Isotonic", "--vary", "load.m=1:9:200000", "-o", "out"], kept, 0.3),
     "fit": (["fit", "small", "--method", "particle-swarm", "-o", "out"], simulating, 0.2),
     "diagnose, while workers load": (["diagnose", "data", "--json", "out"], workers, 0.0),
     "diagnose": (["diagnose", "data", "--json", "out", "--workers", "2"], workers, 2.0),
@@ -144,7 +148,8 @@ def test_nothing_is_left(place: Path, measured: Path, moment: str) -> None:
     status, err = running.interrupt()
     assert status == 130
     said = [line for line in err if line.startswith("pam-cosim: ")]
-    assert said == ["pam-cosim: interrupted; nothing was written"] and err[-1] == said[0]
+    more = "; the runs that are done are kept in out.partial: the same command goes on" * (moment == "sweep")
+    assert said == [f"pam-cosim: interrupted; nothing was written{more}"] and err[-1] == said[0]
     assert moment.startswith("diagnose") or len(err) == 1, err
     assert (place / "out").read_text() == "old"
 

@@ -108,7 +108,7 @@ def test_an_fmu_takes_them_alike(own: bool) -> None:
         (["simulate", BENCH, "--set", "u_in=0.1", "--set", "u_in=0.2"], ["'u_in' is set twice"]),
         (["simulate", BENCH, "--set", "u_in=0.1", "--input", "u.csv"], ["'u_in' is given over time and as a constant"]),
         (["sweep", BENCH, "--vary", "u_in=0.1,0.2", "--input", "u.csv", "-o", "s.csv"],
-         ["'u_in' is given over time and as a constant"]),
+         ["'u_in' is given over time and varied"]),
         (["sweep", BENCH, "--vary", "u_in=0.1,0.2", "--set", "u_in=0.3", "-o", "s.csv"], ["both set and varied"]),
         (["sweep", BENCH, "--vary", "p_supply=138,207 kPa", "-o", "s.csv"], ["p_supply=138,207 kPa", "each of them"]),
         (["sweep", BENCH, "--vary", "p_supply=138:207 kPa:3", "-o", "s.csv"], ["each of them"]),
@@ -228,7 +228,7 @@ def test_help_says_what_is_declared(command: Command, name: str, monkeypatch: py
 def test_help_speaks_of_units() -> None:
     """So that the test above is not one of texts without brackets."""
     declared = " ".join(p.help or "" for name in ("simulate", "sweep") for p in COMMANDS[name].params)
-    assert "[unit]" in declared and "[s]" in declared
+    assert "[unit]" in declared
     assert set(COMMANDS) >= {"build", "simulate", "sweep", "compare", "fit", "diagnose", "add", "effects"}
 
 
@@ -239,7 +239,7 @@ def test_every_exported_name_is_there() -> None:
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["simulate", BENCH, "--stop-time", "inf"], "10000000 at most"),
+        (["simulate", BENCH, "--stop-time", "inf"], "the stop time"),
         (["simulate", BENCH, "--stop-time", "1e12"], "1.67e+13 rows"),
         (["sweep", BENCH, "--vary", "u_in=0.2:0.3:1000000000000", "-o", "s.csv"], "1000000 runs at most"),
         (["sweep", BENCH, "--vary", "u_in=0:1:9999", "--vary", "tank.n=1:1.4:999", "-o", "s.csv"], "9989001 comb"),

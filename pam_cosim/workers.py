@@ -7,10 +7,11 @@ import os
 import signal
 import time
 import warnings
-from collections.abc import Callable, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, wait
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import suppress
+from contextlib import contextmanager, suppress
+from functools import partial
 from multiprocessing import active_children
 from multiprocessing.process import BaseProcess
 from typing import Any, TypeVar
@@ -85,11 +86,40 @@ def _signal(children: Sequence[BaseProcess], number: int) -> None:
                 os.kill(child.pid, number)
 
 
-def _interruptibly(function: Callable[[Task], Result], task: Task) -> Result | None:
+def _interruptibly(function: Callable[..., Result], *task: Task) -> Result | None:
     """In a worker. None: interrupted, and nobody asks for the result."""
     with suppress(KeyboardInterrupt), interruptible():
-        return function(task)
+        return function(*task)
     return None
+
+
+@contextmanager
+def local_pool(count: int) -> Iterator[Executor]:
+    """Processes of this machine that take tasks, which ``stop_workers`` ends; they stay for the next one who asks."""
+    _start_helpers()
+    with deaf():
+        pool = _pool(count)
+    try:
+        yield _Interruptible(pool)
+    finally:
+        _running.clear()
+
+
+class _Interruptible(Executor):
+    """Processes whose tasks can be interrupted and clean up."""
+
+    def __init__(self, pool: ProcessPoolExecutor) -> None:
+        self._pool = pool
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        future: Future[Any] = self._pool.submit(_interruptibly, partial(fn, *args, **kwargs))
+        return future
+
+
+def running_tasks(futures: Iterable[Future[Any]]) -> None:
+    """Names the tasks that ``stop_workers`` has to wait for."""
+    _running.clear()
+    _running.update(futures)
 
 
 def wake(workers: int | None = None) -> None:

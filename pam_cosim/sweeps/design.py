@@ -1,0 +1,147 @@
+"""Which runs a sweep makes: a grid, a list, random points or a Latin hypercube."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import product
+from math import prod
+from typing import Any
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.errors import InputError
+from pam_cosim.interface import Interface
+from pam_cosim.settings import Setting, resolve, settable, value_of
+
+MOST_RUNS = 1_000_000
+DESIGNS = ("grid", "list", "random", "latin-hypercube")
+
+
+@dataclass(frozen=True)
+class Design:
+    """The runs of a sweep.
+
+    Attributes:
+        kind: one of ``DESIGNS``.
+        units: of each name that is varied, in order.
+        points: (runs, names) [``units``].
+        axes: of a grid, the values of each name [its unit]; the last name changes fastest. Empty for other designs.
+    """
+
+    kind: str
+    units: dict[str, str]
+    points: Array
+    axes: dict[str, Array]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What is varied."""
+        return tuple(self.units)
+
+    def __len__(self) -> int:
+        return len(self.points)
+
+    def settings(self, run: int) -> dict[str, float]:
+        """What is varied in a run, counted from 0 [SI]."""
+        return dict(zip(self.units, self.points[run].tolist(), strict=True))
+
+
+def design_of(
+    vary: Mapping[str, Iterable[Setting]] | Sequence[Mapping[str, Setting]] | Any,
+    interface: Interface,
+    kind: str = "grid",
+    runs: int | None = None,
+    seed: int = 0,
+) -> Design:
+    """The runs of a sweep.
+
+    Args:
+        vary: "grid": the values of each name; "list": those of each name, run by run, all equally many, or a mapping
+            for each run, or a pandas frame; "random" and "latin-hypercube": for each name the lowest and the highest
+            value.
+        interface: of the model.
+        kind: one of ``DESIGNS``.
+        runs: how many, of "random" and "latin-hypercube".
+        seed: of the random numbers; the same seed makes the same runs.
+
+    Raises:
+        InputError: another design, an unknown name, a value that cannot be used, no run at all or too many.
+    """
+    if kind not in DESIGNS:
+        raise InputError(f"there is no design '{kind}'; there are {', '.join(DESIGNS)}")
+    sampled = kind in ("random", "latin-hypercube")
+    if (runs is None) == sampled:
+        needed = "says how many runs to make" if sampled else "makes the runs that its values say"
+        raise InputError(f"the design '{kind}' {needed}: {'give' if sampled else 'leave out'} the number of runs")
+    columns = _columns(vary, kind)
+    if not columns:
+        raise InputError("nothing is varied: name a parameter, an input or a start value and its values")
+    values = {name: _values(name, given, interface) for name, given in columns.items()}
+    units = {name: settable(name, interface).unit for name in values}
+    if kind == "grid":
+        return _grid(values, units)
+    points = _sampled(values, kind, runs or 0, seed) if sampled else _listed(values)
+    for point in points:
+        resolve(dict(zip(values, point.tolist(), strict=True)), interface)
+    return Design(kind, units, points, {})
+
+
+def _columns(vary: Any, kind: str) -> dict[str, Any]:
+    """Values by name; of a pandas frame its columns, of mappings run by run what they have in common."""
+    if hasattr(vary, "to_dict") and not isinstance(vary, Mapping):
+        return dict(vary.to_dict("list"))
+    if isinstance(vary, Mapping):
+        return dict(vary)
+    rows = list(vary)
+    if kind != "list" or not all(isinstance(row, Mapping) for row in rows):
+        raise InputError("what is varied is given by name: a name and its values")
+    if any(list(row) != list(rows[0]) for row in rows):
+        raise InputError("every run of a list must set the same names, in the same order")
+    return {name: [row[name] for row in rows] for name in (rows[0] if rows else {})}
+
+
+def _values(name: str, given: Any, interface: Interface) -> Array:
+    if isinstance(given, str) or not isinstance(given, Iterable):
+        raise InputError(f"'{name}' is varied: give a list of values, not one")
+    variable = settable(name, interface)
+    values = [value_of(value, variable) for value in given]
+    if not values:
+        raise InputError(f"'{name}' is varied over no value at all; give one at least")
+    return np.array(values)
+
+
+def _grid(values: Mapping[str, Array], units: dict[str, str]) -> Design:
+    count = prod(len(column) for column in values.values())
+    if count > MOST_RUNS:
+        raise InputError(f"these are {count} combinations; a sweep has {MOST_RUNS} runs at most")
+    return Design("grid", units, np.array(list(product(*values.values()))), dict(values))
+
+
+def _listed(values: Mapping[str, Array]) -> Array:
+    counts = {name: len(column) for name, column in values.items()}
+    if len(set(counts.values())) > 1:
+        said = ", ".join(f"{name} {count}" for name, count in counts.items())
+        raise InputError(f"a list needs as many values of every name: {said}")
+    points = np.stack(list(values.values()), axis=1)
+    if len(points) > MOST_RUNS:
+        raise InputError(f"these are {len(points)} runs; a sweep has {MOST_RUNS} at most")
+    return points
+
+
+def _sampled(values: Mapping[str, Array], kind: str, runs: int, seed: int) -> Array:
+    for name, ends in values.items():
+        if len(ends) != 2 or not ends[0] < ends[1]:
+            raise InputError(f"'{name}': the design '{kind}' needs its lowest and its highest value, and no more")
+    if not 1 <= runs <= MOST_RUNS:
+        raise InputError(f"a sweep has between 1 and {MOST_RUNS} runs, not {runs}")
+    low, high = np.stack(list(values.values()), axis=1)
+    generator = np.random.default_rng(seed)
+    if kind == "random":
+        unit = generator.random((runs, len(values)))
+    else:
+        from scipy.stats import qmc  # half a second, which few need
+
+        unit = qmc.LatinHypercube(d=len(values), rng=generator).random(runs)
+    return np.asarray(low + unit * (high - low))

@@ -1,0 +1,127 @@
+"""Where runs are made: this process, processes of this machine, or any executor, a Dask cluster among them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
+from contextlib import contextmanager
+from dataclasses import replace
+from typing import Any
+
+from pam_cosim.arrays import Array
+from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.processes import deaf
+from pam_cosim.sweeps.records import Row
+from pam_cosim.sweeps.task import Batch, Job, make_runs
+from pam_cosim.workers import local_pool, processors, running_tasks
+
+_BATCH = 0.3  # [s] of work that is handed out at once, and lost at most where the program is killed
+_OPENINGS = 5  # as much work as opening a model takes, at least
+_WORTH = 2.0  # [s] of work from which on further processes are started, which takes a second
+_AHEAD = 2  # batches that wait for each process
+
+Say = Callable[[Sequence[Row]], None]
+
+
+def run_all(job: Job, runs: Sequence[int], points: Array, executor: Any, workers: int | None, say: Say) -> None:
+    """Makes the runs; ``say`` gets them as they come, in any order.
+
+    Args:
+        job: the sweep.
+        runs: numbers of the runs to make.
+        points: (all runs, names) what is varied [SI].
+        executor: None: processes of this machine; an executor of ``concurrent.futures``; a Dask client or the address
+            of a Dask scheduler.
+        workers: of this machine; default: as many as there are processors; 1: this process alone.
+
+    Raises:
+        InputError: no such executor.
+        SimulationFailure: a process of the executor died; what is said is said.
+    """
+    left = list(runs)
+    if executor is None:
+        first = make_runs(job, left, points[left], None if workers == 1 else _BATCH)
+        say(first.rows)
+        left = left[len(first.rows) :]
+        rate = first.running / len(first.rows)
+        if left and (workers == 1 or rate * len(left) < _WORTH):
+            for part in _parts(left, max(1, int(_BATCH / max(rate, 1e-9)))):
+                say(make_runs(job, part, points[part]).rows)
+            return
+        if left:
+            count = min(workers or processors(), len(left))
+            with local_pool(count) as pool:
+                _feed(job, left, points, pool, count, say, first)
+        return
+    with _executor(executor) as (pool, count):
+        _feed(replace(job, content=job.fmu.read_bytes()), left, points, pool, count, say, None)
+
+
+@contextmanager
+def _executor(executor: Any) -> Iterator[tuple[Executor, int]]:
+    """An executor and the number of its processes, as far as it tells."""
+    if isinstance(executor, Executor):
+        yield executor, getattr(executor, "_max_workers", None) or processors()
+        return
+    client, own = executor, False
+    if isinstance(executor, str):
+        client, own = _client(executor), True
+    if not hasattr(client, "get_executor"):
+        raise InputError(
+            "an executor of concurrent.futures is needed, a Dask client, or the address of a Dask scheduler"
+        )
+    try:
+        with client.get_executor(pure=False) as pool:
+            yield pool, max(1, sum(client.nthreads().values()))
+    finally:
+        if own:
+            client.close()
+
+
+def _client(address: str) -> Any:
+    try:
+        from distributed import Client
+    except ImportError:
+        raise InputError("runs on a Dask cluster need Dask: pip install 'pam-cosim[dask]'") from None
+    try:
+        return Client(address, timeout="10s")  # type: ignore[no-untyped-call]
+    except (OSError, ValueError, TimeoutError) as problem:
+        raise InputError(f"there is no Dask scheduler at '{address}': {problem}") from None
+
+
+def _parts(runs: Sequence[int], size: int) -> Iterator[list[int]]:
+    for i in range(0, len(runs), size):
+        yield list(runs[i : i + size])
+
+
+def _feed(
+    job: Job, runs: Sequence[int], points: Array, pool: Executor, count: int, say: Say, known: Batch | None
+) -> None:
+    """Hands out batches that take a part of a second each, a few ahead of what is done."""
+    left, size = list(runs), _size(known)
+    waiting: dict[Future[Batch], list[int]] = {}
+    try:
+        while left or waiting:
+            while left and len(waiting) < _AHEAD * count:
+                part, left = left[:size], left[size:]
+                with deaf():
+                    waiting[pool.submit(make_runs, job, part, points[part])] = part
+            running_tasks(waiting)
+            for future in wait(waiting, return_when=FIRST_COMPLETED).done:
+                batch = future.result()
+                del waiting[future]
+                size = _size(batch)
+                say(batch.rows)
+    except BrokenExecutor as problem:
+        raise SimulationFailure(f"a process that makes runs has ended ({problem}); the same sweep goes on") from problem
+    finally:
+        for future in waiting:
+            future.cancel()
+
+
+def _size(batch: Batch | None) -> int:
+    """Runs of the next batch, from the time of an earlier one."""
+    if batch is None:
+        return 1
+    rate = batch.running / max(1, len(batch.rows))
+    return max(1, int(max(_BATCH, _OPENINGS * batch.opening) / max(rate, 1e-9)))

@@ -1,0 +1,171 @@
+"""Makes the runs of a sweep, and goes on with one that was stopped."""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import tempfile
+import weakref
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.errors import InputError
+from pam_cosim.interface import Interface
+from pam_cosim.simulation import Inputs
+from pam_cosim.sweeps.design import Design
+from pam_cosim.sweeps.executors import run_all
+from pam_cosim.sweeps.records import Records, Row
+from pam_cosim.sweeps.result import Sweep
+from pam_cosim.sweeps.scalars import Scalar
+from pam_cosim.sweeps.task import Job
+
+PARTIAL = ".partial"  # ends the name of the file that a sweep leaves when it is stopped
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What a sweep is to make.
+
+    Attributes:
+        fmu: the model.
+        interface: of the model.
+        design: which runs.
+        fixed: further values of all runs [SI].
+        inputs: of all runs, over time.
+        times: (n,) [s] of the values of each run.
+        outputs: variables that are kept over time.
+        scalars: numbers to make of each run.
+        keep: whether values over time are kept.
+        foreign: whether the FMU is of somebody else.
+        timeout: of such an FMU [s].
+    """
+
+    fmu: Path
+    interface: Interface
+    design: Design
+    fixed: dict[str, float]
+    inputs: Inputs | None
+    times: Array
+    outputs: tuple[str, ...]
+    scalars: tuple[Scalar, ...]
+    keep: bool
+    foreign: bool
+    timeout: float | None
+
+    def __post_init__(self) -> None:
+        for name in self.design.names:
+            if name in self.fixed:
+                raise InputError(f"'{name}' is both set and varied; keep one of them")
+            if self.inputs is not None and name in self.inputs.values:
+                raise InputError(f"the input '{name}' is given over time and varied; keep one of them")
+        if not self.keep and not self.scalars:
+            raise InputError("a sweep that keeps no trajectories needs a scalar of each run, such as max(T)")
+
+    def identity(self) -> dict[str, Any]:
+        """What tells this sweep from others; numbers by their bytes."""
+        return {
+            "model": {"name": self.interface.model, "file": _digest(self.fmu.read_bytes())},
+            "varied": {
+                "design": self.design.kind,
+                **self.design.units,
+                "values": _digest(self.design.points.tobytes()),
+            },
+            "settings": dict(sorted(self.fixed.items())),
+            "inputs": None if self.inputs is None else _digest(_bytes_of(self.inputs)),
+            "times": _digest(self.times.tobytes()),
+            "outputs": list(self.outputs) if self.keep else None,
+            "scalars": [[s.name, s.function, s.variable, s.argument] for s in self.scalars],
+        }
+
+    def job(self) -> Job:
+        """The same for a process that makes runs."""
+        return Job(
+            self.fmu, None, self.foreign, self.timeout, self.times, self.design.names, self.fixed, self.inputs,
+            self.outputs, self.scalars, self.keep,
+        )  # fmt: skip
+
+
+def _digest(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()[:32]
+
+
+def _bytes_of(inputs: Inputs) -> bytes:
+    parts = [inputs.interpolation.encode(), inputs.time.tobytes()]
+    for name in sorted(inputs.values):
+        parts += [name.encode(), inputs.values[name].tobytes()]
+    return b"\0".join(parts)
+
+
+def partial_of(result: Path) -> Path:
+    """The file beside a result in which the runs of a sweep are kept until it is done."""
+    return result.with_name(result.name + PARTIAL)
+
+
+def make_sweep(
+    plan: Plan,
+    result: Path | None = None,
+    *,
+    executor: Any = None,
+    workers: int | None = None,
+    progress: Callable[[int, int], None] | None = None,
+) -> Sweep:
+    """Makes the runs that are not there yet.
+
+    Args:
+        plan: the sweep.
+        result: the file that will hold the result: runs are kept beside it until ``Sweep.save`` has written it.
+            None: they are kept until the sweep is forgotten.
+        executor, workers: where runs are made, as ``executors.run_all``.
+        progress: called with the number of runs that are kept, and of all.
+
+    Raises:
+        InputError: runs of another sweep are kept there; no such executor.
+        SimulationFailure: a process that makes runs ended; what was made is kept.
+    """
+    count, outputs = len(plan.design), len(plan.outputs) if plan.keep else 0
+    path = partial_of(result) if result is not None else _temporary()
+    times = plan.times.size if plan.keep else 0
+    with Records(path, plan.identity(), count, len(plan.scalars), outputs, times) as records:
+
+        def say(rows: Sequence[Row]) -> None:
+            records.add(rows)
+            if progress is not None:
+                progress(records.done, count)
+
+        if progress is not None:
+            progress(records.done, count)
+        if missing := records.missing:
+            run_all(plan.job(), missing, plan.design.points, executor, workers, say)
+        table = records.table()
+    sweep = Sweep(
+        plan.interface, plan.design, plan.fixed, plan.times, plan.outputs if plan.keep else (), plan.scalars, table
+    )
+    if result is None:
+        weakref.finalize(sweep, _forget, path)
+    else:
+        sweep.partial = path
+    return sweep
+
+
+def _temporary() -> Path:
+    with tempfile.NamedTemporaryFile(prefix="pam-cosim-sweep-", delete=False) as file:
+        return Path(file.name)
+
+
+def _forget(path: Path) -> None:
+    with contextlib.suppress(OSError):
+        path.unlink(missing_ok=True)
+
+
+def same(one: Sweep, other: Sweep) -> bool:
+    """Whether two sweeps hold the same numbers, to the last bit; NaN is equal to NaN."""
+    equal = np.array_equal(one.table.scalars(), other.table.scalars(), equal_nan=True)
+    equal = equal and one.table.failures() == other.table.failures()
+    return equal and all(
+        np.array_equal(one.table.output(i), other.table.output(i), equal_nan=True) for i in range(len(one.outputs))
+    )

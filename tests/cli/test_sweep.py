@@ -1,0 +1,94 @@
+"""``sweep`` as a person uses it: killed and started again, random runs, every format, what cannot be used."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import pandas
+import pytest
+import xarray
+
+from tests.cli.test_bad_input import refused
+
+PROGRAM = shutil.which("pam-cosim", path=str(Path(sys.executable).parent)) or "pam-cosim"
+WORDS = ["sweep", "Isotonic", "--vary", "u_in=0.25:0.45:30", "--vary", "p_supply=150 kPa:300 kPa:50"]
+WORDS += ["--scalar", "filling time=time_to(p, 90 %)", "--scalar", "steady(x)", "--stop-time", "10"]
+
+
+def _started(place: Path, *more: str) -> subprocess.Popen[str]:
+    return subprocess.Popen(
+        [PROGRAM, *WORDS, "-o", "s.csv", *more], cwd=place, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+
+
+def _kept(place: Path) -> int:
+    file = place / "s.csv.partial"
+    return file.stat().st_size if file.exists() else 0
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGINT], ids=["killed", "interrupted"])
+@pytest.mark.parametrize("workers", ["1", "2"])
+def test_a_sweep_that_is_stopped_goes_on(
+    number: int, workers: str, place: Path, command: Callable[..., object]
+) -> None:
+    running = _started(place, "--workers", workers)
+    end = time.monotonic() + 120
+    while _kept(place) < 100_000:
+        assert running.poll() is None and time.monotonic() < end, running.communicate()
+        time.sleep(0.01)
+    os.kill(running.pid, number)
+    _, said = running.communicate(timeout=60)
+    if number == signal.SIGINT:
+        assert running.returncode == 130
+        assert said.splitlines()[-1].endswith("kept in s.csv.partial: the same command goes on")
+    size = _kept(place)
+    assert size >= 100_000 and not (place / "s.csv").exists()
+    again = _started(place)
+    out, said = again.communicate(timeout=300)
+    assert again.returncode == 0, said
+    assert out.startswith("1500 of 1500 runs done") and [p.name for p in place.iterdir()] == ["s.csv"]
+    whole = pandas.read_csv(place / "s.csv")
+    done = subprocess.run(
+        [PROGRAM, *WORDS, "-o", "t.csv", "--workers", "1"], cwd=place, capture_output=True, timeout=300, check=True
+    )
+    assert done.returncode == 0
+    pandas.testing.assert_frame_equal(whole, pandas.read_csv(place / "t.csv"), check_exact=True)
+
+
+def test_random_runs_with_scalars_as_netcdf_and_picture(command: Callable[..., object], place: Path) -> None:
+    words = ["sweep", "TankFilling", "--vary", "u_in=0.25:0.35", "--vary", "p_supply=100 kPa:200 kPa", "--design"]
+    words += ["latin-hypercube", "--runs", "6", "--seed", "4", "--scalar", "max(T)", "--stop-time", "1 s"]
+    made = command(*words, "-o", "s.nc", "--plot", "s.png", "--trajectories", "--output", "valve.inlet.m_flow")
+    assert made.status == 0 and made.out.startswith("6 of 6 runs done\nmax(T): from ")  # type: ignore[attr-defined]
+    with xarray.open_dataset(place / "s.nc") as data:
+        assert data["valve.inlet.m_flow"].attrs["units"] == "kg/s" and data.sizes["run"] == 6
+        assert float(data["max(T)"].max()) == float(data["T"].max())
+    assert (place / "s.png").stat().st_size > 10_000
+
+
+@pytest.mark.parametrize(
+    ("more", "words"),
+    [
+        (["--design", "random"], ["u_in=0.2:0.3:3", "FROM:TO"]),
+        (["--design", "gird"], ["no design 'gird'"]),
+        (["--runs", "3"], ["leave out the number of runs"]),
+        (["--scalar", "max(q)"], ["no variable 'q'"]),
+        (["--scalar", "a=max(p)", "--scalar", "a=min(p)"], ["'a' is asked for twice"]),
+        (["--no-trajectories"], ["needs a scalar"]),
+        (["--output", "valve.inlet.mflow"], ["no variable 'valve.inlet.mflow'", "did you mean"]),
+        (["--stop-time", "3 kg"], ["the stop time", "'kg'"]),
+        (["--interval", "0"], ["steps of 0 s"]),
+    ],
+    ids=lambda value: " ".join(value),
+)
+def test_what_cannot_be_used(more: list[str], words: list[str], command: Callable[..., object], place: Path) -> None:
+    refused(command("sweep", "TankFilling", "--vary", "u_in=0.2:0.3:3", "-o", "s.csv", *more), words)  # type: ignore[arg-type]
+    assert not list(place.iterdir())

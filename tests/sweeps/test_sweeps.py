@@ -1,0 +1,201 @@
+"""Sweeps: the same numbers wherever they are made, kept when stopped, in every format."""
+
+from __future__ import annotations
+
+import json
+from concurrent.futures import Executor, ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas
+import pytest
+import xarray
+
+import pam_cosim as pam
+from pam_cosim.sweeps import partial_of, same
+from tests.fmu import models
+
+VARY: dict[str, Any] = {"u_in": np.linspace(0.25, 0.35, 4), "p_supply": ["138 kPa", "207 kPa"]}
+SCALARS = {"filling time": "time_to(p, 90 %)", "peak temperature": "max(T)"}
+MODEL = "TankFilling"
+
+
+def swept(**more: Any) -> pam.Sweep:
+    return pam.sweep(MODEL, VARY, **{"stop_time": 2.0, "workers": 1, **more})
+
+
+@pytest.fixture(scope="module")
+def reference() -> pam.Sweep:
+    return swept(scalars=SCALARS, trajectories=True)
+
+
+def test_every_run_is_what_simulate_makes(reference: pam.Sweep) -> None:
+    assert len(reference) == 8
+    for point in reference:
+        alone = pam.simulate(MODEL, point.parameters, stop_time=2.0)
+        assert point.trajectory is not None and point.failure is None
+        for name in ("p", "T"):
+            assert np.array_equal(point.trajectory[name], alone[name])
+        assert point.scalars["peak temperature"] == alone["T"].max()
+
+
+@pytest.mark.parametrize("workers", [2, None])
+def test_processes_make_the_same_numbers(reference: pam.Sweep, workers: int | None) -> None:
+    assert same(reference, swept(scalars=SCALARS, trajectories=True, workers=workers))
+
+
+class _Counting(Executor):
+    """Somebody's executor: it has ``submit`` and counts."""
+
+    def __init__(self) -> None:
+        self.pool, self.count = ThreadPoolExecutor(1), 0
+
+    def submit(self, *args: Any, **kwargs: Any) -> Any:
+        self.count += 1
+        return self.pool.submit(*args, **kwargs)
+
+
+def test_any_executor_makes_the_same_numbers(reference: pam.Sweep) -> None:
+    executor = _Counting()
+    assert same(reference, swept(scalars=SCALARS, trajectories=True, executor=executor))
+    assert executor.count
+
+
+@pytest.mark.full
+def test_a_dask_cluster_makes_the_same_numbers(reference: pam.Sweep, tmp_path: Path) -> None:
+    from distributed import Client, LocalCluster
+
+    with (
+        LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None, local_directory=tmp_path) as cluster,  # type: ignore[no-untyped-call]
+        Client(cluster) as client,  # type: ignore[no-untyped-call]
+    ):
+        assert same(reference, swept(scalars=SCALARS, trajectories=True, executor=client))
+        assert same(reference, swept(scalars=SCALARS, trajectories=True, executor=cluster.scheduler_address))
+
+
+@pytest.mark.full
+def test_nobody_at_the_address() -> None:
+    with pytest.raises(pam.InputError, match="no Dask scheduler at 'tcp://127.0.0.1:9'"):
+        swept(executor="tcp://127.0.0.1:9")
+    with pytest.raises(pam.InputError, match="executor of concurrent.futures"):
+        swept(executor=3)
+
+
+def test_labelled_by_what_was_varied(reference: pam.Sweep) -> None:
+    data = reference.dataset()
+    assert dict(data.sizes) == {"u_in": 4, "p_supply": 2, "time": len(reference.time)}
+    assert data["p"].attrs["units"] == "Pa" and data["u_in"].attrs["units"] == "A"
+    one = data.sel(p_supply=207e3).isel(u_in=2)
+    assert np.array_equal(one["p"], reference[5].trajectory["p"])  # type: ignore[index]
+    assert float(one["filling time"]) == reference[5].scalars["filling time"]
+
+
+def test_what_is_written_reads_back(reference: pam.Sweep, tmp_path: Path) -> None:
+    with xarray.open_dataset(reference.save(tmp_path / "s.nc")) as read:
+        xarray.testing.assert_equal(read.drop_vars("failure").load(), reference.dataset().drop_vars("failure"))
+        assert read["p"].attrs["units"] == "Pa" and json.loads(read.attrs["settings"]) == {}
+    csv = pandas.read_csv(reference.save(tmp_path / "s.csv"))
+    parquet = pandas.read_parquet(reference.save(tmp_path / "s.parquet"))
+    assert list(csv) == list(parquet)
+    assert list(csv) == ["u_in [A]", "p_supply [Pa]", "filling time [s]", "peak temperature [K]", "failure"]
+    for table in (csv, parquet):
+        assert np.array_equal(table["filling time [s]"], reference.column("filling time"))
+    assert [p.name for p in sorted(tmp_path.iterdir())] == ["s.csv", "s.nc", "s.parquet"]
+
+
+def test_runs_over_time_as_a_table(tmp_path: Path) -> None:
+    made = swept(outputs=["valve.inlet.m_flow"], output=tmp_path / "s.parquet")
+    table = pandas.read_parquet(tmp_path / "s.parquet")
+    assert len(table) == 8 * len(made.time)
+    first = made[0].trajectory
+    assert first is not None
+    assert np.array_equal(table["valve.inlet.m_flow [kg/s]"][: len(made.time)], first["valve.inlet.m_flow"])
+
+
+def test_a_run_that_fails_is_a_row_with_its_reason(tmp_path: Path) -> None:
+    path = models.fmu(models.breaks_down)
+    vary = {"floor": [-1e6, -2e6, 0.6]}
+    made = pam.sweep(str(path), vary, scalars=["max(y)"], trajectories=True, output=tmp_path / "s.nc")
+    assert list(made.failed) == [2] and "floor = 0.6" in made.failed[2]
+    assert made[2].trajectory is None and np.isnan(made[2].scalars["max(y)"]) and made[1].failure is None
+    with xarray.open_dataset(tmp_path / "s.nc") as read:
+        assert [bool(text) for text in read["failure"].values] == [False, False, True]
+        assert np.isnan(read["y"].sel(floor=0.6)).all() and np.isfinite(read["y"].sel(floor=-1e6)).all()
+
+
+def test_a_list_keeps_its_order() -> None:
+    points = [{"u_in": 0.3, "p_supply": 2e5}, {"u_in": 0.25, "p_supply": 1e5}, {"u_in": 0.3, "p_supply": 2e5}]
+    made = pam.sweep(MODEL, points, design="list", stop_time=1.0, scalars=["final(p)"], workers=1)
+    assert [point.parameters for point in made] == points
+    assert made.column("final(p)")[0] == made.column("final(p)")[2] != made.column("final(p)")[1]
+    assert dict(made.dataset().sizes) == {"run": 3}
+
+
+class _Stop(Exception):
+    """In the middle."""
+
+
+def test_what_was_made_before_a_stop_is_not_made_again(reference: pam.Sweep, tmp_path: Path) -> None:
+    def stop(done: int, total: int) -> None:
+        if done:
+            raise _Stop
+
+    words = {"scalars": SCALARS, "trajectories": True, "output": tmp_path / "s.nc"}
+    with pytest.raises(_Stop):
+        swept(**words, executor=ThreadPoolExecutor(1), progress=stop)
+    kept = partial_of(tmp_path / "s.nc")
+    assert kept.exists() and not (tmp_path / "s.nc").exists()
+    with kept.open("ab") as file:  # a record that was cut off
+        file.write(b"half")
+    told: list[int] = []
+    assert same(reference, swept(**words, progress=lambda done, total: told.append(done)))
+    assert 0 < told[0] < 8 and told[-1] == 8
+    assert not kept.exists() and (tmp_path / "s.nc").exists()
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"stop_time": 3.0}, "times differ"),
+        ({"parameters": {"tank.V": "1 l"}}, "settings differ"),
+        ({"scalars": ["max(p)"]}, "scalars differ"),
+    ],
+)
+def test_runs_of_another_sweep_are_not_gone_on_with(change: dict[str, Any], words: str, tmp_path: Path) -> None:
+    def stop(done: int, total: int) -> None:
+        if done:
+            raise _Stop
+
+    base: dict[str, Any] = {"scalars": ["final(p)"], "output": tmp_path / "s.csv"}
+    with pytest.raises(_Stop):
+        swept(**base, executor=ThreadPoolExecutor(1), progress=stop)
+    before = partial_of(tmp_path / "s.csv").read_bytes()
+    with pytest.raises(pam.InputError, match=words):
+        swept(**(base | change))
+    assert partial_of(tmp_path / "s.csv").read_bytes() == before
+
+
+def test_a_file_that_no_sweep_left_is_not_touched(tmp_path: Path) -> None:
+    other = partial_of(tmp_path / "s.csv")
+    other.write_bytes(b"somebody's\n\0\xff")
+    with pytest.raises(pam.InputError, match="not what a sweep leaves"):
+        swept(output=tmp_path / "s.csv")
+    assert other.read_bytes() == b"somebody's\n\0\xff" and not (tmp_path / "s.csv").exists()
+
+
+def test_pictures(reference: pam.Sweep, tmp_path: Path) -> None:
+    reference.draw(tmp_path / "lines.png")
+    swept().draw(tmp_path / "courses.png")
+    ranges = {"u_in": (0.25, 0.35), "p_supply": ("1 bar", "2 bar"), "tank.V": ("1 l", "2 l")}
+    pam.sweep(MODEL, ranges, design="latin-hypercube", runs=5, scalars=SCALARS, stop_time=1.0, workers=1).draw(
+        tmp_path / "points.png"
+    )
+    assert all(path.stat().st_size > 10_000 for path in tmp_path.iterdir())
+
+
+def test_it_tells_what_it_holds(reference: pam.Sweep) -> None:
+    first = repr(reference).splitlines()[0]
+    assert first.startswith("8 runs of PneumaticMuscle.Benches.TankFilling (grid): u_in from 0.25 A to 0.35 A")
+    assert "filling time: from" in repr(reference)
+    assert reference._repr_html_().startswith("<pre>8 runs") and "<table" in reference._repr_html_()
