@@ -15,11 +15,11 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, OperatingPoint
+    from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation, OperatingPoint
     from pam_cosim.cosimulation import Controller, CoupledRun, Rig, System, controller
     from pam_cosim.coupling import couple, read_system, start, write_system
     from pam_cosim.diagnosis import Diagnosis
-    from pam_cosim.dynamics import frequency_response, linearise, linearise_along
+    from pam_cosim.dynamics import frequency_response, linearise, linearise_along, observe
     from pam_cosim.errors import InputError, ModelError, SimulationFailure
     from pam_cosim.products import load, save
     from pam_cosim.simulation import Inputs, Trajectory
@@ -49,6 +49,7 @@ __all__ = [
     "LinearCourse",
     "LinearModel",
     "ModelError",
+    "Observation",
     "OperatingPoint",
     "Rig",
     "SimulationFailure",
@@ -71,6 +72,7 @@ __all__ = [
     "linearise",
     "linearise_along",
     "load",
+    "observe",
     "read",
     "read_system",
     "save",

@@ -115,6 +115,21 @@ def parse_point(words: Sequence[str], interface: Interface) -> Literal["rest"] |
     return conditions_of(dict(pairs), interface)
 
 
+def parse_pairs(words: Sequence[str]) -> dict[str, str]:
+    """``NAME=VALUE`` words to texts by name.
+
+    Raises:
+        InputError: not of that form, or a name twice.
+    """
+    pairs: dict[str, str] = {}
+    for word in words:
+        name, text = _split(word, "NAME=VALUE, such as p='0.5 kPa'")
+        if name in pairs:
+            raise InputError(f"'{name}' is given twice")
+        pairs[name] = text
+    return pairs
+
+
 def parse_frequencies(text: str) -> list[float]:
     """``FROM:TO:N``, evenly in the logarithm, or ``A,B,C`` [Hz].
 

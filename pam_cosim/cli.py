@@ -16,6 +16,7 @@ from pam_cosim.commands.diagnose import diagnose
 from pam_cosim.commands.effects import effects
 from pam_cosim.commands.fit import fit
 from pam_cosim.commands.linearise import linearise
+from pam_cosim.commands.observe import observe
 from pam_cosim.commands.simulate import simulate
 from pam_cosim.commands.sweep import sweep
 from pam_cosim.errors import InputError, SimulationFailure
@@ -27,7 +28,7 @@ app = typer.Typer(
     rich_markup_mode=None,
     help="Compare models with measurements and find the physical effect they lack.",
 )
-for _command in (build, simulate, sweep, couple, linearise, bode, compare, fit, diagnose, add, effects):
+for _command in (build, simulate, sweep, couple, linearise, bode, observe, compare, fit, diagnose, add, effects):
     app.command()(_command)
 
 

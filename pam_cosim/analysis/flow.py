@@ -11,7 +11,7 @@ from pam_cosim.analysis.exchange import ExchangeModel
 from pam_cosim.arrays import Array
 from pam_cosim.simulation.failure import RunFailure
 
-RELATIVE_TOLERANCE, ABSOLUTE_TOLERANCE = 1e-8, 1e-10  # the latter in nominal sizes of the states
+RELATIVE_TOLERANCE = 1e-8
 # The second, implicit throughout and slower, is for states that the first cannot pass.
 _METHODS = ("LSODA", "Radau")
 
@@ -23,7 +23,9 @@ def held(inputs: Array) -> InputCourse:
     return lambda _: inputs
 
 
-def flow(model: ExchangeModel, start: Array, times: Array, inputs: InputCourse) -> Array:
+def flow(
+    model: ExchangeModel, start: Array, times: Array, inputs: InputCourse, tolerance: float = RELATIVE_TOLERANCE
+) -> Array:
     """States (n, k) at increasing times (k,) [s], from ``start`` (n,) at the first of them.
 
     Args:
@@ -31,13 +33,14 @@ def flow(model: ExchangeModel, start: Array, times: Array, inputs: InputCourse) 
         start: (n,) state.
         times: (k,) [s].
         inputs: (m,) at a time [s], smooth between the first and the last time.
+        tolerance: relative; absolutely a hundredth of it, in nominal sizes of the states.
 
     Raises:
         SimulationFailure: no solver gets to the end.
     """
     if not model.states:
         return np.zeros((0, len(times)))
-    floor = ABSOLUTE_TOLERANCE * np.array([model.scale(name) for name in model.states])
+    floor = 0.01 * tolerance * np.array([model.scale(name) for name in model.states])
 
     def rates(t: float, x: Array) -> Array:
         try:
@@ -54,7 +57,7 @@ def flow(model: ExchangeModel, start: Array, times: Array, inputs: InputCourse) 
     for method in _METHODS:
         try:
             found = solve_ivp(
-                rates, (times[0], times[-1]), start, method, times, rtol=RELATIVE_TOLERANCE, atol=floor, jac=jacobian
+                rates, (times[0], times[-1]), start, method, times, rtol=tolerance, atol=floor, jac=jacobian
             )
         except (RunFailure, ValueError) as error:  # SciPy raises ValueError where a Jacobian is not finite
             message = str(error)

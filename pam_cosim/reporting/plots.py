@@ -7,7 +7,7 @@ from functools import singledispatch
 from pathlib import Path
 from typing import Any
 
-from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel
+from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation
 from pam_cosim.comparison import Comparison, ConditionTable
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
@@ -22,6 +22,7 @@ from pam_cosim.reporting.figures.curves import draw_curves, legend
 from pam_cosim.reporting.figures.frequency import frequency_figure
 from pam_cosim.reporting.figures.layer import SPARSE, rivals
 from pam_cosim.reporting.figures.ledger import ledger_figure
+from pam_cosim.reporting.figures.observed import observation_figure
 from pam_cosim.reporting.figures.panels import panels
 from pam_cosim.reporting.figures.showcase import showcase
 from pam_cosim.reporting.figures.sweep import sweep_figure
@@ -121,6 +122,13 @@ def _(product: FrequencyResponse, path: Path | str) -> None:
     check_writable(Path(path))
     with drawing():
         write_bytes(Path(path), png(frequency_figure(product)))
+
+
+@draw.register
+def _(product: Observation, path: Path | str) -> None:
+    check_writable(Path(path))
+    with drawing():
+        write_bytes(Path(path), png(observation_figure(product)))
 
 
 @draw.register

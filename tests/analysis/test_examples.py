@@ -30,6 +30,16 @@ def test_overshoot_of_the_slides_step() -> None:
 
 
 @pytest.mark.full
+def test_observer(tmp_path: Path) -> None:
+    said = run("observer/observer.py", tmp_path)
+    for number in ("F against the truth: rms 1.2 N, at most 5.16 N", "F against the truth: rms 1.04 N, at most 4.98 N",
+                   "innovations squared by measurement: 0.957", "the readings themselves: rms 8.22 N",
+                   "F against the truth: rms 3.45 N"):  # fmt: skip
+        assert number in said
+    assert (tmp_path / "observer.png").exists()
+
+
+@pytest.mark.full
 def test_slides(tmp_path: Path) -> None:
     said = run("linear-analysis/slides.py", tmp_path)
     for number in ("F = 205.67 N, C_1 = 5.7239e-04 m2, C_2 = 8061.8 N/m", "84.8 N", "114.5 N", "85.6 N", "11.4 N",

@@ -29,3 +29,21 @@ def test_page(page: str, command: Callable[..., Outcome], place: Path, capsys: p
     for script in scripts:
         exec(compile(script, page, "exec"), names)
     assert (place / "linear.png").exists() and (place / "linear.json").exists()
+
+
+def test_page_of_the_observer(
+    command: Callable[..., Outcome], monkeypatch: pytest.MonkeyPatch, place: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Its paths are those of the repository."""
+    (place / "examples").symlink_to(ROOT / "examples")
+    [script] = blocks("observer.md", "python")
+    names: dict[str, object] = {}
+    exec(compile(script, "observer.md", "exec"), names)
+    said = capsys.readouterr().out
+    assert "F against the truth: rms" in said and (place / "observer.png").exists()
+    recording = names["recording"]
+    rows = zip(recording.time, recording["p"], recording["x"], strict=True)
+    (place / "recording.csv").write_text("time [s],p [Pa],x [m]\n" + "".join(f"{t},{p},{x}\n" for t, p, x in rows))
+    [line] = blocks("observer.md", "sh")
+    done(command(*shlex.split(line.replace("\\\n", ""))[1:]))
+    assert {"force.csv", "force.json", "force.png"} <= {p.name for p in place.iterdir()}

@@ -1,0 +1,206 @@
+"""The product of an observer: estimates over time with their uncertainty, and whether that can be believed."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from html import escape
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from scipy.stats import chi2, norm
+
+from pam_cosim.arrays import Array
+from pam_cosim.errors import InputError
+from pam_cosim.files import write_json, write_text
+from pam_cosim.units import format_quantity
+from pam_cosim.wording import did_you_mean
+
+LEVEL = 0.95
+
+
+@dataclass(frozen=True)
+class Error:
+    """Of one estimate against what was true.
+
+    Attributes:
+        rms, bias, max: [unit].
+        nees: mean of the squared error by the estimated variance; 1 where the uncertainty is right.
+        inside: share of samples within the interval of 95 %.
+    """
+
+    rms: float
+    bias: float
+    max: float
+    nees: float
+    inside: float
+
+
+@dataclass(frozen=True)
+class Observation:
+    """Estimates from measurements by an extended Kalman filter, each after the sample of its time was taken in.
+
+    Attributes:
+        model: its name.
+        time: (N,) [s].
+        values: by name (N,): states, unknown inputs and outputs [``units``].
+        deviations: by name (N,): standard deviations.
+        units: by name.
+        outputs: names of what was asked for.
+        measured: by name (N,), not a number where a sample is missing.
+        innovations: by name (N,): measurement less prediction, by its standard deviation.
+        sizes: (N, 3) normalised innovation squared of all signals together, how many they were, and the logarithm of
+            the determinant of their covariance.
+        truth: by name (N,): what was true, where that is known.
+    """
+
+    model: str
+    time: Array
+    values: dict[str, Array]
+    deviations: dict[str, Array]
+    units: dict[str, str]
+    outputs: tuple[str, ...]
+    measured: dict[str, Array]
+    innovations: dict[str, Array]
+    sizes: Array
+    truth: dict[str, Array] = field(default_factory=dict)
+
+    def __getitem__(self, name: str) -> Array:
+        return self.values[name]
+
+    @property
+    def nis(self) -> float:
+        """Mean normalised innovation squared by measurement: 1 where the filter's uncertainty is right."""
+        count = float(self.sizes[:, 1].sum())
+        return float(self.sizes[:, 0].sum()) / count if count else float("nan")
+
+    @property
+    def nis_range(self) -> tuple[float, float]:
+        """In which ``nis`` lies with 95 % probability if everything that the filter was told is true."""
+        count = float(self.sizes[:, 1].sum())
+        if not count:
+            return float("nan"), float("nan")
+        low, high = chi2.ppf([(1 - LEVEL) / 2, (1 + LEVEL) / 2], count)
+        return float(low / count), float(high / count)
+
+    @property
+    def is_consistent(self) -> bool:
+        """Whether ``nis`` lies in its range."""
+        low, high = self.nis_range
+        return low <= self.nis <= high
+
+    @property
+    def log_likelihood(self) -> float:
+        """Of the measurements, given what the filter was told: larger for what explains them better."""
+        squared, count, determinant = self.sizes.sum(axis=0)
+        return float(-0.5 * (squared + determinant + count * np.log(2 * np.pi)))
+
+    @property
+    def whiteness(self) -> dict[str, float]:
+        """Correlation of neighbouring innovations by signal: near zero where nothing predictable is left."""
+        return {name: _neighbours(values) for name, values in self.innovations.items()}
+
+    def with_truth(self, truth: Mapping[str, Array]) -> Observation:
+        """With what was true at the same times.
+
+        Raises:
+            InputError: of something that was not estimated, or at other times.
+        """
+        for name, values in truth.items():
+            if name not in self.values:
+                raise InputError(f"'{name}' was not estimated; {did_you_mean(name, self.values)}")
+            if np.shape(values) != self.time.shape:
+                raise InputError(f"'{name}' has {np.size(values)} values for {self.time.size} times")
+        return replace(self, truth={**self.truth, **{n: np.asarray(v, dtype=float) for n, v in truth.items()}})
+
+    def errors(self, since: float = 0.0) -> dict[str, Error]:
+        """By name, where the truth is known, from a time [s] on: before, the start still counts."""
+        return {name: self._error(name, self.time >= self.time[0] + since) for name in self.truth}
+
+    def _error(self, name: str, chosen: Array) -> Error:
+        off = (self.values[name] - self.truth[name])[chosen]
+        size = self.deviations[name][chosen]
+        return Error(
+            float(np.sqrt(np.mean(off**2))),
+            float(off.mean()),
+            float(np.abs(off).max()),
+            float(np.mean((off / size) ** 2)),
+            float(np.mean(np.abs(off) <= norm.ppf((1 + LEVEL) / 2) * size)),
+        )
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain data; SI units."""
+        low, high = self.nis_range
+        return {
+            "model": self.model,
+            "units": dict(self.units),
+            "outputs": list(self.outputs),
+            "time": self.time.tolist(),
+            "values": {n: v.tolist() for n, v in self.values.items()},
+            "deviations": {n: v.tolist() for n, v in self.deviations.items()},
+            "consistency": {
+                "nis": self.nis,
+                "low": low,
+                "high": high,
+                "consistent": self.is_consistent,
+                "log_likelihood": self.log_likelihood,
+                "whiteness": self.whiteness,
+            },
+            "errors": {n: vars(e) for n, e in self.errors().items()},
+        }
+
+    def to_json(self, path: Path | str) -> Path:
+        """Writes ``as_dict``."""
+        write_json(Path(path), self.as_dict())
+        return Path(path)
+
+    def to_csv(self, path: Path | str) -> Path:
+        """Writes each estimate and its standard deviation, a row for each sample."""
+        text = io.StringIO()
+        writer = csv.writer(text, lineterminator="\n")
+        heads, columns = ["time [s]"], [self.time]
+        for name, values in self.values.items():
+            unit = f" [{self.units[name]}]" if self.units[name] else ""
+            heads += [f"{name}{unit}", f"{name} standard deviation{unit}"]
+            columns += [values, self.deviations[name]]
+        writer.writerow(heads)
+        writer.writerows([map(repr, row) for row in np.array(columns).T.tolist()])
+        write_text(Path(path), text.getvalue())
+        return Path(path)
+
+    def _lines(self) -> list[str]:
+        lines = []
+        for name in self.outputs:
+            unit = self.units[name]
+            last, around = (format_quantity(float(v[name][-1]), unit, 4) for v in (self.values, self.deviations))
+            middle = format_quantity(float(np.median(self.deviations[name])), unit)
+            lines.append(f"{name}: {last} ± {around} at the end, standard deviation {middle} as a rule")
+        low, high = self.nis_range
+        verdict = "consistent" if self.is_consistent else "too sure of itself" if self.nis > high else "too unsure"
+        lines.append(f"innovations squared by measurement: {self.nis:.3f}, 95 %: {low:.3f} to {high:.3f}: {verdict}")
+        parts = [f"{name} {value:.2f}" for name, value in self.whiteness.items()]
+        lines.append(f"correlation of neighbouring innovations: {', '.join(parts)}")
+        for name, error in self.errors().items():
+            rms, worst = (format_quantity(v, self.units[name]) for v in (error.rms, error.max))
+            lines.append(
+                f"{name} against the truth: rms {rms}, at most {worst}, error squared by variance {error.nees:.2f}, "
+                f"{error.inside:.0%} within the interval of {LEVEL:.0%}"
+            )
+        return lines
+
+    def __str__(self) -> str:
+        span = f"{len(self.time)} samples from {self.time[0]:g} s to {self.time[-1]:g} s"
+        return "\n".join([f"{self.model}, from {', '.join(self.measured)}: {span}", *self._lines()])
+
+    def _repr_html_(self) -> str:
+        return "".join(f"<p>{escape(line)}</p>" for line in str(self).splitlines())
+
+
+def _neighbours(values: Array) -> float:
+    first, second = values[:-1], values[1:]
+    both = np.isfinite(first) & np.isfinite(second)
+    size = float(np.sum(values[np.isfinite(values)] ** 2))
+    return float(np.sum(first[both] * second[both]) / size) if size > 0 else float("nan")
