@@ -45,6 +45,7 @@ def run_with_fmpy(
     for name in names:
         if name not in known:
             raise InputError(f"{interface.model} has no output '{name}'; {did_you_mean(name, known)}")
+    held = {name: parameters.get(name, variable.start or 0.0) for name, variable in interface.inputs.items()}
     try:
         made = fmpy.simulate_fmu(
             str(path),
@@ -52,7 +53,7 @@ def run_with_fmpy(
             stop_time=float(times[-1]),
             output_interval=float(times[-1] - times[0]) / (len(times) - 1),
             start_values=dict(parameters),
-            input=_signals(inputs),
+            input=_signals(inputs, held),
             output=names,
             fmi_type="CoSimulation",
         )
@@ -64,14 +65,15 @@ def run_with_fmpy(
     return Trajectory(np.ascontiguousarray(made["time"]), values, {name: known[name].unit for name in names})
 
 
-def _signals(inputs: Inputs | None) -> np.ndarray | None:
-    """As FMPy takes them: rows of time and values; where inputs are held, a step is two rows of one time."""
+def _signals(inputs: Inputs | None, held: Mapping[str, float]) -> np.ndarray | None:
+    """As FMPy takes them: rows of time and all inputs; where inputs are held, a step is two rows of one time."""
     if inputs is None or not inputs.values:
         return None
     time, columns = inputs.time, dict(inputs.values)
     if inputs.interpolation == "previous":
         time = np.repeat(time, 2)[1:]
         columns = {name: np.repeat(values, 2)[:-1] for name, values in columns.items()}
+    columns = {name: np.full(time.shape, value) for name, value in held.items()} | columns
     kind = [("time", np.float64), *((name, np.float64) for name in columns)]
     signals = np.zeros(len(time), kind)
     signals["time"] = time

@@ -1,0 +1,129 @@
+"""Inputs from whatever a script has, and runs by FMPy: the same numbers each way."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas
+import pytest
+import xarray
+
+import pam_cosim as pam
+
+BENCH = "TankFilling"
+TIME = np.array([0.0, 1.0, 1.0, 3.0])
+CURRENT = np.array([0.2, 0.2, 0.35, 0.3])
+SUPPLY = np.array([1.5e5, 1.5e5, 1.8e5, 1.8e5])
+EXPECTED = pam.Inputs(TIME, {"u_in": CURRENT, "p_supply": SUPPLY})
+
+
+def _csv(folder: Path) -> Path:
+    rows = [f"{t},{u},{p / 1e3}" for t, u, p in zip(TIME, CURRENT, SUPPLY, strict=True)]
+    (folder / "u.csv").write_text("\n".join(["time [s],u_in [A],p_supply [kPa]", *rows]))
+    return folder / "u.csv"
+
+
+def _structured() -> np.ndarray:
+    made = np.zeros(4, [("time", float), ("u_in", float), ("p_supply", float)])
+    made["time"], made["u_in"], made["p_supply"] = TIME, CURRENT, SUPPLY
+    return made
+
+
+SOURCES: dict[str, Any] = {
+    "mapping": {"time": TIME, "u_in": CURRENT, "p_supply": SUPPLY},
+    "units": {"time [ms]": TIME * 1e3, "u_in [mA]": CURRENT * 1e3, "p_supply [bar]": SUPPLY / 1e5},
+    "frame": pandas.DataFrame({"time": TIME, "u_in": CURRENT, "p_supply [kPa]": SUPPLY / 1e3}),
+    "index": pandas.DataFrame({"u_in": CURRENT, "p_supply": SUPPLY}, index=pandas.Index(TIME)),
+    "structured": _structured(),
+    "file": _csv,
+}
+
+
+@pytest.fixture(scope="module")
+def reference() -> pam.Trajectory:
+    return pam.simulate(BENCH, inputs=EXPECTED)
+
+
+@pytest.mark.parametrize("kind", SOURCES)
+def test_every_source_says_the_same(kind: str, reference: pam.Trajectory, tmp_path: Path) -> None:
+    source = SOURCES[kind](tmp_path) if kind == "file" else SOURCES[kind]
+    run = pam.simulate(BENCH, inputs=source)
+    assert np.array_equal(run.time, reference.time)
+    np.testing.assert_allclose(run["p"], reference["p"], rtol=1e-9, atol=1e-3)
+
+
+def test_functions_and_constants_of_time() -> None:
+    def ramp(t: float) -> float:
+        return 0.2 + 0.05 * t
+
+    run = pam.simulate(BENCH, inputs={"u_in": ramp, "p_supply": "150 kPa"}, stop_time="2 s")
+    line = pam.Inputs([0.0, 2.0], {"u_in": [0.2, 0.3], "p_supply": [1.5e5, 1.5e5]})
+    np.testing.assert_allclose(run["p"], pam.simulate(BENCH, inputs=line)["p"], rtol=1e-6, atol=0.1)
+
+
+def test_an_earlier_run_drives_another() -> None:
+    first = pam.simulate(BENCH, inputs=EXPECTED, outputs=["u_in", "p_supply"])
+    again = pam.simulate(BENCH, inputs=first)
+    np.testing.assert_allclose(again["p"][-1], first["p"][-1], rtol=1e-2)
+
+
+def _fails(t: float) -> float:
+    raise ZeroDivisionError("at half time")
+
+
+@pytest.mark.parametrize(
+    ("source", "words"),
+    [
+        ({"time": TIME, "u_inn": CURRENT}, "no input 'u_inn'; did you mean 'u_in'"),
+        ({"time": TIME, "u_in [kg]": CURRENT}, "'u_in [kg]'"),
+        ({"time": TIME, "u_in": CURRENT[:2]}, "has 2 values for 4 times"),
+        ({"time": TIME[::-1], "u_in": CURRENT}, "decrease"),
+        ({"time": TIME, "u_in": ["a", "b", "c", "d"]}, "'u_in'"),
+        ({"u_in": _fails}, "the function of the input 'u_in' fails at 0 s"),
+        ({"u_in": "3 kg"}, "u_in=3 kg"),
+        (3.0, "not as float"),
+    ],
+)
+def test_what_is_no_source_is_refused(source: Any, words: str) -> None:
+    with pytest.raises(pam.InputError) as refused:
+        pam.simulate(BENCH, inputs=source)
+    assert words in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    "inputs", [None, EXPECTED, pam.Inputs(TIME, EXPECTED.values, "previous")], ids=["none", "linear", "held"]
+)
+def test_fmpy_makes_the_same_run(inputs: pam.Inputs | None) -> None:
+    settings = {} if inputs else {"p_supply": "150 kPa"}
+    kept = {"outputs": ["valve.inlet.m_flow"], "stop_time": 3.0, "interval": "10 ms"}
+    own, other = (pam.simulate(BENCH, settings, inputs, engine=engine, **kept) for engine in ("own", "fmpy"))  # type: ignore[arg-type]
+    assert list(own.values) == list(other.values) and own.units == other.units
+    # at a time where an input jumps FMPy may give the value before: these rows aside
+    away = (np.abs(own.time - 1.0) > 0.02) & (own.time < 2.99) if inputs else np.ones(own.time.shape, bool)
+    for name in own.values:
+        scale = np.abs(own[name]).max()
+        assert np.abs(own[name] - np.interp(own.time, other.time, other[name]))[away].max() < 2e-3 * scale
+
+
+def test_no_such_engine() -> None:
+    with pytest.raises(pam.InputError, match="no engine 'fmpi'"):
+        pam.simulate(BENCH, engine="fmpi")
+
+
+def test_a_run_goes_elsewhere(reference: pam.Trajectory, tmp_path: Path) -> None:
+    frame, data = reference.to_frame(), reference.to_xarray()
+    assert np.array_equal(frame["p"], reference["p"]) and frame.attrs["units"]["p"] == "Pa"
+    assert np.array_equal(data["T"], reference["T"]) and data["T"].attrs["units"] == "K"
+    with xarray.open_dataset(reference.save(tmp_path / "r.nc")) as read:
+        assert np.array_equal(read["p"], reference["p"])
+    assert np.array_equal(pandas.read_parquet(reference.save(tmp_path / "r.parquet"))["p [Pa]"], reference["p"])
+    assert np.array_equal(pam.Trajectory.from_csv(reference.save(tmp_path / "r.csv"))["p"], reference["p"])
+    reference.draw(tmp_path / "r.png")
+    assert repr(reference).startswith("2 signals at ") and "<pre>2 signals" in reference._repr_html_()
+
+
+def test_a_name_that_no_variable_has() -> None:
+    with pytest.raises(pam.InputError, match="no variable 'valve.inlet.mflow'; did you mean 'valve.inlet.m_flow'"):
+        pam.simulate(BENCH, outputs=["valve.inlet.mflow"])
