@@ -12,6 +12,7 @@ from pam_cosim.commands.build import build
 from pam_cosim.commands.common import INTERRUPTED, interrupted, remarks, results
 from pam_cosim.commands.compare import compare
 from pam_cosim.commands.couple import couple
+from pam_cosim.commands.describe import describe
 from pam_cosim.commands.diagnose import diagnose
 from pam_cosim.commands.effects import effects
 from pam_cosim.commands.fit import fit
@@ -28,7 +29,9 @@ app = typer.Typer(
     rich_markup_mode=None,
     help="Compare models with measurements and find the physical effect they lack.",
 )
-for _command in (build, simulate, sweep, couple, linearise, bode, observe, compare, fit, diagnose, add, effects):
+_RUN = (build, describe, simulate, sweep, couple, linearise, bode, observe)
+_STUDY = (compare, fit, diagnose, add, effects)
+for _command in _RUN + _STUDY:
     app.command()(_command)
 
 

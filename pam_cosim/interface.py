@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from pam_cosim.wording import Printed
+
 
 @dataclass(frozen=True)
 class Variable:
@@ -21,7 +23,7 @@ class Variable:
 
 
 @dataclass(frozen=True)
-class Interface:
+class Interface(Printed):
     """The inputs, outputs and parameters of a model, each by name, in a fixed order.
 
     Attributes:
@@ -43,6 +45,13 @@ class Interface:
     tolerance: float = 1e-6
     sensitivities: dict[str, Variable] = field(default_factory=dict)
 
+    def __str__(self) -> str:
+        """Inputs, outputs and parameters, a line each: name, default, range, unit, meaning."""
+        lines = [f"{self.model}, {self.stop_time:g} s in steps of {self.interval:g} s"]
+        for title in ("inputs", "outputs", "parameters"):
+            lines += [f"{title}:", *(f"  {_line(v)}" for v in getattr(self, title).values())]
+        return "\n".join(lines)
+
     @property
     def variables(self) -> dict[str, Variable]:
         """What can be read of a run: outputs and everything else that changes with time, and parameters."""
@@ -58,3 +67,11 @@ class Interface:
 def sensitivity_name(output: str, parameter: str) -> str:
     """The variable that is the derivative of an output or state with respect to a parameter."""
     return f"sensitivity.{output}.{parameter}"
+
+
+def _line(variable: Variable) -> str:
+    start = "" if variable.start is None else f" = {variable.start:g}"
+    low, high = ("" if end is None else f"{end:g}" for end in (variable.min, variable.max))
+    within = f"{low} to {high}" if low and high else f"at least {low}" if low else f"at most {high}" if high else ""
+    within = f", {within}" if within else ""
+    return f"{variable.name}{start} [{variable.unit or '1'}]{within}: {variable.description}".rstrip(": ")

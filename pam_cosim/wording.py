@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from difflib import get_close_matches
+from html import escape
 
 _LONGEST = 60
 _MOST_NAMES = 20
@@ -36,3 +37,10 @@ def did_you_mean(name: str, known: Iterable[str]) -> str:
     close = closest(name, known)
     hint = f"did you mean '{close[0]}'? " if close else ""
     return f"{hint}Known: {listed(known)}"
+
+
+class Printed:
+    """What prints itself is shown in a notebook as it prints."""
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{escape(str(self))}</pre>"

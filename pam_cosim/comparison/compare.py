@@ -13,11 +13,11 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement import ROLES, DataSet
 from pam_cosim.simulation import AnySimulator
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import did_you_mean
+from pam_cosim.wording import Printed, did_you_mean
 
 
 @dataclass(frozen=True)
-class Comparison:
+class Comparison(Printed):
     """Residuals and scores of a model on a data set.
 
     Attributes:

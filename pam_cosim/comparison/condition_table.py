@@ -23,7 +23,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.files import write_text
 from pam_cosim.measurement import Signal
 from pam_cosim.units import format_quantity, readable_factor, readable_unit
-from pam_cosim.wording import did_you_mean
+from pam_cosim.wording import Printed, did_you_mean
 
 Statistic = Literal["correlation", "rmse", "chi2_reduced"]
 STATISTICS: tuple[Statistic, ...] = get_args(Statistic)
@@ -50,7 +50,7 @@ class Condition:
 
 
 @dataclass(frozen=True)
-class ConditionTable:
+class ConditionTable(Printed):
     """Scores of one signal by two parameters of the runs; NaN in a cell without samples.
 
     Attributes:

@@ -14,7 +14,7 @@ from pam_cosim.interface import Interface, Variable
 from pam_cosim.settings import Setting, resolve, value_of
 from pam_cosim.simulation import AnySimulator, AnyStepper, Trajectory
 from pam_cosim.units import UnitError, convert, format_quantity, seconds
-from pam_cosim.wording import did_you_mean
+from pam_cosim.wording import Printed, did_you_mean
 
 _MARK = b"pam-cosim state\0"
 _SIZE = struct.Struct("<Q")
@@ -41,7 +41,7 @@ class Readings(Mapping[str, float]):
         return ", ".join(f"{name} = {format_quantity(value, self.units[name])}" for name, value in self._values.items())
 
 
-class RigState:
+class RigState(Printed):
     """A state of a rig to which it can go back; ``Rig.save`` makes it.
 
     Attributes:
@@ -67,7 +67,7 @@ class RigState:
         return _MARK + _SIZE.pack(len(text)) + text + content
 
 
-class Rig:
+class Rig(Printed):
     """A model in the middle of a run; ``start`` makes it. A context manager.
 
     ``rig["p"]`` is the present value of any variable in the model's own (SI) unit.

@@ -26,7 +26,7 @@ from pam_cosim.interface import Interface, Variable
 from pam_cosim.settings import Setting, settable, value_of
 from pam_cosim.simulation import AnySimulator, AnyStepper, Inputs, IsolatedSimulator, Simulator, Trajectory
 from pam_cosim.units import UnitError, seconds
-from pam_cosim.wording import did_you_mean, shown
+from pam_cosim.wording import Printed, did_you_mean, shown
 
 METHODS = ("jacobi", "gauss-seidel")
 EXTRAPOLATIONS = ("constant", "linear")
@@ -36,7 +36,7 @@ MOST_STEPS = 10_000_000
 
 
 @dataclass(frozen=True)
-class CoupledRun:
+class CoupledRun(Printed):
     """What came of a run of a coupled system.
 
     Attributes:
@@ -71,7 +71,7 @@ class CoupledRun:
 
 
 @dataclass(frozen=True)
-class System:
+class System(Printed):
     """Components and the connections between them; ``couple`` makes it.
 
     Attributes:

@@ -25,11 +25,12 @@ from pam_cosim.ledger import Ledger
 from pam_cosim.measurement import ROLES, DataSet, complete_noise
 from pam_cosim.simulation import Simulator
 from pam_cosim.units import format_quantity
+from pam_cosim.wording import Printed
 from pam_cosim.workers import wake
 
 
 @dataclass(frozen=True)
-class Diagnosis:
+class Diagnosis(Printed):
     """Everything a diagnosis found.
 
     Attributes:

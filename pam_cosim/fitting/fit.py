@@ -26,10 +26,11 @@ from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.solve import Problem, Progress
 from pam_cosim.measurement import ROLES, DataSet
 from pam_cosim.simulation import AnySimulator
+from pam_cosim.wording import Printed
 
 
 @dataclass(frozen=True)
-class Fit:
+class Fit(Printed):
     """A model with its free parameters fitted to the fit runs of a data set.
 
     Attributes:

@@ -8,6 +8,7 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.domain import Domain
+from pam_cosim.wording import Printed
 
 
 @dataclass(frozen=True)
@@ -136,7 +137,7 @@ class Reading:
 
 
 @dataclass(frozen=True)
-class Ledger:
+class Ledger(Printed):
     """The balances of a model on a data set.
 
     Attributes:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from pam_cosim.domain import Domain
 from pam_cosim.measurement.experiment import FILE_NAME
 from pam_cosim.simulation.inputs import Interpolation
+from pam_cosim.wording import Printed
 
 Role = Literal["fit", "holdout"]
 ROLES: tuple[Role, ...] = get_args(Role)
@@ -89,7 +90,7 @@ class Run:
 
 
 @dataclass(frozen=True)
-class DataSet:
+class DataSet(Printed):
     """An experiment: the bench, what was measured on it, and what is known of its parameters.
 
     Attributes:

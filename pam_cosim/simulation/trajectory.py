@@ -7,7 +7,6 @@ import io
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,6 +16,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_text, written_whole
 from pam_cosim.units import format_quantity
+from pam_cosim.wording import Printed
 
 if TYPE_CHECKING:
     import pandas
@@ -26,7 +26,7 @@ _HEADER = re.compile(r"\s*(?P<name>.*?)(?:\s+\[(?P<unit>[^\[\]]*)\])?\s*")
 
 
 @dataclass(frozen=True, repr=False)
-class Trajectory:
+class Trajectory(Printed):
     """Signals of one run.
 
     Attributes:
@@ -81,9 +81,6 @@ class Trajectory:
                 )
                 lines.append(f"  {name}: from {low} to {high}, at the end {last}")
         return "\n".join(lines)
-
-    def _repr_html_(self) -> str:
-        return f"<pre>{escape(repr(self))}</pre>"
 
     def save(self, path: Path | str) -> Path:
         """Writes NetCDF (.nc), Parquet (.parquet) or CSV (any other ending), whole or not at all.

@@ -213,3 +213,10 @@ def test_effects_tell_descriptions_as_they_are(command: Command, place: Path) ->
     (place / "Own.mo").write_text(f'model Own "{text}"\n  extends {base};\nend Own;\n')
     found = done(command("effects", "--file", "Own.mo"))
     assert text in " ".join(found.out.replace("│", " ").split())
+
+
+def test_describe_lists_what_can_be_set_and_kept(command: Command) -> None:
+    told = done(command("describe", "TankFilling")).out
+    assert "  p_supply = 207000 [Pa]: Gauge pressure of the supply" in told
+    assert "  tank.V = 0.0021 [m3], 1e-06 to 10: Volume" in told and "valve.inlet.m_flow" not in told
+    assert "  valve.inlet.m_flow [kg/s]" in done(command("describe", "TankFilling", "--all")).out
