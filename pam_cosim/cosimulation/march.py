@@ -7,12 +7,13 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
-from pam_cosim.cosimulation.network import CouplingFailure, Network, Saved
+from pam_cosim.cosimulation.network import CouplingFailure, Moment, Network, Saved
 from pam_cosim.cosimulation.parts import Part, Port
 from pam_cosim.errors import InputError
 
 # Hairer, Norsett, Wanner, Solving ODEs I, II.4: safety, and how much a step may change at once.
 _SAFETY, _SHRINK, _GROW = 0.9, 0.2, 3.0
+_EXACT = 1e-10  # an error, over what is allowed, that is as good as none
 _SMALLEST = 1e-9  # of the run: no step is shorter
 _SAME_TIME = 1e-9  # of a step
 _FEWEST = 20  # steps in a run, so that the picture of it is not a polygon
@@ -59,7 +60,7 @@ def march(
             write_down()
         else:
             chooser.go(end, write_down)
-        if network.event(end):
+        if network.event():
             write_down()
         if index % 16 == 0 or end == stop:
             progress(end, stop)
@@ -106,6 +107,23 @@ def _instead(failure: CouplingFailure | None) -> Iterator[None]:
         raise failure or second from None
 
 
+@dataclass(frozen=True)
+class _Trial:
+    """A step that was tried.
+
+    Attributes:
+        error: over what is allowed.
+        worst: the signal that has it; None: a component failed, or there are no signals.
+        middle: between the two halves.
+        failure: of a component.
+    """
+
+    error: float
+    worst: Port | None
+    middle: Moment
+    failure: CouplingFailure | None = None
+
+
 class _Chooser:
     """Chooses steps so that the error of each, estimated by halving it, is within the tolerance."""
 
@@ -128,61 +146,68 @@ class _Chooser:
         """One step that stands, in two halves."""
         network, plan, start = self._network, self._plan, self._network.now.time
         while True:
-            wished = min(self._next, self._largest)
-            left = end - start
-            length = left if left <= wished * (1 + _SAME_TIME) else left / 2 if left < 2 * wished else wished
-            failed: CouplingFailure | None = None
-            try:
-                error, worst = self._try(saved, length, end if length == left else start + length)
-            except CouplingFailure as failure:
-                error, worst, failed = math.inf, None, failure
-            if error <= 1:
+            length, wished = self._length(end - start)
+            trial = self._try(saved, length, end if length == end - start else start + length)
+            if trial.error <= 1:
                 break
             plan.rejected += 1
-            with _instead(failed):
+            with _instead(trial.failure):
                 network.restore(saved)
-            if failed is not None and length <= self._smallest:
-                raise failed
-            if worst is not None and length <= self._smallest:
-                raise CouplingFailure(
-                    str(worst.component), network.components[worst.component].model, start,
-                    f"no step is short enough for the tolerance {plan.tolerance:g}; the error is in '{worst}'",
-                )  # fmt: skip
-            self._next = max(self._smallest, length * max(_SHRINK, self._factor(error)))
-        for moment in (self._middle, network.now):
-            held, network.now = network.now, moment
+            if length <= self._smallest:
+                raise trial.failure or self._too_short(trial, start)
+            self._next = max(self._smallest, length * max(_SHRINK, self._factor(trial.error)))
+        last = network.now
+        for moment in (trial.middle, last):
+            network.now = moment
             write_down()
-            network.now = held
             for signal in network.signals:
                 self._seen[signal] = max(self._seen[signal], abs(moment.values[signal]))
-        plan.lengths += [length / 2, length / 2]
-        proposed = length * min(_GROW, self._factor(error))
-        self._next = (
-            max(self._next, proposed) if length < wished * (1 - _SAME_TIME) and proposed >= length else proposed
-        )
+        plan.lengths += [trial.middle.time - start, last.time - trial.middle.time]
+        proposed = length * min(_GROW, self._factor(trial.error))
+        cut_short = length < wished * (1 - _SAME_TIME) and proposed >= length
+        self._next = max(self._next, proposed) if cut_short else proposed
+
+    def _length(self, left: float) -> tuple[float, float]:
+        """Of the next step, and what it would be if there was no end [s]; the last two are alike."""
+        wished = min(self._next, self._largest)
+        if left <= wished * (1 + _SAME_TIME):
+            return left, wished
+        return (left / 2 if left < 2 * wished else wished), wished
+
+    def _too_short(self, trial: _Trial, start: float) -> CouplingFailure:
+        assert trial.worst is not None
+        cause = f"no step is short enough for the tolerance {self._plan.tolerance:g}; the error is in '{trial.worst}'"
+        component = trial.worst.component
+        return CouplingFailure(component, self._network.components[component].model, start, cause)
 
     def _factor(self, error: float) -> float:
-        return _SAFETY * max(error, 1e-10) ** (-1 / (self._plan.order + 1)) if math.isfinite(error) else 0.0
+        """By which the length of a step changes."""
+        return _SAFETY * max(error, _EXACT) ** (-1 / (self._plan.order + 1)) if math.isfinite(error) else 0.0
 
-    def _try(self, saved: Saved, length: float, end: float) -> tuple[float, Port | None]:
-        """The step as a whole and in halves, at whose end the network then is: the error over what is allowed."""
+    def _try(self, saved: Saved, length: float, end: float) -> _Trial:
+        """The step as a whole and in halves, at whose end the network then is."""
         network = self._network
-        network.step(length, can_go_back=True)
-        whole = dict(network.now.values)
-        network.restore(saved)
-        network.step(length / 2, can_go_back=True)
-        self._middle = network.moment()
-        network.step(end - network.now.time, can_go_back=True)
+        middle = network.now
+        try:
+            network.step(length, can_go_back=True)
+            whole = dict(network.now.values)
+            network.restore(saved)
+            network.step(length / 2, can_go_back=True)
+            middle = network.now.copy()
+            network.step(end - network.now.time, can_go_back=True)
+        except CouplingFailure as failure:
+            return _Trial(math.inf, None, middle, failure)
         network.now.time = end
-        worst, largest = None, 0.0
-        for signal in network.signals:
-            value = network.now.values[signal]
-            scale = max(self._nominal[signal], self._seen[signal], abs(value))
-            allowed = self._plan.tolerance * scale * (2**self._plan.order - 1)  # type: ignore[operator]
-            error = abs(value - whole[signal]) / allowed if allowed > 0 else 0.0
-            if error >= largest:
-                worst, largest = signal, error
-        return largest, worst
+        errors = {signal: self._error(signal, network.now.values[signal], whole[signal]) for signal in network.signals}
+        worst = max(errors, key=lambda signal: errors[signal], default=None)
+        return _Trial(errors[worst] if worst is not None else 0.0, worst, middle)
+
+    def _error(self, signal: Port, halves: float, whole: float) -> float:
+        """The estimated error of a signal over what is allowed."""
+        assert self._plan.tolerance is not None
+        scale = max(self._nominal[signal], self._seen[signal], abs(halves))
+        allowed = self._plan.tolerance * scale * (2**self._plan.order - 1)
+        return abs(halves - whole) / allowed if allowed > 0 else 0.0
 
 
 def _nominal(network: Network) -> Mapping[Port, float]:

@@ -2,32 +2,31 @@
 
 from __future__ import annotations
 
-import math
-import traceback
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
-from typing import Any, Literal, TypeVar
+from typing import Any, Literal
 
 import numpy as np
 
+from pam_cosim.arrays import Array
+from pam_cosim.cosimulation.courses import Courses
 from pam_cosim.cosimulation.loops import evaluation_order, torn
 from pam_cosim.cosimulation.parts import Component, Connection, Controller, Part, Port
-from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.cosimulation.sampling import sampled
+from pam_cosim.errors import SimulationFailure
 from pam_cosim.simulation import AnyStepper, Inputs, RunFailure
-from pam_cosim.simulation.inputs import Pieces, pieces
-from pam_cosim.wording import listed, shown
 
 Method = Literal["jacobi", "gauss-seidel"]
 Extrapolation = Literal["constant", "linear"]
 Loops = Literal["refuse", "delay", "iterate"]
 Values = dict[Port, float]
-T = TypeVar("T")
 
 _ITERATIONS = 20  # of Newton's method on an algebraic loop
 _LOOP_TOLERANCE = 1e-10  # relative, of the variables of an algebraic loop
 _NUDGE = 1e-6  # relative, of a variable of a loop for a finite difference
-_SAME_TIME = 1e-9  # of a step: times closer than this part of it are one
-_ROUNDING = 1e-12  # of the largest time, likewise
+_SMALLEST = 1e-300  # a difference below this is none
+_SAME_TIME = 1e-9  # of the distance of two samples
 
 
 class CouplingFailure(RunFailure):
@@ -50,12 +49,6 @@ class CouplingFailure(RunFailure):
         return f"{self.reason} (coupled up to {self.reached:.6g} s)"
 
 
-class ControllerError(InputError):
-    """A controller raised an exception or did not return its outputs; ``run`` is what was reached, a ``CoupledRun``."""
-
-    run: Any = None
-
-
 @dataclass
 class Work:
     """What a run costs.
@@ -71,14 +64,29 @@ class Work:
 
 @dataclass
 class Moment:
-    """All that a system is at one time, but for the states of the FMUs."""
+    """All that a system is at one time, but for the states of the FMUs.
+
+    Attributes:
+        time: [s].
+        values: of every variable that is read.
+        slopes: of the outputs that are connected, over the step before [1/s].
+    """
 
     time: float
     values: Values
     slopes: Values
 
+    def copy(self) -> Moment:
+        """One that does not change with this one."""
+        return Moment(self.time, dict(self.values), dict(self.slopes))
 
-Saved = tuple[dict[str, int], Moment]
+
+@dataclass(frozen=True)
+class Saved:
+    """A state of a whole system: the numbers of the FMUs' states, and the rest."""
+
+    states: Mapping[str, int]
+    moment: Moment
 
 
 class Network:
@@ -95,6 +103,10 @@ class Network:
         order: of the components in a step.
         observed: further variables to read at every time.
         start_time: [s].
+
+    Raises:
+        CouplingFailure: a component cannot be initialised.
+        ControllerError: a controller cannot make its first sample.
     """
 
     def __init__(
@@ -112,35 +124,34 @@ class Network:
         start_time: float = 0.0,
     ) -> None:
         self.components, self.steppers = components, steppers
-        self.method, self.extrapolation = method, extrapolation
         self.parts = [name for name in (order or components) if isinstance(components[name], Part)]
         self.controllers = {name: c for name, c in components.items() if isinstance(c, Controller)}
-        kept, cut = torn(components, connections) if loops != "refuse" else (list(connections), [])
-        self._loop = cut if loops == "iterate" else []
-        self._passes = evaluation_order(components, kept, cut)
-        self._feeds: dict[str, list[Connection]] = {name: [] for name in components}
-        for connection in connections:
-            self._feeds[connection.target.component].append(connection)
-        self._courses = _courses(inputs)
-        self._read = _to_read(components, observed)
         self.signals = sorted({c.source for c in connections}, key=str)
-        self.now = Moment(start_time, {}, {})
-        self._start = start_time
-        self._after = True  # at a time at which an input of the system jumps: its value is that after the jump
         self.work = Work(dict.fromkeys(self.parts, 0))
+        self._sequential, self._linear = method == "gauss-seidel", extrapolation == "linear"
+        kept, cut = torn(components, connections) if loops != "refuse" else (list(connections), [])
+        self._loop = list(dict.fromkeys(c.source for c in cut)) if loops == "iterate" else []
+        self._passes = evaluation_order(components, kept, cut)
+        self._feeds = {name: [c for c in connections if c.target.component == name] for name in components}
+        self._courses = Courses(inputs)
+        self._after = True  # at a time at which an input of the system jumps: its value is that after the jump
+        self._read = _to_read(components, observed)
+        self._start = start_time
+        self.now = Moment(start_time, {}, {})
         self._begin()
 
     def _begin(self) -> None:
-        for name, stepper in self.steppers.items():
-            self._of(name, lambda s=stepper, n=name: self._store(n, self._read[n], s.read(self._read[n])))  # type: ignore[misc]
-        for name, one in self.controllers.items():
-            self.now.values.update({Port(name, output): 0.0 for output in one.outputs})
-        self.settle(every_input=True)
-        if self.sample(self.now.time, first=True):
-            self.settle(every_input=True)
-        for name, stepper in self.steppers.items():
-            self._of(name, stepper.initialised)
-            self._of(name, lambda s=stepper, n=name: self._store(n, self._read[n], s.read(self._read[n])))  # type: ignore[misc]
+        for name, controller in self.controllers.items():
+            self.now.values.update({Port(name, output): 0.0 for output in controller.outputs})
+        for name in self.parts:
+            self._refresh(name, {})
+        self._settle_all()
+        if self._sample(self._start):
+            self._settle_all()
+        for name in self.parts:
+            with self._naming(name):
+                self.steppers[name].initialised()
+            self._refresh(name, {})
         self.now.slopes = dict.fromkeys(self.signals, 0.0)
 
     # --- one step ------------------------------------------------------------------------------------------
@@ -154,53 +165,41 @@ class Network:
         begin, time = dict(self.now.values), self.now.time
         advanced: set[str] = set()
         for name in self.parts:
-            inputs, slopes = self._over_step(name, time, duration, begin, advanced)
-            stepper, names = self.steppers[name], self._read[name]
+            inputs, slopes = self._over_step(name, duration, begin, advanced)
             self.work.component_steps[name] += 1
-            values = self._of(name, lambda: stepper.advance(duration, inputs, slopes, names, can_go_back))  # noqa: B023
-            self._store(name, names, values)
-            if self.method == "gauss-seidel":
+            with self._naming(name):
+                values = self.steppers[name].advance(duration, inputs, slopes, self._read[name], can_go_back)
+            self._store(name, values)
+            if self._sequential:
                 advanced.add(name)
         self.now.time, self._after = time + duration, False
-        self.settle()
-        values_now = self.now.values
-        self.now.slopes = {s: (values_now[s] - begin[s]) / duration for s in self.signals}
-        for name in self.controllers:  # held
-            for signal in self.signals:
-                if signal.component == name:
-                    self.now.slopes[signal] = 0.0
+        self._settle()
+        self.now.slopes = {s: (self.now.values[s] - begin[s]) / duration for s in self.signals}
 
     def _over_step(
-        self, name: str, time: float, duration: float, begin: Values, advanced: set[str]
+        self, name: str, duration: float, begin: Values, advanced: set[str]
     ) -> tuple[dict[str, float], dict[str, float]]:
         """A component's inputs at the start of a step, and how fast they are to change in it."""
-        inputs, slopes = {}, {}
-        for variable, (line, _) in self._courses.get(name, {}).items():
-            value, slope = line.at(np.array([time + _SAME_TIME * duration]))
-            inputs[variable], slopes[variable] = float(value[0]), float(slope[0])
-        linear = self.extrapolation == "linear"
+        inputs, slopes = self._courses.over_step(name, self.now.time, duration)
         for connection in self._feeds[name]:
             source, variable = connection.source, connection.target.variable
-            start = begin[source]
-            rate = self.now.slopes.get(source, 0.0) if linear else 0.0
-            if source.component in advanced:
+            value, rate = begin[source], self.now.slopes.get(source, 0.0) if self._linear else 0.0
+            if source.component in advanced:  # where it has come to is known
                 end = self.now.values[source]
-                start, rate = (start, (end - start) / duration) if linear else (end, 0.0)
-            inputs[variable] = connection(start)
-            slopes[variable] = connection.factor * rate
+                value, rate = (value, (end - value) / duration) if self._linear else (end, 0.0)
+            inputs[variable], slopes[variable] = connection(value), connection.factor * rate
         return inputs, slopes
 
-    def settle(self, every_input: bool = False) -> None:
-        """Reads again what depends at once on an input, now that all inputs are known.
+    # --- consistent values at one time ---------------------------------------------------------------------
 
-        Raises:
-            CouplingFailure: a component fails, or an algebraic loop has no solution.
-        """
-        if every_input:
-            for name in self.parts:
-                inputs = self._inputs_now(name)
-                stepper, names = self.steppers[name], self._read[name]
-                self._of(name, lambda: self._store(name, names, stepper.read(names, inputs)))  # noqa: B023
+    def _settle_all(self) -> None:
+        """Sets all inputs anew and reads all outputs."""
+        for name in self.parts:
+            self._refresh(name, self._inputs_now(name))
+        self._settle()
+
+    def _settle(self) -> None:
+        """Reads again what depends at once on an input, now that all inputs are known."""
         if self._loop:
             self._solve_loop()
         else:
@@ -208,126 +207,120 @@ class Network:
 
     def _pass(self) -> None:
         for name in self._passes:
-            inputs, names = self._inputs_now(name), self._read[name]
-            stepper = self.steppers[name]
-            self._of(name, lambda: self._store(name, names, stepper.read(names, inputs)))  # noqa: B023
+            self._refresh(name, self._inputs_now(name))
 
     def _solve_loop(self) -> None:
-        """Newton's method for the variables at which the algebraic loops were cut."""
-        sources = list(dict.fromkeys(c.source for c in self._loop))
-        guess = np.array([self.now.values[s] for s in sources])
-
-        def residual(z: np.ndarray) -> np.ndarray:
-            self.now.values.update(zip(sources, map(float, z), strict=True))
-            self._pass()
-            return np.array([self.now.values[s] - zi for s, zi in zip(sources, z, strict=True)])
-
+        """Newton's method for the outputs at which the algebraic loops were cut."""
+        guess = np.array([self.now.values[source] for source in self._loop])
         for _ in range(_ITERATIONS):
-            error = residual(guess)
-            if np.all(np.abs(error) <= _LOOP_TOLERANCE * (np.abs(guess) + np.abs(guess + error)) + 1e-300):
+            error = self._residual(guess)
+            if np.all(np.abs(error) <= _LOOP_TOLERANCE * (np.abs(guess) + np.abs(guess + error)) + _SMALLEST):
                 return
-            slope = np.empty((guess.size, guess.size))
-            for i in range(guess.size):
-                nudged = guess.copy()
-                nudged[i] += _NUDGE * max(abs(guess[i]), abs(error[i]))
-                slope[:, i] = (residual(nudged) - error) / (nudged[i] - guess[i])
             try:
-                guess = guess - np.linalg.solve(slope, error)
+                guess = guess - np.linalg.solve(self._slope(guess, error), error)
             except np.linalg.LinAlgError:
                 break
-        loop = ", ".join(map(str, sources))
-        raise CouplingFailure(
-            sources[0].component, self.components[sources[0].component].model, self.now.time,
-            f"the algebraic loop through {loop} has no solution that Newton's method finds",
-        )  # fmt: skip
+        first, loop = self._loop[0], ", ".join(map(str, self._loop))
+        cause = f"the algebraic loop through {loop} has no solution that Newton's method finds"
+        raise CouplingFailure(first.component, self.components[first.component].model, self.now.time, cause)
+
+    def _residual(self, guess: Array) -> Array:
+        """What the outputs come to, less the guess that went round the loop."""
+        self.now.values.update(zip(self._loop, map(float, guess), strict=True))
+        self._pass()
+        return np.array([self.now.values[s] - z for s, z in zip(self._loop, guess, strict=True)])
+
+    def _slope(self, guess: Array, error: Array) -> Array:
+        """The residual's derivatives by finite differences, as a matrix."""
+        columns = []
+        for i in range(guess.size):
+            nudged = guess.copy()
+            nudged[i] += _NUDGE * max(abs(guess[i]), abs(error[i]))
+            columns.append((self._residual(nudged) - error) / (nudged[i] - guess[i]))
+        return np.stack(columns, axis=1)
 
     def _inputs_now(self, name: str) -> dict[str, float]:
-        inputs = {v: self._course_at(course, self.now.time) for v, course in self._courses.get(name, {}).items()}
+        inputs = self._courses.at(name, self.now.time, self._after)
         inputs.update({c.target.variable: c(self.now.values[c.source]) for c in self._feeds[name]})
         return inputs
 
-    def _course_at(self, course: tuple[Pieces, float], time: float) -> float:
-        line, near = course
-        return float(line.at(np.array([time + near if self._after else time - near]))[0][0])
+    def external(self) -> dict[str, float]:
+        """Inputs of the system at the present time, by ``component.variable``."""
+        return self._courses.every(self.now.time, self._after)
 
     # --- events --------------------------------------------------------------------------------------------
 
     def breaks(self, stop: float) -> list[float]:
         """Times up to ``stop`` at which an input of the system jumps or bends, [s]."""
-        times = {float(t) for courses in self._courses.values() for line, _ in courses.values() for t in line.time}
-        return sorted(t for t in times if self.now.time < t < stop)
+        return self._courses.turns(self.now.time, stop)
 
-    def event(self, time: float) -> bool:
+    def event(self) -> bool:
         """What happens between two steps: inputs that jump, and controllers whose sample it is; whether anything does.
 
         Raises:
+            CouplingFailure: a component fails.
             ControllerError: a controller cannot go on.
         """
         before, self._after = dict(self.now.values), True
-        courses = [one for some in self._courses.values() for one in some.values()]
-        jumps = any(bool(np.any(np.abs(line.time - time) <= near)) for line, near in courses)
+        jumps = self._courses.turn(self.now.time)
         if jumps:
-            self.settle(every_input=True)
-        sampled = self.sample(time)
-        if sampled:
-            self.settle(every_input=True)
+            self._settle_all()
+        changes = self._sample(self.now.time)
+        if changes:
+            self._settle_all()
         for signal in self.signals:
-            if self.now.values[signal] != before[signal]:
+            if self.now.values[signal] != before[signal]:  # how fast it went on before says nothing now
                 self.now.slopes[signal] = 0.0
-        return jumps or sampled
+        return jumps or changes
 
-    def sample(self, time: float, first: bool = False) -> bool:
+    def _sample(self, time: float) -> bool:
         """Calls the controllers whose sample it is; whether an output of theirs has changed."""
         changed = False
-        for name, one in self.controllers.items():
-            since = (time - self._start) / one.seconds if not first else 0.0
-            if abs(since - round(since)) > _SAME_TIME * max(1.0, abs(since)):
+        for name, controller in self.controllers.items():
+            samples = (time - self._start) / controller.seconds
+            if abs(samples - round(samples)) > _SAME_TIME * max(1.0, abs(samples)):
                 continue
-            inputs = {c.target.variable: c(self.now.values[c.source]) for c in self._feeds[name]}
-            inputs |= {v: self._course_at(course, time) for v, course in self._courses.get(name, {}).items()}
-            for output, value in _called(name, one, time, inputs).items():
-                changed |= self.now.values.get(Port(name, output)) != value
+            for output, value in sampled(name, controller, time, self._inputs_now(name)).items():
+                changed |= self.now.values[Port(name, output)] != value
                 self.now.values[Port(name, output)] = value
         return changed
 
-    def external(self) -> dict[str, float]:
-        """Inputs of the system at the present time, by ``component.variable``."""
-        now = self.now.time
-        return {f"{c}.{v}": self._course_at(one, now) for c, some in self._courses.items() for v, one in some.items()}
-
     # --- states --------------------------------------------------------------------------------------------
-
-    def moment(self) -> Moment:
-        """A copy of the present time and its values."""
-        return Moment(self.now.time, dict(self.now.values), dict(self.now.slopes))
 
     def save(self) -> Saved:
         """A state of the whole system."""
-        states = {name: self._of(name, self.steppers[name].save) for name in self.parts}
-        return states, self.moment()
+        states = {}
+        for name in self.parts:
+            with self._naming(name):
+                states[name] = self.steppers[name].save()
+        return Saved(states, self.now.copy())
 
     def restore(self, saved: Saved) -> None:
         """Goes back to a saved state."""
-        states, moment = saved
         self.work.rollbacks += 1
-        for name, number in states.items():
-            self._of(name, lambda: self.steppers[name].restore(number))  # noqa: B023
-        self.now = Moment(moment.time, dict(moment.values), dict(moment.slopes))
+        for name, number in saved.states.items():
+            with self._naming(name):
+                self.steppers[name].restore(number)
+        self.now = saved.moment.copy()
 
     def forget(self, saved: Saved) -> None:
         """Frees a saved state."""
-        for name, number in saved[0].items():
-            self._of(name, lambda: self.steppers[name].forget(number))  # noqa: B023
+        for name, number in saved.states.items():
+            with self._naming(name):
+                self.steppers[name].forget(number)
 
-    def _store(self, name: str, names: Sequence[str], values: Iterable[float]) -> None:
-        self.now.values.update({Port(name, n): v for n, v in zip(names, values, strict=True)})
+    def _refresh(self, name: str, inputs: Mapping[str, float]) -> None:
+        with self._naming(name):
+            self._store(name, self.steppers[name].read(self._read[name], inputs))
 
-    def _of(self, name: str, call: Callable[[], T]) -> T:
+    def _store(self, name: str, values: Sequence[float]) -> None:
+        self.now.values.update({Port(name, n): v for n, v in zip(self._read[name], values, strict=True)})
+
+    @contextmanager
+    def _naming(self, name: str) -> Iterator[None]:
         """Around a call of a component: a failure names it and the time."""
         try:
-            return call()
-        except CouplingFailure:
-            raise
+            yield
         except SimulationFailure as failure:
             reason = str(failure).rstrip(". ")
             raise CouplingFailure(name, self.components[name].model, self.now.time, reason) from failure
@@ -339,44 +332,3 @@ def _to_read(components: Mapping[str, Component], observed: Sequence[Port]) -> d
         if one.variable not in names[one.component]:
             names[one.component].append(one.variable)
     return names
-
-
-def _courses(inputs: Inputs | None) -> dict[str, dict[str, tuple[Pieces, float]]]:
-    """Inputs of the system by component and variable, with the time [s] after a jump at which it is over."""
-    courses: dict[str, dict[str, tuple[Pieces, float]]] = {}
-    if inputs is None:
-        return courses
-    near = _ROUNDING * max(1.0, float(np.max(np.abs(inputs.time))))
-    for name, values in inputs.values.items():
-        component, _, variable = name.partition(".")
-        line = pieces(inputs.time, values, inputs.interpolation)
-        courses.setdefault(component, {})[variable] = (line, near)
-    return courses
-
-
-def _called(name: str, one: Controller, time: float, inputs: dict[str, float]) -> dict[str, float]:
-    """What a controller returns, checked."""
-    where = f"controller '{name}' ({one.model})"
-    try:
-        answer: Any = one(time, **inputs)
-    except Exception as error:  # whatever a user's function raises
-        place = traceback.extract_tb(error.__traceback__)[-1]
-        what = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
-        raise ControllerError(
-            f"{where} raised {what} at {time:.6g} s, in line {place.lineno} of {place.filename}"
-        ) from error
-    values = answer if isinstance(answer, Mapping) else dict.fromkeys(list(one.outputs)[:1], answer)
-    if set(values) != set(one.outputs):
-        given = f"returned {listed(map(str, values))}" if isinstance(answer, Mapping) else "returned one value"
-        raise ControllerError(f"{where} {given} at {time:.6g} s; its outputs are {listed(one.outputs)}")
-    numbers = {}
-    for output, value in values.items():
-        try:
-            numbers[output] = float(value)
-        except (TypeError, ValueError):
-            numbers[output] = math.nan
-        if not math.isfinite(numbers[output]):
-            raise ControllerError(
-                f"{where} returned {output} = {shown(value)} at {time:.6g} s; it must be a finite number"
-            )
-    return numbers

@@ -135,7 +135,7 @@ def _described(entries: _Entries) -> _Found:
     root = entries.tree(DESCRIPTION, "the description", "SystemStructureDescription.xsd")
     system = root.find("ssd:System", NAMESPACES)
     experiment = root.find("ssd:DefaultExperiment", NAMESPACES)
-    found = _Found(root.get("name"))
+    found = _Found(_plain(root.get("name")))
     if experiment is not None and experiment.get("stopTime"):
         begin, end = float(experiment.get("startTime") or 0.0), float(experiment.get("stopTime"))
         found.stop_time = end - begin if math.isfinite(end - begin) and end > begin else None
@@ -152,11 +152,11 @@ def _system(entries: _Entries, system: Any, place: _Place, found: _Found) -> Non
     _bindings(entries, system, place, found)
     for element in system.iterfind("ssd:Elements/*", NAMESPACES):
         kind = etree.QName(element).localname
-        own = (*place, str(element.get("name")))
+        own = (*place, _plain(str(element.get("name"))))
         if kind == "System":
             _system(entries, element, own, found)
         elif kind != "Component" or element.get("type", FMU_TYPE) != FMU_TYPE:
-            raise InputError(f"'{'.'.join(own)}' is not an FMU ({element.get('type', kind)})", entries.file)
+            raise InputError(f"'{'.'.join(own)}' is not an FMU ({_plain(element.get('type', kind))})", entries.file)
         elif own in found.sources:
             raise InputError(f"there are two components '{'.'.join(own)}'", entries.file)
         else:
@@ -169,7 +169,7 @@ def _system(entries: _Entries, system: Any, place: _Place, found: _Found) -> Non
 def _wire(entries: _Entries, element: Any, place: _Place) -> _Wire:
     def end(which: str) -> tuple[_Place, str]:
         name = element.get(f"{which}Element")
-        return ((*place, name) if name else place), str(element.get(f"{which}Connector"))
+        return ((*place, _plain(name)) if name else place), _plain(str(element.get(f"{which}Connector")))
 
     plain = element.get("suppressUnitConversion") in ("true", "1")
     for child in element:
@@ -196,13 +196,18 @@ def _bindings(entries: _Entries, element: Any, place: _Place, found: _Found) -> 
         prefix = binding.get("prefix", "")
         for one in sets:
             for parameter in one.iterfind("ssv:Parameters/ssv:Parameter", NAMESPACES):
-                found.values.append((place, prefix + parameter.get("name"), _value(entries, parameter)))
+                found.values.append((place, _plain(prefix + parameter.get("name")), _value(entries, parameter)))
+
+
+def _plain(text: str) -> str:
+    """A name that may be printed: it does not steer a terminal."""
+    return "".join(c if c.isprintable() else "_" for c in text)
 
 
 def _value(entries: _Entries, parameter: Any) -> Setting:
     real = parameter.find("ssv:Real", NAMESPACES)
     if real is None:
-        raise InputError(f"parameter '{parameter.get('name')}' is no real number", entries.file)
+        raise InputError(f"parameter '{_plain(parameter.get('name'))}' is no real number", entries.file)
     unit = real.get("unit")
     return f"{float(real.get('value'))!r} {unit}" if unit and unit != "1" else float(real.get("value"))
 

@@ -10,7 +10,6 @@ from dataclasses import dataclass, field, replace
 from pam_cosim.cosimulation.loops import algebraic_loop, refuse_loop
 from pam_cosim.cosimulation.march import Step, march
 from pam_cosim.cosimulation.network import (
-    ControllerError,
     CouplingFailure,
     Extrapolation,
     Loops,
@@ -21,6 +20,7 @@ from pam_cosim.cosimulation.network import (
 from pam_cosim.cosimulation.parts import Component, Connection, Controller, Part, Port, check_name, check_once, port
 from pam_cosim.cosimulation.recorder import Recorder
 from pam_cosim.cosimulation.rig import variables_of
+from pam_cosim.cosimulation.sampling import ControllerError
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.settings import Setting, settable, value_of
@@ -131,9 +131,7 @@ class System(Printed):
                 some: Mapping[str, Variable] = getattr(component.interface, group)
                 variables.update({f"{name}.{n}": replace(v, name=f"{name}.{n}") for n, v in some.items()})
         inputs = {name: replace(variable, name=name) for name, variable in self.inputs.items()}
-        return Interface(
-            self.title or "the system", inputs, groups["outputs"], groups["parameters"], groups["locals"]
-        )
+        return Interface(self.title or "the system", inputs, groups["outputs"], groups["parameters"], groups["locals"])
 
     def having(self, parameters: Mapping[str, Setting]) -> System:
         """The same system with other values, by ``component.variable`` as in ``couple``.

@@ -57,8 +57,8 @@ def read_toml(file: Path) -> Written:
     parameters, title = content.get("parameters", {}), content.get("title", "")
     if not isinstance(components, dict) or not components:
         raise InputError("name the components under [components]: NAME = 'MODEL'", file)
-    if not isinstance(title, str):
-        raise wrong("the title must be a text", "title")
+    if not isinstance(title, str) or not title.isprintable():
+        raise wrong("the title must be one line of text that can be printed", "title")
     if not isinstance(connections, list) or not all(isinstance(one, str) for one in connections):
         raise wrong("connections must be a list of 'a.output -> b.input', above the tables", "connections")
     for name, model in components.items():

@@ -196,6 +196,13 @@ def test_damaged_archives_are_refused_or_read(tmp_path: Path) -> None:
     assert refused > 30
 
 
+def test_names_do_not_steer_a_terminal(tmp_path: Path) -> None:
+    hidden = "by\u202ehand&#10;x"
+    file = archive(tmp_path / "h.ssp", system(component("a")).replace("by hand", hidden))
+    read = pam.read_system(file)
+    assert read.title.isprintable() and "hand" in repr(read)
+
+
 def test_python_controllers_are_not_written(tmp_path: Path) -> None:
     lift = pam.Controller(lambda time, x: 0.0, {"x": "m"}, {"u_in": "A"})
     parts = {"gas": "CoSimulation.ValveAndGas", "muscle": "CoSimulation.MuscleAndLoad", "lift": lift}
