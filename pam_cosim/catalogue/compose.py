@@ -98,14 +98,14 @@ class _Draft:
     def _hosts(self, effect: EffectClass) -> list[tuple[Part, str]]:
         bases = self.tree.bases(effect.qualified_name)
         needed = {c.name for c in self.tree.components(effect.qualified_name) if self._is_connector(c.type)}
-        found = []
+        hosts = []
         for part in self.structure.parts:
             if not part.path or names.parent(part.path) or is_effect(part.bases):
                 continue
             shared = [b for b in bases if b in part.bases and needed and needed <= self._connectors(b)]
             if shared:
-                found.append((part, shared[0]))
-        return found
+                hosts.append((part, shared[0]))
+        return hosts
 
     def _connect(self, effect: EffectClass, host: Part, terminals: str) -> None:
         first = self.parameters.get(effect.name)

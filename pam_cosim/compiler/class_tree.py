@@ -122,20 +122,20 @@ class ClassTree:
         """The full name of the class that ``name`` means in the text of class ``scope`` (empty: the root)."""
         absolute = name.startswith(".")
         place = self._lookup.static_scope(self._definitions[scope]) if scope else None
-        found = self._lookup.find(place, tuple(names.parts(name.lstrip("."))), absolute)
-        return None if found is None else found.definition.qualified_name
+        resolved = self._lookup.find(place, tuple(names.parts(name.lstrip("."))), absolute)
+        return None if resolved is None else resolved.definition.qualified_name
 
     def bases(self, name: str) -> list[str]:
         """Full names of all classes that a class inherits from, nearest first; a class only once."""
-        found: dict[str, None] = {}
+        inherited: dict[str, None] = {}
         waiting = [self._class(name)]
         while waiting:
             of = waiting.pop(0)
             for base in self._lookup.bases(of):
-                if base.definition.qualified_name not in found:
-                    found[base.definition.qualified_name] = None
+                if base.definition.qualified_name not in inherited:
+                    inherited[base.definition.qualified_name] = None
                     waiting.append(base)
-        return list(found)
+        return list(inherited)
 
     def is_subtype(self, name: str, base: str) -> bool:
         """Whether a class is ``base`` or inherits from it."""
@@ -151,19 +151,19 @@ class ClassTree:
 
     def components(self, name: str) -> list[ComponentInfo]:
         """Components with inherited ones, in the order in which the compiler has them."""
-        found: dict[str, ComponentInfo] = {}
+        components: dict[str, ComponentInfo] = {}
         for part in reversed([name, *self._in_order(name)]):
             for component in self.classes[part].components:
-                found.setdefault(component.name, component)
-        return list(found.values())
+                components.setdefault(component.name, component)
+        return list(components.values())
 
     def replaceables(self, name: str) -> list[ReplaceableInfo]:
         """Replaceable classes with inherited ones."""
-        found: dict[str, ReplaceableInfo] = {}
+        replaceables: dict[str, ReplaceableInfo] = {}
         for part in reversed([name, *self._in_order(name)]):
             for replaceable in self.classes[part].replaceables:
-                found.setdefault(replaceable.name, replaceable)
-        return list(found.values())
+                replaceables.setdefault(replaceable.name, replaceable)
+        return list(replaceables.values())
 
     def constant(self, name: str, constant: str) -> Constant | None:
         """The literal value of a constant (or parameter) of a class, modifications of ``extends`` included.
@@ -181,11 +181,11 @@ class ClassTree:
 
     def _in_order(self, name: str) -> list[str]:
         """All bases such that, read backwards, a base comes before what extends it."""
-        found: list[str] = []
+        ordered: list[str] = []
         for base in reversed(self._lookup.bases(self._class(name))):
             base_name = base.definition.qualified_name
-            found += [base_name, *self._in_order(base_name)] if base_name in self._definitions else []
-        return found
+            ordered += [base_name, *self._in_order(base_name)] if base_name in self._definitions else []
+        return ordered
 
     def _constant(self, of: Class, constant: str) -> Constant | None:
         definition = of.definition
@@ -261,9 +261,9 @@ class ClassTree:
 
     def _resolved(self, place: ClassDefinition | None, name: TypeName) -> str:
         scope = self._lookup.static_scope(place) if place is not None else None
-        found = self._lookup.find(scope, name.names, name.absolute)
-        if found is not None:
-            return found.definition.qualified_name
+        resolved = self._lookup.find(scope, name.names, name.absolute)
+        if resolved is not None:
+            return resolved.definition.qualified_name
         return name.text if name.text not in PRIMITIVES else name.names[-1]
 
 
@@ -278,20 +278,20 @@ def _literal(value: Expression | None) -> Constant | None:
 
 
 def _modifications(modification: Modification, prefix: str = "") -> dict[str, str]:
-    found: dict[str, str] = {}
+    texts: dict[str, str] = {}
     for argument in modification.arguments:
         name = prefix + argument.name
-        found |= _entries(argument, name)
-    return found
+        texts |= _entries(argument, name)
+    return texts
 
 
 def _entries(argument: Argument, name: str) -> dict[str, str]:
     if argument.redeclaration is not None:
         return {name: argument_text(argument)}
-    found = _modifications(argument.modification, f"{name}.")
+    texts = _modifications(argument.modification, f"{name}.")
     if argument.modification.value is not None:
-        found[name] = expression_text(argument.modification.value)
-    return found
+        texts[name] = expression_text(argument.modification.value)
+    return texts
 
 
 def read_library(root: Path | None = None, files: Sequence[Path] = ()) -> ClassTree:

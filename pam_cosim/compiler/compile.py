@@ -78,15 +78,15 @@ def _find(model: str, library: Library, lookup: Lookup) -> Class:
         if not models:
             raise ModelError("the file holds no model", model)
         return lookup.of(models[-1])
-    found = lookup.qualified(model)
-    if found is None:
+    of = lookup.qualified(model)
+    if of is None:
         raise ModelError(f"there is no model '{model}'{library.similar(model, 'model')}")
-    definition = found.definition
+    definition = of.definition
     if definition.kind in _NOT_MODELS:
         raise definition.source.error(f"'{model}' is a {definition.kind}, not a model", definition.at)
     if definition.partial:
         raise definition.source.error(f"'{model}' is partial: compile a model that extends it", definition.at)
-    return found
+    return of
 
 
 @dataclass
@@ -205,16 +205,16 @@ class _Assembly:
     def _locals(self, outputs: Sequence[Instance]) -> list[tuple[Instance, ca.SX]]:
         """Everything that can be computed and is neither state, output nor free parameter."""
         symbols, taken = self.flat.symbols, set(outputs)
-        found = []
+        computable = []
         for leaf in self.flat.root.leaves():
             if leaf in symbols.unknowns:
                 if leaf not in taken and leaf.name not in self.states:
-                    found.append((leaf, self._value(leaf.name)))
+                    computable.append((leaf, self._value(leaf.name)))
             elif leaf.variability == "parameter" and leaf.primitive == "Real" and leaf not in symbols.free:
                 value = self.beginning.known(ca.SX(symbols.value(leaf)))
                 if not _names(value) & self.beginning.start_times:
-                    found.append((leaf, value))
-        return found
+                    computable.append((leaf, value))
+        return computable
 
     def _state_variable(self, name: str, initial: ca.SX) -> Variable:
         value = float(ca.evalf(ca.substitute(initial, self.p, self.p_values)))

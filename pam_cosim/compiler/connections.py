@@ -9,14 +9,15 @@ from pam_cosim.compiler.instance import Instance, Scope
 from pam_cosim.compiler.syntax import Connect, Reference
 from pam_cosim.errors import ModelError
 
-Face = tuple[Instance, bool]
+ConnectorSide = tuple[Instance, bool]
+"""A variable of a connector, and whether it is seen as an inside connector (Modelica 3.6, section 9.1.2)."""
 
 
 @dataclass(eq=False, repr=False)
 class ConnectionSet:
     """Variables that are connected; the flag says whether a flow counts into the set (seen from inside)."""
 
-    members: list[Face]
+    members: list[ConnectorSide]
 
     @property
     def is_flow(self) -> bool:
@@ -29,7 +30,7 @@ class Connections:
 
     def __init__(self, evaluator: Evaluator) -> None:
         self._evaluator = evaluator
-        self._parents: dict[Face, Face] = {}
+        self._parents: dict[ConnectorSide, ConnectorSide] = {}
 
     def add(self, equation: Connect, scope: Scope, names: Environment) -> None:
         """One ``connect(a, b)``; nothing happens if a condition has switched one of them off.
@@ -47,8 +48,8 @@ class Connections:
 
     def _connector(self, reference: Reference, scope: Scope, names: Environment) -> list[Instance]:
         try:
-            found = self._evaluator.locate(reference, scope, names)
-            return [self._present(item) for item in (found if isinstance(found, list) else [found])]
+            located = self._evaluator.locate(reference, scope, names)
+            return [self._present(item) for item in (located if isinstance(located, list) else [located])]
         except AbsentComponent:
             raise
         except ModelError as error:
@@ -97,14 +98,14 @@ class Connections:
         for name in names:
             self._join([a.children[name].resolved()], [b.children[name].resolved()], scope, equation)
 
-    def _root(self, face: Face) -> Face:
-        self._parents.setdefault(face, face)
-        while self._parents[face] != face:
-            self._parents[face] = self._parents[self._parents[face]]
-            face = self._parents[face]
-        return face
+    def _root(self, side: ConnectorSide) -> ConnectorSide:
+        self._parents.setdefault(side, side)
+        while self._parents[side] != side:
+            self._parents[side] = self._parents[self._parents[side]]
+            side = self._parents[side]
+        return side
 
-    def _unite(self, a: Face, b: Face) -> None:
+    def _unite(self, a: ConnectorSide, b: ConnectorSide) -> None:
         root_a, root_b = self._root(a), self._root(b)
         if root_a != root_b:
             self._parents[root_b] = root_a
@@ -116,9 +117,9 @@ class Connections:
                 for leaf in node.leaves():
                     if "flow" in leaf.prefixes:
                         self._root((leaf, True))
-        groups: dict[Face, list[Face]] = {}
-        for face in list(self._parents):
-            groups.setdefault(self._root(face), []).append(face)
+        groups: dict[ConnectorSide, list[ConnectorSide]] = {}
+        for side in list(self._parents):
+            groups.setdefault(self._root(side), []).append(side)
         return [ConnectionSet(members) for members in groups.values()]
 
 

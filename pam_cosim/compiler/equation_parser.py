@@ -27,19 +27,19 @@ class EquationParser(ExpressionParser):
 
     def equations(self, section: str, stop: int) -> tuple[Equation, ...]:
         """All equations or statements up to token number ``stop``."""
-        found = []
+        equations = []
         while self.index < stop:
-            found.append(self.equation(section))
+            equations.append(self.equation(section))
             self.expect(";")
-        return tuple(found)
+        return tuple(equations)
 
     def block(self, section: str) -> tuple[Equation, ...]:
         """The equations up to ``end``, ``else`` and the like."""
-        found = []
+        equations = []
         while self.kind not in _STOPS:
-            found.append(self.equation(section))
+            equations.append(self.equation(section))
             self.expect(";")
-        return tuple(found)
+        return tuple(equations)
 
     def equation(self, section: str) -> Equation:
         """One equation or statement, without its semicolon."""

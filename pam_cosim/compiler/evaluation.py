@@ -246,15 +246,15 @@ class Evaluator:
     # ---- references ---------------------------------------------------------------------------------------
 
     def _reference(self, node: Reference, scope: Scope, names: Environment) -> Value:
-        found = self.locate(node, scope, names)
-        if isinstance(found, Instance | list) and not _is_plain(found):
-            return self._contents(found)
-        return found
+        referent = self.locate(node, scope, names)
+        if isinstance(referent, Instance | list) and not _is_plain(referent):
+            return self._contents(referent)
+        return referent
 
-    def _contents(self, found: Value) -> Value:
-        if isinstance(found, list):
-            return [self._contents(item) for item in found]
-        return self.value(found) if isinstance(found, Instance) else found
+    def _contents(self, referent: Value) -> Value:
+        if isinstance(referent, list):
+            return [self._contents(item) for item in referent]
+        return self.value(referent) if isinstance(referent, Instance) else referent
 
     def locate(self, node: Reference, scope: Scope, names: Environment = NO_NAMES) -> Value:
         """What a reference names: an instance (or a list of them), or a value.
@@ -264,19 +264,19 @@ class Evaluator:
         """
         name, subscripts = node.parts[0]
         if not node.absolute and name in names:
-            found: Value = names[name]
-            if found is None:
+            referent: Value = names[name]
+            if referent is None:
                 raise ModelError(f"'{name}' has no value yet")
         elif not node.absolute and len(node.parts) == 1 and name == "time":
             return self.time()
         else:
-            found = self._first(name, scope, node)
-        found = self._subscripted(found, subscripts, scope, names)
+            referent = self._first(name, scope, node)
+        referent = self._subscripted(referent, subscripts, scope, names)
         for name, subscripts in node.parts[1:]:
-            found = self._subscripted(self._member_of(found, name, node), subscripts, scope, names)
-        if isinstance(found, ClassValue):
+            referent = self._subscripted(self._member_of(referent, name, node), subscripts, scope, names)
+        if isinstance(referent, ClassValue):
             raise ModelError(f"'{node.text}' is a class, not a variable")
-        return found
+        return referent
 
     def _first(self, name: str, scope: Scope, node: Reference) -> Value:
         place = None if node.absolute else scope
@@ -287,22 +287,22 @@ class Evaluator:
                 package = self.instantiator.package(Class(place.definition, place.outer))
                 if name in package.children:
                     return package.children[name]
-            found = self.lookup.member(place, name)
-            if found is not None:
-                return ClassValue(found)
+            member = self.lookup.member(place, name)
+            if member is not None:
+                return ClassValue(member)
             place = place.outer
-        found = self.lookup.first(None, name, True)
-        if found is not None:
-            return ClassValue(found)
+        top = self.lookup.first(None, name, True)
+        if top is not None:
+            return ClassValue(top)
         if name in ENUMERATIONS:
             return name
         raise ModelError(f"'{node.text}' not found in {scope.definition.qualified_name}")
 
-    def _member_of(self, found: Value, name: str, node: Reference) -> Value:
-        if isinstance(found, list):
-            return [self._member_of(item, name, node) for item in found]
-        if isinstance(found, Instance):
-            instance = self.instantiator.expand(found)
+    def _member_of(self, holder: Value, name: str, node: Reference) -> Value:
+        if isinstance(holder, list):
+            return [self._member_of(item, name, node) for item in holder]
+        if isinstance(holder, Instance):
+            instance = self.instantiator.expand(holder)
             if instance.elements is not None:
                 return [self._member_of(element, name, node) for element in instance.elements]
             if not instance.present:
@@ -313,9 +313,9 @@ class Evaluator:
                 return ClassValue(instance.classes[name])
             what = instance.type.definition.qualified_name if instance.type is not None else instance.primitive
             raise ModelError(f"'{node.text}': {what or instance.name} has no '{name}'")
-        if isinstance(found, ClassValue):
-            return self._class_member(found.of, name, node)
-        literals = ENUMERATIONS.get(found, ()) if isinstance(found, str) else ()
+        if isinstance(holder, ClassValue):
+            return self._class_member(holder.of, name, node)
+        literals = ENUMERATIONS.get(holder, ()) if isinstance(holder, str) else ()
         if name in literals:
             return EnumerationLiteral(name, literals.index(name) + 1)
         raise ModelError(f"'{node.text}': there is no member '{name}'")
@@ -342,17 +342,17 @@ class Evaluator:
             raise ModelError(f"'{node.text}' is not a constant")
         return package.children[name]
 
-    def _subscripted(self, found: Value, subscripts: tuple[Expression, ...], scope: Scope, names: Environment) -> Value:
+    def _subscripted(self, array: Value, subscripts: tuple[Expression, ...], scope: Scope, names: Environment) -> Value:
         if not subscripts:
-            return found
-        if isinstance(found, Instance):
-            instance = self.instantiator.expand(found)
+            return array
+        if isinstance(array, Instance):
+            instance = self.instantiator.expand(array)
             if instance.elements is None:
                 raise ModelError(f"'{instance.name}' is not an array")
-            found = instance.elements
-        if not isinstance(found, list):
+            array = instance.elements
+        if not isinstance(array, list):
             raise ModelError("a scalar has no subscripts")
-        return self._pick(found, subscripts, scope, names)
+        return self._pick(array, subscripts, scope, names)
 
     def _pick(self, items: Value, subscripts: tuple[Expression, ...], scope: Scope, names: Environment) -> Value:
         if not subscripts:
@@ -475,15 +475,15 @@ class Evaluator:
     def results(self, node: Call, scope: Scope, names: Environment) -> Value:
         """The value of a call: a tuple of all results for a function that is written in Modelica."""
         name = node.function.text
-        found = self._function(node, scope)
-        if found is None:
+        called = self._function(node, scope)
+        if called is None:
             builtin = self.instantiator.calls.builtins.get(name)
             if builtin is not None:
                 return builtin(self, node, scope, names)
             raise ModelError(f"function '{name}' not found in {scope.definition.qualified_name}")
-        if found.definition.kind == "function":
-            return self.instantiator.calls.function(self, found, node, scope, names)
-        return self._construct(found, node, scope, names)
+        if called.definition.kind == "function":
+            return self.instantiator.calls.function(self, called, node, scope, names)
+        return self._construct(called, node, scope, names)
 
     def _function(self, node: Call, scope: Scope) -> Class | None:
         if len(node.function.parts) == 1:
@@ -496,26 +496,26 @@ class Evaluator:
             return None
         return first.of if isinstance(first, ClassValue) else None
 
-    def _construct(self, found: Class, node: Call, scope: Scope, names: Environment) -> Value:
-        definition = found.definition
+    def _construct(self, of: Class, node: Call, scope: Scope, names: Environment) -> Value:
+        definition = of.definition
         arguments = [Argument(name, value.at, Modification((), value)) for name, value in node.named]
         if node.arguments:
             raise ModelError(f"name the members in the constructor: {definition.name}(member=value, ...)")
         if definition.kind != "record" and definition.alias is None:
             raise ModelError(f"'{definition.qualified_name}' is a {definition.kind}: it cannot be called")
         modification: Mod = bind(Modification(tuple(arguments)), scope, node.at)
-        return self.instantiator.record(found, definition.name, modification)
+        return self.instantiator.record(of, definition.name, modification)
 
     def combinations(self, node: Call, scope: Scope, names: Environment) -> list[Value]:
         """The values of ``f(e for i in r)`` under the function."""
         return [self.evaluate(node.arguments[0], scope, point) for point in self.points(node.iterators, scope, names)]
 
 
-def _is_plain(found: Value) -> bool:
+def _is_plain(referent: Value) -> bool:
     """Whether a list holds values only."""
-    if isinstance(found, list):
-        return all(_is_plain(item) for item in found)
-    return not isinstance(found, Instance)
+    if isinstance(referent, list):
+        return all(_is_plain(item) for item in referent)
+    return not isinstance(referent, Instance)
 
 
 _HANDLERS: dict[type, Callable[[Evaluator, Any, Scope, Environment], Value]] = {

@@ -113,11 +113,11 @@ class ExpressionParser:
         """``[i, :, end]`` or nothing."""
         if not self.accept("["):
             return ()
-        found = [self.subscript()]
+        subscripts = [self.subscript()]
         while self.accept(","):
-            found.append(self.subscript())
+            subscripts.append(self.subscript())
         self.expect("]")
-        return tuple(found)
+        return tuple(subscripts)
 
     def subscript(self) -> Expression:
         """One subscript."""
@@ -285,14 +285,14 @@ class ExpressionParser:
 
     def iterators(self) -> tuple[Iterator, ...]:
         """``i in r, j in s``, after ``for``."""
-        found = []
+        iterators = []
         while True:
             name = self.expect("name")
             if not self.accept("in"):
                 self.fail("the range of a loop must be written: 'for i in 1:n loop'")
-            found.append(Iterator(name, self.expression()))
+            iterators.append(Iterator(name, self.expression()))
             if not self.accept(","):
-                return tuple(found)
+                return tuple(iterators)
 
     def parenthesis(self) -> Expression:
         """``(a)``, or ``(a, , b)`` as the target of several results."""
@@ -322,4 +322,4 @@ class ExpressionParser:
 
 def unquote(token: str) -> str:
     """The value of a string token."""
-    return _ESCAPE.sub(lambda found: _ESCAPED.get(found[1], found[1]), token[1:-1])
+    return _ESCAPE.sub(lambda escape: _ESCAPED.get(escape[1], escape[1]), token[1:-1])

@@ -161,13 +161,13 @@ class Instantiator:
         if "replaceable" not in original.prefixes:
             raise source.error(f"class '{new.name}' is not replaceable", new.at)
         over = replace(entry, redeclaration=None, value=None) if entry.entries else None
-        found = Class(new, place, over, under)
+        redeclared = Class(new, place, over, under)
         if original.constraint is not None:
             limit: Class | None = self.lookup.require(scope, original.constraint.type, original)
         else:
             limit = self.followed(Class(original, scope))
-        self._check_constraint(found, limit, new.at)
-        return found
+        self._check_constraint(redeclared, limit, new.at)
+        return redeclared
 
     def followed(self, of: Class) -> Class:
         """The class with a body that a short class stands for."""
@@ -264,9 +264,9 @@ class Instantiator:
             raise source.error(f"component '{new.name}' is not replaceable", new.at)
         limit_name = old.type if old.constraint is None else old.constraint.type
         limit = self.lookup.find(scope, limit_name.names, limit_name.absolute)
-        found = self.lookup.find(place, new.type.names, new.type.absolute)
-        if found is not None:
-            self._check_constraint(Class(found.definition, found.outer), limit, new.at)
+        new_type = self.lookup.find(place, new.type.names, new.type.absolute)
+        if new_type is not None:
+            self._check_constraint(Class(new_type.definition, new_type.outer), limit, new.at)
 
     def expand(self, instance: Instance) -> Instance:
         """Fill in what an instance consists of, if that has not been done; returns what it stands for."""
@@ -362,9 +362,9 @@ class Instantiator:
         holder = instance.parent.parent if instance.parent is not None else None
         name = instance.local_name
         while holder is not None:
-            found = holder.children.get(name)
-            if found is not None and "inner" in found.prefixes:
-                return self.expand(found)
+            candidate = holder.children.get(name)
+            if candidate is not None and "inner" in candidate.prefixes:
+                return self.expand(candidate)
             holder = holder.parent
         declaration = instance.declaration
         assert declaration is not None
@@ -376,14 +376,14 @@ class Instantiator:
     # ---- types --------------------------------------------------------------------------------------------
 
     def _type(self, name: TypeName, scope: Scope, modification: Mod) -> _Type:
-        found = self.lookup.find(scope, name.names, name.absolute)
-        if found is None:
+        of = self.lookup.find(scope, name.names, name.absolute)
+        if of is None:
             if name.text in PRIMITIVES:
                 return _Type(name.text, None, modification)
             if name.text in ENUMERATIONS:
                 return _Type("enumeration", None, modification)
             raise self.lookup.missing(name, scope.definition)
-        return self._follow(found, modification, 0)
+        return self._follow(of, modification, 0)
 
     def _follow(self, of: Class, modification: Mod, depth: int) -> _Type:
         definition = of.definition
@@ -399,17 +399,17 @@ class Instantiator:
             raise self.lookup.missing(alias.type, definition)
         own = merge(merge(of.over, bind(alias.modification, place, alias.at)), of.under)
         if base is None:
-            found = _Type(alias.type.text, of, merge(modification, own))
+            followed = _Type(alias.type.text, of, merge(modification, own))
         else:
-            found = self._follow(base, NOTHING, depth + 1)
-            if not found.primitive:
+            followed = self._follow(base, NOTHING, depth + 1)
+            if not followed.primitive:
                 # a class with a body: populate() walks the aliases again, with their modifications
-                found = _Type("", of, modification, found.prefixes, found.dimensions)
+                followed = _Type("", of, modification, followed.prefixes, followed.dimensions)
             else:
-                found.modification = merge(merge(modification, own), found.modification)
-        found.prefixes |= definition.alias_prefixes
-        found.dimensions = tuple((size, place) for size in definition.alias_dimensions) + found.dimensions
-        return found
+                followed.modification = merge(merge(modification, own), followed.modification)
+        followed.prefixes |= definition.alias_prefixes
+        followed.dimensions = tuple((size, place) for size in definition.alias_dimensions) + followed.dimensions
+        return followed
 
     def _size(self, size: Expression, place: Scope, instance: Instance, dimension: int) -> int:
         if not isinstance(size, Whole):
@@ -419,12 +419,12 @@ class Instantiator:
             raise instance_source(instance).error(
                 f"'{instance.name}' has an unknown size and no value to take it from", size.at
             )
-        found = self.constants.bound(value)
+        array = self.constants.bound(value)
         for _ in range(dimension):
-            found = found[0] if isinstance(found, list) and found else found
-        if not isinstance(found, list):
+            array = array[0] if isinstance(array, list) and array else array
+        if not isinstance(array, list):
             raise value.source.error(f"'{instance.name}' needs an array as its value", value.expression.at)
-        return len(found)
+        return len(array)
 
 
 def instance_source(instance: Instance) -> Source:

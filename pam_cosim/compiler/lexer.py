@@ -50,21 +50,21 @@ def tokenise(source: Source) -> Tokens:
     position, text = 0, source.text
     match = _TOKEN.match
     while position < len(text):
-        found = match(text, position)
-        if found is None:
+        token = match(text, position)
+        if token is None:
             what = {'"': "string is not closed", "/": "comment is not closed"}.get(text[position])
             raise source.error(what or f"unexpected character {text[position]!r}", position)
-        kind = found.lastgroup
-        if kind == "name" and not found.group().isprintable():
-            bad = next(i for i, c in enumerate(found.group()) if not c.isprintable())
-            raise source.error(f"a name must not hold the character {found.group()[bad]!r}", position + bad)
+        kind = token.lastgroup
+        if kind == "name" and not token.group().isprintable():
+            bad = next(i for i, c in enumerate(token.group()) if not c.isprintable())
+            raise source.error(f"a name must not hold the character {token.group()[bad]!r}", position + bad)
         if kind != "space":
-            word = found.group()
+            word = token.group()
             is_literal = kind in ("number", "string") or (kind == "name" and word not in KEYWORDS)
             add_kind(str(kind) if is_literal else word)
             add_text(word)
             add_offset(position)
-        position = found.end()
+        position = token.end()
     add_kind("end of file")
     add_text("end of file")
     add_offset(len(text))

@@ -154,9 +154,9 @@ def _read_package(directory: Path, parent: ClassDefinition | None) -> ClassDefin
             child = _read_package(entry, package)
             package.classes[child.name] = child
         elif entry.suffix == ".mo" and entry.name != "package.mo":
-            within, found = parse_source(_read(entry))
+            within, children = parse_source(_read(entry))
             _check_within(within, package, entry)
-            for child in found:
+            for child in children:
                 child.parent = package
                 package.classes[child.name] = child
     return package

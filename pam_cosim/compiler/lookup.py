@@ -47,10 +47,10 @@ class Lookup:
         Raises:
             ModelError: there is no such class.
         """
-        found = self.find(scope, name.names, name.absolute)
-        if found is None:
+        required = self.find(scope, name.names, name.absolute)
+        if required is None:
             raise self.missing(name, holder)
-        return found
+        return required
 
     def missing(self, name: TypeName, holder: ClassDefinition, what: str = "class") -> ModelError:
         """The error that a name in the text of ``holder`` means no class, with the classes that it may stand for."""
@@ -61,9 +61,9 @@ class Lookup:
         """The class that a single name means: here, or in an enclosing class, or at the root."""
         place = None if absolute else scope
         while place is not None:
-            found = self.member(place, name)
-            if found is not None:
-                return found
+            member = self.member(place, name)
+            if member is not None:
+                return member
             place = place.outer
         return self._root(name)
 
@@ -79,9 +79,9 @@ class Lookup:
             return Class(inserted, scope)
         if scope.instance is None:
             for base in self.bases(Class(definition, scope.outer)):
-                found = self.member(self.inside(base), name)
-                if found is not None:
-                    return found
+                inherited = self.member(self.inside(base), name)
+                if inherited is not None:
+                    return inherited
         return self._imported(definition, name)
 
     def bases(self, of: Class) -> list[Class]:
@@ -123,18 +123,18 @@ class Lookup:
                 return self.qualified(entry.type.text)
             if entry.alias == "*":
                 package = self.qualified(entry.type.text)
-                found = None if package is None else self.member(self.inside(package), name)
-                if found is not None:
-                    return found
+                imported = None if package is None else self.member(self.inside(package), name)
+                if imported is not None:
+                    return imported
         return None
 
     def _root(self, name: str) -> Class | None:
         definition = self.library.top.get(name)
         return None if definition is None else Class(definition, None)
 
-    def _descend(self, found: Class | None, names: tuple[str, ...]) -> Class | None:
+    def _descend(self, of: Class | None, names: tuple[str, ...]) -> Class | None:
         for name in names:
-            if found is None:
+            if of is None:
                 return None
-            found = self.member(self.inside(found), name)
-        return found
+            of = self.member(self.inside(of), name)
+        return of

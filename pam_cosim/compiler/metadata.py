@@ -78,7 +78,7 @@ def experiment(instance: Instance) -> dict[str, Any]:
 
 def libraries(root: Instance) -> tuple[tuple[str, str], ...]:
     """Name and version of every top-level package with a ``version`` annotation that a component comes from."""
-    found: dict[str, str] = {}
+    versions: dict[str, str] = {}
     for node in root.nodes():
         for ancestor in node.ancestors:
             package = ancestor.definition
@@ -86,12 +86,12 @@ def libraries(root: Instance) -> tuple[tuple[str, str], ...]:
                 package = package.parent
             version = package.annotation.argument("version")
             if version is not None and isinstance(version.modification.value, Literal):
-                found[package.name] = str(version.modification.value.value)
-    return tuple(sorted(found.items()))
+                versions[package.name] = str(version.modification.value.value)
+    return tuple(sorted(versions.items()))
 
 
 def _settings(modification: Modification, where: str) -> dict[str, float]:
-    found = {}
+    settings = {}
     for entry in modification.arguments:
         key = EXPERIMENT.get(entry.name)
         if key is not None:
@@ -99,7 +99,7 @@ def _settings(modification: Modification, where: str) -> dict[str, float]:
             if not isinstance(value, Literal) or not isinstance(value.value, int | float):
                 kind = "a number" if not isinstance(value, Unary) else "a positive number"
                 raise ModelError(f"experiment annotation of {where}: {entry.name} must be {kind}")
-            found[key] = float(value.value)
-    if "stop_time" in found and "interval" not in found:
-        found["interval"] = found["stop_time"] / _INTERVALS
-    return found
+            settings[key] = float(value.value)
+    if "stop_time" in settings and "interval" not in settings:
+        settings["interval"] = settings["stop_time"] / _INTERVALS
+    return settings

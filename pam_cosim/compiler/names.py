@@ -12,8 +12,8 @@ _PLAIN = re.compile(r"[A-Za-z_][A-Za-z_0-9]*", re.ASCII)
 
 def parts(name: str) -> list[str]:
     """The parts between the dots; what is no dotted name is one part."""
-    found = _PART.findall(name)
-    return found if found and ".".join(found) == name else [name]
+    matches = _PART.findall(name)
+    return matches if matches and ".".join(matches) == name else [name]
 
 
 def last(name: str) -> str:

@@ -222,7 +222,7 @@ class Parser(EquationParser):
         if self.kind == "name" and self.peek() == "=":
             alias = self.advance()
             self.advance()
-            found = Import(alias, self.type_name())
+            clause = Import(alias, self.type_name())
         else:
             at = self.offset
             names = [self.expect("name")]
@@ -234,9 +234,9 @@ class Parser(EquationParser):
                     self.fail("import lists are not supported: write one import for each name")
                 else:
                     names.append(self.expect("name"))
-            found = Import(alias or names[-1], TypeName(at, tuple(names)))
+            clause = Import(alias or names[-1], TypeName(at, tuple(names)))
         self.string_comment()
-        return found
+        return clause
 
     def component_clause(self, prefixes: frozenset[str]) -> list[ComponentDeclaration]:
         """``prefixes Type a, b(...) ...``."""

@@ -44,18 +44,18 @@ def comparison(left: ca.SX, right: ca.SX, time: ca.SX, late: Mapping[str, ca.SX]
     """
     gap = left - right
     names = {symbol.name() for symbol in ca.symvar(gap)}
-    found = [symbol for name, symbol in late.items() if name in names]
-    if time.name() not in names or len(found) != 1:
+    compared = [symbol for name, symbol in late.items() if name in names]
+    if time.name() not in names or len(compared) != 1:
         return None
-    both = ca.vertcat(time, found[0])
+    both = ca.vertcat(time, compared[0])
     slopes = ca.jacobian(gap, both)
     if not slopes.is_constant() or abs(float(slopes[0])) != 1.0 or float(slopes[0]) != -float(slopes[1]):
         return None
     sign = float(slopes[0])
     rest = ca.substitute(gap, both, ca.SX.zeros(2))
-    symbol = ca.SX.sym(f"time > {found[0].name()} + {-sign * rest}")
+    symbol = ca.SX.sym(f"time > {compared[0].name()} + {-sign * rest}")
     holds = left > right if sign > 0 else ca.logic_not(left > right)
-    return Comparison(symbol, found[0].name(), -sign * rest, holds), sign > 0
+    return Comparison(symbol, compared[0].name(), -sign * rest, holds), sign > 0
 
 
 @dataclass(frozen=True)

@@ -51,13 +51,13 @@ def read_structure(model: str, *, files: Sequence[Path] = (), root: Path | None 
 
 
 def _slots(node: Instance, instantiator: Instantiator) -> list[Slot]:
-    found = []
+    slots = []
     for ancestor in node.ancestors:
         for name, nested in ancestor.definition.classes.items():
             if "replaceable" in nested.prefixes and name in node.classes:
                 current = instantiator.followed(node.classes[name]).definition.qualified_name
-                found.append(Slot(node.name, name, _constraint(nested, instantiator), current))
-    return found
+                slots.append(Slot(node.name, name, _constraint(nested, instantiator), current))
+    return slots
 
 
 def _constraint(nested: ClassDefinition, instantiator: Instantiator) -> str:

@@ -112,9 +112,9 @@ class SymbolTable(Evaluator):
         """A comparison; one of time with what initial equations determine is kept, for they may make it an event."""
         if isinstance(left, int | float | ca.SX) and isinstance(right, int | float | ca.SX) and self.late:
             greater = (left, right) if operator[0] == ">" else (right, left)
-            found = comparison(ca.SX(greater[0]), ca.SX(greater[1]), self.t, self.late)
-            if found is not None and self._made_of_parameters(found[0].length):
-                kept, as_it_is = self.comparisons.setdefault(found[0].symbol.name(), found[0]), found[1]
+            timed = comparison(ca.SX(greater[0]), ca.SX(greater[1]), self.t, self.late)
+            if timed is not None and self._made_of_parameters(timed[0].length):
+                kept, as_it_is = self.comparisons.setdefault(timed[0].symbol.name(), timed[0]), timed[1]
                 return kept.symbol > 0.5 if as_it_is else kept.symbol < 0.5
         return super().order(operator, left, right)
 

@@ -66,12 +66,12 @@ def _source_files(kind: Xml.Element, sources: Sequence[str]) -> None:
 
 def _structure(root: Xml.Element, ode: Ode, entries: Sequence[Entry]) -> None:
     structure = Xml.SubElement(root, "ModelStructure")
-    found = shared.model_structure(ode, entries)
+    unknowns = shared.model_structure(ode, entries)
     same = {i: i for i in range(1, len(entries) + 1)}
     for part, indices, dependencies in (
-        ("Outputs", found.outputs, found.running),
-        ("Derivatives", found.derivatives, found.running),
-        ("InitialUnknowns", found.initial, found.starting),
+        ("Outputs", unknowns.outputs, unknowns.running),
+        ("Derivatives", unknowns.derivatives, unknowns.running),
+        ("InitialUnknowns", unknowns.initial, unknowns.starting),
     ):
         if indices:
             element = Xml.SubElement(structure, part)

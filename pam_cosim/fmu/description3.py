@@ -60,12 +60,12 @@ def model_description(ode: Ode, entries: Sequence[Entry], token: str, tool: str)
 
 def _structure(root: Xml.Element, ode: Ode, entries: Sequence[Entry]) -> None:
     structure = Xml.SubElement(root, "ModelStructure")
-    found = shared.model_structure(ode, entries)
+    unknowns = shared.model_structure(ode, entries)
     references = {i: entry.reference for i, entry in enumerate(entries, 1)}
     for tag, indices, dependencies in (
-        ("Output", found.outputs, found.running),
-        ("ContinuousStateDerivative", found.derivatives, found.running),
-        ("InitialUnknown", found.initial, found.starting),
+        ("Output", unknowns.outputs, unknowns.running),
+        ("ContinuousStateDerivative", unknowns.derivatives, unknowns.running),
+        ("InitialUnknown", unknowns.initial, unknowns.starting),
     ):
         for index in indices:
             shared.unknown(structure, tag, "valueReference", index, dependencies, references)

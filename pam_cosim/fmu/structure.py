@@ -59,8 +59,8 @@ def initial_dependencies(ode: Ode, entries: Sequence[Entry]) -> Dependencies:
 
 def _positions(entries: Sequence[Entry], kind: Kind, count: int) -> list[int | None]:
     """Index (from 1) in the model description of every variable of a kind."""
-    found = {entry.index: i for i, entry in enumerate(entries, 1) if entry.kind is kind}
-    return [found.get(index) for index in range(count)]
+    positions = {entry.index: i for i, entry in enumerate(entries, 1) if entry.kind is kind}
+    return [positions.get(index) for index in range(count)]
 
 
 def _undelayed(ode: Ode) -> list[ca.SX]:
