@@ -63,6 +63,7 @@ def couple(
     connections: Sequence[str] = (),
     parameters: Mapping[str, Setting] | None = None,
     *,
+    samples: Mapping[str, float | str] | None = None,
     title: str = "",
     files: study.Paths = (),
     timeout: float | None = None,
@@ -83,6 +84,9 @@ def couple(
             ``controller``.
         connections: "a.output -> b.input"; units are converted.
         parameters: by "component.variable", as in ``simulate``.
+        samples: FMUs that act at samples as a controller does, by name: their distance [s], or a text such as "10 ms".
+            At each sample one makes a step with the inputs of that time; its outputs are held until the next one, and
+            it is never taken back.
         title: for people.
         files: further Modelica files.
         timeout: as in ``simulate``.
@@ -94,7 +98,7 @@ def couple(
         name: one if isinstance(one, Controller) else _part(name, str(one), files) for name, one in components.items()
     }
     joined = tuple(connect(text, made) for text in connections)
-    return System(made, joined, couple_values(parameters or {}, made), timeout, title)
+    return System(made, joined, couple_values(parameters or {}, made), timeout, title).sampling(samples or {})
 
 
 def _part(name: str, model: str, files: study.Paths) -> Part:
@@ -133,8 +137,8 @@ def read_system(
         raise InputError(f"a controller has the name of a component: {', '.join(controllers or {})}", file)
     try:
         system = couple(
-            both, written.connections, {**written.parameters, **(parameters or {})}, title=written.title, files=files,
-            timeout=timeout,
+            both, written.connections, {**written.parameters, **(parameters or {})}, samples=written.samples,
+            title=written.title, files=files, timeout=timeout,
         )  # fmt: skip
     except InputError as problem:
         raise problem if problem.file else InputError(problem.message, file) from problem

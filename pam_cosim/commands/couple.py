@@ -35,6 +35,9 @@ def couple(
     controllers: Annotated[
         list[str] | None, typer.Option("--controller", help="NAME=FILE.py:FUNCTION: a pam.controller as a component.")
     ] = None,
+    samples: Annotated[
+        list[str] | None, typer.Option("--sample", help='NAME="10 ms": an FMU that acts at samples, as a controller.')
+    ] = None,
     observed: Annotated[
         list[str] | None, typer.Option("--observe", help="component.variable: a further variable to record.")
     ] = None,
@@ -49,6 +52,7 @@ def couple(
     made = dict(_controller(word) for word in controllers or [])
     read = coupling.read_system(system, made, files=files or [], timeout=timeout)
     read = read.having(parse_settings(settings or [], read.interface))
+    read = read.sampling(dict(_sample(word) for word in samples or []))
     course = read_inputs(inputs, read.interface) if inputs else None
     options: dict[str, Any] = {"method": method, "extrapolation": extrapolation, "loops": loops}
     if ssp:
@@ -83,6 +87,13 @@ def _write(run: CoupledRun, output: Path | None, plot: Path | None) -> None:
         plot_trajectory(run.trajectory, plot)
     say_written(output)
     say_written(plot)
+
+
+def _sample(word: str) -> tuple[str, str]:
+    name, equals, interval = word.partition("=")
+    if not name or not equals or not interval:
+        raise InputError(f"'{word}': write NAME=TIME, such as NAME='10 ms'")
+    return name, interval
 
 
 def _controller(word: str) -> tuple[str, Controller]:

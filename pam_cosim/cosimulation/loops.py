@@ -5,21 +5,21 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from graphlib import CycleError, TopologicalSorter
 
-from pam_cosim.cosimulation.parts import Component, Connection, Controller, Part, Port
+from pam_cosim.cosimulation.parts import Component, Connection, Part, Port
 from pam_cosim.errors import InputError
 
 Graph = dict[Port, set[Port]]
 
 
 def feedthrough_graph(components: Mapping[str, Component], connections: Sequence[Connection]) -> Graph:
-    """To each variable those that it follows from at once; a controller acts later, at its samples."""
+    """To each variable those that it follows from at once; what samples acts later."""
     graph: Graph = {}
     for name, component in components.items():
-        if isinstance(component, Part):
+        if isinstance(component, Part) and component.seconds is None:
             for output, inputs in component.feedthrough.items():
                 graph[Port(name, output)] = {Port(name, variable) for variable in inputs}
     for connection in connections:
-        if not isinstance(components[connection.target.component], Controller):
+        if components[connection.target.component].seconds is None:
             graph.setdefault(connection.target, set()).add(connection.source)
     return graph
 
@@ -59,9 +59,8 @@ def evaluation_order(
     order: list[str] = []
     for variable in TopologicalSorter(graph).static_order():
         component = components[variable.component]
-        if isinstance(component, Controller) or variable.variable not in component.feedthrough:
-            continue
-        if not graph[variable] & connected:
+        output = isinstance(component, Part) and variable.variable in component.feedthrough
+        if not output or not graph.get(variable, set()) & connected:
             continue
         if not order or order[-1] != variable.component:
             order.append(variable.component)

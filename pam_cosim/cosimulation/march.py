@@ -72,7 +72,8 @@ def _check_abilities(network: Network, plan: Step) -> None:
         if plan.tolerance is not None and not able.saves:
             raise InputError(
                 f"component '{name}' ({model}) cannot go back: its model description does not declare "
-                "canGetAndSetFMUstate, and steps chosen by their error are taken back; use fixed steps"
+                "canGetAndSetFMUstate, and steps chosen by their error are taken back; use fixed steps, or let it "
+                "act at samples of its own as a controller does (samples=, [samples], --sample)"
             )
         if plan.tolerance is not None and not able.any_step:
             raise InputError(f"component '{name}' ({model}) needs steps of one length; use fixed steps")
@@ -82,7 +83,7 @@ def _stretches(network: Network, plan: Step, stop: float) -> list[float]:
     """Ends of the steps [s], or where their length is chosen, the times that no step may cross."""
     start = network.now.time
     ends = {stop, *network.breaks(stop)}
-    grids = [c.seconds for c in network.controllers.values()]
+    grids = list(network.sampling.values())
     if plan.tolerance is None:
         grids.append(plan.length)
     for distance in grids:

@@ -124,10 +124,12 @@ class Network:
         start_time: float = 0.0,
     ) -> None:
         self.components, self.steppers = components, steppers
-        self.parts = [name for name in (order or components) if isinstance(components[name], Part)]
-        self.controllers = {name: c for name, c in components.items() if isinstance(c, Controller)}
+        fmus = [name for name, c in components.items() if isinstance(c, Part)]
+        self.parts = [name for name in (order or fmus) if components[name].seconds is None]
+        self.sampling = {name: c.seconds for name, c in components.items() if c.seconds is not None}
+        self._sampled_fmus = [name for name in fmus if name in self.sampling]
         self.signals = sorted({c.source for c in connections}, key=str)
-        self.work = Work(dict.fromkeys(self.parts, 0))
+        self.work = Work(dict.fromkeys(fmus, 0))
         self._sequential, self._linear = method == "gauss-seidel", extrapolation == "linear"
         kept, cut = torn(components, connections) if loops != "refuse" else (list(connections), [])
         self._loop = list(dict.fromkeys(c.source for c in cut)) if loops == "iterate" else []
@@ -141,14 +143,14 @@ class Network:
         self._begin()
 
     def _begin(self) -> None:
-        for name, controller in self.controllers.items():
-            self.now.values.update({Port(name, output): 0.0 for output in controller.outputs})
-        for name in self.parts:
+        for name, component in self.components.items():
+            self.now.values.update({Port(name, output): 0.0 for output in component.interface.outputs})
+        for name in (*self.parts, *self._sampled_fmus):
             self._refresh(name, {})
         self._settle_all()
         if self._sample(self._start):
             self._settle_all()
-        for name in self.parts:
+        for name in (*self.parts, *self._sampled_fmus):
             with self._naming(name):
                 self.steppers[name].initialised()
             self._refresh(name, {})
@@ -255,7 +257,7 @@ class Network:
         return self._courses.turns(self.now.time, stop)
 
     def event(self) -> bool:
-        """What happens between two steps: inputs that jump, and controllers whose sample it is; whether anything does.
+        """What happens between two steps: inputs that jump, and samples; whether anything does.
 
         Raises:
             CouplingFailure: a component fails.
@@ -274,16 +276,28 @@ class Network:
         return jumps or changes
 
     def _sample(self, time: float) -> bool:
-        """Calls the controllers whose sample it is; whether an output of theirs has changed."""
+        """What samples at this time acts; whether an output of it has changed."""
         changed = False
-        for name, controller in self.controllers.items():
-            samples = (time - self._start) / controller.seconds
+        for name, distance in self.sampling.items():
+            samples = (time - self._start) / distance
             if abs(samples - round(samples)) > _SAME_TIME * max(1.0, abs(samples)):
                 continue
-            for output, value in sampled(name, controller, time, self._inputs_now(name)).items():
+            for output, value in self._acting(name, time, distance).items():
                 changed |= self.now.values[Port(name, output)] != value
                 self.now.values[Port(name, output)] = value
         return changed
+
+    def _acting(self, name: str, time: float, distance: float) -> Mapping[str, float]:
+        """The outputs of what samples; an FMU makes the step up to now, at the start it is read alone."""
+        component, inputs = self.components[name], self._inputs_now(name)
+        if isinstance(component, Controller):
+            return sampled(name, component, time, inputs)
+        stepper, names = self.steppers[name], self._read[name]
+        with self._naming(name):
+            if time == self._start:
+                return dict(zip(names, stepper.read(names, inputs), strict=True))
+            self.work.component_steps[name] += 1
+            return dict(zip(names, stepper.advance(distance, inputs, None, names), strict=True))
 
     # --- states --------------------------------------------------------------------------------------------
 

@@ -33,6 +33,9 @@ class Part:
         feedthrough: by output, the inputs it depends on at once.
         declared: whether its model description says so; where it does not, every output depends on every input.
         foreign: it runs in a process of its own.
+        seconds: distance of its samples [s], where it acts as a controller does: at each sample it makes one step with
+            the inputs of that time, its outputs are held until the next one, and it is never taken back. None: it
+            makes every step of the system.
     """
 
     name: str
@@ -42,6 +45,7 @@ class Part:
     feedthrough: Mapping[str, frozenset[str]]
     declared: bool = True
     foreign: bool = False
+    seconds: float | None = None
 
 
 @dataclass(frozen=True)
@@ -65,12 +69,7 @@ class Controller:
     seconds: float = field(init=False)
 
     def __post_init__(self) -> None:
-        try:
-            object.__setattr__(self, "seconds", seconds(self.interval))
-        except UnitError as problem:
-            raise InputError(f"the interval of a controller: {problem}") from None
-        if not self.seconds > 0:
-            raise InputError(f"the interval of a controller must be longer than zero, not {self.interval}")
+        object.__setattr__(self, "seconds", sample_time(self.interval))
         if not self.outputs:
             raise InputError("a controller needs an output at least")
 
@@ -133,6 +132,21 @@ class Connection:
     def __call__(self, value: float) -> float:
         """The input where the output has this value."""
         return self.factor * value + self.offset
+
+
+def sample_time(interval: float | str) -> float:
+    """Distance of the samples of a controller [s].
+
+    Raises:
+        InputError: not a time, or not longer than zero.
+    """
+    try:
+        distance = seconds(interval)
+    except UnitError as problem:
+        raise InputError(f"the interval of a controller: {problem}") from None
+    if not distance > 0:
+        raise InputError(f"the interval of a controller must be longer than zero, not {interval}")
+    return distance
 
 
 def port(text: str, components: Mapping[str, Component]) -> Port:

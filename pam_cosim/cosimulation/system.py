@@ -17,7 +17,17 @@ from pam_cosim.cosimulation.network import (
     Network,
     Work,
 )
-from pam_cosim.cosimulation.parts import Component, Connection, Controller, Part, Port, check_name, check_once, port
+from pam_cosim.cosimulation.parts import (
+    Component,
+    Connection,
+    Controller,
+    Part,
+    Port,
+    check_name,
+    check_once,
+    port,
+    sample_time,
+)
 from pam_cosim.cosimulation.recorder import Recorder
 from pam_cosim.cosimulation.rig import variables_of
 from pam_cosim.cosimulation.sampling import ControllerError
@@ -93,8 +103,8 @@ class System(Printed):
     scratch: object = field(default=None, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        if not any(isinstance(c, Part) for c in self.components.values()):
-            raise InputError("a system needs an FMU at least")
+        if not any(c.seconds is None for c in self.components.values()):
+            raise InputError("a system needs an FMU at least that makes every step")
         for name in self.components:
             check_name(name)
         given = {f"{c}.{n}": "a value" for c, values in self.values.items() for n in values}
@@ -103,8 +113,8 @@ class System(Printed):
     def __repr__(self) -> str:
         lines = [self.title] * bool(self.title)
         for name, component in self.components.items():
-            kind = f"every {component.seconds:.6g} s" if isinstance(component, Controller) else component.model
-            lines.append(f"{name}: {kind}" if isinstance(component, Part) else f"{name}: {component.model}, {kind}")
+            samples = f", every {component.seconds:.6g} s" if component.seconds is not None else ""
+            lines.append(f"{name}: {component.model}{samples}")
         lines += [f"  {connection}" for connection in self.connections]
         if loop := self.algebraic_loop:
             lines.append(f"algebraic loop: {' -> '.join(map(str, loop))}")
@@ -143,6 +153,21 @@ class System(Printed):
         for component, some in couple_values(parameters, self.components).items():
             values[component] = values.get(component, {}) | some
         return replace(self, values=values)
+
+    def sampling(self, samples: Mapping[str, float | str]) -> System:
+        """The same system with FMUs that act at samples, as a controller does, by name: [s], or a text such as "10 ms".
+
+        Raises:
+            InputError: an unknown name, one that is no FMU, or no such time.
+        """
+        components = dict(self.components)
+        for name, interval in samples.items():
+            part = components.get(name)
+            if not isinstance(part, Part):
+                known = [n for n, c in components.items() if isinstance(c, Part)]
+                raise InputError(f"there is no FMU '{name}' in the system; {did_you_mean(name, known)}")
+            components[name] = replace(part, seconds=sample_time(interval))
+        return replace(self, components=components)
 
     def simulate(
         self,
@@ -263,7 +288,7 @@ class System(Printed):
                 raise InputError(f"the input '{name}' is given over time and as a constant; keep one of them")
 
     def _check_order(self, order: Sequence[str]) -> None:
-        parts = [name for name, c in self.components.items() if isinstance(c, Part)]
+        parts = [name for name, c in self.components.items() if c.seconds is None]
         if order and sorted(order) != sorted(parts):
             raise InputError(f"the order must name each FMU once: {', '.join(parts)}")
 

@@ -12,7 +12,7 @@ from pam_cosim.settings import Setting
 from pam_cosim.units import UnitError, seconds
 from pam_cosim.wording import did_you_mean, listed, shown
 
-_KEYS = ("title", "stop_time", "components", "connections", "parameters")
+_KEYS = ("title", "stop_time", "components", "connections", "parameters", "samples")
 _FILES = (".fmu", ".mo")
 
 
@@ -24,6 +24,7 @@ class Written:
         components: name to model; one that is a file is its path, in the folder of this file.
         connections: "a.output -> b.input".
         parameters: by ``component.variable``.
+        samples: distance of the samples of FMUs that act as controllers, by name.
         title: for people.
         stop_time: [s], or None.
     """
@@ -31,6 +32,7 @@ class Written:
     components: dict[str, str]
     connections: list[str]
     parameters: dict[str, Setting]
+    samples: dict[str, Setting]
     title: str
     stop_time: float | None
 
@@ -64,17 +66,17 @@ def read_toml(file: Path) -> Written:
     for name, model in components.items():
         if not isinstance(model, str):
             raise wrong(f"component '{name}' must name a model: a bench, a class, or a file", "components", name)
-    if not isinstance(parameters, dict):
-        raise wrong("parameters must be a table", "parameters")
-    for name, value in parameters.items():
-        if isinstance(value, bool) or not isinstance(value, (int, float, str)):
-            raise wrong(
-                f'"{name}" must be a number or a text with a unit; names with a dot need quotes', "parameters", name
-            )
+    samples = content.get("samples", {})
+    for key, table in (("parameters", parameters), ("samples", samples)):
+        if not isinstance(table, dict):
+            raise wrong(f"{key} must be a table", key)
+        for name, value in table.items():
+            if isinstance(value, bool) or not isinstance(value, (int, float, str)):
+                raise wrong(f"'{name}' must be a number or a text with a unit; names with a dot need quotes", key, name)
     models = {
         name: _model(model, file, lambda m, n=name: wrong(m, "components", n)) for name, model in components.items()
     }
-    return Written(models, connections, parameters, title, _stop_time(content, wrong))
+    return Written(models, connections, parameters, samples, title, _stop_time(content, wrong))
 
 
 def _stop_time(content: dict[str, Any], wrong: Any) -> float | None:

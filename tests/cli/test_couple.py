@@ -64,6 +64,14 @@ def test_couples_a_written_system(command: Run, system: Path) -> None:
     assert other["muscle.x"][-1] == pytest.approx(trajectory["muscle.x"][-1], abs=1e-4)
 
 
+def test_fmu_that_acts_at_samples(command: Run, system: Path) -> None:
+    done = command("couple", system, "--step", "10 ms", "--stop-time", "0.1", "--sample", "muscle=50 ms")
+    assert done.status == 0 and "gas 10, muscle 2;" in done.out
+    system.write_text(system.read_text() + '[samples]\nmuscle = "20 ms"\n')
+    done = command("couple", system, "--step", "10 ms", "--stop-time", "0.1")
+    assert done.status == 0 and "gas 10, muscle 5;" in done.out
+
+
 def test_input_over_time(command: Run, system: Path) -> None:
     Path("u.csv").write_text("time [s],gas.u_in [mA]\n0,0\n0.1,0\n0.1000001,350\n0.2,350\n")
     done = command("couple", system, "--adaptive", "--input", "u.csv", "-o", "out.csv")
@@ -103,6 +111,8 @@ def test_fmu_that_fails_has_status_1_and_leaves_what_was_reached(command: Run, p
         (["system.toml", "--set", "muscle.p=5"], "muscle.p"),
         (["system.toml", "--observe", "muscle.w"], "no variable 'w'"),
         (["system.toml", "-o", "system.toml"], "system.toml"),
+        (["system.toml", "--sample", "muscle"], "write NAME=TIME"),
+        (["system.toml", "--sample", "muscel=1ms"], "did you mean 'muscle'"),
         (["controlled.toml"], "no component 'lift'"),
         (["controlled.toml", "--controller", "lift=lift.py"], "write NAME=FILE.py:FUNCTION"),
         (["controlled.toml", "--controller", "lift=none.py:lift"], "there is no such file"),

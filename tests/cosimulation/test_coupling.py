@@ -14,7 +14,7 @@ import pytest
 import pam_cosim as pam
 from pam_cosim.cosimulation import ControllerError, CouplingFailure
 from pam_cosim.errors import InputError
-from tests.cosimulation.systems import CUT, error, gain, halves, thirds, written
+from tests.cosimulation.systems import CONTROL, CUT, error, gain, halves, thirds, written
 from tests.fmu import models
 from tests.simulation.misbehaving import patched, repacked
 
@@ -324,3 +324,32 @@ def test_example_runs(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     assert done.stdout.count("the load is at 16.35 mm") == 2  # fixed and chosen steps agree
     assert pam.Trajectory.from_csv(table)["lift.u_in"].max() <= 350
+
+
+def _sampled(folder: Path, distance: str, **settings: Any) -> pam.CoupledRun:
+    """The controller as an FMU that cannot go back, which acts at samples."""
+    change = {'canGetAndSetFMUstate="true"': 'canGetAndSetFMUstate="false"'}
+    plain = repacked(pam.build("CoSimulation.ContractionController"), folder / "plain.fmu", change)
+    parts = {"gas": "CoSimulation.ValveAndGas", "muscle": "CoSimulation.MuscleAndLoad", "control": str(plain)}
+    return pam.couple(parts, [*CUT, *CONTROL], samples={"control": distance}).simulate(0.4, **settings)
+
+
+def test_fmu_that_cannot_go_back_acts_at_samples(tmp_path: Path) -> None:
+    run = _sampled(tmp_path, "10 ms", tolerance=1e-4)
+    assert run.component_steps["control"] == 40 and run.component_steps["gas"] > 200
+    assert _sampled(tmp_path, "10 ms", step="3 ms").component_steps["control"] == 40
+    for name in ("control.u_in", "control.u_out"):  # held between samples
+        moments = run.trajectory.time[np.flatnonzero(np.diff(run.trajectory[name]))]
+        assert np.allclose(moments / 0.01, np.round(moments / 0.01), rtol=0, atol=1e-6)
+    far = error(run, "muscle.x", "CoSimulation.ControlledIsotonic", "x")
+    near = error(_sampled(tmp_path, "2 ms", tolerance=1e-4), "muscle.x", "CoSimulation.ControlledIsotonic", "x")
+    assert near < far / 2 and far < 1e-3
+
+
+def test_samples_are_of_fmus() -> None:
+    with pytest.raises(InputError, match="no FMU 'gass' in the system; did you mean 'gas'"):
+        halves().sampling({"gass": 1})
+    with pytest.raises(InputError, match="interval of a controller must be longer than zero"):
+        halves().sampling({"gas": 0})
+    with pytest.raises(InputError, match="needs an FMU at least that makes every step"):
+        halves().sampling({"gas": 1, "muscle": "5 ms"})
