@@ -184,8 +184,7 @@ def _wire(entries: _Entries, element: Any, place: _Place) -> _Wire:
 
 def _bindings(entries: _Entries, element: Any, place: _Place, found: _Found) -> None:
     for binding in element.iterfind("ssd:ParameterBindings/ssd:ParameterBinding", NAMESPACES):
-        if binding.find("ssd:ParameterMapping", NAMESPACES) is not None:
-            raise InputError("parameter mappings are not read; bind the parameters by their own names", entries.file)
+        mapping = _mapping(entries, binding.find("ssd:ParameterMapping", NAMESPACES))
         if binding.get("source"):
             if binding.get("sourceBase", "SSD") != "SSD":
                 raise InputError("parameter values inside an FMU are not read", entries.file)
@@ -196,7 +195,35 @@ def _bindings(entries: _Entries, element: Any, place: _Place, found: _Found) -> 
         prefix = binding.get("prefix", "")
         for one in sets:
             for parameter in one.iterfind("ssv:Parameters/ssv:Parameter", NAMESPACES):
-                found.values.append((place, _plain(prefix + parameter.get("name")), _value(entries, parameter)))
+                name, value = prefix + parameter.get("name"), _value(entries, parameter)
+                for target, transformation in [(name, None)] if mapping is None else mapping.get(name, []):
+                    found.values.append((place, _plain(target), _transformed(entries, value, transformation)))
+
+
+def _mapping(entries: _Entries, element: Any) -> dict[str, list[tuple[str, Any]]] | None:
+    """Names of parameters to the names that they stand for, with how their values change; None: by their own names."""
+    if element is None:
+        return None
+    if element.get("source"):
+        root = entries.tree(element.get("source"), "a parameter mapping", "SystemStructureParameterMapping.xsd")
+    else:
+        root = element.find("ssm:ParameterMapping", NAMESPACES)
+    found: dict[str, list[tuple[str, Any]]] = {}
+    for entry in root.iterfind("ssm:MappingEntry", NAMESPACES) if root is not None else ():
+        changes = [child for child in entry if etree.QName(child).localname.endswith("Transformation")]
+        found.setdefault(entry.get("source"), []).append((entry.get("target"), changes[0] if changes else None))
+    return found
+
+
+def _transformed(entries: _Entries, value: Setting, transformation: Any) -> Setting:
+    if transformation is None:
+        return value
+    if etree.QName(transformation).localname != "LinearTransformation" or isinstance(value, str):
+        raise InputError(
+            "a parameter mapping changes a value; only linear transformations of values without a unit are read",
+            entries.file,
+        )
+    return float(transformation.get("factor", 1.0)) * value + float(transformation.get("offset", 0.0))
 
 
 def _plain(text: str) -> str:

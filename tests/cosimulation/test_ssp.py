@@ -145,6 +145,29 @@ def test_parameter_values_of_systems_go_to_their_components(tmp_path: Path) -> N
         pam.read_system(unknown)
 
 
+MAPPING = (
+    '<ssm:ParameterMapping xmlns:ssm="http://ssp-standard.org/SSP1/SystemStructureParameterMapping" '
+    'xmlns:ssc="http://ssp-standard.org/SSP1/SystemStructureCommon" version="1.0">'
+    '<ssm:MappingEntry source="rig.delay" target="a.tau"/><ssm:MappingEntry source="rig.delay" target="b.tau">'
+    '<ssc:LinearTransformation factor="2" offset="1"/></ssm:MappingEntry></ssm:ParameterMapping>'
+)
+
+
+@pytest.mark.parametrize("inline", [True, False])
+def test_parameter_mapping(tmp_path: Path, inline: bool) -> None:
+    place = f">{MAPPING}</ssd:ParameterMapping>" if inline else ' source="resources/names.ssm"/>'
+    values = (
+        '<ssd:ParameterBindings><ssd:ParameterBinding prefix="rig."><ssd:ParameterValues>'
+        '<ssv:ParameterSet version="1.0" name="set"><ssv:Parameters><ssv:Parameter name="delay"><ssv:Real value="3"/>'
+        '</ssv:Parameter><ssv:Parameter name="other"><ssv:Real value="9"/></ssv:Parameter></ssv:Parameters>'
+        f"</ssv:ParameterSet></ssd:ParameterValues><ssd:ParameterMapping{place}"
+        "</ssd:ParameterBinding></ssd:ParameterBindings>"
+    )
+    description = system(component("a") + component("b"), before=values)
+    file = archive(tmp_path / "m.ssp", description, {"resources/names.ssm": MAPPING.encode()})
+    assert pam.read_system(file).values == {"a": {"tau": 3.0}, "b": {"tau": 7.0}}
+
+
 BOMB = '<!DOCTYPE x [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;&a;">]>'
 
 
