@@ -15,7 +15,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation, OperatingPoint
+    from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation, OperatingPoint, Tracking
     from pam_cosim.cosimulation import Controller, CoupledRun, Rig, System, controller
     from pam_cosim.coupling import couple, read_system, start, write_system
     from pam_cosim.diagnosis import Diagnosis
@@ -38,6 +38,7 @@ if TYPE_CHECKING:
         sweep,
     )
     from pam_cosim.sweeps import Sweep, SweepPoint
+    from pam_cosim.tracking import track
 
 __all__ = [
     "Controller",
@@ -56,6 +57,7 @@ __all__ = [
     "Sweep",
     "SweepPoint",
     "System",
+    "Tracking",
     "Trajectory",
     "add",
     "benches",
@@ -80,6 +82,7 @@ __all__ = [
     "start",
     "sweep",
     "write_system",
+    "track",
 ]
 
 if not TYPE_CHECKING:
@@ -87,7 +90,9 @@ if not TYPE_CHECKING:
     def __getattr__(name: str) -> object:
         """Loads what is asked for first: the command can be interrupted while it loads (``command``)."""
         if name in __all__:
-            rooms = ("study", "sweeps", "dynamics", "coupling", "products", "errors", "analysis", "cosimulation")
+            rooms = (
+                "study", "sweeps", "dynamics", "coupling", "tracking", "products", "errors", "analysis", "cosimulation",
+            )  # fmt: skip
             for room in rooms:
                 module = import_module(f"pam_cosim.{room}")
                 if hasattr(module, name):

@@ -20,6 +20,7 @@ from pam_cosim.commands.linearise import linearise
 from pam_cosim.commands.observe import observe
 from pam_cosim.commands.simulate import simulate
 from pam_cosim.commands.sweep import sweep
+from pam_cosim.commands.track import track
 from pam_cosim.errors import InputError, SimulationFailure
 
 app = typer.Typer(
@@ -29,7 +30,7 @@ app = typer.Typer(
     rich_markup_mode=None,
     help="Compare models with measurements and find the physical effect they lack.",
 )
-_RUN = (build, describe, simulate, sweep, couple, linearise, bode, observe)
+_RUN = (build, describe, simulate, sweep, couple, linearise, bode, observe, track)
 _STUDY = (compare, fit, diagnose, add, effects)
 for _command in _RUN + _STUDY:
     app.command()(_command)

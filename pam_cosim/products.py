@@ -17,7 +17,7 @@ from cattrs import Converter
 from cattrs.errors import BaseValidationError
 from cattrs.strategies import configure_tagged_union, include_subclasses
 
-from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation
+from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation, Tracking
 from pam_cosim.comparison import Comparison, ConditionTable
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
@@ -37,6 +37,7 @@ Product = (
     | LinearCourse
     | FrequencyResponse
     | Observation
+    | Tracking
 )
 _KINDS: dict[str, type[Any]] = {kind.__name__: kind for kind in get_args(Product)}
 _TEXT = "product"

@@ -4,5 +4,6 @@ from pam_cosim.analysis.frequency_response import FrequencyResponse
 from pam_cosim.analysis.linear import LinearCourse, LinearModel, Mode
 from pam_cosim.analysis.observation import Observation
 from pam_cosim.analysis.operating_point import OperatingPoint
+from pam_cosim.analysis.tracking import Tracking
 
-__all__ = ["FrequencyResponse", "LinearCourse", "LinearModel", "Mode", "Observation", "OperatingPoint"]
+__all__ = ["FrequencyResponse", "LinearCourse", "LinearModel", "Mode", "Observation", "OperatingPoint", "Tracking"]

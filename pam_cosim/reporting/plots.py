@@ -7,7 +7,7 @@ from functools import singledispatch
 from pathlib import Path
 from typing import Any
 
-from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation
+from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation, Tracking
 from pam_cosim.comparison import Comparison, ConditionTable
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
@@ -26,6 +26,7 @@ from pam_cosim.reporting.figures.observed import observation_figure
 from pam_cosim.reporting.figures.panels import panels
 from pam_cosim.reporting.figures.showcase import showcase
 from pam_cosim.reporting.figures.sweep import sweep_figure
+from pam_cosim.reporting.figures.tracked import tracking_figure
 from pam_cosim.reporting.labels import model_labels
 from pam_cosim.reporting.style import drawing, png
 from pam_cosim.reporting.telling import most_telling
@@ -129,6 +130,13 @@ def _(product: Observation, path: Path | str) -> None:
     check_writable(Path(path))
     with drawing():
         write_bytes(Path(path), png(observation_figure(product)))
+
+
+@draw.register
+def _(product: Tracking, path: Path | str) -> None:
+    check_writable(Path(path))
+    with drawing():
+        write_bytes(Path(path), png(tracking_figure(product)))
 
 
 @draw.register

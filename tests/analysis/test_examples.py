@@ -40,6 +40,14 @@ def test_observer(tmp_path: Path) -> None:
 
 
 @pytest.mark.full
+def test_tracking(tmp_path: Path) -> None:
+    said = run("tracking/tracking.py", tmp_path)
+    for number in ("0.563 m/s by an ampere of the inlet, 0.232 m/s of the exhaust", "0.0709 mm", "0.575 mm", "1.84 mm"):
+        assert number in said
+    assert (tmp_path / "tracking.png").exists()
+
+
+@pytest.mark.full
 def test_slides(tmp_path: Path) -> None:
     said = run("linear-analysis/slides.py", tmp_path)
     for number in ("F = 205.67 N, C_1 = 5.7239e-04 m2, C_2 = 8061.8 N/m", "84.8 N", "114.5 N", "85.6 N", "11.4 N",

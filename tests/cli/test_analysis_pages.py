@@ -17,6 +17,7 @@ def blocks(page: str, kind: str) -> list[str]:
     return re.findall(rf"```{kind}\n(.*?)```", (ROOT / "docs" / page).read_text(), re.DOTALL)
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("page", ["linear-analysis.md"])
 def test_page(page: str, command: Callable[..., Outcome], place: Path, capsys: pytest.CaptureFixture[str]) -> None:
     lines = [line for block in blocks(page, "sh") for line in block.splitlines() if line.startswith("pam-cosim ")]
@@ -31,12 +32,13 @@ def test_page(page: str, command: Callable[..., Outcome], place: Path, capsys: p
     assert (place / "linear.png").exists() and (place / "linear.json").exists()
 
 
+@pytest.mark.full
 def test_page_of_the_observer(
     command: Callable[..., Outcome], monkeypatch: pytest.MonkeyPatch, place: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Its paths are those of the repository."""
     (place / "examples").symlink_to(ROOT / "examples")
-    [script] = blocks("observer.md", "python")
+    script = blocks("observer.md", "python")[0]
     names: dict[str, object] = {}
     exec(compile(script, "observer.md", "exec"), names)
     said = capsys.readouterr().out
@@ -44,6 +46,14 @@ def test_page_of_the_observer(
     recording = names["recording"]
     rows = zip(recording.time, recording["p"], recording["x"], strict=True)
     (place / "recording.csv").write_text("time [s],p [Pa],x [m]\n" + "".join(f"{t},{p},{x}\n" for t, p, x in rows))
-    [line] = blocks("observer.md", "sh")
+    line = blocks("observer.md", "sh")[0]
     done(command(*shlex.split(line.replace("\\\n", ""))[1:]))
     assert {"force.csv", "force.json", "force.png"} <= {p.name for p in place.iterdir()}
+
+
+@pytest.mark.full
+def test_page_of_tracking(command: Callable[..., Outcome], place: Path) -> None:
+    line, script = blocks("observer.md", "sh")[1], blocks("observer.md", "python")[1]
+    done(command(*shlex.split(line.replace("\\\n", ""))[1:]))
+    exec(compile(script, "observer.md", "exec"), {})
+    assert {"tracking.csv", "tracking.png"} == {p.name for p in place.iterdir()}
