@@ -20,7 +20,7 @@ from pam_cosim.diagnosis import diagnose as _diagnose
 from pam_cosim.domain import Domain
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, make_folder, write_bytes, write_text
-from pam_cosim.fitting import Fit, FitOptions, base_parameters
+from pam_cosim.fitting import Fit, FitOptions, Progress, base_parameters
 from pam_cosim.fitting import fit as _fit
 from pam_cosim.fmu import build_model, read_interface
 from pam_cosim.interface import Interface
@@ -126,7 +126,24 @@ def compare(
     ``parameters`` are further values and ``timeout`` a limit, as in ``simulate``.
     """
     with opened(model or data.model, files, timeout=timeout) as simulator:
-        return _compare(simulator, complete_noise(data), resolve(parameters or {}, simulator.interface))
+        return _compare(simulator, complete_noise(data), _of_runs(parameters or {}, data, simulator.interface))
+
+
+def _of_runs(parameters: Mapping[str, Setting], data: DataSet, interface: Interface) -> dict[str, float]:
+    """Values by name [SI], of all runs or of one: "load.m", "load.m@run-01"."""
+    values: dict[str, float] = {}
+    for name, value in parameters.items():
+        parameter, at, run = name.rpartition("@")
+        if at and parameter in interface.settable:
+            if run not in [r.name for r in data.runs]:
+                known = [r.name for r in data.runs]
+                raise InputError(
+                    f"{data.title} has no run '{run}', of which '{name}' would be; {did_you_mean(run, known)}"
+                )
+            values[name] = resolve({parameter: value}, interface)[parameter]
+        else:
+            values |= resolve({name: value}, interface)
+    return values
 
 
 def fit(
@@ -134,10 +151,12 @@ def fit(
     model: str | None = None,
     *,
     method: str = "least-squares",
+    starts: int = 0,
     parameters: Mapping[str, Setting] | None = None,
     files: Paths = (),
-    progress: Callable[[int, float], None] | None = None,
+    progress: Progress | None = None,
     timeout: float | None = None,
+    resume: Path | str | None = None,
 ) -> Fit:
     """Fits what the data set leaves free.
 
@@ -145,23 +164,31 @@ def fit(
         data: the measurement.
         model: default: the bench of the data set.
         method: "least-squares" from the start values; "multi-start": also from points spread over the bounds;
-            "particle-swarm": from the best particle of a swarm over the bounds (Dzahir and Yamamoto 2019), which
-            ``Fit.search`` keeps as the swarm left it.
+            "differential-evolution": from the best point of that search; "particle-swarm": from the best particle of a
+            swarm over the bounds (Dzahir and Yamamoto 2019). ``Fit.search`` keeps what such a search found by itself.
+        starts: points spread over the bounds that "multi-start" follows, each to its end; default: a few of 16.
         parameters: further values to use, as in ``simulate``.
         files: further Modelica files.
-        progress: called with the number of simulations and the reduced chi-square.
+        progress: called after each simulation with the ``Standing``, which prints itself: ``print`` will do.
         timeout: as in ``simulate``.
+        resume: a file that keeps every simulation's outcome. The same call goes on where the last one was interrupted
+            and ends as it would have; the file is made where it is not there.
 
     Raises:
-        InputError: unknown model, parameter or method; nothing to fit.
+        InputError: unknown model, parameter or method; nothing to fit; ``resume`` keeps another fit.
         SimulationFailure: no start value can be simulated.
     """
-    with opened(model or data.model, files, data.fit, timeout) as simulator:
+    if starts and method != "multi-start":
+        raise InputError(f"starts are for the method multi-start, not for {method}")
+    if starts < 0:
+        raise InputError(f"a fit cannot begin at {starts} points")
+    with opened(model or data.model, files, data.free_names, timeout) as simulator:
         free = base_parameters(data, simulator.interface)
         if not free:
             raise InputError("nothing to fit: name the free parameters under [fit]", data.folder / "experiment.toml")
         data, fixed = complete_noise(data), resolve(parameters or {}, simulator.interface)
-        return _fit(simulator, data, free, fixed=fixed, options=FitOptions(method), progress=progress)
+        options, kept = FitOptions(method, starts=starts), Path(resume) if resume is not None else None
+        return _fit(simulator, data, free, fixed=fixed, options=options, progress=progress, resume=kept)
 
 
 def diagnose(

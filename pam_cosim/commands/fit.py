@@ -29,27 +29,36 @@ def fit(
     method: Annotated[
         str, typer.Option(help="How to search. " + "; ".join(f"{name}: {summary(name)}" for name in METHODS) + ".")
     ] = FitOptions.method,
+    starts: Annotated[
+        int, typer.Option(help="Points spread over the bounds for multi-start, each followed to its end.", min=0)
+    ] = 0,
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the parameters (.json, .ssv).")] = None,
     json: JsonOption = None,
+    resume: Annotated[
+        Path | None,
+        typer.Option(help="Keep every simulation's outcome here; the same command goes on where it was interrupted."),
+    ] = None,
     files: FilesOption = None,
     timeout: TimeoutOption = None,
 ) -> None:
     """Fit the parameters that the data set leaves free."""
-    check_results(output, json, sources=[model, *(files or [])])
+    check_results(output, json, resume, sources=[model, *(files or [])])
     read = read_data(data, model, files)
     with console.status("fitting") as status:
         found = study.fit(
             read,
             model,
             method=method,
+            starts=starts,
             files=files or [],
             timeout=timeout,
-            progress=lambda n, chi2: status.update(f"fitting: {n} simulations, chi2 {chi2:.4g}"),
+            progress=lambda standing: status.update(f"fitting: {standing}"),
+            resume=resume,
         )
     typer.echo(str(found))
     if output:
         write_parameters(output, found)
     if json:
         write_json(json, found.as_dict())
-    say_written(output)
-    say_written(json)
+    for path in (output, json, resume):
+        say_written(path)

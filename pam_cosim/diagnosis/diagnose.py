@@ -187,7 +187,7 @@ def _base(
     data: DataSet, model: str, files: Sequence[Path], say: Callable[[Message], None]
 ) -> tuple[DataSet, Fit, dict[str, int]]:
     """The base model fitted to the data without outliers, these data, and how many samples were set aside."""
-    with Simulator(build_model(model, files, sensitivities=tuple(data.fit), where_smooth=True)) as simulator:
+    with Simulator(build_model(model, files, sensitivities=data.free_names, where_smooth=True)) as simulator:
         base = fit(simulator, data)
         data, outliers = without_outliers(data, base.comparison.runs)
         if outliers:

@@ -92,7 +92,7 @@ def run_trial(trial: Trial) -> Attempt:
     """Builds the model and fits the free base parameters together with those of the effects."""
     try:
         own = [name for names in trial.composition.parameters.values() for name in names]
-        free = tuple(dict.fromkeys([*trial.data.fit, *own]))
+        free = tuple(dict.fromkeys([*trial.data.free_names, *own]))
         fmu = build_source(trial.composition.name, trial.composition.text, trial.files, sensitivities=free)
         with Simulator(fmu) as simulator:
             moved, starts = free_parameters(trial, simulator.interface)
@@ -158,4 +158,4 @@ def _orders(free: Free, general: bool) -> Sequence[float]:
 
 def _from(free: Free, start: Mapping[str, float]) -> Free:
     value = min(max(start.get(free.name, free.start), free.low), free.high)
-    return Free(free.name, free.low, free.high, value, free.unit, free.nominal)
+    return replace(free, start=value)

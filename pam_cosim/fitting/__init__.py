@@ -8,15 +8,19 @@ from pam_cosim.fitting.methods import METHODS, Record, summary
 from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.parameter_file import read_parameters, write_parameters
 from pam_cosim.fitting.solve import spread_starts
+from pam_cosim.fitting.tracker import Convergence, Progress, Standing
 
 __all__ = [
     "METHODS",
     "Combination",
+    "Convergence",
     "Estimate",
     "Fit",
     "FitOptions",
     "Free",
+    "Progress",
     "Record",
+    "Standing",
     "base_parameters",
     "estimates",
     "fit",

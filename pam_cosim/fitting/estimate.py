@@ -10,6 +10,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.fitting.free import Free
+from pam_cosim.measurement import Prior
 
 
 @dataclass(frozen=True)
@@ -23,6 +24,8 @@ class Estimate:
         at_bound: the fit ended at a bound, so the interval is one-sided at best.
         determined: the data say something about it.
         held: it was held at this value, since the fit is as good with it there.
+        run: the one run that it is of; empty: all.
+        prior: what was known of it beforehand [unit].
     """
 
     value: float
@@ -32,10 +35,17 @@ class Estimate:
     at_bound: bool = False
     determined: bool = True
     held: bool = False
+    run: str = ""
+    prior: Prior | None = None
+
+    @property
+    def surprise(self) -> float:
+        """How far it is from what was known of it beforehand, in standard deviations of that; NaN without a prior."""
+        return float("nan") if self.prior is None else (self.value - self.prior.mean) / self.prior.sd
 
     def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON."""
-        return {
+        """Plain data for JSON; "run" and "prior" where there is one."""
+        content: dict[str, object] = {
             "value": self.value,
             "low": self.low,
             "high": self.high,
@@ -44,12 +54,19 @@ class Estimate:
             "determined": self.determined,
             "held": self.held,
         }
+        if self.run:
+            content["run"] = self.run
+        if self.prior is not None:
+            content["prior"] = {"mean": self.prior.mean, "sd": self.prior.sd, "surprise": self.surprise}
+        return content
 
     def __str__(self) -> str:
         if self.held:
             return f"{self.value:.4g}, held there: these data do not need it"
         text = f"{self.value:.4g} ({self.low:.4g} to {self.high:.4g}) {'' if self.unit == '1' else self.unit}".rstrip()
-        notes = ["at its bound"] * self.at_bound + ["not determined by these data"] * (not self.determined)
+        p = self.prior
+        notes = [] if p is None else [f"{self.surprise:+.2g} sd from the prior {p.mean:.4g} ± {p.sd:.2g}"]
+        notes += ["at its bound"] * self.at_bound + ["not determined by these data"] * (not self.determined)
         return ", ".join([text, *notes])
 
 
@@ -84,7 +101,7 @@ def estimates(
         lower = f.to_value(float(max(z[i] - reach, low[i])))
         upper = f.to_value(float(min(z[i] + reach, high[i])))
         whole = z[i] - reach <= low[i] and z[i] + reach >= high[i]
-        by_name[f.name] = Estimate(value, lower, upper, f.unit, bool(bound[i]), not whole)
+        by_name[f.name] = Estimate(value, lower, upper, f.unit, bool(bound[i]), not whole, False, f.run, f.prior)
     return by_name
 
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from pathlib import Path
 
 import numpy as np
 
@@ -23,7 +24,9 @@ from pam_cosim.fitting.free import Free, base_parameters
 from pam_cosim.fitting.methods import METHODS, Record
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fitting.options import FitOptions
-from pam_cosim.fitting.solve import Problem, Progress
+from pam_cosim.fitting.resume import FitLog, LoggedObjective, identity_of
+from pam_cosim.fitting.solve import Problem
+from pam_cosim.fitting.tracker import Convergence, Progress, Tracker
 from pam_cosim.measurement import ROLES, DataSet
 from pam_cosim.simulation import AnySimulator
 from pam_cosim.wording import Printed
@@ -43,6 +46,7 @@ class Fit(Printed):
         combinations: pairs of parameters of which only the product or the ratio is determined.
         method: how it was fitted.
         search: what that method did on its own way, where that is worth telling.
+        convergence: how the chi-square came down.
     """
 
     model: str
@@ -54,6 +58,7 @@ class Fit(Printed):
     combinations: tuple[Combination, ...] = ()
     method: str = "least-squares"
     search: Record | None = None
+    convergence: Convergence = field(default_factory=Convergence)
 
     @property
     def values(self) -> dict[str, float]:
@@ -65,16 +70,23 @@ class Fit(Printed):
         """Number of parameters that the data determine."""
         return sum(e.determined for e in self.parameters.values())
 
+    @property
+    def chi2_priors(self) -> float:
+        """What the priors add to the chi-square that was made small."""
+        return sum(e.surprise**2 for e in self.parameters.values() if e.prior is not None)
+
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
         return {
             "model": self.model,
             "parameters": {n: e.as_dict() for n, e in self.parameters.items()},
+            "chi2_priors": self.chi2_priors,
             "evaluations": self.evaluations,
             "failures": list(self.failures),
             "combinations": [c.as_dict() for c in self.combinations],
             "method": self.method,
             "search": self.search.as_dict() if self.search else None,
+            "convergence": self.convergence.as_dict(),
             "chi2_reduced": self.residuals["fit"].chi2_reduced,
             "comparison": self.comparison.as_dict(),
         }
@@ -96,6 +108,7 @@ def fit(
     starts: Sequence[Mapping[str, float]] = (),
     options: FitOptions | None = None,
     progress: Progress | None = None,
+    resume: Path | None = None,
 ) -> Fit:
     """Fits ``free`` (default: what the data set declares under [fit]) to the fit runs.
 
@@ -106,19 +119,32 @@ def fit(
         fixed: further parameter values [SI].
         starts: further points to start from, by name [SI].
         options: how the fit goes.
-        progress: called with the number of evaluations and the present reduced chi-square.
+        progress: called after each simulation with the ``Standing``: ``print`` will do.
+        resume: a file that keeps every simulation's outcome, so that the same fit goes on where it was interrupted;
+            made where it is not there.
 
     Raises:
         SimulationFailure: the model breaks down at every start.
-        InputError: a parameter that the model does not have; an unknown method.
+        InputError: a parameter that the model does not have; an unknown method; a file to resume of another fit.
     """
     options = options or FitOptions()
     if options.method not in METHODS:
         raise InputError(f"there is no method '{options.method}' to fit with; choose one of {', '.join(METHODS)}")
     chosen = tuple(base_parameters(data, simulator.interface) if free is None else free)
-    objective = Objective(simulator, data, data.fit_runs, chosen, fixed, options.tolerance)
-    problem = Problem(objective, [{f.name: f.start for f in chosen}, *starts], options, progress)
-    solution = METHODS[options.method](problem)
+    tracker = Tracker({n: signal.unit for n, signal in data.signals.items()}, progress)
+    known = (simulator, data, data.fit_runs, chosen, fixed, options.tolerance, tracker)
+    points = [{f.name: f.start for f in chosen}, *starts]
+    if resume is None:
+        objective = Objective(*known)
+        solution = METHODS[options.method](Problem(objective, points, options))
+    else:
+        log = FitLog(resume, identity_of(simulator, data, chosen, fixed or {}, options))
+        objective = LoggedObjective(*known)
+        objective.log, objective.failures = log, list(log.failures)
+        try:
+            solution = METHODS[options.method](Problem(objective, points, options))
+        finally:
+            log.write()
     end = solution.end
     comparison = compare(simulator, data, objective.values(end.z), objective.tolerance)
     by_role = statistics_by_role(comparison)
@@ -134,6 +160,7 @@ def fit(
         combinations(objective, end.z, end.jacobian, parameters, spread),
         options.method,
         solution.record,
+        tracker.convergence,
     )
 
 

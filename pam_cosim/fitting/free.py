@@ -8,22 +8,24 @@ from math import exp, log
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.interface import Interface, Variable
-from pam_cosim.measurement import DataSet
+from pam_cosim.measurement import DataSet, Prior, Transform
 
 
 @dataclass(frozen=True)
 class Free:
     """A bounded parameter and the coordinate z in which it is searched.
 
-    z is ln(value) where the bounds are positive and far apart, otherwise value/scale: a step of 1e-3 in z is a
-    small but visible change of the parameter.
+    z is ln(value) or value/scale: a step of 1e-3 in z is a small but visible change of the parameter.
 
     Attributes:
-        name: the parameter of the model.
+        name: the parameter of the model; where it is of one run alone, with "@" and the run's name after it.
         low, high: bounds [unit].
         start: first guess [unit].
         unit: SI unit.
         nominal: typical size [unit]; None: the distance of the bounds.
+        transform: "log" or "linear"; None: "log" where the bounds are positive and far apart.
+        prior: what is known of the value beforehand [unit].
+        run: the one run that it is of; empty: all.
     """
 
     name: str
@@ -32,10 +34,20 @@ class Free:
     start: float
     unit: str = ""
     nominal: float | None = None
+    transform: Transform | None = None
+    prior: Prior | None = None
+    run: str = ""
+
+    @property
+    def parameter(self) -> str:
+        """Its name in the model."""
+        return self.name.removesuffix(f"@{self.run}") if self.run else self.name
 
     @property
     def logarithmic(self) -> bool:
         """Whether it is searched by order of magnitude."""
+        if self.transform is not None:
+            return self.transform == "log"
         return self.low > 0 and self.high / self.low >= CRITERIA.fit.log_ratio
 
     @property
@@ -64,11 +76,14 @@ def base_parameters(data: DataSet, interface: Interface) -> tuple[Free, ...]:
     """
     free = []
     for p in data.fit.values():
-        variable = interface.parameters.get(p.name)
+        variable = interface.parameters.get(p.parameter)
         if variable is None:
-            raise InputError(f"{interface.model} has no parameter '{p.name}' to fit", data.folder / "experiment.toml")
+            raise InputError(
+                f"{interface.model} has no parameter '{p.parameter}' to fit", data.folder / "experiment.toml"
+            )
         low, high = p.min, p.max
-        free.append(Free(p.name, low, high, _start(p.start, variable, low, high), variable.unit))
+        start = _start(p.start, variable, low, high)
+        free.append(Free(p.name, low, high, start, variable.unit, transform=p.transform, prior=p.prior, run=p.run))
     return tuple(free)
 
 

@@ -33,7 +33,7 @@ class Minimum:
     Attributes:
         cost: sum of squared residuals.
         z: (n,) coordinates.
-        jacobian: (m, n) there.
+        jacobian: (m, n) there, as the triangular factor, which has the same norms and the same singular values.
     """
 
     cost: float
@@ -42,8 +42,8 @@ class Minimum:
 
 
 def levenberg_marquardt(
-    residuals: Callable[[Array], Array],
-    jacobian: Callable[[Array], Array],
+    squares: Callable[[Array], float],
+    triangle: Callable[[Array], Array],
     start: Array,
     bounds: tuple[Array, Array],
     precision: float,
@@ -52,25 +52,26 @@ def levenberg_marquardt(
     """Goes down from ``start``: a damped step at a time, no longer than a trust radius that grows with the gain ratio.
 
     Args:
-        residuals: (m,) of (n,); infinite where the model breaks down, where no step leads then.
-        jacobian: (m, n) of (n,); asked for where ``residuals`` was asked last and every residual is finite.
+        squares: sum of squared residuals at a place; infinite where the model breaks down, where no step leads then.
+        triangle: (m, n + 1) the triangular factor of the slopes beside the residuals; asked for where ``squares`` was
+            asked last and is finite.
         start: (n,) within the bounds, where the residuals are finite.
         bounds: lower and upper, (n,) each.
         precision: a descent ends where a step takes away less than this part of the cost.
-        most_evaluations: of ``residuals``.
+        most_evaluations: of ``squares``.
     """
     low, high = bounds
-    z, e, slopes = start, residuals(start), jacobian(start)
-    cost, damping, growth, trust_radius = float(e @ e), _FIRST_DAMPING, 2.0, _FIRST_TRUST_RADIUS
-    size, triangle = np.linalg.norm(slopes, axis=0), _triangle(slopes, e)
+    z, cost, linear = start, squares(start), triangle(start)
+    damping, growth, trust_radius = _FIRST_DAMPING, 2.0, _FIRST_TRUST_RADIUS
+    size = np.linalg.norm(linear[:, :-1], axis=0)
     for _ in range(most_evaluations - 1):
         box = np.maximum(low - z, -trust_radius), np.minimum(high - z, trust_radius)
-        step, predicted = _step(triangle, np.where(size > 0, size, 1.0), damping, box)
+        step, predicted = _step(linear, np.where(size > 0, size, 1.0), damping, box)
         if predicted <= 0 or np.all(np.abs(step) <= _STEP * (_STEP + np.abs(z))):
             break
         moved = np.clip(z + step, low, high)
-        new = residuals(moved)
-        reduction = cost - float(new @ new)
+        new = squares(moved)
+        reduction = cost - new
         gain_ratio = reduction / predicted
         if not gain_ratio > _ACCEPTED:  # an infinite residual is no gain either
             damping *= growth
@@ -78,18 +79,13 @@ def levenberg_marquardt(
             trust_radius = float(np.max(np.abs(step))) / 2
             continue
         little = reduction < precision * cost and gain_ratio > _TRUSTED
-        z, cost, slopes = moved, cost - reduction, jacobian(moved)
-        size, triangle = np.maximum(size, np.linalg.norm(slopes, axis=0)), _triangle(slopes, new)
+        z, cost, linear = moved, new, triangle(moved)
+        size = np.maximum(size, np.linalg.norm(linear[:, :-1], axis=0))
         damping, growth = damping * max(1 / 3, 1 - (2 * gain_ratio - 1) ** 3), 2.0
         trust_radius *= 2 if gain_ratio > _RELIABLE else 1
         if little:
             break
-    return Minimum(cost, z, slopes)
-
-
-def _triangle(slopes: Array, e: Array) -> Array:
-    """The linearised residuals e + slopes s as few rows: the triangular factor of the slopes beside the residuals."""
-    return np.asarray(np.linalg.qr(np.column_stack([slopes, e]), mode="r"))
+    return Minimum(cost, z, linear[:, :-1])
 
 
 def _step(triangle: Array, size: Array, damping: float, box: tuple[Array, Array]) -> tuple[Array, float]:

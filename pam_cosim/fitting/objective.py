@@ -11,16 +11,19 @@ from pam_cosim.comparison import RunComparison, simulate_run
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.free import Free
+from pam_cosim.fitting.tracker import Tracker
 from pam_cosim.interface import sensitivity_name
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
 
 
 class Objective:
-    """Residuals of some runs as a function of the search coordinates.
+    """Residuals of some runs as a function of the search coordinates; those of the priors stand below them.
 
     Attributes:
         free: the parameters that are searched.
+        size: number of samples.
+        tracker: is told of every point.
         evaluations: simulations of the whole set so far.
         failures: the first message of each kind of breakdown.
         tolerance: relative, of the solver.
@@ -34,7 +37,10 @@ class Objective:
         free: Sequence[Free],
         fixed: Mapping[str, float] | None = None,
         tolerance: float | None = None,
+        tracker: Tracker | None = None,
     ) -> None:
+        self.tracker = tracker or Tracker()
+        self._priors = [(i, f.prior) for i, f in enumerate(free) if f.prior is not None]
         self.simulator, self.data, self.runs, self.free = simulator, data, tuple(runs), tuple(free)
         self.fixed = dict(fixed or {})
         self.evaluations = 0
@@ -49,7 +55,9 @@ class Objective:
         self._exact = self._told_parameters()
         chosen = CRITERIA.fit.tolerance if all(self._exact) else CRITERIA.fit.difference_tolerance
         self.tolerance = chosen if tolerance is None else tolerance
-        self.size = sum(run.sample_count(s) for run, names in zip(self.runs, self._signals, strict=True) for s in names)
+        counts = [sum(run.sample_count(s) for s in names) for run, names in zip(self.runs, self._signals, strict=True)]
+        self.size = sum(counts)
+        self._ends = np.cumsum([0, *counts])  # rows of each run
 
     @property
     def bounds(self) -> tuple[Array, Array]:
@@ -68,19 +76,41 @@ class Objective:
             simulate_run(self.simulator, self.data, self.runs[i], values, self.tolerance, outputs[i]) for i in chosen
         ]
 
+    def _moves(self, free: Free, run: Run) -> bool:
+        """Whether a parameter acts on a run: one that is known for it, or is the run's own, does not."""
+        if free.run:
+            return free.run == run.name
+        own = any(f.run == run.name and f.parameter == free.parameter for f in self.free)
+        return free.parameter not in run.parameters and not own
+
     def _slopes(self, run: Run, signals: Sequence[str]) -> list[str]:
-        """The model's sensitivities of these signals; a parameter that is known for the run does not move it."""
+        """The model's sensitivities of these signals to what moves the run."""
         known = self.simulator.interface.sensitivities
-        moved = [f.name for f in self.free if f.name not in run.parameters]
+        moved = [f.parameter for f in self.free if self._moves(f, run)]
         return [n for s in signals for f in moved if (n := sensitivity_name(s, f)) in known]
 
     def _told_parameters(self) -> list[bool]:
         """For each free parameter, whether the model tells its sensitivities."""
         known = self.simulator.interface.sensitivities
-        return [all(sensitivity_name(s, f.name) in known for names in self._signals for s in names) for f in self.free]
+        return [
+            all(sensitivity_name(s, f.parameter) in known for names in self._signals for s in names) for f in self.free
+        ]
+
+    def squares(self, z: Array) -> float:
+        """The sum of squared residuals, simulated with slopes; infinite where a simulation breaks down."""
+        residuals = self.residuals(z)
+        return float(residuals @ residuals)
+
+    def triangle(self, z: Array) -> Array:
+        """The residuals linearised about ``z`` as few rows: the triangular factor of the slopes beside the residuals.
+
+        (m, parameters + 1), m at most parameters + 1. The sum of squares is finite there.
+        """
+        residuals = self.residuals(z)
+        return np.asarray(np.linalg.qr(np.column_stack([self.jacobian(z, residuals), residuals]), mode="r"))
 
     def residuals(self, z: Array) -> Array:
-        """(size,) in noise standard deviations; all infinite where a simulation breaks down."""
+        """(size + priors,) in standard deviations; all infinite where a simulation breaks down."""
         if self._latest is not None and self._latest[0] == z.tobytes():
             return self._latest[1]
         self.evaluations += 1
@@ -89,17 +119,43 @@ class Objective:
             runs = self._simulate(z, self._outputs, every)
         except SimulationFailure as failure:
             self._note(failure)
-            return np.full(self.size, np.inf)
-        residuals = self._weighted(runs, every)
+            return self._broken()
+        residuals = self._with_priors(z, self._weighted(runs, every))
+        self._saw(residuals)
         if np.all(np.isfinite(residuals)):
             self._latest = (z.tobytes(), residuals, self._exact_jacobian(z, runs) if any(self._exact) else None)
             return residuals
-        return np.full(self.size, np.inf)
+        return self._broken()
+
+    def _broken(self) -> Array:
+        return np.full(self.size + len(self._priors), np.inf)
+
+    def _with_priors(self, z: Array, residuals: Array) -> Array:
+        if not self._priors:
+            return residuals
+        off = [(prior.mean - self.free[i].to_value(float(z[i]))) / prior.sd for i, prior in self._priors]
+        return np.append(residuals, off)
+
+    def _saw(self, residuals: Array) -> None:
+        chi2 = float(residuals @ residuals) / max(self.size, 1)
+        self.tracker.saw(self.evaluations, chi2, lambda: self._rmse(residuals))
+
+    def _rmse(self, residuals: Array) -> dict[str, float]:
+        """Rms error of each signal [SI]."""
+        squares: dict[str, list[float]] = {}
+        row = 0
+        for run, names in zip(self.runs, self._signals, strict=True):
+            for name in names:
+                part = residuals[row : row + run.sample_count(name)]
+                squares.setdefault(name, []).extend((part * (self.data.signals[name].sigma or 1.0)) ** 2)
+                row += len(part)
+        return {name: float(np.sqrt(np.mean(values))) for name, values in squares.items()}
 
     def cost(self, z: Array) -> float:
         """The squared residuals of all runs, without slopes; infinite where a simulation breaks down."""
         self.evaluations += 1
-        residuals = self._without_slopes(z, range(len(self.runs)))
+        residuals = self._with_priors(z, self._without_slopes(z, range(len(self.runs))))
+        self._saw(residuals)
         return float(residuals @ residuals) if np.all(np.isfinite(residuals)) else np.inf
 
     def glance(self, z: Array) -> float:
@@ -108,7 +164,7 @@ class Objective:
         Infinite where a simulation breaks down.
         """
         chosen = sorted({0, len(self.runs) - 1})
-        residuals = self._without_slopes(z, chosen)
+        residuals = self._with_priors(z, self._without_slopes(z, chosen))
         return float(residuals @ residuals) if np.all(np.isfinite(residuals)) else np.inf
 
     def _without_slopes(self, z: Array, chosen: Sequence[int]) -> Array:
@@ -117,7 +173,7 @@ class Objective:
             return self._weighted(self._simulate(z, self._signals, chosen), chosen)
         except SimulationFailure as failure:
             self._note(failure)
-            return np.full(self.size, np.inf)
+            return np.full(sum(self._ends[i + 1] - self._ends[i] for i in chosen), np.inf)
 
     @property
     def first_failure(self) -> str:
@@ -139,8 +195,8 @@ class Objective:
         return np.concatenate(parts) if parts else np.zeros(0)
 
     def _exact_jacobian(self, z: Array, runs: Sequence[RunComparison]) -> Array:
-        """(size, parameters); columns of parameters whose sensitivities the model does not tell are zero."""
-        jacobian = np.zeros((self.size, len(self.free)))
+        """(size + priors, parameters); columns of parameters whose sensitivities the model does not tell are zero."""
+        jacobian = np.zeros((self.size + len(self._priors), len(self.free)))
         row = 0
         for run, names in zip(runs, self._signals, strict=True):
             for name in names:
@@ -149,22 +205,24 @@ class Objective:
                 kept = np.isfinite(run.run.measurements[name])
                 count = int(kept.sum())
                 for i, free in enumerate(self.free):
-                    slope = run.model.get(sensitivity_name(name, free.name))
-                    if slope is not None:
+                    slope = run.model.get(sensitivity_name(name, free.parameter))
+                    if slope is not None and self._moves(free, run.run):
                         jacobian[row : row + count, i] = -slope[kept] * free.slope(float(z[i])) / sigma
                 row += count
+        for k, (i, prior) in enumerate(self._priors):
+            jacobian[self.size + k, i] = -self.free[i].slope(float(z[i])) / prior.sd
         return jacobian
 
     def jacobian(self, z: Array, at: Array) -> Array:
-        """(size, parameters) by the model's sensitivities, or by differences where it has none.
+        """(size + priors, parameters) by the model's sensitivities, or by differences where it has none.
 
         Args:
             z: (parameters,) search coordinates.
-            at: (size,) the residuals there.
+            at: (size + priors,) the residuals there.
         """
         told, exact = self._exact, self._exact_at(z)
         columns = [self._difference(z, at, i) if exact is None or not told[i] else exact[:, i] for i in range(len(z))]
-        return np.column_stack(columns) if columns else np.zeros((self.size, 0))
+        return np.column_stack(columns) if columns else np.zeros((len(at), 0))
 
     def _exact_at(self, z: Array) -> Array | None:
         """The exact Jacobian at ``z``; None where the model has no sensitivities or breaks down."""
@@ -174,7 +232,7 @@ class Objective:
         return self._latest[2] if self._latest is not None and self._latest[0] == z.tobytes() else None
 
     def _difference(self, z: Array, at: Array, i: int) -> Array:
-        """One column by a difference, stepping inwards from a bound.
+        """One column by a difference, stepping inwards from a bound; only the runs are simulated that move.
 
         A direction in which the simulation breaks down is tried the other way; if that fails too, the column is
         zero: the fit does not move there.
@@ -182,14 +240,18 @@ class Objective:
         low, high = self.bounds
         step = CRITERIA.fit.difference_step * max(1.0, abs(z[i]) if not self.free[i].logarithmic else 1.0)
         forward = step if z[i] + step <= high[i] else -step
+        chosen = [k for k, run in enumerate(self.runs) if self._moves(self.free[i], run)]
         for h in (forward, -forward):
             moved = z.copy()
             moved[i] = min(max(z[i] + h, low[i]), high[i])
             if moved[i] == z[i]:
                 continue
             self.evaluations += 1
-            shifted = self._without_slopes(moved, range(len(self.runs)))
+            shifted = at.copy()
+            rows = [np.arange(self._ends[k], self._ends[k + 1]) for k in chosen]
+            shifted[np.concatenate(rows) if rows else np.zeros(0, int)] = self._without_slopes(moved, chosen)
+            shifted = self._with_priors(moved, shifted[: self.size])
             if np.all(np.isfinite(shifted)):
                 column: Array = (shifted - at) / (moved[i] - z[i])
                 return column
-        return np.zeros(self.size)
+        return np.zeros(len(at))

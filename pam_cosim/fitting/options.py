@@ -18,6 +18,8 @@ class FitOptions:
             not reach the noise.
         screened_starts: how many of all starts make a few steps first, so that those are followed which came
             farthest; 0: none.
+        starts: points spread over the bounds that the method "multi-start" follows, each to its end; 0: those that
+            promise most, until the noise is reached.
         tolerance: relative, of the solver; None: tight enough for the noise and for finite differences.
         precision: a descent ends where a step takes away less than this part of the chi-square.
     """
@@ -26,5 +28,6 @@ class FitOptions:
     evaluations: int = CRITERIA.fit.evaluations
     descents: int = CRITERIA.fit.descents
     screened_starts: int = 0
+    starts: int = 0
     tolerance: float | None = None
     precision: float = CRITERIA.fit.precision

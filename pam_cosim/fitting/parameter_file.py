@@ -16,6 +16,8 @@ _SSV = "http://ssp-standard.org/SSP1/SystemStructureParameterValues"
 def write_parameters(path: Path, fit: Fit) -> None:
     """Writes the estimates [SI]; ``.ssv`` gives System Structure Parameter Values 1.0, anything else JSON.
 
+    A model has no place for what is of one run alone: an ``.ssv`` file holds the shared parameters.
+
     Raises:
         InputError: the file cannot be written.
     """
@@ -30,7 +32,8 @@ def _ssv(fit: Fit) -> str:
     ElementTree.register_namespace("ssv", _SSV)
     root = ElementTree.Element(f"{{{_SSV}}}ParameterSet", version="1.0", name=fit.model)
     listed = ElementTree.SubElement(root, f"{{{_SSV}}}Parameters")
-    for name, estimate in fit.parameters.items():
+    shared = {name: estimate for name, estimate in fit.parameters.items() if not estimate.run}
+    for name, estimate in shared.items():
         parameter = ElementTree.SubElement(listed, f"{{{_SSV}}}Parameter", name=name)
         ElementTree.SubElement(parameter, f"{{{_SSV}}}Real", value=repr(estimate.value), unit=estimate.unit)
     ElementTree.indent(root)

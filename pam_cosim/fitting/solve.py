@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -17,8 +17,6 @@ from pam_cosim.fitting.levenberg_marquardt import Minimum, levenberg_marquardt
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fitting.options import FitOptions
 
-Progress = Callable[[int, float], None]
-
 
 @dataclass(frozen=True)
 class Problem:
@@ -28,18 +26,11 @@ class Problem:
         objective: residuals and slopes as a function of the search coordinates.
         starts: points to start from, by name [SI], the parameters' own start values first.
         options: how the fit goes.
-        progress: called with the number of evaluations and the present reduced chi-square.
     """
 
     objective: Objective
     starts: Sequence[Mapping[str, float]]
     options: FitOptions
-    progress: Progress | None = None
-
-    def report(self, cost: float) -> None:
-        """Tells the present sum of squares, where it is finite."""
-        if self.progress is not None and np.isfinite(cost):
-            self.progress(self.objective.evaluations, cost / max(self.objective.size, 1))
 
 
 def solve(problem: Problem) -> Minimum:
@@ -55,9 +46,10 @@ def solve(problem: Problem) -> Minimum:
         starts = _winners(problem, starts)
     for start in itertools.islice(starts, options.descents):
         reached = _minimise(problem, start)
+        objective.tracker.descents.append(reached.cost / max(objective.size, 1))
         if best is None or reached.cost < best.cost:
             best = reached
-        if best.cost <= CRITERIA.fit.at_noise * objective.size:
+        if best.cost <= CRITERIA.fit.at_noise * objective.size and not options.starts:
             break  # nothing is left that another start could find
     return best or _minimise(problem, _rescue(objective))
 
@@ -66,7 +58,7 @@ def spread_starts(free: Sequence[Free], count: int = CRITERIA.fit.spread_starts)
     """Start values spread evenly over the bounds by a Sobol sequence; the same ones every time."""
     if not free:
         return []
-    points = qmc.Sobol(len(free), seed=0).random(count)
+    points = qmc.Sobol(len(free), seed=0).random_base2(max(count - 1, 0).bit_length())[:count]
     ends = [(f.to_z(f.low), f.to_z(f.high)) for f in free]
     return [
         {f.name: f.to_value(low + u * (high - low)) for f, (low, high), u in zip(free, ends, point, strict=True)}
@@ -89,7 +81,7 @@ def _starts(objective: Objective, points: Sequence[Array]) -> Iterator[Array]:
     """The points at which every run can be simulated, the best first as far as a glance tells."""
     scored = [(objective.glance(z) if len(points) > 1 else 0.0, i) for i, z in enumerate(points)]
     for score, i in sorted(scored):
-        if np.isfinite(score) and np.isfinite(_cost(objective.residuals(points[i]))):
+        if np.isfinite(score) and np.isfinite(objective.squares(points[i])):
             yield points[i]
 
 
@@ -101,33 +93,21 @@ def _winners(problem: Problem, starts: Iterator[Array]) -> Iterator[Array]:
     yield from (d.z for d in sorted(ends, key=lambda d: d.cost))
 
 
-def _cost(residuals: Array) -> float:
-    return float(residuals @ residuals)
-
-
 def _rescue(objective: Objective) -> Array:
     """The first of a fixed sequence of points within the bounds at which the model runs."""
     low, high = objective.bounds
     if len(low):
         for u in qmc.Sobol(len(low), seed=0).random(CRITERIA.fit.rescue_starts):
             z: Array = low + u * (high - low)
-            if np.isfinite(_cost(objective.residuals(z))):
+            if np.isfinite(objective.squares(z)):
                 return z
     raise SimulationFailure(f"no start value within the bounds can be simulated: {objective.first_failure}")
 
 
 def _minimise(problem: Problem, start: Array) -> Minimum:
     objective, options = problem.objective, problem.options
-
-    def residuals(z: Array) -> Array:
-        e = objective.residuals(z)
-        problem.report(_cost(e))
-        return e
-
-    def jacobian(z: Array) -> Array:
-        return objective.jacobian(z, objective.residuals(z))
-
     if not len(start):
-        e = objective.residuals(start)
-        return Minimum(_cost(e), start, np.zeros((len(e), 0)))
-    return levenberg_marquardt(residuals, jacobian, start, objective.bounds, options.precision, options.evaluations)
+        return Minimum(objective.squares(start), start, np.zeros((objective.size, 0)))
+    return levenberg_marquardt(
+        objective.squares, objective.triangle, start, objective.bounds, options.precision, options.evaluations
+    )

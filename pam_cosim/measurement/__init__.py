@@ -1,6 +1,6 @@
 """The measurement room: a folder with ``experiment.toml`` and CSV files becomes a ``DataSet``."""
 
-from pam_cosim.measurement.data_set import ROLES, DataSet, FreeParameter, Role, Run, Signal
+from pam_cosim.measurement.data_set import ROLES, DataSet, FreeParameter, Prior, Role, Run, Signal, Transform
 from pam_cosim.measurement.noise import complete_noise, estimate_noise, with_noise
 from pam_cosim.measurement.read import read_data_set
 from pam_cosim.measurement.recording import Recording, read_recording
@@ -9,11 +9,13 @@ from pam_cosim.measurement.write import write_data_set
 __all__ = [
     "DataSet",
     "FreeParameter",
+    "Prior",
     "ROLES",
     "Recording",
     "Role",
     "Run",
     "Signal",
+    "Transform",
     "complete_noise",
     "estimate_noise",
     "read_data_set",

@@ -38,15 +38,41 @@ class Signal:
     fitted: bool = True
 
 
+Transform = Literal["log", "linear"]
+
+
+@dataclass(frozen=True)
+class Prior:
+    """What is known of a parameter before the measurement: a normal distribution [unit of the parameter]."""
+
+    mean: float
+    sd: float
+
+
 @dataclass(frozen=True)
 class FreeParameter:
-    """A parameter to be fitted, between bounds [unit]; without ``start`` the model's default starts."""
+    """A parameter to be fitted, between bounds [unit]; without ``start`` the model's default starts.
+
+    Attributes:
+        name: of the parameter; where it is of one run alone, with "@" and the run's name after it.
+        transform: how it is searched; None: as the bounds suggest.
+        prior: what is known of it beforehand.
+        run: the one run that it is of; empty: all.
+    """
 
     name: str
     min: float
     max: float
     start: float | None = None
     unit: str = ""
+    transform: Transform | None = None
+    prior: Prior | None = None
+    run: str = ""
+
+    @property
+    def parameter(self) -> str:
+        """Its name in the model."""
+        return self.name.removesuffix(f"@{self.run}") if self.run else self.name
 
 
 @dataclass(frozen=True)
@@ -119,6 +145,11 @@ class DataSet(Printed):
         return (self.folder / FILE_NAME, *(run.file for run in self.runs))
 
     @property
+    def free_names(self) -> tuple[str, ...]:
+        """Names in the model of what is fitted, each once."""
+        return tuple(dict.fromkeys(free.parameter for free in self.fit.values()))
+
+    @property
     def fit_runs(self) -> tuple[Run, ...]:
         """The runs parameters are fitted to."""
         return tuple(run for run in self.runs if run.role == "fit")
@@ -129,9 +160,19 @@ class DataSet(Printed):
         return tuple(run for run in self.runs if run.role == "holdout")
 
     def parameters_of(self, run: Run, fitted: Mapping[str, float] | None = None) -> dict[str, float]:
-        """What to simulate ``run`` with [SI]: stated start values, ``fitted``, then what is known of it."""
+        """What to simulate ``run`` with [SI]: stated start values, ``fitted``, what is known of it, its own ones.
+
+        A fitted value of one run alone has "@" and the run's name after that of the parameter.
+        """
         start = {name: free.start for name, free in self.fit.items() if free.start is not None}
-        return {**start, **(fitted or {}), **run.parameters}
+        values = {**start, **(fitted or {})}
+        if not any("@" in name for name in values):
+            return {**values, **run.parameters}
+        ends = tuple(f"@{other.name}" for other in self.runs)
+        shared = {name: value for name, value in values.items() if not name.endswith(ends)}
+        end = f"@{run.name}"
+        own = {name.removesuffix(end): value for name, value in values.items() if name.endswith(end)}
+        return {**shared, **run.parameters, **own}
 
     def notes(self) -> tuple[str, ...]:
         """What a reader of results from these data should know."""
@@ -157,7 +198,8 @@ class DataSet(Printed):
         lines += [f"  known {name} = {value:g}" for name, value in self.parameters.items()]
         for free in self.fit.values():
             start = "the model's default" if free.start is None else f"{free.start:g}"
-            lines.append(f"  free {free.name}: {free.min:g} to {free.max:g}, from {start}")
+            prior = f", known as {free.prior.mean:g} ± {free.prior.sd:g}" if free.prior else ""
+            lines.append(f"  free {free.name}: {free.min:g} to {free.max:g}, from {start}{prior}")
         lines += [f"  run {run.describe()}" for run in self.runs]
         lines += [f"  note: {note}" for note in self.notes()]
         return "\n".join(lines)

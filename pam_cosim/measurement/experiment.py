@@ -62,12 +62,21 @@ class SignalTable(_Table):
     sigma: Value | None = None
 
 
+class PriorTable(_Table):
+    """``prior = { mean = ..., sd = ... }`` of a free parameter."""
+
+    mean: Value
+    sd: Value
+
+
 class FreeTable(_Table):
-    """``"NAME" = { min = ..., max = ... }`` under ``[fit]``."""
+    """``"NAME" = { min = ..., max = ... }`` under ``[fit]`` or ``[runs.fit]``."""
 
     min: Value
     max: Value
     start: Value | None = None
+    transform: Literal["log", "linear"] | None = None
+    prior: PriorTable | None = None
 
 
 class RunTable(_Table):
@@ -77,6 +86,7 @@ class RunTable(_Table):
     role: Literal["fit", "holdout"] = "fit"
     interpolation: Literal["linear", "previous"] = "linear"
     parameters: dict[str, Value] = Field(default_factory=dict)
+    fit: dict[str, FreeTable] = Field(default_factory=dict)
 
 
 class Experiment(_Table):
@@ -152,18 +162,23 @@ def _hint_for_missing(path: KeyPath) -> str:
             return ': add a table [[runs]] with file = "run-01.csv" for each recording'
         case ("runs", _, "file"):
             return ': add the name of the CSV file, file = "run-01.csv"'
-        case ("fit", name, _):
+        case ("fit", _, "prior", _) | ("runs", _, "fit", _, "prior", _):
+            return ": write prior = { mean = ..., sd = ... }"
+        case ("fit", name, _) | ("runs", _, "fit", name, _):
             return f': write {{ min = ..., max = ... }} for the free parameter "{name}"'
     return ""
 
 
 def _unknown_key(path: KeyPath, value: Any) -> str:
-    if path[0] in ("fit", "signals") and isinstance(value, dict):
-        return f'a name with a dot needs quotes: "{path[1]}.{path[2]}"'
+    inner = path[2:] if path[0] == "runs" else path
+    if inner and inner[0] in ("fit", "signals") and len(inner) > 2 and isinstance(value, dict):
+        return f'a name with a dot needs quotes: "{inner[1]}.{inner[2]}"'
     match path:
+        case (*_, "prior", _):
+            table: type[_Table] = PriorTable
         case ("runs", _, _):
-            table: type[_Table] = RunTable
-        case ("fit", _, _):
+            table = RunTable
+        case ("fit", _, _) | ("runs", _, "fit", _, _):
             table = FreeTable
         case ("signals", _, _):
             table = SignalTable

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from math import inf
 
 from pam_cosim.interface import Interface, Variable
-from pam_cosim.measurement.data_set import FreeParameter
-from pam_cosim.measurement.experiment import ExperimentFile
+from pam_cosim.measurement.data_set import FreeParameter, Prior
+from pam_cosim.measurement.experiment import ExperimentFile, FreeTable
 from pam_cosim.units import UnitError, parse_quantity
 from pam_cosim.wording import did_you_mean, shown
 
@@ -27,30 +27,56 @@ def known_values(
 
 
 def free_parameter(
-    document: ExperimentFile, interface: Interface, name: str, known: Mapping[str, float]
+    document: ExperimentFile,
+    interface: Interface,
+    name: str,
+    table: FreeTable,
+    known: Mapping[str, float],
+    *path: str | int,
+    run: str = "",
 ) -> FreeParameter:
-    """One entry of ``[fit]``; a value under ``[parameters]`` (``known``) is its start value.
+    """One entry of ``[fit]`` or ``[runs.fit]``; a value under ``[parameters]`` (``known``) is its start value.
 
     Raises:
-        InputError: as ``known_values``; bounds reversed, start value given twice or outside the bounds.
+        InputError: as ``known_values``; bounds reversed, start value given twice or outside the bounds, a logarithm
+            of what may be zero, a prior without spread.
     """
-    table, parameter = document.content.fit[name], _parameter(document, interface, name)
-    path = ("fit", name)
+    parameter = _parameter(document, interface, name, *path)
+    path = (*path, name)
     low = _value(document, parameter, table.min, *path, "min")
     high = _value(document, parameter, table.max, *path, "max")
     bounds = f"min = {shown(table.min)} and max = {shown(table.max)}"
     if not low < high:
         raise document.error(f"{name}: the bounds are reversed or equal, {bounds}", *path)
-    if table.start is not None and name in known:
+    if table.transform == "log" and not low > 0.0:
+        raise document.error(f"{name}: a logarithm needs bounds above zero, not {bounds}", *path, "transform")
+    if table.start is not None and name in known and not run:
         message = f"{name} has a start value here and a value under [parameters]; keep one of them"
         raise document.error(message, *path, "start")
     start = known.get(name)
     if table.start is not None:
         start = _value(document, parameter, table.start, *path, "start")
     if start is not None and not low <= start <= high:
-        place = ("parameters", name) if name in known else (*path, "start")
+        place = ("parameters", name) if name in known and table.start is None else (*path, "start")
         raise document.error(f"{name}: the start value lies outside the bounds, {bounds}", *place)
-    return FreeParameter(name, low, high, start, parameter.unit)
+    prior = _prior(document, parameter, table, *path)
+    if start is None and prior is not None:
+        start = min(max(prior.mean, low), high)
+    own = f"{name}@{run}" if run else name
+    return FreeParameter(own, low, high, start, parameter.unit, table.transform, prior, run)
+
+
+def _prior(document: ExperimentFile, parameter: Variable, table: FreeTable, *path: str | int) -> Prior | None:
+    if table.prior is None:
+        return None
+    mean = _value(document, parameter, table.prior.mean, *path, "prior", "mean")
+    try:
+        sd = parse_quantity(table.prior.sd, parameter.unit, difference=True)
+    except UnitError as error:
+        raise document.error(f"sd of the prior of {parameter.name}: {error}", *path, "prior", "sd") from None
+    if not 0.0 < sd < inf:
+        raise document.error(f"sd of the prior of {parameter.name} must be greater than zero", *path, "prior", "sd")
+    return Prior(mean, sd)
 
 
 def _known(document: ExperimentFile, interface: Interface, name: str, *path: str | int) -> Variable:
@@ -61,14 +87,14 @@ def _known(document: ExperimentFile, interface: Interface, name: str, *path: str
     return known[name]
 
 
-def _parameter(document: ExperimentFile, interface: Interface, name: str) -> Variable:
+def _parameter(document: ExperimentFile, interface: Interface, name: str, *path: str | int) -> Variable:
     if name in interface.inputs:
         message = f"{shown(name)} is an input of {interface.model}, and only parameters can be fitted"
-        raise document.error(f"{message}; state its value under [parameters]", "fit", name)
+        raise document.error(f"{message}; state its value under [parameters]", *path, name)
     known = interface.parameters
     if name not in known:
         message = f"{interface.model} has no parameter {shown(name)}; {did_you_mean(name, known)}"
-        raise document.error(message, "fit", name)
+        raise document.error(message, *path, name)
     return known[name]
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from pam_cosim.errors import InputError, ModelError
 from pam_cosim.interface import Interface
-from pam_cosim.measurement.data_set import DataSet, Run, Signal
+from pam_cosim.measurement.data_set import DataSet, FreeParameter, Run, Signal
 from pam_cosim.measurement.experiment import FILE_NAME, ExperimentFile, RunTable, read_experiment
 from pam_cosim.measurement.inside import file_inside
 from pam_cosim.measurement.parameters import free_parameter, known_values
@@ -39,10 +39,13 @@ def read_data_set(
     interface = describe(name) if model else _interface(document, name, describe)
     content = document.content
     parameters = known_values(document, interface, content.parameters, "parameters")
-    free = {one: free_parameter(document, interface, one, parameters) for one in content.fit}
+    free = {
+        one: free_parameter(document, interface, one, table, parameters, "fit") for one, table in content.fit.items()
+    }
     known = {one: value for one, value in parameters.items() if one not in free}
     _check_signals(document, interface)
     _check_runs(document)
+    own = [_own_free(document, interface, index, run, parameters) for index, run in enumerate(content.runs)]
     runs = tuple(_run(document, interface, index, run, known) for index, run in enumerate(content.runs))
     return DataSet(
         folder=document.file.parent,
@@ -50,7 +53,7 @@ def read_data_set(
         model=name,
         signals=_signals(document, interface, runs),
         parameters=known,
-        fit=free,
+        fit=free | {one.name: one for several in own for one in several},
         runs=runs,
     )
 
@@ -139,6 +142,23 @@ def _check_runs(document: ExperimentFile) -> None:
         names.add(name)
 
 
+def _own_free(
+    document: ExperimentFile, interface: Interface, index: int, table: RunTable, known: Mapping[str, float]
+) -> list[FreeParameter]:
+    """What is fitted to one run alone."""
+    path, name = ("runs", index, "fit"), _name(table.file)
+    for one in table.fit:
+        if table.role == "holdout":
+            message = f"{one} is free in a run that is never fitted; state its value under [runs.parameters]"
+            raise document.error(message, *path, one)
+        if one in table.parameters:
+            message = f"{one} is free under [runs.fit] and has a value under [runs.parameters]; keep one of them"
+            raise document.error(message, *path, one)
+        if "@" in name:
+            raise document.error(f"the run {shown(name)} has parameters of its own; its name must have no '@'", *path)
+    return [free_parameter(document, interface, one, free, known, *path, run=name) for one, free in table.fit.items()]
+
+
 def _run(
     document: ExperimentFile, interface: Interface, index: int, table: RunTable, known: Mapping[str, float]
 ) -> Run:
@@ -150,7 +170,7 @@ def _run(
     own = known_values(document, interface, table.parameters, *path)
     file = file_inside(document, table.file, "runs", index, "file")
     recording = read_recording(file, interface)
-    values = {**known, **own}
+    values = {name: value for name, value in {**known, **own}.items() if name not in table.fit}
     for name in recording.inputs:
         if name in values:
             message = f"{name} is constant here and a column of {shown(table.file)}; keep one of them"

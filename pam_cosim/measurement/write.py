@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, make_folder, write_text
 from pam_cosim.interface import Interface
-from pam_cosim.measurement.data_set import DataSet, Run
+from pam_cosim.measurement.data_set import DataSet, FreeParameter, Run
 from pam_cosim.measurement.experiment import FILE_NAME
 from pam_cosim.measurement.read import read_data_set
 from pam_cosim.measurement.recording import TIME
@@ -110,12 +110,21 @@ class _Writer:
         yield from self._values(self.data_set.parameters)
 
     def _free(self) -> Iterator[str]:
-        if self.data_set.fit:
+        shared = [free for free in self.data_set.fit.values() if not free.run]
+        if shared:
             yield "\n[fit]"
-        for name, free in self.data_set.fit.items():
-            bounds = {"min": free.min, "max": free.max, "start": free.start}
-            cells = [f"{key} = {self._quantity(name, one)}" for key, one in bounds.items() if one is not None]
-            yield f"{_text(name)} = {{ {', '.join(cells)} }}"
+        yield from map(self._free_table, shared)
+
+    def _free_table(self, free: FreeParameter) -> str:
+        name = free.parameter
+        bounds = {"min": free.min, "max": free.max, "start": free.start}
+        cells = [f"{key} = {self._quantity(name, one)}" for key, one in bounds.items() if one is not None]
+        if free.transform is not None:
+            cells.append(f'transform = "{free.transform}"')
+        if free.prior is not None:
+            mean, sd = self._quantity(name, free.prior.mean), self._quantity(name, free.prior.sd, difference=True)
+            cells.append(f"prior = {{ mean = {mean}, sd = {sd} }}")
+        return f"{_text(name)} = {{ {', '.join(cells)} }}"
 
     def _runs(self) -> Iterator[str]:
         known = self.data_set.parameters
@@ -127,6 +136,10 @@ class _Writer:
             if own:
                 yield "[runs.parameters]"
             yield from self._values(own)
+            free = [one for one in self.data_set.fit.values() if one.run == run.name]
+            if free:
+                yield "[runs.fit]"
+            yield from map(self._free_table, free)
 
     def _values(self, values: Mapping[str, float]) -> Iterator[str]:
         return (f"{_text(name)} = {self._quantity(name, value)}" for name, value in values.items())

@@ -8,5 +8,8 @@ from pam_cosim.fitting.solve import Problem, solve, spread_starts
 
 def minimise(problem: Problem) -> Solution:
     """From points spread over the bounds too."""
-    spread = spread_starts(problem.objective.free)
-    return Solution(solve(replace(problem, starts=[*problem.starts, *spread])))
+    options, free = problem.options, problem.objective.free
+    spread = spread_starts(free, options.starts) if options.starts else spread_starts(free)
+    starts = [*problem.starts, *spread]
+    chosen = replace(options, descents=len(starts)) if options.starts else options
+    return Solution(solve(replace(problem, starts=starts, options=chosen)))

@@ -133,16 +133,7 @@ def swarm_search(problem: Problem) -> SwarmSearch:
     """
     objective = problem.objective
     before = objective.evaluations
-    lowest = np.inf
-
-    def cost(z: Array) -> float:
-        nonlocal lowest
-        here = objective.cost(z)
-        lowest = min(lowest, here)
-        problem.report(lowest)
-        return here
-
-    seen = swarm(cost, *objective.bounds)
+    seen = swarm(objective.cost, *objective.bounds)
     if not np.isfinite(seen.costs[-1]):
         raise SimulationFailure(f"no particle of the swarm can be simulated: {objective.first_failure}")
     best = {f.name: f.to_value(float(z)) for f, z in zip(objective.free, seen.best, strict=True)}

@@ -1,0 +1,64 @@
+"""What a search over all of the bounds did by itself, before any descent."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from pam_cosim.arrays import Array
+from pam_cosim.fitting.methods.solution import Record
+from pam_cosim.fitting.objective import Objective
+
+
+@dataclass(frozen=True)
+class GlobalSearch(Record):
+    """A search generation by generation.
+
+    Attributes:
+        name: of the method, in words.
+        parameters: the best point that it has been at, by name [unit].
+        units: SI units, by name.
+        chi2_reduced: the lowest so far, after each generation.
+        evaluations: simulations of the set of fit runs that it took.
+    """
+
+    name: str
+    parameters: dict[str, float]
+    units: dict[str, str]
+    chi2_reduced: tuple[float, ...]
+    evaluations: int
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON, SI units."""
+        return {
+            "name": self.name,
+            "best_point": {n: {"value": v, "unit": self.units[n]} for n, v in self.parameters.items()},
+            "chi2_reduced": self.chi2_reduced[-1],
+            "chi2_by_generation": list(self.chi2_reduced),
+            "evaluations": self.evaluations,
+        }
+
+    def __str__(self) -> str:
+        first, last = (f"{c:.4g}" for c in (self.chi2_reduced[0], self.chi2_reduced[-1]))
+        generations = f"{len(self.chi2_reduced)} generations, {self.evaluations} simulations"
+        lines = [f"  {self.name}: chi2 {first} to {last} in {generations}; its own best point:"]
+        for name, value in self.parameters.items():
+            unit = "" if self.units[name] == "1" else self.units[name]
+            lines.append(f"    {name} = {value:.4g} {unit}".rstrip())
+        return "\n".join(lines)
+
+
+def searched(name: str, objective: Objective, best: Array, costs: Sequence[float], before: int) -> GlobalSearch:
+    """The record of a search that ended.
+
+    Args:
+        name: of the method, in words.
+        objective: what was searched.
+        best: (k,) the best point, in search coordinates.
+        costs: the lowest sum of squares so far, after each generation.
+        before: evaluations of the objective when it began.
+    """
+    parameters = {f.name: f.to_value(float(z)) for f, z in zip(objective.free, best, strict=True)}
+    chi2 = tuple(float(c) / max(objective.size, 1) for c in costs)
+    units = {f.name: f.unit for f in objective.free}
+    return GlobalSearch(name, parameters, units, chi2, objective.evaluations - before)

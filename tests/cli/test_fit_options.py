@@ -1,0 +1,39 @@
+"""``fit``: interrupted and gone on with, many starts; one message for what cannot be."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+from tests.cli.conftest import Outcome, everything
+
+Command = Callable[..., Outcome]
+
+
+def test_resumed_command_says_the_same(process: Command, data: Path, place: Path) -> None:
+    first = process("fit", data, "--resume", "fit.progress", "-o", "p.json")
+    assert first.status == 0, first.err
+    answers = json.loads((place / "fit.progress").read_text())
+    answers["answers"] = answers["answers"][:3]  # as it stands when a fit is killed early
+    (place / "fit.progress").write_text(json.dumps(answers))
+    again = process("fit", data, "--resume", "fit.progress", "-o", "q.json")
+    assert again.status == 0 and again.out == first.out
+    assert (place / "p.json").read_bytes() == (place / "q.json").read_bytes()
+
+
+def test_file_of_another_model_is_refused(command: Command, data: Path, place: Path) -> None:
+    assert command("fit", data, "--resume", "fit.progress").status == 0
+    (place / "Other.mo").write_text("model Other\n  extends PneumaticMuscle.Benches.VesselOrifice;\nend Other;\n")
+    before = everything(place)
+    refused = command("fit", data, "--model", "Other.mo", "--resume", "fit.progress", "-o", "p.json")
+    assert refused.status == 2 and "keeps a fit of another model" in refused.err, refused.err
+    assert "remove this one to begin anew" in refused.err
+    assert everything(place) == before
+
+
+def test_starts(command: Command, data: Path, place: Path) -> None:
+    assert command("fit", data, "--method", "multi-start", "--starts", "3", "--json", "f.json").status == 0
+    assert len(json.loads((place / "f.json").read_text())["convergence"]["descents"]) == 4
+    refused = command("fit", data, "--starts", "3")
+    assert refused.status == 2 and "starts are for the method multi-start" in refused.err

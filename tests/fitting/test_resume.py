@@ -1,0 +1,97 @@
+"""An interrupted fit goes on where it stopped and ends where it would have, to the last bit; no other fit does."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+import pam_cosim as pam
+from pam_cosim import InputError
+from pam_cosim.fitting import Fit, Standing
+from pam_cosim.simulation import Simulator
+from tests.fitting.models import vessel_data
+
+
+class Stop(Exception):
+    pass
+
+
+def stop_after(count: int) -> Callable[[Standing], None]:
+    def progress(standing: Standing) -> None:
+        if standing.evaluations >= count:
+            raise Stop
+
+    return progress
+
+
+@pytest.mark.parametrize("method", ["least-squares", "particle-swarm", "differential-evolution"])
+def test_it_ends_as_if_it_had_not_been_interrupted(
+    method: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    data, file = vessel_data(), tmp_path / "fit.progress"
+    whole = pam.fit(data, method=method)
+    runs = count_runs(monkeypatch)
+    with pytest.raises(Stop):
+        pam.fit(data, method=method, resume=file, progress=stop_after(4))
+    assert len(json.loads(file.read_text())["answers"]) >= 3
+    before = len(runs)
+    resumed = pam.fit(data, method=method, resume=file)
+    assert resumed.values == whole.values
+    again_counts = method == "differential-evolution"  # it comes to some points twice, which are simulated once now
+    assert resumed.evaluations < whole.evaluations if again_counts else resumed.evaluations == whole.evaluations
+    assert resumed.convergence.chi2_reduced.tolist() == whole.convergence.chi2_reduced.tolist()
+    assert len(runs) - before <= whole.evaluations + 2  # those of combinations and the comparison; none twice
+    runs.clear()
+    again = pam.fit(data, method=method, resume=file)
+    assert again.values == whole.values and len(runs) <= 2
+
+
+def count_runs(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    runs: list[int] = []
+    plain = Simulator.run
+
+    def counted(self, *args, **words):  # type: ignore[no-untyped-def]
+        runs.append(1)
+        return plain(self, *args, **words)
+
+    monkeypatch.setattr(Simulator, "run", counted)
+    return runs
+
+
+def test_file_of_another_fit_is_refused(tmp_path: Path) -> None:
+    data, file = vessel_data(), tmp_path / "fit.progress"
+    pam.fit(data, resume=file)
+    kept = file.read_bytes()
+    hotter = replace(data, runs=(replace(data.runs[0], measurements={"p": data.runs[0].measurements["p"] + 1}),))
+    wider = replace(data, fit={**data.fit, "tank.n": replace(data.fit["tank.n"], max=1.39)})
+    for call, message in (
+        (lambda: pam.fit(data, "TankFilling", resume=file), "no parameter|another model"),
+        (lambda: pam.fit(hotter, resume=file), "keeps a fit to other data; name another file, or remove this one"),
+        (lambda: pam.fit(wider, resume=file), "other parameters, bounds or priors"),
+        (lambda: pam.fit(data, method="multi-start", resume=file), "by another method"),
+    ):
+        with pytest.raises(InputError, match=message):
+            call()
+    assert file.read_bytes() == kept
+
+
+@pytest.mark.parametrize("text", ["", "{}", "[1, 2]", '{"kind": "pam-cosim fit in progress", "version": 1}'])
+def test_what_is_no_such_file_is_refused_and_left(text: str, tmp_path: Path) -> None:
+    file = tmp_path / "fit.progress"
+    file.write_text(text)
+    with pytest.raises(InputError):
+        pam.fit(vessel_data(), resume=file)
+    assert file.read_text() == text
+
+
+def test_standing_reads_as_a_person_would_say_it() -> None:
+    told: list[Standing] = []
+    result: Fit = pam.fit(vessel_data(), progress=told.append)
+    assert str(Standing(23, 4.2, {"p": 1234.0}, {"p": "Pa"})) == "23 simulations, p off by 1.23 kPa rms, chi2 4.2"
+    assert [s.evaluations for s in told] == list(range(1, len(told) + 1))
+    assert told[-1].rmse["p"] == pytest.approx(result.comparison.scores["fit"]["p"].rmse, rel=1e-3)
+    assert result.convergence.chi2_reduced[-1] == pytest.approx(result.residuals["fit"].chi2_reduced, rel=1e-6)
