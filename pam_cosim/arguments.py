@@ -14,6 +14,7 @@ from pam_cosim.dynamics import conditions_of
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.description import model_identifier
 from pam_cosim.interface import Interface, Variable
+from pam_cosim.names import is_file
 from pam_cosim.settings import settable, value_of
 from pam_cosim.sweeps import MOST_RUNS
 
@@ -30,7 +31,7 @@ def fmu_files(models: Sequence[str], output: Path) -> list[tuple[str, Path]]:
         return [(models[0], output)]
     files: dict[Path, str] = {}
     for model in models:
-        name = Path(model).stem if model.endswith((".mo", ".fmu")) else model_identifier(names.last(model))
+        name = Path(model).stem if is_file(model) else model_identifier(names.last(model))
         if files.setdefault(output / f"{name}.fmu", model) != model:
             raise InputError(f"two models would be written to '{name}.fmu'; build them into two folders", output)
     return [(model, file) for file, model in files.items()]

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import sys
+from importlib.metadata import version as installed
+from typing import Annotated
 
 import typer
 
@@ -30,6 +32,18 @@ app = typer.Typer(
     rich_markup_mode=None,
     help="Compare models with measurements and find the physical effect they lack.",
 )
+
+
+@app.callback(invoke_without_command=True)
+def version(
+    shown: Annotated[bool, typer.Option("--version", help="Say which version this is.", is_eager=True)] = False,
+) -> None:
+    """Compare models with measurements and find the physical effect they lack."""
+    if shown:
+        typer.echo(f"pam-cosim {installed('pam-cosim')}")
+        raise typer.Exit
+
+
 _RUN = (build, describe, simulate, sweep, couple, linearise, bode, observe, track)
 _STUDY = (compare, fit, diagnose, add, effects)
 for _command in _RUN + _STUDY:

@@ -15,6 +15,7 @@ from pam_cosim.cosimulation.toml_read import read_toml
 from pam_cosim.errors import InputError
 from pam_cosim.fmu import read_interface
 from pam_cosim.fmu.read import feedthrough
+from pam_cosim.names import is_fmu
 from pam_cosim.settings import Setting
 
 
@@ -103,7 +104,7 @@ def couple(
 
 def _part(name: str, model: str, files: study.Paths) -> Part:
     path = study.build(model, files=files)
-    return Part(name, model, path, read_interface(path), *feedthrough(path), foreign=model.endswith(".fmu"))
+    return Part(name, model, path, read_interface(path), *feedthrough(path), foreign=is_fmu(model))
 
 
 def read_system(

@@ -22,6 +22,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import exchange_description, has_exchange, interface_of
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import read_recording
+from pam_cosim.names import is_fmu
 from pam_cosim.settings import Setting, resolve, value_of
 from pam_cosim.simulation import Inputs, Trajectory
 from pam_cosim.simulation.inputs import Interpolation
@@ -52,7 +53,7 @@ def exchange(model: str, files: study.Paths = ()) -> Exchange:
         InputError: no such model, or one without model exchange.
     """
     path = study.build(model, files=files)
-    return Exchange(path, not model.endswith(".fmu"), interface_of(exchange_description(path)))
+    return Exchange(path, not is_fmu(model), interface_of(exchange_description(path)))
 
 
 def interface(model: str, files: study.Paths = ()) -> Interface:
@@ -255,7 +256,7 @@ def frequency_response(
     if conditions and not free:
         raise InputError("a sine swings about a rest: name the inputs that may be chosen for it (free)")
     if exchanging:
-        trusted = not model.endswith(".fmu")
+        trusted = not is_fmu(model)
         told = progress if trusted else None  # what runs in another process cannot call
         return work_on(path, trusted, timeout, respond, settings, conditions, list(free), sines, told)
     if conditions:

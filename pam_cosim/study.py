@@ -25,6 +25,7 @@ from pam_cosim.fitting import fit as _fit
 from pam_cosim.fmu import build_model, read_interface
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet, complete_noise, read_data_set
+from pam_cosim.names import is_fmu, is_modelica
 from pam_cosim.products import Product
 from pam_cosim.settings import Setting, resolve
 from pam_cosim.simulation import Inputs, IsolatedSimulator, Simulator, Trajectory
@@ -82,7 +83,7 @@ def opened(
     A Modelica model tells its sensitivities to the ``free`` parameters. An FMU that makes no progress for ``timeout``
     seconds is ended (None: the default of ``IsolatedSimulator``).
     """
-    if model.endswith(".fmu"):
+    if is_fmu(model):
         return IsolatedSimulator(build(model, files=files), timeout)
     return Simulator(build_model(model, _paths(files), sensitivities=tuple(free), where_smooth=True))
 
@@ -109,8 +110,8 @@ def read(folder: Path | str, *, model: str | None = None, files: Paths = ()) -> 
 
 def _domain(model: str, interface: Interface, files: Paths) -> Domain:
     """The words of the model's field; an FMU says what class it was made from."""
-    sources = _paths(files) + ([Path(model)] if model.endswith(".mo") else [])
-    return domain_of(read_library(files=sources), interface.model if model.endswith(".fmu") else model)
+    sources = _paths(files) + ([Path(model)] if is_modelica(model) else [])
+    return domain_of(read_library(files=sources), interface.model if is_fmu(model) else model)
 
 
 def compare(
@@ -229,7 +230,7 @@ def add(names: Sequence[str], to: str, output: Path | str | None = None, *, file
     Raises:
         InputError: an unknown effect, or one that finds no place in the model.
     """
-    extra = _paths(files) + ([Path(to)] if to.endswith(".mo") else [])
+    extra = _paths(files) + ([Path(to)] if is_modelica(to) else [])
     tree = read_library(files=extra)
     name = Path(output).stem if output else None
     composition = compose(tree, to, names, name, files=extra)
@@ -372,7 +373,10 @@ def sweep(
         vary: by name of a parameter, an input that is held constant or a start value: its values for a "grid", where
             every combination is a run, and for a "list", run by run (or a mapping for each run, or a pandas frame);
             its lowest and highest value for "random" and "latin-hypercube".
-        parameters, inputs, stop_time, interval: of every run, as in ``simulate``.
+        parameters: of every run, as in ``simulate``.
+        inputs: of every run, as in ``simulate``.
+        stop_time: of every run, as in ``simulate``.
+        interval: of every run, as in ``simulate``.
         outputs: further variables to keep over time, beside the model's outputs.
         scalars: numbers of each run by name, or a list: "max(T)", "time_to(p, 90 %)", "steady(x)",
             "mean(valve.inlet.m_flow)"; ``sweeps.FUNCTIONS`` lists them.
@@ -395,7 +399,7 @@ def sweep(
     """
     if output is not None:
         check_writable(Path(output))
-    foreign, fmu = model.endswith(".fmu"), build(model, files=files)
+    foreign, fmu = is_fmu(model), build(model, files=files)
     face = read_interface(fmu)
     course, times = _course(face, inputs, stop_time, interval)
     asked = read_scalars(scalars, face)

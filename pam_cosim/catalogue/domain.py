@@ -10,6 +10,7 @@ from pam_cosim.compiler import ClassTree
 from pam_cosim.compiler.class_tree import Constant
 from pam_cosim.domain import Domain
 from pam_cosim.errors import ModelError
+from pam_cosim.names import is_modelica
 
 RECORD = "Domain"
 
@@ -26,7 +27,7 @@ def domain_of(tree: ClassTree, model: str) -> Domain:
     Raises:
         ModelError: the record of the library is not what it must be.
     """
-    name = _class_in(tree, model) if model.endswith(".mo") else qualified(tree, model)
+    name = _class_in(tree, model) if is_modelica(model) else qualified(tree, model)
     packages = dict.fromkeys([*_origins(tree, name), *libraries(tree)])
     records = (f"{package}.{RECORD}" for package in packages)
     return next((_read(tree, record) for record in records if record in tree.classes), Domain())

@@ -16,6 +16,7 @@ from pam_cosim.commands.common import (
     say_written,
 )
 from pam_cosim.errors import InputError
+from pam_cosim.names import is_modelica
 
 
 def add(
@@ -30,7 +31,7 @@ def add(
         raise InputError("the model is written as Modelica: name a file that ends in .mo", output)
     typer.echo(study.add(effects, to, output, files=files or []), nl=False)
     say_written(output)
-    own = [str(file) for file in files or []] + ([to] if to.endswith(".mo") else [])
+    own = [str(file) for file in files or []] + ([to] if is_modelica(to) else [])
     if own:
         words = " ".join(f"--file {quote(file)}" for file in own)
         console.print(f"it is used together with what it is made from: {words}", markup=False, soft_wrap=True)

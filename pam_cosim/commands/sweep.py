@@ -98,6 +98,8 @@ def sweep(
     _tell(made)
     say_written(output)
     say_written(plot)
+    if len(made.failed) == len(made):
+        raise typer.Exit(1)
 
 
 def _kept(output: Path) -> str:

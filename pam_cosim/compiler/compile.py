@@ -29,6 +29,7 @@ from pam_cosim.compiler.part import parts_of
 from pam_cosim.compiler.start import beginning
 from pam_cosim.errors import ModelError
 from pam_cosim.interface import Interface, Variable
+from pam_cosim.names import is_modelica
 from pam_cosim.resources import modelica_root
 
 _NOT_MODELS = frozenset(("package", "function", "record", "type", "connector"))
@@ -61,7 +62,7 @@ def compile_model(model: str, *, files: Sequence[Path] = (), root: Path | None =
 def instantiate(model: str, *, files: Sequence[Path] = (), root: Path | None = None) -> tuple[Instantiator, Instance]:
     """The components of a model; arguments and errors as for :func:`compile_model`."""
     files = list(files)
-    if model.endswith(".mo"):
+    if is_modelica(model):
         path = Path(model)
         files += [path] if path not in files else []
     library = Library(modelica_root() if root is None else root, files)
@@ -72,7 +73,7 @@ def instantiate(model: str, *, files: Sequence[Path] = (), root: Path | None = N
 
 
 def _find(model: str, library: Library, lookup: Lookup) -> Class:
-    if model.endswith(".mo"):
+    if is_modelica(model):
         classes = library.user_classes[Path(model)]
         models = [node for node in classes if node.kind in ("model", "block", "class")]
         if not models:

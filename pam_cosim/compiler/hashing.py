@@ -9,6 +9,7 @@ from pathlib import Path
 
 from pam_cosim.compiler.library import modelica_files, package_folder
 from pam_cosim.errors import ModelError
+from pam_cosim.names import is_modelica
 from pam_cosim.resources import modelica_root
 
 
@@ -20,7 +21,7 @@ def flat_hash(model: str, *, files: Sequence[Path] = (), root: Path | None = Non
     digest = hashlib.sha256()
     base = modelica_root() if root is None else root
     files = list(files)
-    if model.endswith(".mo"):
+    if is_modelica(model):
         files.append(Path(model))
         model = Path(model).name
     _add(digest, model.encode())

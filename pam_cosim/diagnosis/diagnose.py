@@ -23,6 +23,7 @@ from pam_cosim.fitting import Fit, fit
 from pam_cosim.fmu import build_model
 from pam_cosim.ledger import Ledger
 from pam_cosim.measurement import ROLES, DataSet, complete_noise
+from pam_cosim.names import is_fmu, is_modelica
 from pam_cosim.simulation import Simulator
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed
@@ -137,10 +138,10 @@ def diagnose(
         SimulationFailure: the base model cannot be simulated at all.
     """
     name = model or data.model
-    if name.endswith(".fmu"):
+    if is_fmu(name):
         raise InputError("effects can be added to a Modelica model only; an FMU can be compared and fitted", name)
     wake(workers)
-    sources = tuple([*files, Path(name)] if name.endswith(".mo") else files)
+    sources = tuple([*files, Path(name)] if is_modelica(name) else files)
     tree = read_library(files=sources)
     data = replace(data, domain=domain_of(tree, name))
     data, base, outliers = _base(complete_noise(data), name, files, say)

@@ -10,6 +10,7 @@ from pam_cosim.compiler import Ode, compile_model, flat_hash, smooth_parameters,
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.build import cached_fmu
 from pam_cosim.fmu.cache import cached, digest
+from pam_cosim.names import is_fmu
 
 
 def build_model(
@@ -37,9 +38,9 @@ def build_model(
         ModelError: the model cannot be compiled.
         InputError: there is no such FMU or parameter, or the cache cannot be written.
     """
-    if model.endswith(".fmu") and sensitivities:
+    if is_fmu(model) and sensitivities:
         raise InputError("sensitivities can be built into a Modelica model only", model)
-    if model.endswith(".fmu"):
+    if is_fmu(model):
         if not Path(model).exists():
             raise InputError("there is no such file", model)
         return Path(model)

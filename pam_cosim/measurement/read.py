@@ -12,6 +12,7 @@ from pam_cosim.measurement.experiment import FILE_NAME, ExperimentFile, RunTable
 from pam_cosim.measurement.inside import file_inside
 from pam_cosim.measurement.parameters import free_parameter, known_values
 from pam_cosim.measurement.recording import read_recording
+from pam_cosim.names import is_file
 from pam_cosim.units import UnitError, parse_quantity
 from pam_cosim.wording import did_you_mean, shown
 
@@ -76,7 +77,7 @@ def _model_of(document: ExperimentFile, benches: Callable[[], Sequence[str]]) ->
         known = ", ".join(benches())
         one_of = f", one of {known}, or a Modelica class, a .mo or an .fmu file" if known else ""
         raise document.error(f'model is missing: name the bench as model = "..."{one_of}', "model")
-    return str(file_inside(document, name, "model")) if name.endswith((".mo", ".fmu")) else name
+    return str(file_inside(document, name, "model")) if is_file(name) else name
 
 
 def _interface(document: ExperimentFile, name: str, describe: Callable[[str], Interface]) -> Interface:

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from pam_cosim.comparison import Comparison
+from pam_cosim.names import is_file
 
 
 def short_model(name: str) -> str:
     """The last part of a qualified class name."""
-    return name.rsplit("/", 1)[-1].rsplit(".", 1)[-1] if not name.endswith((".mo", ".fmu")) else name.rsplit("/", 1)[-1]
+    return name.rsplit("/", 1)[-1].rsplit(".", 1)[-1] if not is_file(name) else name.rsplit("/", 1)[-1]
 
 
 def model_labels(comparisons: Sequence[Comparison]) -> list[str]:

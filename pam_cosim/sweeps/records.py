@@ -50,7 +50,8 @@ class Records:
         identity: what the sweep is, by names a person understands; a file of another sweep is refused.
         runs: how many there are to make.
         scalars: how many numbers of each run.
-        outputs, times: how many values of each run; 0: none are kept.
+        outputs: how many variables of each run; 0: none are kept.
+        times: how many values of each of them.
 
     Raises:
         InputError: the file is of another sweep, of none, or in use.

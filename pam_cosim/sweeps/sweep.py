@@ -120,7 +120,8 @@ def make_sweep(
         plan: the sweep.
         result: the file that will hold the result: runs are kept beside it until ``Sweep.save`` has written it.
             None: they are kept until the sweep is forgotten.
-        executor, workers: where runs are made, as ``executors.run_all``.
+        executor: where runs are made, as ``executors.run_all``.
+        workers: how many, as ``executors.run_all``.
         progress: called with the number of runs that are kept, and of all.
 
     Raises:

@@ -15,7 +15,9 @@ from pam_cosim import study
 from pam_cosim.fitting import METHODS, read_parameters
 from pam_cosim.simulation import Trajectory
 from tests.cli.conftest import Outcome
+from tests.cli.test_bad_input import refused
 from tests.fitting.models import TRUE_C_D, TRUE_N
+from tests.fmu import models
 
 Command = Callable[..., Outcome]
 
@@ -217,6 +219,25 @@ def test_effects_tell_descriptions_as_they_are(command: Command, place: Path) ->
 
 def test_describe_lists_what_can_be_set_and_kept(command: Command) -> None:
     told = done(command("describe", "TankFilling")).out
-    assert "  p_supply = 207000 [Pa]: Gauge pressure of the supply" in told
+    assert "  p_supply = 207000 [Pa], at least -101000: Gauge pressure of the supply" in told
     assert "  tank.V = 0.0021 [m3], 1e-06 to 10: Volume" in told and "valve.inlet.m_flow" not in told
     assert "  valve.inlet.m_flow [kg/s]" in done(command("describe", "TankFilling", "--all")).out
+
+
+def test_version(command: Command) -> None:
+    assert done(command("--version")).out.startswith("pam-cosim 0.")
+
+
+def test_a_sweep_of_which_nothing_comes_says_so_with_its_status(command: Command, place: Path) -> None:
+    model = str(models.fmu(models.breaks_down))
+    made = command("sweep", model, "--vary", "floor=0.6,0.7", "-o", "s.csv")
+    assert made.status == 1 and made.out.startswith("0 of 2 runs done") and (place / "s.csv").exists()
+
+
+def test_an_fmu_is_one_whatever_the_case_of_its_ending(command: Command, place: Path) -> None:
+    done(command("build", "TankFilling", "-o", "Tank.FMU"))
+    assert "p: from" in done(command("simulate", "Tank.FMU", "--stop-time", "1")).out
+
+
+def test_no_supply_below_vacuum(command: Command) -> None:
+    refused(command("simulate", "TankFilling", "--set", "p_supply=-3 bar"), ["p_supply=-3 bar", "at least -101000"])

@@ -5,7 +5,7 @@ model Antagonistic "Two muscles that pull a pulley against each other"
   input Types.Current u_out_1(start=0) "Current of the first exhaust valve";
   input Types.Current u_in_2(start=0.25) "Current of the second inlet valve";
   input Types.Current u_out_2(start=0.25) "Current of the second exhaust valve";
-  input Types.GaugePressure p_supply(start=207e3) "Gauge pressure of the supply";
+  input Types.GaugePressure p_supply(start=207e3, min=-101e3) "Gauge pressure of the supply";
   output Types.GaugePressure p_1 "Gauge pressure in the first muscle";
   output Types.GaugePressure p_2 "Gauge pressure in the second muscle";
   output Types.Length x "Travel of the rim, towards the first muscle";

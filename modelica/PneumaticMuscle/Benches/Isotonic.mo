@@ -3,7 +3,7 @@ model Isotonic "A muscle that lifts a hanging mass, driven by current-driven val
   extends Icons.Bench;
   input Types.Current u_in(start=0.35) "Current of the inlet valve";
   input Types.Current u_out(start=0) "Current of the exhaust valve";
-  input Types.GaugePressure p_supply(start=207e3) "Gauge pressure of the supply";
+  input Types.GaugePressure p_supply(start=207e3, min=-101e3) "Gauge pressure of the supply";
   output Types.GaugePressure p "Gauge pressure in the muscle";
   output Types.Length x "Contraction";
   output Types.Temperature T "Temperature reading in the muscle";

@@ -3,7 +3,7 @@ model SwitchedMuscle "A muscle of imposed contraction that on-off valves fill fr
   extends Icons.Bench;
   input Real u_in(start=1, unit="1") "Command of the inlet valve: 0 shut, 1 open";
   input Real u_out(start=0, unit="1") "Command of the exhaust valve: 0 shut, 1 open";
-  input Types.GaugePressure p_supply(start=500e3) "Gauge pressure of the source, as it droops";
+  input Types.GaugePressure p_supply(start=500e3, min=-101e3) "Gauge pressure of the source, as it droops";
   input Types.Length s(start=0.02) "Imposed contraction";
   output Types.GaugePressure p "Gauge pressure in the muscle";
   output Types.Temperature T "Temperature reading in the muscle";

@@ -3,7 +3,7 @@ model TankFilling "A tank that is filled and emptied through current-driven valv
   extends Icons.Bench;
   input Types.Current u_in(start=0.35) "Current of the inlet valve";
   input Types.Current u_out(start=0) "Current of the exhaust valve";
-  input Types.GaugePressure p_supply(start=207e3) "Gauge pressure of the supply";
+  input Types.GaugePressure p_supply(start=207e3, min=-101e3) "Gauge pressure of the supply";
   output Types.GaugePressure p "Gauge pressure in the tank";
   output Types.Temperature T(displayUnit="degC") "Temperature reading in the tank";
   replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"

@@ -3,7 +3,7 @@ model ValveAndGas "Valves and the gas behind them; the volume comes from outside
   extends Icons.Bench;
   input Types.Current u_in(start=0.35) "Current of the inlet valve";
   input Types.Current u_out(start=0) "Current of the exhaust valve";
-  input Types.GaugePressure p_supply(start=207e3) "Gauge pressure of the supply";
+  input Types.GaugePressure p_supply(start=207e3, min=-101e3) "Gauge pressure of the supply";
   input Types.Volume V(start=7.5e-5, min=1e-7) "Volume of the gas";
   input Types.VolumeFlowRate V_flow(start=0) "Rate of the volume";
   input Types.Area A(start=1.7e-3) "Area of the wall that exchanges heat";

@@ -3,7 +3,7 @@ partial model ReviewedBench "A bench for the laws that the papers review"
   extends Icons.Example;
   input Types.Current u_in(start=0.35) "Current of the inlet valve";
   input Types.Current u_out(start=0) "Current of the exhaust valve";
-  input Types.GaugePressure p_supply(start=207e3) "Gauge pressure of the supply";
+  input Types.GaugePressure p_supply(start=207e3, min=-101e3) "Gauge pressure of the supply";
   output Types.GaugePressure p "Gauge pressure in the muscle";
   output Types.Length x "Contraction";
   inner Components.Ambient ambient "Surroundings"
