@@ -128,7 +128,11 @@ def linearise_along(
     """The linear models at several times of one run.
 
     Args:
-        model, parameters, inputs, files, timeout: as in ``simulate``.
+        model: as in ``simulate``.
+        parameters: as in ``simulate``.
+        inputs: as in ``simulate``.
+        files: as in ``simulate``.
+        timeout: as in ``simulate``.
         times: (k,) [s], increasing.
         outputs: as in ``linearise``.
 
@@ -223,7 +227,11 @@ def frequency_response(
     An FMU for co-simulation alone swings about its start values, prolonged until it settles, without a linear model.
 
     Args:
-        model, parameters, free, files, timeout: as in ``linearise``.
+        model: as in ``linearise``.
+        parameters: as in ``linearise``.
+        free: as in ``linearise``.
+        files: as in ``linearise``.
+        timeout: as in ``linearise``.
         input: that swings about its value at rest.
         outputs: names of outputs or of any other variable; default: every output.
         amplitude: of the input.
@@ -283,7 +291,10 @@ def observe(
     """What is not measured, estimated from what is, by an extended Kalman filter on the FMU.
 
     Args:
-        model, parameters, files, timeout: as in ``linearise``.
+        model: as in ``linearise``.
+        parameters: as in ``linearise``.
+        files: as in ``linearise``.
+        timeout: as in ``linearise``.
         recording: inputs and measurements: a CSV file with columns ``name [unit]``, or a trajectory in SI units.
         noise: standard deviation of each signal that is to be taken as measured.
         outputs: what is wanted: outputs or any other variables; default: every output.

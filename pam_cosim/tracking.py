@@ -50,12 +50,14 @@ def track(
             since it may keep a memory.
         parameters: "plant.NAME" or "control.NAME", as in ``couple``.
         output: of the plant, that is controlled.
-        mean, amplitude: of the sine that is wanted; with units.
+        mean: of the sine that is wanted; with units.
+        amplitude: of the sine that is wanted; with units.
         frequencies: [Hz].
         rate: of samples [Hz], of a controller that is an FMU; one in Python says it itself.
         lead: [s] to come to the mean before the sine begins.
         periods: of the sine; the last one counts.
-        files, timeout: as in ``simulate``.
+        files: as in ``simulate``.
+        timeout: as in ``simulate``.
         progress: called with the number of frequencies done and of all.
 
     Raises:
