@@ -73,16 +73,16 @@ def parse_variations(words: Sequence[str], interface: Interface, *, ranges: bool
     Raises:
         InputError: as ``parse_settings``.
     """
-    found: dict[str, list[float]] = {}
+    variations: dict[str, list[float]] = {}
     for word in words:
         name, text = _split(word, "NAME=FROM:TO" if ranges else "NAME=FROM:TO:N or NAME=A,B,C")
         variable = settable(name, interface)
-        if name in found:
+        if name in variations:
             raise InputError(f"'{name}' is varied twice")
         if ranges:
             if text.count(":") != 1:
                 raise InputError(f"'{word}': write FROM:TO, such as 1:10; --runs says how many")
-            found[name] = [value_of(p, variable) for p in _alike(text.split(":"), word)]
+            variations[name] = [value_of(p, variable) for p in _alike(text.split(":"), word)]
         elif ":" in text:
             parts = text.split(":")
             if len(parts) != 3 or not parts[2].strip().isdecimal() or int(parts[2]) < 1:
@@ -90,10 +90,10 @@ def parse_variations(words: Sequence[str], interface: Interface, *, ranges: bool
             if int(parts[2]) > MOST_RUNS:
                 raise InputError(f"'{word}': a sweep has {MOST_RUNS} runs at most")
             low, high = (value_of(p, variable) for p in _alike(parts[:2], word))
-            found[name] = [float(v) for v in np.linspace(low, high, int(parts[2]))]
+            variations[name] = [float(v) for v in np.linspace(low, high, int(parts[2]))]
         else:
-            found[name] = [value_of(p, variable) for p in _alike(text.split(","), word)]
-    return found
+            variations[name] = [value_of(p, variable) for p in _alike(text.split(","), word)]
+    return variations
 
 
 def parse_point(words: Sequence[str], interface: Interface) -> Literal["rest"] | dict[str, float] | list[float]:

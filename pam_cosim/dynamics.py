@@ -145,8 +145,8 @@ def linearise_along(
     known = exchange(model, files)
     settings = resolve(parameters or {}, known.interface)
     points = _of_run(model, settings, inputs, [float(t) for t in times], known, files, timeout)
-    found = work_on(known.path, known.trusted, timeout, linearise_run, settings, points, _listed(outputs))
-    return LinearCourse(tuple(found))
+    linear_models = work_on(known.path, known.trusted, timeout, linearise_run, settings, points, _listed(outputs))
+    return LinearCourse(tuple(linear_models))
 
 
 def conditions_of(at: Mapping[str, Setting], interface: Interface) -> dict[str, float]:

@@ -49,12 +49,12 @@ def write_next_run(path: Path, plan: NextExperiment) -> None:
 
 
 def _with_steps(rows: Sequence[tuple[float, ...]]) -> list[tuple[float, ...]]:
-    found = [*rows[:1]]
+    stepped = [*rows[:1]]
     for before, row in zip(rows[:-1], rows[1:], strict=True):
         if row[1:] != before[1:] and row[0] > before[0]:
-            found.append((row[0], *before[1:]))
-        found.append(row)
-    return found
+            stepped.append((row[0], *before[1:]))
+        stepped.append(row)
+    return stepped
 
 
 def _file_unit(unit: str) -> str:
@@ -82,8 +82,8 @@ def read_comparison(path: Path) -> dict[str, Any]:
     signals = content.get("signals") if isinstance(content, dict) else None
     if not isinstance(signals, dict) or not all(isinstance(s, dict) for s in signals.values()):
         raise InputError("is not a result of 'pam-cosim compare --json'", path)
-    found: dict[str, Any] = content
-    return found
+    comparison: dict[str, Any] = content
+    return comparison
 
 
 def against_lines(comparison: Comparison, earlier: Sequence[tuple[str, dict[str, Any]]]) -> list[str]:

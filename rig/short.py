@@ -50,8 +50,8 @@ def measure_light(effects: Sequence[Effect] = (), seed: int = 0, further: Sequen
     for run in (*PLAN, *further):
         duration = DURATION if run in PLAN else sum(phase.duration for phase in run.phases)
         times = np.arange(round(duration * RATE) + 1) / RATE
-        found = simulate_muscle(replace(TRUTH, load=run.load), run.p_supply, run.schedule, times, effects)
-        clean = {"p": found.p, "x": found.x, "T": found.temperature}
+        simulated = simulate_muscle(replace(TRUTH, load=run.load), run.p_supply, run.schedule, times, effects)
+        clean = {"p": simulated.p, "x": simulated.x, "T": simulated.temperature}
         noisy = {name: y + sigma[name] * rng.standard_normal(len(y)) for name, y in clean.items()}
         measured.append(Measurement(run, times, noisy))
     return measured

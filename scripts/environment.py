@@ -62,7 +62,7 @@ def fetch_pip(folder: Path) -> Path:
     links = re.findall(r'href="([^"#]*?/?(pip-(\d+)\.(\d+)(?:\.(\d+))?-py3-none-any\.whl))[#"]', page)
     if not links:
         raise SystemExit(f"no pip found at {index}; set PIP_INDEX_URL to a package index")
-    newest = max(links, key=lambda found: [int(n or 0) for n in found[2:]])
+    newest = max(links, key=lambda link: [int(n or 0) for n in link[2:]])
     wheel = folder / newest[1]
     with urllib.request.urlopen(urljoin(index, newest[0])) as f:
         wheel.write_bytes(f.read())

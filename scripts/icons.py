@@ -65,10 +65,10 @@ class Pictures:
 
     def of(self, name: str) -> Class:
         """The class of a full name."""
-        found = self.lookup.qualified(name)
-        if found is None:
+        named = self.lookup.qualified(name)
+        if named is None:
             raise SystemExit(f"there is no class '{name}'{self.library.similar(name)}")
-        return found
+        return named
 
     def shapes(self, of: Class, layer: str = "Icon") -> list[Shape]:
         """Shapes of a layer, those of base classes first, as an editor draws them."""

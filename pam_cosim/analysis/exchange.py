@@ -252,16 +252,16 @@ class ExchangeModel:
     def _exact(self, unknowns: Sequence[str], knowns: Sequence[str]) -> Array:
         rows = [self._references[name] for name in unknowns]
         columns = [self._references[name] for name in knowns]
-        found = np.zeros((len(rows), len(columns)))
+        derivatives = np.zeros((len(rows), len(columns)))
         for j, column in enumerate(columns if rows else ()):
-            found[:, j] = self._call(
+            derivatives[:, j] = self._call(
                 lambda column=column: self._model.getDirectionalDerivative(rows, [column], [1.0])  # type: ignore[misc]
             )
-        return found
+        return derivatives
 
     def _differences(self, unknowns: Sequence[str], knowns: Sequence[str]) -> Array:
         state, inputs = self.state(), self.inputs()
-        found = np.zeros((len(unknowns), len(knowns)))
+        derivatives = np.zeros((len(unknowns), len(knowns)))
         for j, name in enumerate(knowns):
             sides = []
             size = self._size(name, state, inputs)
@@ -272,9 +272,9 @@ class ExchangeModel:
                 self.set(state=moved_state, inputs=moved_inputs)
                 sides.append((float(vector[at]), self.values(unknowns)))
             (high, above), (low, below) = sides
-            found[:, j] = (above - below) / (high - low)
+            derivatives[:, j] = (above - below) / (high - low)
         self.set(state=state, inputs=inputs)
-        return found
+        return derivatives
 
     def _place(self, name: str, state: Array, inputs: Array) -> tuple[Array, int]:
         return (state, self._slots[name]) if name in self._slots else (inputs, self._inputs.index(name))

@@ -56,13 +56,13 @@ def flow(
     message = ""
     for method in _METHODS:
         try:
-            found = solve_ivp(
+            solution = solve_ivp(
                 rates, (times[0], times[-1]), start, method, times, rtol=tolerance, atol=floor, jac=jacobian
             )
         except (RunFailure, ValueError) as error:  # SciPy raises ValueError where a Jacobian is not finite
             message = str(error)
             continue
-        if found.success and np.isfinite(found.y).all():
-            return np.asarray(found.y, dtype=float)
-        message = str(found.message)
+        if solution.success and np.isfinite(solution.y).all():
+            return np.asarray(solution.y, dtype=float)
+        message = str(solution.message)
     raise RunFailure(f"no solver gets from {times[0]:.6g} s to {times[-1]:.6g} s: {message}", model.time)

@@ -39,13 +39,13 @@ def linearise_run(
 ) -> list[LinearModel]:
     """The linear models at points of a run: times [s] with the values of all states and inputs there."""
     model.restart(parameters, points[0][0])
-    found = []
+    linear_models = []
     for time, values in points:
         state = np.array([values[name] for name in model.states])
         inputs = np.array([values[name] for name in model.interface.inputs])
         model.set(time, state, inputs)
-        found.append(linear_model(model, outputs, RUN, "at a time of a run", parameters))
-    return found
+        linear_models.append(linear_model(model, outputs, RUN, "at a time of a run", parameters))
+    return linear_models
 
 
 def linear_model(

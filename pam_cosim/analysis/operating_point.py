@@ -238,13 +238,13 @@ class _Rest:
         low, high = self._bounds()
         begin = np.clip(begin, low, high)
         try:
-            found = least_squares(
+            point = least_squares(
                 self.residual, begin, self.slope, (low, high), x_scale="jac", xtol=1e-14, ftol=1e-14, gtol=1e-14
             ).x
         except (SimulationFailure, ValueError):  # a trial beyond what the model can say
-            found = begin
-        self._go(found)
-        return float(np.abs(found - begin).max())
+            point = begin
+        self._go(point)
+        return float(np.abs(point - begin).max())
 
     def _bounds(self) -> tuple[Array, Array]:
         low, high = [], []

@@ -50,17 +50,17 @@ def compare(
     values = read_parameters(params) if params else {}
     earlier = [(path.stem, read_comparison(path)) for path in against or []]
     read = read_data(data, model, files)
-    found = study.compare(read, model, values, files=files or [], timeout=timeout)
-    typer.echo(str(found))
-    for line in against_lines(found, earlier):
+    comparison = study.compare(read, model, values, files=files or [], timeout=timeout)
+    typer.echo(str(comparison))
+    for line in against_lines(comparison, earlier):
         typer.echo(line)
-    tables = [found.table(*table, signal) for signal in found.scores["all"]] if table else []
+    tables = [comparison.table(*table, signal) for signal in comparison.scores["all"]] if table else []
     for one in tables:
         typer.echo(f"\n{one}")
     if json:
-        write_json(json, found.as_dict() | ({"tables": [one.as_dict() for one in tables]} if tables else {}))
+        write_json(json, comparison.as_dict() | ({"tables": [one.as_dict() for one in tables]} if tables else {}))
     if report:
-        write_report(report, comparison_report(found))
+        write_report(report, comparison_report(comparison))
     if table_csv:
         write_tables(table_csv, tables)
     if table_plot:

@@ -49,30 +49,30 @@ def diagnose(
     read = read_data(data, model, files)
     with console.status("refitting the base model") as status:
         say = _teller(status)
-        found = study.diagnose(read, model, files=files or [], say=say, workers=workers)
-    typer.echo(diagnosis_text(found))
+        diagnosis = study.diagnose(read, model, files=files or [], say=say, workers=workers)
+    typer.echo(diagnosis_text(diagnosis))
     if json:
-        write_json(json, found.as_dict())
+        write_json(json, diagnosis.as_dict())
     if report:
-        write_report(report, diagnosis_report(found))
+        write_report(report, diagnosis_report(diagnosis))
     say_written(json)
     say_written(report)
-    _write_advice(found, following, learned)
+    _write_advice(diagnosis, following, learned)
 
 
-def _write_advice(found: Diagnosis, following: Path | None, learned: Path | None) -> None:
+def _write_advice(diagnosis: Diagnosis, following: Path | None, learned: Path | None) -> None:
     """What a verdict leaves to do, as files, where there is something to do."""
     if following is not None:
-        if found.next_experiment is None:
-            typer.echo(f"no next experiment: the verdict is {found.verdict.kind}; {following} is not written")
+        if diagnosis.next_experiment is None:
+            typer.echo(f"no next experiment: the verdict is {diagnosis.verdict.kind}; {following} is not written")
         else:
-            write_next_run(following, found.next_experiment)
+            write_next_run(following, diagnosis.next_experiment)
             say_written(following)
     if learned is not None:
-        if found.learned is None:
-            typer.echo(f"nothing was learned: the verdict is {found.verdict.kind}; {learned} is not written")
+        if diagnosis.learned is None:
+            typer.echo(f"nothing was learned: the verdict is {diagnosis.verdict.kind}; {learned} is not written")
         else:
-            write_text(learned, found.learned.term.modelica_source)
+            write_text(learned, diagnosis.learned.term.modelica_source)
             say_written(learned)
 
 

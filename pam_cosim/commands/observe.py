@@ -50,19 +50,19 @@ def observe(
     point = parse_point([start], interface) if start else {}
     if not isinstance(point, dict):
         raise InputError("--start: give values by name, such as 'p=1 bar'")
-    found = dynamics.observe(
+    observation = dynamics.observe(
         model, recording, parse_settings(settings or [], interface), noise=parse_pairs(noise), outputs=of,
         unknown={name: _two(name, text) for name, text in parse_pairs(unknown or []).items()},
         drift=parse_pairs(drift or []), spread=parse_pairs(spread or []), start=point,
         interpolation="previous" if held else "linear", files=files or [], timeout=timeout,
     )  # fmt: skip
-    typer.echo(str(found))
+    typer.echo(str(observation))
     if output:
-        found.to_csv(output)
+        observation.to_csv(output)
     if json:
-        found.to_json(json)
+        observation.to_json(json)
     if plot:
-        study.draw(found, plot)
+        study.draw(observation, plot)
     for path in (output, json, plot):
         say_written(path)
 

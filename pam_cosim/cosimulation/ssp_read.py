@@ -42,7 +42,7 @@ class _Wire:
 
 
 @dataclass
-class _Found:
+class _Description:
     """What an archive's description says."""
 
     title: str
@@ -84,17 +84,17 @@ def read_ssp(file: Path, folder: Path, made: Callable[[str, Path], Part]) -> Arc
     """
     try:
         with zipfile.ZipFile(file) as archive:
-            found = _described(_Entries(archive, file))
-            parts = _unpacked(_Entries(archive, file), found, folder, made)
+            description = _described(_Entries(archive, file))
+            parts = _unpacked(_Entries(archive, file), description, folder, made)
     except (OSError, zipfile.BadZipFile, NotImplementedError, RuntimeError, EOFError) as problem:
         raise InputError(f"this is not an SSP archive: {problem}", file) from problem
-    names = {place: _name(place) for place in found.sources}
+    names = {place: _name(place) for place in description.sources}
     try:
-        connections = tuple(_connections(found, names, parts))
+        connections = tuple(_connections(description, names, parts))
     except InputError as problem:
         raise InputError(problem.message, file) from problem
-    parameters = {f"{names[place]}.{name}": value for place, name, value in _placed(found, names, file)}
-    return Archive(parts, connections, parameters, found.title, found.stop_time)
+    parameters = {f"{names[place]}.{name}": value for place, name, value in _placed(description, names, file)}
+    return Archive(parts, connections, parameters, description.title, description.stop_time)
 
 
 class _Entries:
@@ -131,39 +131,39 @@ class _Entries:
         return root
 
 
-def _described(entries: _Entries) -> _Found:
+def _described(entries: _Entries) -> _Description:
     root = entries.tree(DESCRIPTION, "the description", "SystemStructureDescription.xsd")
     system = root.find("ssd:System", NAMESPACES)
     experiment = root.find("ssd:DefaultExperiment", NAMESPACES)
-    found = _Found(_plain(root.get("name")))
+    description = _Description(_plain(root.get("name")))
     if experiment is not None and experiment.get("stopTime"):
         begin, end = float(experiment.get("startTime") or 0.0), float(experiment.get("stopTime"))
-        found.stop_time = end - begin if math.isfinite(end - begin) and end > begin else None
-    _system(entries, system, (), found)
-    if not found.sources:
+        description.stop_time = end - begin if math.isfinite(end - begin) and end > begin else None
+    _system(entries, system, (), description)
+    if not description.sources:
         raise InputError("the system has no components", entries.file)
-    return found
+    return description
 
 
-def _system(entries: _Entries, system: Any, place: _Place, found: _Found) -> None:
+def _system(entries: _Entries, system: Any, place: _Place, description: _Description) -> None:
     if len(place) > _MOST_SYSTEMS:
         raise InputError("systems are nested too deeply", entries.file)
-    found.systems.add(place)
-    _bindings(entries, system, place, found)
+    description.systems.add(place)
+    _bindings(entries, system, place, description)
     for element in system.iterfind("ssd:Elements/*", NAMESPACES):
         kind = etree.QName(element).localname
         own = (*place, _plain(str(element.get("name"))))
         if kind == "System":
-            _system(entries, element, own, found)
+            _system(entries, element, own, description)
         elif kind != "Component" or element.get("type", FMU_TYPE) != FMU_TYPE:
             raise InputError(f"'{'.'.join(own)}' is not an FMU ({_plain(element.get('type', kind))})", entries.file)
-        elif own in found.sources:
+        elif own in description.sources:
             raise InputError(f"there are two components '{'.'.join(own)}'", entries.file)
         else:
-            found.sources[own] = str(element.get("source"))
-            _bindings(entries, element, own, found)
+            description.sources[own] = str(element.get("source"))
+            _bindings(entries, element, own, description)
     for element in system.iterfind("ssd:Connections/ssd:Connection", NAMESPACES):
-        found.wires.append(_wire(entries, element, place))
+        description.wires.append(_wire(entries, element, place))
 
 
 def _wire(entries: _Entries, element: Any, place: _Place) -> _Wire:
@@ -182,7 +182,7 @@ def _wire(entries: _Entries, element: Any, place: _Place) -> _Wire:
     return _Wire(end("start"), end("end"), convert=not plain)
 
 
-def _bindings(entries: _Entries, element: Any, place: _Place, found: _Found) -> None:
+def _bindings(entries: _Entries, element: Any, place: _Place, description: _Description) -> None:
     for binding in element.iterfind("ssd:ParameterBindings/ssd:ParameterBinding", NAMESPACES):
         mapping = _mapping(entries, binding.find("ssd:ParameterMapping", NAMESPACES))
         if binding.get("source"):
@@ -197,7 +197,7 @@ def _bindings(entries: _Entries, element: Any, place: _Place, found: _Found) -> 
             for parameter in one.iterfind("ssv:Parameters/ssv:Parameter", NAMESPACES):
                 name, value = prefix + parameter.get("name"), _value(entries, parameter)
                 for target, transformation in [(name, None)] if mapping is None else mapping.get(name, []):
-                    found.values.append((place, _plain(target), _transformed(entries, value, transformation)))
+                    description.values.append((place, _plain(target), _transformed(entries, value, transformation)))
 
 
 def _mapping(entries: _Entries, element: Any) -> dict[str, list[tuple[str, Any]]] | None:
@@ -208,11 +208,11 @@ def _mapping(entries: _Entries, element: Any) -> dict[str, list[tuple[str, Any]]
         root = entries.tree(element.get("source"), "a parameter mapping", "SystemStructureParameterMapping.xsd")
     else:
         root = element.find("ssm:ParameterMapping", NAMESPACES)
-    found: dict[str, list[tuple[str, Any]]] = {}
+    targets: dict[str, list[tuple[str, Any]]] = {}
     for entry in root.iterfind("ssm:MappingEntry", NAMESPACES) if root is not None else ():
         changes = [child for child in entry if etree.QName(child).localname.endswith("Transformation")]
-        found.setdefault(entry.get("source"), []).append((entry.get("target"), changes[0] if changes else None))
-    return found
+        targets.setdefault(entry.get("source"), []).append((entry.get("target"), changes[0] if changes else None))
+    return targets
 
 
 def _transformed(entries: _Entries, value: Setting, transformation: Any) -> Setting:
@@ -239,10 +239,12 @@ def _value(entries: _Entries, parameter: Any) -> Setting:
     return f"{float(real.get('value'))!r} {unit}" if unit and unit != "1" else float(real.get("value"))
 
 
-def _unpacked(entries: _Entries, found: _Found, folder: Path, made: Callable[[str, Path], Part]) -> dict[str, Part]:
+def _unpacked(
+    entries: _Entries, description: _Description, folder: Path, made: Callable[[str, Path], Part]
+) -> dict[str, Part]:
     parts: dict[str, Part] = {}
     files: dict[str, Path] = {}
-    for number, (place, source) in enumerate(found.sources.items()):
+    for number, (place, source) in enumerate(description.sources.items()):
         name = _name(place)
         if name in parts:
             raise InputError(f"two components would be called '{name}'", entries.file)
@@ -261,22 +263,23 @@ def _name(place: _Place) -> str:
     return "_".join("".join(c if c.isascii() and (c.isalnum() or c in "_-") else "_" for c in one) for one in place)
 
 
-def _connections(found: _Found, names: dict[_Place, str], parts: dict[str, Part]) -> Iterator[Connection]:
+def _connections(description: _Description, names: dict[_Place, str], parts: dict[str, Part]) -> Iterator[Connection]:
     """Those between components, followed through the borders of systems."""
     into: dict[tuple[_Place, str], _Wire] = {}
-    for wire in found.wires:
+    for wire in description.wires:
         if wire.end in into:
             raise InputError(f"two connections end at '{'.'.join((*wire.end[0], wire.end[1]))}'")
         into[wire.end] = wire
-    for wire in found.wires:
+    systems = description.systems
+    for wire in description.wires:
         place, variable = wire.end
-        if place in found.systems:
+        if place in systems:
             continue
         chain = [wire]
-        while chain[-1].start[0] in found.systems and chain[-1].start in into and len(chain) <= len(found.wires):
+        while chain[-1].start[0] in systems and chain[-1].start in into and len(chain) <= len(description.wires):
             chain.append(into[chain[-1].start])
         start, output = chain[-1].start
-        if start in found.systems:
+        if start in systems:
             continue  # an input of the whole system: it stays free
         if start not in names or place not in names:
             missing = start if start not in names else place
@@ -303,12 +306,12 @@ def _unitless(part: Part) -> Part:
     return replace(part, interface=Interface(face.model, plain(face.inputs), plain(face.outputs)))
 
 
-def _placed(found: _Found, names: dict[_Place, str], file: Path) -> Iterator[tuple[_Place, str, Setting]]:
+def _placed(description: _Description, names: dict[_Place, str], file: Path) -> Iterator[tuple[_Place, str, Setting]]:
     """Parameter values by component; one of a system begins with the names of the elements inside it."""
     values: dict[tuple[_Place, str], Setting] = {}
-    for place, name, value in sorted(found.values, key=lambda one: -len(one[0])):  # the outermost wins
-        while place in found.systems:
-            fit = [p for p in (*names, *found.systems) if len(p) == len(place) + 1 and p[:-1] == place]
+    for place, name, value in sorted(description.values, key=lambda one: -len(one[0])):  # the outermost wins
+        while place in description.systems:
+            fit = [p for p in (*names, *description.systems) if len(p) == len(place) + 1 and p[:-1] == place]
             inner = next((p for p in fit if name.startswith(p[-1] + ".")), None)
             if inner is None:
                 raise InputError(f"parameter '{name}' is of no component", file)

@@ -99,8 +99,8 @@ def _model(model: str, file: Path, wrong: Any) -> str:
     path = PurePosixPath(model)
     if path.is_absolute() or ".." in path.parts or "\\" in model or ":" in model:
         raise wrong(f"{shown(model)} must lie in the folder of this file")
-    found = file.parent / Path(*path.parts)
-    if not found.is_file():
+    path_in_folder = file.parent / Path(*path.parts)
+    if not path_in_folder.is_file():
         others = listed(sorted(p.name for p in file.parent.iterdir() if p.suffix in _FILES))
         raise wrong(f"there is no file {shown(model)}; in the folder: {others}")
-    return str(found)
+    return str(path_in_folder)

@@ -89,12 +89,12 @@ def log_categories(root: Xml.Element) -> None:
 
 def default_experiment(root: Xml.Element, ode: Ode) -> None:
     """DefaultExperiment."""
-    face = ode.interface
+    interface = ode.interface
     experiment = {
         "startTime": "0.0",
-        "stopTime": repr(float(face.stop_time)),
-        "tolerance": repr(float(face.tolerance)),
-        "stepSize": repr(float(face.interval)),
+        "stopTime": repr(float(interface.stop_time)),
+        "tolerance": repr(float(interface.tolerance)),
+        "stepSize": repr(float(interface.interval)),
     }
     Xml.SubElement(root, "DefaultExperiment", experiment)
 

@@ -23,20 +23,20 @@ def model_description(ode: Ode, entries: Sequence[Entry], guid: str, tool: str, 
     Raises:
         ModelError: a unit that cannot be read, or a limit that is not a number.
     """
-    face = ode.interface
+    interface = ode.interface
     root = Xml.Element(
         "fmiModelDescription",
         {
             "fmiVersion": "2.0",
             "guid": guid,
-            "modelName": face.model,
+            "modelName": interface.model,
             **({"description": ode.description} if ode.description else {}),
             "generationTool": tool,
             "variableNamingConvention": shared.naming_convention(entries),
             "numberOfEventIndicators": "0",
         },
     )
-    identifier = {"modelIdentifier": shared.model_identifier(face.model)}
+    identifier = {"modelIdentifier": shared.model_identifier(interface.model)}
     if not ode.delays:  # nobody tells an FMU for model exchange what its inputs were between two evaluations
         _source_files(Xml.SubElement(root, "ModelExchange", {**identifier, **_SHARED}), sources)
     _source_files(Xml.SubElement(root, "CoSimulation", {**identifier, **_CO_SIMULATION, **_SHARED}), sources)

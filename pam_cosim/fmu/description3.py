@@ -24,19 +24,19 @@ def model_description(ode: Ode, entries: Sequence[Entry], token: str, tool: str)
     Raises:
         ModelError: a unit that cannot be read, or a limit that is not a number.
     """
-    face = ode.interface
+    interface = ode.interface
     root = Xml.Element(
         "fmiModelDescription",
         {
             "fmiVersion": "3.0",
             "instantiationToken": token,
-            "modelName": face.model,
+            "modelName": interface.model,
             **({"description": ode.description} if ode.description else {}),
             "generationTool": tool,
             "variableNamingConvention": shared.naming_convention(entries),
         },
     )
-    identifier = {"modelIdentifier": shared.model_identifier(face.model)}
+    identifier = {"modelIdentifier": shared.model_identifier(interface.model)}
     if not ode.delays:  # nobody tells an FMU for model exchange what its inputs were between two evaluations
         asked = {"needsCompletedIntegratorStep": "true"} if ode.statements else {}
         Xml.SubElement(root, "ModelExchange", {**identifier, **asked, **_SHARED})

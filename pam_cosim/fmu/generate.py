@@ -73,9 +73,9 @@ def model_source(ode: Ode, guid: str) -> str:
     for function in functions:
         generator.add(function)
     generated = _unguarded(_without_helpers(generator.dump()))
-    face = ode.interface
+    interface = ode.interface
     timed = ca.jacobian_sparsity(ode.derivatives, ode.t).nnz() > 0 if ode.states else False
-    max_step = face.stop_time / _STEPS_OF_TIMED_MODEL if timed else 0.0
+    max_step = interface.stop_time / _STEPS_OF_TIMED_MODEL if timed else 0.0
     inputs = [entry.start or 0.0 for entry in table(ode) if entry.causality == "input"]
     sizes = [len(ode.states), *(part.numel() for part in (ode.u, ode.d, ode.outputs, ode.p, ode.locals))]
     sizes += [ode.core, len(ode.sensitivities), len(ode.statements), sum(len(s.values) for s in ode.statements)]
@@ -87,13 +87,13 @@ def model_source(ode: Ode, guid: str) -> str:
         c_array("const char *const", "state_names", (c_string(s.name) for s in ode.states)),
         c_array("const double", "state_nominals", (_nominal(s.nominal) for s in ode.states)),
         c_array("const double", "input_starts", (_double(v) for v in inputs)),
-        c_array("const double", "parameter_starts", (_double(v.start) for v in face.parameters.values())),
+        c_array("const double", "parameter_starts", (_double(v.start) for v in interface.parameters.values())),
         c_array("const int", "delayed_inputs", (str(-1 if d.input is None else d.input) for d in ode.delays)),
         c_array("const int", "direct_inputs", (str(int(direct)) for direct in _direct_inputs(ode))),
         *_statements(ode),
         "const pam_model pam_the_model = {",
         f"    guid, {', '.join(str(n) for n in sizes + work)},",
-        f"    {_double(face.tolerance)}, {_double(max_step)},",
+        f"    {_double(interface.tolerance)}, {_double(max_step)},",
         "    state_names, state_nominals, input_starts, parameter_starts, delayed_inputs, direct_inputs,",
         f"    {', '.join(f.name() for f in functions)}{'' if ode.statements else ', 0'},",
         "    statements,",

@@ -81,17 +81,17 @@ def table(ode: Ode) -> list[Entry]:
     Raises:
         ModelError: a parameter or input without a usable value, or a name that cannot be merged.
     """
-    face = ode.interface
+    interface = ode.interface
     starts = constant_starts(ode)
     entries: dict[str, Entry] = {}
     reference = 0
     for kind, variables in (
         (Kind.STATE, ode.states),
         (Kind.DERIVATIVE, [_derivative(state) for state in ode.states]),
-        (Kind.INPUT, face.inputs.values()),
-        (Kind.OUTPUT, face.outputs.values()),
-        (Kind.PARAMETER, face.parameters.values()),
-        (Kind.LOCAL, face.locals.values()),
+        (Kind.INPUT, interface.inputs.values()),
+        (Kind.OUTPUT, interface.outputs.values()),
+        (Kind.PARAMETER, interface.parameters.values()),
+        (Kind.LOCAL, interface.locals.values()),
         (Kind.TIME, [Variable("time", "s", "Simulation time")]),
     ):
         for index, variable in enumerate(variables):

@@ -71,9 +71,9 @@ def _beside(comparisons: Sequence[Comparison]) -> list[dict[str, object]]:
 def _run_rows(comparison: Comparison) -> list[dict[str, object]]:
     rows: list[dict[str, object]] = []
     for run in comparison.runs:
-        found = score([run], comparison.data.signals)
+        scores = score([run], comparison.data.signals)
         cells = [
-            quantity_text(found[name].rmse, signal.unit) if name in found else NOTHING
+            quantity_text(scores[name].rmse, signal.unit) if name in scores else NOTHING
             for name, signal in comparison.data.signals.items()
         ]
         rows.append({"name": run.run.name, "role": run.run.role, "cells": cells})

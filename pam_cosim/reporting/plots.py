@@ -155,8 +155,8 @@ def error_ladder_figure(diagnosis: Diagnosis, path: Path | str) -> None:
     """
     check_writable(Path(path))
     layers, rungs = layers_of(diagnosis), rungs_of(diagnosis)
-    found = most_telling(layers, list(diagnosis.data.signals.values()))
-    if found is None:
+    telling = most_telling(layers, list(diagnosis.data.signals.values()))
+    if telling is None:
         raise InputError("the data hold no sample to draw", diagnosis.data.folder)
     with drawing():
-        write_bytes(Path(path), png(showcase(layers, rungs, *found)))
+        write_bytes(Path(path), png(showcase(layers, rungs, *telling)))

@@ -19,14 +19,14 @@ def most_telling(layers: Sequence[Layer], signals: Sequence[Signal]) -> tuple[Ru
     first, last = layers[0], layers[-1]
     signals = [s for s in signals if s.fitted] or list(signals)
     runs = [r for r in last.comparison.runs if r.run.role == "holdout"] or list(last.comparison.runs)
-    found: list[tuple[float, RunComparison, Signal]] = []
+    gains: list[tuple[float, RunComparison, Signal]] = []
     for run in runs:
         before = first.run(run.run.name)
         for signal in signals:
             if before is not None and run.run.sample_count(signal.name):
                 after = _mean_square(run, signal) if last is not first else 0.0
-                found.append((_mean_square(before, signal) - after, run, signal))
-    return max(found, key=lambda f: f[0])[1:] if found else None
+                gains.append((_mean_square(before, signal) - after, run, signal))
+    return max(gains, key=lambda f: f[0])[1:] if gains else None
 
 
 def _mean_square(run: RunComparison, signal: Signal) -> float:

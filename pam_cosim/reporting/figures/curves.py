@@ -56,15 +56,16 @@ def curve_pictures(layers: Sequence[Layer]) -> list[Picture]:
     comparison = layers[-1].comparison
     signals = list(comparison.data.signals.values())
     few = max((len(r.run.time) for r in comparison.runs), default=0) <= SPARSE
-    found = []
+    pictures = []
     for runs in pages(comparison.runs):
         with drawing():
             figure = panels(runs, signals, lambda a, r, s: draw_curves(a, r, s, layers))
             handles = legend(layers, few)
             figure.legend(handles=handles, loc="outside upper center", ncols=len(handles))
             alt = f"Measured and modelled {listed([s.name for s in signals])} over time"
-            found.append(picture(figure, alt, _caption(layers, bool(np.any([r.run.role == "holdout" for r in runs])))))
-    return found
+            holdout = bool(np.any([r.run.role == "holdout" for r in runs]))
+            pictures.append(picture(figure, alt, _caption(layers, holdout)))
+    return pictures
 
 
 def _caption(layers: Sequence[Layer], holdout: bool) -> str:

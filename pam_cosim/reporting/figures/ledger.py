@@ -101,11 +101,11 @@ def draw_map(axes: Axes, entry: Entry, domain: Domain) -> None:
     if plane is None:
         message(axes, "one variable only: no plane")
         return
-    found = mapped(entry, *plane)
+    cells = mapped(entry, *plane)
     fx, fy = (readable_factor(entry.units.get(n, "")) for n in plane)
     axes.set_facecolor(BAND)
     picture = axes.pcolormesh(
-        found.x_edges * fx, found.y_edges * fy, found.significance, cmap="RdBu_r", vmin=-6, vmax=6, rasterized=True
+        cells.x_edges * fx, cells.y_edges * fy, cells.significance, cmap="RdBu_r", vmin=-6, vmax=6, rasterized=True
     )
     axes.figure.colorbar(picture, ax=axes, label="in standard deviations")
     axes.set_xlabel(_named(entry, plane[0]))

@@ -46,7 +46,7 @@ def residual_pictures(layers: Sequence[Layer]) -> list[Picture]:
     """Measured minus model of all runs, some runs a picture."""
     comparison = layers[-1].comparison
     signals = list(comparison.data.signals.values())
-    found = []
+    pictures = []
     handles: list[Line2D | Patch] = [
         Line2D([], [], color=x.colour, marker="o", mec="none", ms=4, ls="none", label=x.label) for x in layers
     ]
@@ -61,5 +61,5 @@ def residual_pictures(layers: Sequence[Layer]) -> list[Picture]:
                 "Measured minus model. A complete model leaves points scattered within the grey band, 19 of 20; "
                 "a curve that can be followed by eye is physics that is not in the model."
             )
-            found.append(picture(figure, alt, caption))
-    return found
+            pictures.append(picture(figure, alt, caption))
+    return pictures
