@@ -89,13 +89,13 @@ def _measured(monolith: Monolith, **settings: Any) -> dict[str, float]:
 
 def orders(steps: Sequence[float] = STEPS) -> dict[str, Points]:
     """For each method the error of every fixed step."""
-    monolith, found = Monolith(), {}
+    monolith, by_method = Monolith(), {}
     for method, extrapolation in steps_of(METHODS, "order"):
         settings = {"stop_time": 0.48, "method": method, "extrapolation": extrapolation}
-        found[f"{method}, {extrapolation}"] = [
+        by_method[f"{method}, {extrapolation}"] = [
             {"step": step, **_measured(monolith, step=step, **settings)} for step in steps
         ]
-    return found
+    return by_method
 
 
 def costs(rests: bool, fixed: Sequence[float] = FIXED, tolerances: Sequence[float] = TOLERANCES) -> dict[str, Points]:
@@ -145,8 +145,8 @@ def draw(order: dict[str, Points], cost: dict[str, dict[str, Points]]) -> str:
             left.loglog(x, y, marker=marker, ms=4, lw=1.2, color=colours[name], label=label)
         left.set_xlabel("communication step [ms]")
         left.set_title("fixed steps, filling for 0.48 s", loc="left", fontweight="bold")
-        for (case, found), colour in zip(cost.items(), (SOFT, BLUE), strict=True):
-            for (name, points), line, marker in zip(found.items(), ("--", "-"), "so", strict=True):
+        for (case, by_steps), colour in zip(cost.items(), (SOFT, BLUE), strict=True):
+            for (name, points), line, marker in zip(by_steps.items(), ("--", "-"), "so", strict=True):
                 x, y = [p["cost"] for p in points], [p["error"] for p in points]
                 right.loglog(x, y, line, marker=marker, ms=4, lw=1.2, color=colour, label=f"{case}, {name}")
         right.set_xlabel("steps of both FMUs, all that were made")
@@ -175,22 +175,22 @@ def main(arguments: Sequence[str] | None = None) -> None:
     rows = [[n, *(f"{p['error']:.1e}" for p in points), f"{order_of(points):.2f}"] for n, points in order.items()]
     show("coupling error by step, part of the range", heads, rows)
     cost = {"filling": costs(False), "ten seconds with rests": costs(True)}
-    for case, found in cost.items():
-        _show_costs(case, found)
+    for case, by_steps in cost.items():
+        _show_costs(case, by_steps)
     if given.picture:
         say(f"drawn: {draw(order, cost)}")
     write(given.json, {"order": order, "cost": cost})
 
 
-def _show_costs(case: str, found: dict[str, Points]) -> None:
+def _show_costs(case: str, by_steps: dict[str, Points]) -> None:
     columns = ["steps", "error", "cost", "taken back", "rollbacks", "smallest", "largest", "processor time"]
     columns += ["fixed/this, equal cost", "equal time"]
     rows = []
     for name, what in ((FIXED_STEPS, "step"), (CHOSEN, "tolerance")):
-        for p in found[name]:
+        for p in by_steps[name]:
             sizes = (f"{1e3 * p['smallest']:.2g} ms", f"{1e3 * p['largest']:.3g} ms", f"{p['seconds']:.2f} s")
             counts = (f"{p[key]:.0f}" for key in ("cost", "rejected", "rollbacks"))
-            other = [error_at_cost(found[FIXED_STEPS], p[of], of) if name == CHOSEN else None for of in _COSTS]
+            other = [error_at_cost(by_steps[FIXED_STEPS], p[of], of) if name == CHOSEN else None for of in _COSTS]
             ratios = (f"{error / p['error']:.2g}" if error else "-" for error in other)
             rows.append([f"{what} {p[what]:g}", f"{p['error']:.1e}", *counts, *sizes, *ratios])
     show(f"{case}: error and cost", columns, rows)

@@ -163,7 +163,7 @@ def make(case: Case) -> Made:
     # without a hidden effect there is nothing to measure, and the sensitivities are not needed
     ruler = Ruler(bench) if case.hidden else None
     effects: list[Effect] = []
-    found: list[dict[str, object]] = []
+    sizes: list[dict[str, object]] = []
     for k, (form, target) in enumerate(zip(case.hidden, case.targets, strict=True)):
         assert ruler is not None
         rng = case.rng(10 + k)
@@ -174,7 +174,7 @@ def make(case: Case) -> Made:
         if k == 0:
             sensors, size = _fitting_noise(sensors, size, target)
         effects.append(at(strength))
-        found.append({"strength": strength, "size": size, "parameters": effect_parameters(effects[-1])})
+        sizes.append({"strength": strength, "size": size, "parameters": effect_parameters(effects[-1])})
     clean = ruler.simulated(effects) if ruler else bench.simulate()
     zero = dict.fromkeys(SIGNALS, 0.0)
     plain, projected = ruler.sizes(clean, sensors.sigma) if ruler else (zero, zero)
@@ -182,7 +182,7 @@ def make(case: Case) -> Made:
     recorded = [disturb(noise, sensors, run) for run in clean]
     known = outline(case)
     description: dict[str, object] = known | {
-        "hidden": [a | b for a, b in zip(known["hidden"], found, strict=True)],
+        "hidden": [a | b for a, b in zip(known["hidden"], sizes, strict=True)],
         "size": {"plain": plain, "projected": projected},
         "sensors": sensors.as_dict(),
         "rig": {
@@ -218,7 +218,7 @@ def _fitting_noise(sensors: Sensors, size: float, target: float) -> tuple[Sensor
 
 def _noise_found(bench: Bench, clean: Sequence[Signals], recorded: Sequence[Signals]) -> dict[str, object]:
     """Mean square of recorded minus true and number of samples, by role and signal [SI]: what the truth leaves."""
-    found: dict[str, object] = {}
+    by_role: dict[str, object] = {}
     for role in ("fit", "holdout"):
         runs = [k for k, run in enumerate(bench.plan) if run.role == role]
         by_signal = {}
@@ -226,8 +226,8 @@ def _noise_found(bench: Bench, clean: Sequence[Signals], recorded: Sequence[Sign
             error = np.concatenate([recorded[k][name] - clean[k][name] for k in runs])
             error = error[np.isfinite(error)]
             by_signal[name] = {"mean_square": float(np.mean(error**2)), "samples": len(error)}
-        found[role] = by_signal
-    return found
+        by_role[role] = by_signal
+    return by_role
 
 
 def write(made: Made, folder: Path) -> None:

@@ -47,24 +47,24 @@ def solve(which: str, number: int, folder: Path, workers: int) -> dict[str, Any]
 def _diagnosis(folder: Path, description: Mapping[str, Any], workers: int) -> dict[str, Any]:
     from pam_cosim import study  # here, so that a broken installation is a result as well
 
-    found = study.diagnose(study.read(folder), workers=workers, explain=False)
-    verdict = found.verdict
-    sigma = {name: found.data.signals[name].sigma or math.nan for name in SIGNALS}
-    final = found.final.comparison
+    diagnosis = study.diagnose(study.read(folder), workers=workers, explain=False)
+    verdict = diagnosis.verdict
+    sigma = {name: diagnosis.data.signals[name].sigma or math.nan for name in SIGNALS}
+    final = diagnosis.final.comparison
     return {
         "verdict": verdict.as_dict(),
         "sigma": sigma,
         "chi2": {
             role: {
-                "base": found.base.comparison.chi2_reduced(role),
+                "base": diagnosis.base.comparison.chi2_reduced(role),
                 "final": final.chi2_reduced(role),
                 "noise": _floor(description["noise"][role], sigma),
             }
             for role in ("fit", "holdout")
         },
-        "path": [c.effect for c in found.path],
-        "ranks": [[c.effect, c.family, c.delta_bic] for c in found.candidates[:_RANKS]],
-        "parameters": {name: estimate.value for name, estimate in found.final.parameters.items()},
+        "path": [c.effect for c in diagnosis.path],
+        "ranks": [[c.effect, c.family, c.delta_bic] for c in diagnosis.candidates[:_RANKS]],
+        "parameters": {name: estimate.value for name, estimate in diagnosis.final.parameters.items()},
     }
 
 

@@ -31,21 +31,21 @@ def judged(result: Result) -> str:
     if "error" in result:
         return "error"
     verdict = result["diagnosis"]["verdict"]
-    kind, found = verdict["kind"], set(verdict["families"])
+    kind, named = verdict["kind"], set(verdict["families"])
     group, true = result["case"]["group"], set(result["case"]["families"])
     if group == "none_of_these":
         return {"unknown": "right", "ambiguous": "right", "none_missing": "missed"}.get(kind, "wrong")
     if group == "null":
         if kind == "none_missing":
             return "right"
-        return "unknown" if kind == "unknown" and not found else "wrong"
+        return "unknown" if kind == "unknown" and not named else "wrong"
     if kind == "none_missing":
         return "missed"
     if kind == "unknown":
         return "unknown"
     if kind == "ambiguous":
-        return "ambiguous" if true <= found else "wrong"
-    return "right" if found == true else "wrong"
+        return "ambiguous" if true <= named else "wrong"
+    return "right" if named == true else "wrong"
 
 
 def claims_effect(result: Result) -> bool:

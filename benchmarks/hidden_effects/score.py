@@ -137,11 +137,11 @@ def _line(result: Result) -> str:
     hidden = "+".join(f"{h['family']}:{h['form']}" for h in case.get("hidden", [])) or case.get("group", "?")
     size = max(case["size"]["projected"].values()) if "size" in case else float("nan")
     if "error" in result:
-        found = f"ERROR in the {result['error']['where']}"
+        said = f"ERROR in the {result['error']['where']}"
     else:
         verdict = result["diagnosis"]["verdict"]
-        found = f"{verdict['kind']} {'+'.join(verdict['effects'])}"
-    return f"{result['number']:4d} {hidden:44} {size:7.2f}  {judged(result):10} {found}"
+        said = f"{verdict['kind']} {'+'.join(verdict['effects'])}"
+    return f"{result['number']:4d} {hidden:44} {size:7.2f}  {judged(result):10} {said}"
 
 
 if __name__ == "__main__":

@@ -48,15 +48,15 @@ class Bench:
 
         Raises RuntimeError when a run cannot be simulated.
         """
-        found = []
+        recorded = []
         for run in self.plan:
             muscle = replace(self.muscle, **{"load": run.load, **(changed or {})})
             t = simulate_muscle(muscle, run.p_supply, run.schedule, run.times, effects, _RTOL, "LSODA")
             signals = {"p": t.p, "x": t.x, "T": t.temperature}
             if not all(np.isfinite(y).all() for y in signals.values()):
                 raise RuntimeError("the simulation left the numbers")
-            found.append(signals)
-        return found
+            recorded.append(signals)
+        return recorded
 
     def roles(self) -> Array:
         """For every sample of every run in order: whether it is of role fit; shape (samples,)."""

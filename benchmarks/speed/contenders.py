@@ -34,8 +34,8 @@ def pam_cosim(case: Case) -> Iterator[Callable[[float], Run]]:
 
         def prepare(tolerance: float) -> Run:
             def run() -> Array:
-                found = simulator.run(case.times, inputs=case.inputs, outputs=case.outputs, tolerance=tolerance)
-                return np.stack([found[name] for name in case.outputs], axis=1)
+                trajectory = simulator.run(case.times, inputs=case.inputs, outputs=case.outputs, tolerance=tolerance)
+                return np.stack([trajectory[name] for name in case.outputs], axis=1)
 
             return run
 
@@ -58,12 +58,12 @@ def fmpy_run(case: Case, kind: str) -> Iterator[Callable[[float], Run]]:
     def prepare(tolerance: float) -> Run:
         def run() -> Array:
             instance.reset()
-            found = simulate_fmu(
+            result = simulate_fmu(
                 folder, validate=False, stop_time=case.end, relative_tolerance=tolerance, fmi_type=kind,
                 output_interval=case.end / case.count, record_events=False, input=signals, output=case.outputs,
                 model_description=description, fmu_instance=instance,
             )  # fmt: skip
-            return np.stack([found[name] for name in case.outputs], axis=1)
+            return np.stack([result[name] for name in case.outputs], axis=1)
 
         return run
 
@@ -178,10 +178,10 @@ def _with_restarts(case: Case, right: ca.Function, options: dict[str, Any]) -> C
         return lambda: ca.horzcat(start, every(start, given))
 
     def run() -> ca.DM:
-        found = [ca.DM(start)]
+        pieces = [ca.DM(start)]
         for n, q in zip(counts, given.T, strict=True):
-            found.append(solvers[n](x0=found[-1][:, -1], p=q)["xf"])
-        return ca.horzcat(*found)
+            pieces.append(solvers[n](x0=pieces[-1][:, -1], p=q)["xf"])
+        return ca.horzcat(*pieces)
 
     return run
 

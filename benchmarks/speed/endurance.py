@@ -89,7 +89,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
             simulator._used = False
             _same(run(simulator)["x"], first)
 
-        found = {
+        figures = {
             "runs of one instance": repeat(again, given.runs, "runs"),
             "instances": repeat(anew, given.instances, "instances"),
         }
@@ -98,24 +98,24 @@ def main(arguments: Sequence[str] | None = None) -> None:
         with Simulator(case.fmu) as fresh:
             _same(run(fresh)["x"], first)
 
-    found["unpacked, loaded, unloaded"] = repeat(load, given.loads, "loads")
-    _print(found)
-    write(given.json, found)
+    figures["unpacked, loaded, unloaded"] = repeat(load, given.loads, "loads")
+    _print(figures)
+    write(given.json, figures)
 
 
-def _same(found: np.ndarray, first: np.ndarray) -> None:
-    if not np.array_equal(found, first):
+def _same(values: np.ndarray, first: np.ndarray) -> None:
+    if not np.array_equal(values, first):
         raise SystemExit("a repeated run differs from the first")
 
 
-def _print(found: dict[str, dict[str, Any]]) -> None:
+def _print(figures: dict[str, dict[str, Any]]) -> None:
     heads = ["what", "count", "ms each", "MB before", "MB after", "bytes each"]
     rows = [
         [
             name, f"{f['count']:.0f}", f"{f['seconds each'] * 1e3:.3g}", f"{f['megabytes before']:.2f}",
             f"{f['megabytes after']:.2f}", f"{f['bytes each']:.2f}",
         ]
-        for name, f in found.items()
+        for name, f in figures.items()
     ]  # fmt: skip
     show("resident memory over many runs; every run equal to the first, bit for bit", heads, rows)
 

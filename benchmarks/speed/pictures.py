@@ -18,12 +18,12 @@ _COLOURS = ("#0072b2", "#d55e00", "#cc79a7", "#009e73", "#56b4e9", "#e69f00")
 plt.rcParams.update({"font.size": 8, "axes.grid": True, "grid.alpha": 0.3})
 
 
-def draw_run(found: Mapping[str, Mapping[str, Sequence[Mapping[str, float]]]]) -> Path:
+def draw_run(measured: Mapping[str, Mapping[str, Sequence[Mapping[str, float]]]]) -> Path:
     """Time against error: case to solver to points as ``run.measure`` returns them."""
-    names = list(dict.fromkeys(solver for solvers in found.values() for solver in solvers))
-    picture, axes = plt.subplots(1, len(found), figsize=(9.0, 3.4), layout="constrained", sharey=True, squeeze=False)
+    names = list(dict.fromkeys(solver for solvers in measured.values() for solver in solvers))
+    picture, axes = plt.subplots(1, len(measured), figsize=(9.0, 3.4), layout="constrained", sharey=True, squeeze=False)
     shown = {}
-    for ax, (case, solvers) in zip(axes[0], found.items(), strict=True):
+    for ax, (case, solvers) in zip(axes[0], measured.items(), strict=True):
         for solver, points in solvers.items():
             number = names.index(solver)
             style = {"color": _COLOURS[number % len(_COLOURS)], "marker": "osv^Dx"[number % 6], "ms": 3.5, "lw": 1.2}
@@ -36,16 +36,16 @@ def draw_run(found: Mapping[str, Mapping[str, Sequence[Mapping[str, float]]]]) -
     return _save(picture, "speed-run")
 
 
-def draw_precision(found: Mapping[str, Sequence[Mapping[str, float]]]) -> Path:
+def draw_precision(measured: Mapping[str, Sequence[Mapping[str, float]]]) -> Path:
     """Tolerance, error and time of each bench with states; points as ``precision.Point`` has them."""
-    names = [name for name in found if max(p["steps"] for p in found[name]) > 0]
+    names = [name for name in measured if max(p["steps"] for p in measured[name]) > 0]
     columns = 3
     rows = -(-len(names) // columns)
     picture, axes = plt.subplots(
         rows, columns, figsize=(9.0, 2.3 * rows), layout="constrained", sharex=True, squeeze=False
     )
     for name, ax in zip(names, axes.flat, strict=False):
-        points = found[name]
+        points = measured[name]
         tolerances = [p["tolerance"] for p in points]
         ax.loglog(tolerances, tolerances, color="0.6", lw=1, label="error = tolerance")
         ax.loglog(tolerances, [p["outputs"] for p in points], "o-", ms=4, color="#0072b2", label="error, outputs")

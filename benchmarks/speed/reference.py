@@ -53,9 +53,9 @@ def reference(case: Case, method: Method = "DOP853") -> Reference:
 
         if scale.size:
             stops = np.append(times[here], [] if last else [end])
-            found, work = _solve(case, right, slope, u, (begin, end), state, stops, method)
-            states[here] = found[: here.size] * scale
-            state, evaluations = found[-1], evaluations + work
+            states_at_stops, work = _solve(case, right, slope, u, (begin, end), state, stops, method)
+            states[here] = states_at_stops[: here.size] * scale
+            state, evaluations = states_at_stops[-1], evaluations + work
         for i in here:
             outputs[i] = measured(times[i], states[i], u(times[i]), case.parameters).full().ravel()
         if last:
@@ -100,7 +100,7 @@ def _solve(
         )  # fmt: skip
         assert run.success, run.message
         return run.y.T, run.nfev
-    found, now, work = [], span[0], 0
+    states, now, work = [], span[0], 0
     for stop in stops:
         if stop > now:
             run = solve_ivp(
@@ -109,5 +109,5 @@ def _solve(
             )  # fmt: skip
             assert run.success, run.message
             state, now, work = run.y[:, -1], stop, work + run.nfev
-        found.append(state)
-    return np.array(found), work
+        states.append(state)
+    return np.array(states), work

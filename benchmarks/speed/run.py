@@ -43,17 +43,17 @@ Contender = Callable[[float], Run]
 
 def contenders(case: cases.Case) -> dict[str, AbstractContextManager[Contender, bool | None]]:
     """Those that make sense for the inputs of the case, by name."""
-    found: dict[str, AbstractContextManager[Contender, bool | None]] = {
+    by_name: dict[str, AbstractContextManager[Contender, bool | None]] = {
         _OURS: pam_cosim(case),
         "FMPy ME, CVode": fmpy_run(case, "ModelExchange"),
         "FMPy CS": fmpy_run(case, "CoSimulation"),
         "CasADi CVODES": casadi_cvodes(case),
     }
     if case.inputs is not None:
-        found["CasADi, restarts"] = casadi_cvodes(case, "restarts")
+        by_name["CasADi, restarts"] = casadi_cvodes(case, "restarts")
     if case.name == "sampled":
-        found["CasADi, table"] = casadi_cvodes(case, "table")
-    return found
+        by_name["CasADi, table"] = casadi_cvodes(case, "table")
+    return by_name
 
 
 def measure(case: cases.Case, rounds: int) -> dict[str, list[dict[str, float]]]:
@@ -71,12 +71,12 @@ def measure(case: cases.Case, rounds: int) -> dict[str, list[dict[str, float]]]:
                     errors[name, tolerance] = scaled_error(run(), exact)
                     runs[name, tolerance] = run
         times = interleaved(list(runs.values()), rounds, f"{case.name}: {len(runs)} settings, {rounds} rounds")
-    found: dict[str, list[dict[str, float]]] = {name: [] for name in prepared}
+    measured: dict[str, list[dict[str, float]]] = {name: [] for name in prepared}
     for (name, tolerance), time in zip(runs, times, strict=True):
-        found[name].append(
+        measured[name].append(
             {"tolerance": tolerance, "error": errors[name, tolerance], "median": time.median, "least": time.least}
         )
-    return found
+    return measured
 
 
 def at_equal_error(points: list[dict[str, float]], target: float, kind: str = "least") -> float | None:

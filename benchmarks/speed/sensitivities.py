@@ -39,8 +39,10 @@ _STEPS = tuple(10.0**-exponent for exponent in range(1, 7))
 
 def values(simulator: Simulator, case: cases.Case, tolerance: float, changed: dict[str, float]) -> Array:
     """(n, outputs) of a run with some parameters changed."""
-    found = simulator.run(case.times, parameters=changed, inputs=case.inputs, outputs=case.outputs, tolerance=tolerance)
-    return np.stack([found[name] for name in case.outputs], axis=1)
+    trajectory = simulator.run(
+        case.times, parameters=changed, inputs=case.inputs, outputs=case.outputs, tolerance=tolerance
+    )
+    return np.stack([trajectory[name] for name in case.outputs], axis=1)
 
 
 def derivatives(simulator: Simulator, case: cases.Case, tolerance: float) -> Array:
@@ -113,8 +115,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
     write(given.json, {"parameters": PARAMETERS, "figures": figures})
 
 
-def _usual_error(found: Array, exact: Array) -> float:
-    return float((np.median(np.abs(found - exact), axis=0) / np.ptp(exact, axis=0)).max())
+def _usual_error(values_of_run: Array, exact: Array) -> float:
+    return float((np.median(np.abs(values_of_run - exact), axis=0) / np.ptp(exact, axis=0)).max())
 
 
 def _best_step(simulator: Simulator, case: cases.Case, exact: Array, tolerance: float, central: bool) -> float:

@@ -30,9 +30,9 @@ def interleaved(runs: Sequence[Callable[[], object]], rounds: int, what: str) ->
     The time is the processor's, of this process: a machine that is busy with other things as well would make long
     runs look longer than short ones by the clock on the wall.
     """
-    found: list[list[float]] = [[] for _ in runs]
+    durations: list[list[float]] = [[] for _ in runs]
     for turn in steps_of(range(rounds + 1), what):
-        for run, seconds in zip(runs, found, strict=True):
+        for run, seconds in zip(runs, durations, strict=True):
             gc.disable()
             begin = time.process_time()
             run()
@@ -40,17 +40,17 @@ def interleaved(runs: Sequence[Callable[[], object]], rounds: int, what: str) ->
             gc.enable()
             if turn:
                 seconds.append(end - begin)
-    return [Times(statistics.median(s), min(s)) for s in found]
+    return [Times(statistics.median(s), min(s)) for s in durations]
 
 
-def scaled_error(found: Array, exact: Array) -> float:
+def scaled_error(values: Array, exact: Array) -> float:
     """Largest difference at any point, of each column in parts of its range over the run; the worst column.
 
     A column that does not move is measured by its size.
     """
     size = np.ptp(exact, axis=0)
     size = np.where(size > 0.0, size, np.maximum(np.abs(exact).max(axis=0), 1e-300))
-    return float((np.abs(found - exact).max(axis=0) / size).max())
+    return float((np.abs(values - exact).max(axis=0) / size).max())
 
 
 def time_at_error(errors: Sequence[float], seconds: Sequence[float], target: float) -> float | None:

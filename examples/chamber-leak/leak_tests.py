@@ -50,8 +50,8 @@ def read_recording(path: Path) -> tuple[Array, Array]:
 def means(values: Array, samples: int) -> Array:
     """(n // samples,) means of neighbouring samples."""
     n = len(values) // samples
-    found: Array = values[: n * samples].reshape(n, samples).mean(axis=1)
-    return found
+    averages: Array = values[: n * samples].reshape(n, samples).mean(axis=1)
+    return averages
 
 
 def write_chamber(path: Path, folder: Path) -> None:

@@ -62,8 +62,8 @@ def fitted(folder: Path, law: str | None, work: Path) -> Fit:
     return study.fit(data, model)
 
 
-def rms(found: Fit) -> float:
-    return found.comparison.scores["fit"]["p"].rmse
+def rms(fit: Fit) -> float:
+    return fit.comparison.scores["fit"]["p"].rmse
 
 
 def free_air(chamber: Chamber) -> float:
@@ -79,7 +79,7 @@ def time_constant(chamber: Chamber) -> float:
 
 def row(chamber: Chamber) -> list[str]:
     p = chamber.still.comparison.runs[0].run.measurements["p"] / 1e5
-    scores = {name: found.comparison.chi2_reduced("fit") for name, found in chamber.laws.items()}
+    scores = {name: fit.comparison.chi2_reduced("fit") for name, fit in chamber.laws.items()}
     return [
         chamber.name, f"{p[0]:.3f}", f"{1e3 * (p[0] - p[-1]):.0f}", f"{rms(chamber.still) / 100:.1f}",
         f"{rms(chamber.laws['LaminarLeak']) / 100:.2f}", f"{rms(chamber.laws['OrificeLeak']) / 100:.2f}",
@@ -98,8 +98,8 @@ def draw(chambers: list[Chamber], strokes: list[friction.Stroke]) -> None:
     emptied = next(x for x in chambers if x.name == leak_tests.EMPTIED)
     run = emptied.still.comparison.runs[0].run
     a.semilogy(run.time, run.measurements["p"] / 1e5, ".", color="0.4", label="measured")
-    for (law, found), colour in zip(emptied.laws.items(), ("#0072b2", "#d55e00"), strict=True):
-        a.semilogy(run.time, found.comparison.runs[0].model["p"] / 1e5, color=colour, label=law)
+    for (law, fit), colour in zip(emptied.laws.items(), ("#0072b2", "#d55e00"), strict=True):
+        a.semilogy(run.time, fit.comparison.runs[0].model["p"] / 1e5, color=colour, label=law)
     a.set(xlabel="time [s]", ylabel="pressure [bar]", title=emptied.name, ylim=(1e-2, 10))
     a.legend()
     for i, chamber in enumerate(x for x in chambers if x is not emptied):

@@ -42,10 +42,10 @@ def tabled(comparison: Comparison, statistic: Statistic) -> str:
     return markdown_table(head, rows)
 
 
-def draw(found: Diagnosis, picture: Path) -> None:
+def draw(diagnosis: Diagnosis, picture: Path) -> None:
     """Loops at the lowest and the highest frequency: measured, by the existing model, with the effect found."""
-    models = [("existing model", by_condition(found.base.comparison))]
-    models += [("with the effect found", by_condition(found.final.comparison))]
+    models = [("existing model", by_condition(diagnosis.base.comparison))]
+    models += [("with the effect found", by_condition(diagnosis.final.comparison))]
     figure, axes = plt.subplots(2, 2, figsize=(10, 7.4), layout="constrained", sharex=True, sharey="row")
     for row, frequency in zip(axes, (rig.FREQUENCIES[0], rig.FREQUENCIES[-1]), strict=True):
         for axis, (name, runs) in zip(row, models, strict=True):
@@ -67,12 +67,15 @@ def draw(found: Diagnosis, picture: Path) -> None:
 def main() -> None:
     with TemporaryDirectory() as place:
         folder = rig.write_data_set(Path(sys.argv[1] if len(sys.argv) > 1 else place))
-        found = pam.diagnose(pam.read(folder), say=lambda line: print(line, flush=True))
-    print(found)
-    for name, comparison in (("existing model", found.base.comparison), ("with the effect", found.final.comparison)):
+        diagnosis = pam.diagnose(pam.read(folder), say=lambda line: print(line, flush=True))
+    print(diagnosis)
+    for name, comparison in (
+        ("existing model", diagnosis.base.comparison),
+        ("with the effect", diagnosis.final.comparison),
+    ):
         print(f"\nCorrelation, {name}\n\n{tabled(comparison, 'correlation')}")
         print(f"\nRms error [mm]\n\n{tabled(comparison, 'rmse')}")
-    draw(found, PICTURE)
+    draw(diagnosis, PICTURE)
 
 
 if __name__ == "__main__":

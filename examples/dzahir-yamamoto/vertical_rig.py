@@ -101,11 +101,11 @@ class Rig:
             return [speed, load * GRAVITY - pull, (float(np.interp(t, time, p_told)) - p) / m.lag]
 
         rest = m.length + (load * GRAVITY / m.stiffness) ** (1 / 3)
-        found = solve_ivp(
+        solution = solve_ivp(
             rates, (0, time[-1]), [rest, 0.0, 0.0], "LSODA", time, rtol=1e-7, atol=ACCURACY, max_step=2 / RATE
         )
         random = np.random.default_rng([self.seed, 1, round(10 * frequency), round(load)])
-        reading = m.length - found.y[0] + self.noise * random.standard_normal(len(time))
+        reading = m.length - solution.y[0] + self.noise * random.standard_normal(len(time))
         return Measured(load, frequency, time, p_told, np.asarray(reading))
 
 

@@ -115,8 +115,8 @@ def contraction(run: Recording, joint: str) -> Array:
     p = bridged(cleaned(run, joint)) - zero_of(run, joint)
     angle = run.angle[joint]
     travel = PULLEY / 10 * np.abs(angle - np.mean(angle[:5]))
-    found = np.array([_held(max(0.0, float(a)), float(b)) for a, b in zip(p, travel, strict=True)])
-    smooth: Array = savgol_filter(10 * found, 11, 2)
+    contractions = np.array([_held(max(0.0, float(a)), float(b)) for a, b in zip(p, travel, strict=True)])
+    smooth: Array = savgol_filter(10 * contractions, 11, 2)
     return np.maximum(smooth, 0.0)
 
 

@@ -110,12 +110,12 @@ def fitted(stage: Stage, folder: Path) -> Fit:
     return study.fit(replace(data, fit=free, runs=runs))
 
 
-def rms(found: Fit, role: str) -> str:
-    return f"{found.comparison.scores[role]['p'].rmse / 1e3:.1f}"
+def rms(fit: Fit, role: str) -> str:
+    return f"{fit.comparison.scores[role]['p'].rmse / 1e3:.1f}"
 
 
-def estimate(found: Fit, name: str, scale: float, unit: str) -> str:
-    e = found.parameters[name]
+def estimate(fit: Fit, name: str, scale: float, unit: str) -> str:
+    e = fit.parameters[name]
     if e.at_bound:
         return f"{e.value * scale:.3g} {unit} (at its bound)"
     return f"{e.value * scale:.3g} {unit} ({e.low * scale:.3g} to {e.high * scale:.3g})"
@@ -140,7 +140,7 @@ def draw(first: Fit, last: Fit) -> None:
     plt.close(picture)
 
 
-def phases(found: Fit) -> list[list[str]]:
+def phases(fit: Fit) -> list[list[str]]:
     """Root mean square error by phase of the jump, fit and holdout [kPa]."""
     spans = {"filling (to 0.12 s)": (0, 0.12), "take-off (0.12 to 0.2 s)": (0.12, 0.2),
              "hold (0.2 to 0.32 s)": (0.2, 0.32), "venting (from 0.32 s)": (0.32, 1)}  # fmt: skip
@@ -150,7 +150,7 @@ def phases(found: Fit) -> list[list[str]]:
         for role in ("fit", "holdout"):
             parts = [
                 (r.model["p"] - r.run.measurements["p"])[(r.run.time >= low) & (r.run.time < high)]
-                for r in found.comparison.runs
+                for r in fit.comparison.runs
                 if r.run.role == role
             ]
             error = np.concatenate(parts) / 1e3
@@ -215,8 +215,8 @@ def main() -> None:
     with TemporaryDirectory() as place:
         stages = [fitted(stage, Path(place)) for stage in STAGES]
         counter = [fitted(stage, Path(place)) for stage in COUNTER]
-    for stage, found in zip((*STAGES, *COUNTER), (*stages, *counter), strict=True):
-        print(f"{stage.title}: fit {rms(found, 'fit')}, holdout {rms(found, 'holdout')} kPa", flush=True)
+    for stage, fit in zip((*STAGES, *COUNTER), (*stages, *counter), strict=True):
+        print(f"{stage.title}: fit {rms(fit, 'fit')}, holdout {rms(fit, 'holdout')} kPa", flush=True)
     draw(stages[0], stages[-1])
     diagnosis = pam.diagnose(pam.read(HERE), say=lambda line: print(line, flush=True))
     print(diagnosis)

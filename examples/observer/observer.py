@@ -105,14 +105,14 @@ def without_filter(recording: pam.Trajectory, force: np.ndarray) -> float:
 def draw(results: dict[float, pam.Observation], force: np.ndarray, time: np.ndarray, path: Path) -> None:
     """The pull of the muscle and the unknown pull, true and estimated, for each rate; normalised innovations."""
     figure, axes = plt.subplots(3, len(results), figsize=(11, 7.2), sharex=True, sharey="row", layout="constrained")
-    for column, (rate, found) in zip(axes.T, results.items(), strict=True):
+    for column, (rate, observation) in zip(axes.T, results.items(), strict=True):
         for axis, name, true in ((column[0], "F", force), (column[1], "F_ext", pull(time))):
             axis.plot(time, true, color="#2b2f33", lw=1.0, label="independent simulation")
-            value, around = found[name], 1.96 * found.deviations[name]
-            axis.fill_between(found.time, value - around, value + around, color="#0072b2", alpha=0.25, lw=0)
-            axis.plot(found.time, value, color="#0072b2", lw=1.2, label="observer, 95 %")
-        for (name, values), colour in zip(found.innovations.items(), ("#009e73", "#d55e00"), strict=True):
-            column[2].plot(found.time, values, ".", color=colour, ms=3, label=name)
+            value, around = observation[name], 1.96 * observation.deviations[name]
+            axis.fill_between(observation.time, value - around, value + around, color="#0072b2", alpha=0.25, lw=0)
+            axis.plot(observation.time, value, color="#0072b2", lw=1.2, label="observer, 95 %")
+        for (name, values), colour in zip(observation.innovations.items(), ("#009e73", "#d55e00"), strict=True):
+            column[2].plot(observation.time, values, ".", color=colour, ms=3, label=name)
         column[2].axhspan(-1.96, 1.96, color="#e4e7ea", zorder=0)
         column[0].set_title(f"{rate:g} Hz", loc="left")
         column[2].set_xlabel("time [s]")

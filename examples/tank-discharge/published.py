@@ -23,9 +23,9 @@ TABLES = {
 
 def points(path: Path) -> tuple[Array, Array]:
     """Times [s] and values of one curve, in order of time."""
-    found = np.genfromtxt(path, delimiter=",", skip_header=1)
-    order = np.argsort(found[:, 0], kind="stable")
-    return found[order, 0], found[order, 1]
+    rows = np.genfromtxt(path, delimiter=",", skip_header=1)
+    order = np.argsort(rows[:, 0], kind="stable")
+    return rows[order, 0], rows[order, 1]
 
 
 def table(folder: Path, name: str, curves: tuple[str, ...]) -> dict[str, Array]:

@@ -64,13 +64,13 @@ def fitted(name: str, effects: tuple[str, ...], signals: tuple[str, ...], work: 
     return study.fit(replace(data, signals=chosen, fit=free), model, method="multi-start")
 
 
-def row(effects: tuple[str, ...], found: Fit) -> list[str]:
+def row(effects: tuple[str, ...], fit: Fit) -> list[str]:
     cells = [" + ".join(effects) or "polytropic law"]
     for role in ("fit", "holdout"):
-        scores = found.comparison.scores[role]
+        scores = fit.comparison.scores[role]
         cells += [f"{scores['p'].rmse / 1e3:.2f}", f"{scores['T'].rmse:.1f}"] if scores else []
     parts = []
-    for n, e in found.parameters.items():
+    for n, e in fit.parameters.items():
         span = "at its bound" if e.at_bound else f"{e.low:.3g} to {e.high:.3g}"
         parts.append(f"{n.removeprefix('tank.').removeprefix('orifice.')} {e.value:.3g} ({span})")
     return [*cells, ", ".join(parts)]
@@ -78,7 +78,7 @@ def row(effects: tuple[str, ...], found: Fit) -> list[str]:
 
 def table(cases: dict[tuple[str, ...], Fit], *, holdout: bool) -> str:
     head = ["model", "p [kPa]", "T [K]", *(["p, filling [kPa]", "T, filling [K]"] if holdout else []), "parameters"]
-    return markdown_table(head, [row(effects, found) for effects, found in cases.items()])
+    return markdown_table(head, [row(effects, fit) for effects, fit in cases.items()])
 
 
 def draw(pressure: Fit, both: Fit, nitrogen: Fit, film: Fit) -> None:
@@ -91,8 +91,8 @@ def draw(pressure: Fit, both: Fit, nitrogen: Fit, film: Fit) -> None:
         (axes[2], 0, [(film, "EnergyGas"), (nitrogen, "free convection")], "nitrogen from 150 bar"),
     ]  # fmt: skip
     for axis, i, fits, title in cases:
-        for (found, label), colour in zip(fits, ("#d55e00", "#0072b2"), strict=True):
-            run = found.comparison.runs[i]
+        for (fit, label), colour in zip(fits, ("#d55e00", "#0072b2"), strict=True):
+            run = fit.comparison.runs[i]
             there = ~np.isnan(run.run.measurements["T"])
             axis.plot(run.run.time[there], run.model["T"][there], color=colour, label=label)
         axis.plot(run.run.time[there], run.run.measurements["T"][there], "o", color="0.3", ms=4, label="measured")

@@ -76,22 +76,22 @@ def regression_table() -> str:
     return markdown_table(head, rows)
 
 
-def supply_table(found: Trajectory) -> str:
+def supply_table(trajectory: Trajectory) -> str:
     rows = []
     for i, supply in enumerate(SUPPLIES):
-        flow, *areas = (found.values[f"{name}[{i + 1}]"][-1] for name in ("V_flow", "A", "A_choked", "A_gauge"))
+        flow, *areas = (trajectory.values[f"{name}[{i + 1}]"][-1] for name in ("V_flow", "A", "A_choked", "A_gauge"))
         rows.append([f"{supply / 1e3:.1f}", f"{flow * 6e4:.2f}", *(f"{a * 1e7:.2f}" for a in areas)])
     head = ["supply [kPa gauge]", "flow [L/min]", "area by (41) [1e-7 m2]", "taken as choked", "and gauge as absolute"]
     return markdown_table(head, rows)
 
 
-def draw(found: Trajectory, picture: Path) -> None:
+def draw(trajectory: Trajectory, picture: Path) -> None:
     page, (flows, areas, conversions) = plt.subplots(1, 3, figsize=(13, 3.9), layout="constrained")
     shades = plt.get_cmap("viridis")(np.linspace(0, 0.9, len(SUPPLIES)))
-    u = found.values["u"]
+    u = trajectory.values["u"]
     for i, shade in enumerate(shades):
         label = f"{SUPPLIES[i] / 1e3:.0f} kPa" if i in (0, 7, 14) else None
-        flows.plot(u, found.values[f"V_flow[{i + 1}]"] * 6e4, color=shade, lw=1.2, label=label)
+        flows.plot(u, trajectory.values[f"V_flow[{i + 1}]"] * 6e4, color=shade, lw=1.2, label=label)
     flows.plot(u, np.maximum(0, FLOW_SLOPE * u - FLOW_OFFSET) * 6e4, "k--", lw=1, label="DP (61), 344.7 kPa")
     flows.set(xlabel="current [A]", ylabel="flow [L/min of ambient air]", title="flow, C$_A$ = 0.699")
     for (name, (slope, offset)), colour, style in zip(
@@ -103,7 +103,7 @@ def draw(found: Trajectory, picture: Path) -> None:
     areas.set(xlabel="current [A]", ylabel="effective area [1e-7 m²]", title="four readings of (61)", xlim=(0.14, 0.36))
     names = {"A": "(41)", "A_choked": "taken as choked", "A_gauge": "and gauge as absolute"}
     for (name, label), colour in zip(names.items(), ("#0072b2", "#cc79a7", "#d55e00"), strict=True):
-        last = [found.values[f"{name}[{i + 1}]"][-1] * 1e7 for i in range(len(SUPPLIES))]
+        last = [trajectory.values[f"{name}[{i + 1}]"][-1] * 1e7 for i in range(len(SUPPLIES))]
         conversions.plot(SUPPLIES / 1e3, last, "o-", ms=3, lw=1.2, color=colour, label=label)
     conversions.set(xlabel="supply [kPa gauge]", ylabel="effective area at 0.35 A [1e-7 m²]")
     conversions.set_title("one valve, three conversions")
@@ -116,15 +116,15 @@ def draw(found: Trajectory, picture: Path) -> None:
 
 
 def main() -> None:
-    found = calibration()
-    draw(found, HERE / "result.png")
-    every = slice(None, None, max(1, len(found.time) // 50))
-    columns = {"u [A]": found.values["u"][every]}
+    trajectory = calibration()
+    draw(trajectory, HERE / "result.png")
+    every = slice(None, None, max(1, len(trajectory.time) // 50))
+    columns = {"u [A]": trajectory.values["u"][every]}
     for i, supply in enumerate(SUPPLIES):
-        columns[f"flow at {supply / 1e3:.1f} kPa [L/min]"] = found.values[f"V_flow[{i + 1}]"][every] * 6e4
+        columns[f"flow at {supply / 1e3:.1f} kPa [L/min]"] = trajectory.values[f"V_flow[{i + 1}]"][every] * 6e4
     write_table(HERE / "calibration.csv", columns, f"Flows of {MODEL}: a model's, nobody measured them.")
     text = (HERE / "report.template.md").read_text(encoding="utf-8")
-    write_text(HERE / "report.md", text.format(regression=regression_table(), supplies=supply_table(found)))
+    write_text(HERE / "report.md", text.format(regression=regression_table(), supplies=supply_table(trajectory)))
 
 
 if __name__ == "__main__":

@@ -50,44 +50,46 @@ def modelica(tmp_path: Path):
 
 def test_the_matrices_of_the_slides() -> None:
     tau, c_1, c_2, k, b, m = 0.1, 5.7238e-4, 8061.8, 500.0, 60.0, 2.0
-    found = pam.linearise("LumpedLinear")
-    assert (found.states, found.inputs, found.outputs) == (("P", "l", "v"), ("p_in",), ("p", "L", "F"))
-    np.testing.assert_allclose(found.A, [[-1 / tau, 0, 0], [0, 0, 1], [-c_1 / m, -(c_2 + k) / m, -b / m]], rtol=1e-12)
-    np.testing.assert_allclose(found.B, [[1 / tau], [0], [0]], rtol=1e-12)
-    np.testing.assert_allclose(found.C, [[1, 0, 0], [0, 1, 0], [c_1, c_2, 0]], rtol=1e-12)
-    assert not found.D.any()
-    assert found.units == {"P": "Pa", "l": "m", "v": "m/s", "p_in": "Pa", "p": "Pa", "L": "m", "F": "N"}
+    linear = pam.linearise("LumpedLinear")
+    assert (linear.states, linear.inputs, linear.outputs) == (("P", "l", "v"), ("p_in",), ("p", "L", "F"))
+    np.testing.assert_allclose(linear.A, [[-1 / tau, 0, 0], [0, 0, 1], [-c_1 / m, -(c_2 + k) / m, -b / m]], rtol=1e-12)
+    np.testing.assert_allclose(linear.B, [[1 / tau], [0], [0]], rtol=1e-12)
+    np.testing.assert_allclose(linear.C, [[1, 0, 0], [0, 1, 0], [c_1, c_2, 0]], rtol=1e-12)
+    assert not linear.D.any()
+    assert linear.units == {"P": "Pa", "l": "m", "v": "m/s", "p_in": "Pa", "p": "Pa", "L": "m", "F": "N"}
     swing = np.sqrt((c_2 + k) / m)
-    slow, fast = found.modes
+    slow, fast = linear.modes
     assert slow.time_constant == pytest.approx(tau) and slow.shares["P"] == pytest.approx(1)
     assert fast.frequency == pytest.approx(swing / (2 * np.pi)) and fast.damping == pytest.approx(b / m / (2 * swing))
-    assert found.static_gain[1, 0] == pytest.approx(-c_1 / (c_2 + k))
-    assert found.is_stable and "time constant 0.1 s (P 100%)" in str(found)
+    assert linear.static_gain[1, 0] == pytest.approx(-c_1 / (c_2 + k))
+    assert linear.is_stable and "time constant 0.1 s (P 100%)" in str(linear)
 
 
 def test_a_law_without_states_has_gains_alone() -> None:
-    found = pam.linearise("StaticForce", at={"p": "6 bar", "eps": "10 %"})
-    assert found.point.outputs["F"] == pytest.approx(205.67, abs=5e-3)
-    assert found.D[0, 0] == pytest.approx(5.7239e-4, rel=1e-4)
-    assert -found.D[0, 1] / 0.3 == pytest.approx(8061.8, rel=1e-5)
-    np.testing.assert_array_equal(found.static_gain, found.D)
+    linear = pam.linearise("StaticForce", at={"p": "6 bar", "eps": "10 %"})
+    assert linear.point.outputs["F"] == pytest.approx(205.67, abs=5e-3)
+    assert linear.D[0, 0] == pytest.approx(5.7239e-4, rel=1e-4)
+    assert -linear.D[0, 1] / 0.3 == pytest.approx(8061.8, rel=1e-5)
+    np.testing.assert_array_equal(linear.static_gain, linear.D)
     with pytest.raises(pam.InputError, match="no states"):
-        found.to_scipy()
+        linear.to_scipy()
 
 
 def test_at_rest_nothing_changes_and_a_run_ends_there() -> None:
-    found = pam.linearise("Isotonic", {"u_out": 0.25, "u_in": "0.3 A"})
-    assert found.point.kind == "rest" and "settles" in found.point.how
-    assert all(abs(rate) < 1e-2 for rate in found.point.rates.values())
+    linear = pam.linearise("Isotonic", {"u_out": 0.25, "u_in": "0.3 A"})
+    assert linear.point.kind == "rest" and "settles" in linear.point.how
+    assert all(abs(rate) < 1e-2 for rate in linear.point.rates.values())
     run = pam.simulate("Isotonic", {"u_out": 0.25, "u_in": 0.3}, stop_time=60)
-    assert found.point.outputs["x"] == pytest.approx(run["x"][-1], rel=1e-6)
-    assert found.point.outputs["p"] == pytest.approx(run["p"][-1], rel=1e-6)
+    assert linear.point.outputs["x"] == pytest.approx(run["x"][-1], rel=1e-6)
+    assert linear.point.outputs["p"] == pytest.approx(run["p"][-1], rel=1e-6)
 
 
 def test_small_steps_of_the_model_are_those_of_the_linear_one() -> None:
     """An independent check of every number on the way from current to contraction."""
-    found = pam.linearise("Isotonic", {"u_out": 0.25}, at={"p": "1 bar"}, free=["u_in"]).select(["u_in"], ["p", "x"])
-    at = found.point.inputs["u_in"]
+    linear_model = pam.linearise("Isotonic", {"u_out": 0.25}, at={"p": "1 bar"}, free=["u_in"]).select(
+        ["u_in"], ["p", "x"]
+    )
+    at = linear_model.point.inputs["u_in"]
     time, size = np.array([0, 60, 60, 70.0]), 1e-3
 
     def stepped(by: float) -> pam.Trajectory:
@@ -96,18 +98,18 @@ def test_small_steps_of_the_model_are_those_of_the_linear_one() -> None:
 
     up, down = stepped(size), stepped(-size)  # their difference is free of the curvature
     after = up.time > 60
-    linear = found.step(up.time[after] - 60)[:, :, 0]
-    for i, name in enumerate(found.outputs):
+    linear = linear_model.step(up.time[after] - 60)[:, :, 0]
+    for i, name in enumerate(linear_model.outputs):
         real = (up[name] - down[name])[after] / (2 * size)
         np.testing.assert_allclose(real, linear[:, i], atol=1e-3 * np.abs(linear[:, i]).max())
 
 
 def test_a_state_is_found_from_outputs() -> None:
-    found = pam.linearise("Isotonic", at={"p": "60 kPa", "x": "30 mm", "u_in": 0.2})
-    assert found.point.outputs["p"] == pytest.approx(60e3) and found.point.states["load.s"] == pytest.approx(0.03)
-    assert found.point.states["muscle.gas.p"] == pytest.approx(60e3 + 101325)
-    assert found.point.inputs["u_in"] == 0.2 and found.point.states["load.v"] == 0
-    assert "Not at rest" in found.notes[-1]
+    linear = pam.linearise("Isotonic", at={"p": "60 kPa", "x": "30 mm", "u_in": 0.2})
+    assert linear.point.outputs["p"] == pytest.approx(60e3) and linear.point.states["load.s"] == pytest.approx(0.03)
+    assert linear.point.states["muscle.gas.p"] == pytest.approx(60e3 + 101325)
+    assert linear.point.inputs["u_in"] == 0.2 and linear.point.states["load.v"] == 0
+    assert "Not at rest" in linear.notes[-1]
 
 
 def test_differences_where_an_fmu_has_no_derivatives(tmp_path: Path) -> None:
@@ -133,13 +135,13 @@ def test_both_versions_of_fmi_say_the_same(tmp_path: Path) -> None:
 def test_along_a_run() -> None:
     times = [0.5, 1.0, 3.0]
     steps = pam.Inputs([0, 2, 2, 4], {"u_in": [0.35, 0.35, 0, 0], "u_out": [0, 0, 0.35, 0.35]})
-    found = pam.linearise_along("Isotonic", inputs=steps, times=times)
-    assert found.times.tolist() == times and found.poles.shape == (3, 3)
+    course = pam.linearise_along("Isotonic", inputs=steps, times=times)
+    assert course.times.tolist() == times and course.poles.shape == (3, 3)
     run = pam.simulate("Isotonic", inputs=steps, interval=0.5)
-    assert found[2].point.outputs["x"] == pytest.approx(float(np.interp(3.0, run.time, run["x"])), rel=1e-4)
-    assert found[2].point.inputs["u_out"] == 0.35
+    assert course[2].point.outputs["x"] == pytest.approx(float(np.interp(3.0, run.time, run["x"])), rel=1e-4)
+    assert course[2].point.inputs["u_out"] == 0.35
     one = pam.linearise("Isotonic", at=1.0, inputs=steps)
-    np.testing.assert_allclose(one.A, found[1].A, rtol=1e-5, atol=1e-3)
+    np.testing.assert_allclose(one.A, course[1].A, rtol=1e-5, atol=1e-3)
 
 
 def test_at_a_time_of_a_trajectory() -> None:
@@ -147,8 +149,8 @@ def test_at_a_time_of_a_trajectory() -> None:
 
     with study.opened("Isotonic") as simulator:
         run = simulator.run([0.0, 1.0], outputs=["muscle.gas.p", "load.s", "load.v", "u_in"])
-    found = pam.linearise("Isotonic", at=(run, 1.0))
-    assert found.point.states["load.s"] == run["load.s"][1]
+    linear = pam.linearise("Isotonic", at=(run, 1.0))
+    assert linear.point.states["load.s"] == run["load.s"][1]
     with pytest.raises(pam.InputError, match="lacks muscle.gas.p"):
         pam.linearise("Isotonic", at=(pam.simulate("Isotonic", stop_time=1), 0.5))
     with pytest.raises(pam.InputError, match="without 7 s"):
@@ -159,9 +161,9 @@ def test_no_rest(modelica) -> None:
     heater = modelica(INTEGRATOR)
     with pytest.raises(pam.InputError, match=r"no rest was found.*x still changes by 0.4 K/s.*free: u"):
         pam.linearise(heater)
-    found = pam.linearise(heater, free=["u"])
-    assert found.point.inputs["u"] == pytest.approx(0, abs=1e-5) and "integrates" in str(found)
-    assert np.isnan(found.static_gain).all() and not found.is_stable
+    linear = pam.linearise(heater, free=["u"])
+    assert linear.point.inputs["u"] == pytest.approx(0, abs=1e-5) and "integrates" in str(linear)
+    assert np.isnan(linear.static_gain).all() and not linear.is_stable
 
 
 def test_a_rest_that_is_left_again(modelica) -> None:
@@ -186,28 +188,28 @@ def test_fewer_states_keep_the_static_gain() -> None:
 def test_for_scipy_and_python_control() -> None:
     import control
 
-    found = pam.linearise("LumpedLinear")
+    linear = pam.linearise("LumpedLinear")
     times = np.linspace(0, 1, 201)
-    ours = found.step(times)[:, :, 0]
-    scipy_s = signal.step(found.to_scipy(), T=times)[1]
+    ours = linear.step(times)[:, :, 0]
+    scipy_s = signal.step(linear.to_scipy(), T=times)[1]
     np.testing.assert_allclose(ours, scipy_s, atol=1e-9 * np.abs(ours).max())
-    system = found.to_control()
+    system = linear.to_control()
     assert system.state_labels == ["P", "l", "v"] and system.input_labels == ["p_in"]
-    np.testing.assert_allclose(np.sort_complex(system.poles()), np.sort_complex(found.poles))
+    np.testing.assert_allclose(np.sort_complex(system.poles()), np.sort_complex(linear.poles))
     frequencies = np.array([0.1, 1, 10, 20])
     theirs = control.frequency_response(system, 2 * np.pi * frequencies).complex
-    np.testing.assert_allclose(np.moveaxis(found.response(frequencies), 0, -1), theirs.reshape(3, 1, 4), rtol=1e-9)
+    np.testing.assert_allclose(np.moveaxis(linear.response(frequencies), 0, -1), theirs.reshape(3, 1, 4), rtol=1e-9)
     assert pam.linearise("Isotonic").to_control().state_labels[0] == "muscle_gas_p"
 
 
 def test_saved_loaded_drawn_and_shown(tmp_path: Path) -> None:
-    found = pam.linearise("LumpedLinear")
-    again = pam.load(pam.save(found, tmp_path / "l.npz"))
-    assert again.as_dict() == found.as_dict() and str(again) == str(found)
-    pam.draw(found, tmp_path / "l.png")
+    linear = pam.linearise("LumpedLinear")
+    again = pam.load(pam.save(linear, tmp_path / "l.npz"))
+    assert again.as_dict() == linear.as_dict() and str(again) == str(linear)
+    pam.draw(linear, tmp_path / "l.png")
     assert (tmp_path / "l.png").read_bytes().startswith(b"\x89PNG")
-    assert "<table>" in found._repr_html_() and "der(v) [m/s2]" in found._repr_html_()
-    rows = found.to_csv(tmp_path / "l.csv").read_text().splitlines()
+    assert "<table>" in linear._repr_html_() and "der(v) [m/s2]" in linear._repr_html_()
+    rows = linear.to_csv(tmp_path / "l.csv").read_text().splitlines()
     assert rows[0] == ",P [Pa],l [m],v [m/s],p_in [Pa]" and rows[3].startswith("der(v) [m/s2],-0.00028619,")
     along = pam.linearise_along("Isotonic", times=[0.5, 1])
     pam.draw(along, tmp_path / "poles.png")

@@ -66,13 +66,13 @@ def test_settles_where_riccati_says(lag: str) -> None:
     time, tau, drift, noise = np.arange(0, 10, 0.1), 0.5, 0.3, 0.05
     zero = np.zeros(time.size)
     recording = pam.Trajectory(time, {"u": zero, "y": zero}, {"u": "N", "y": "m"})
-    found = pam.observe(lag, recording, noise={"y": noise}, drift={"x": drift}, spread={"x": 1.0})
+    observation = pam.observe(lag, recording, noise={"y": noise}, drift={"x": drift}, spread={"x": 1.0})
     over = np.exp(-0.1 / tau)
     added = drift**2 * tau / 2 * (1 - over**2)
     before = solve_discrete_are([[over]], [[1.0]], [[added]], [[noise**2]])[0, 0]
     after = before * noise**2 / (before + noise**2)
-    assert found.deviations["x"][-1] == pytest.approx(np.sqrt(after), rel=1e-3)
-    assert found.deviations["x"][0] == pytest.approx(1 / np.hypot(1, 1 / noise), rel=1e-6)
+    assert observation.deviations["x"][-1] == pytest.approx(np.sqrt(after), rel=1e-3)
+    assert observation.deviations["x"][0] == pytest.approx(1 / np.hypot(1, 1 / noise), rel=1e-6)
 
 
 def test_an_input_that_nobody_measures(lag: str) -> None:
@@ -81,26 +81,30 @@ def test_an_input_that_nobody_measures(lag: str) -> None:
     chance = np.random.default_rng(3)
     y = 2 * (1 - np.exp(-time / 0.5)) + 0.1 * chance.standard_normal(time.size)
     recording = pam.Trajectory(time, {"y": y}, {"y": "m"})
-    found = pam.observe(lag, recording, noise={"y": 0.1}, unknown={"u": (5.0, 1e-6)}, spread={"x": 1e-3})
-    assert found["u"][-1] == pytest.approx(2, abs=3 * found.deviations["u"][-1])
-    assert found.deviations["u"][-1] == pytest.approx(0.1 / np.sqrt(time.size), rel=0.1)
-    assert found.is_consistent and abs(found.whiteness["y"]) < 3 / np.sqrt(time.size)
+    observation = pam.observe(lag, recording, noise={"y": 0.1}, unknown={"u": (5.0, 1e-6)}, spread={"x": 1e-3})
+    assert observation["u"][-1] == pytest.approx(2, abs=3 * observation.deviations["u"][-1])
+    assert observation.deviations["u"][-1] == pytest.approx(0.1 / np.sqrt(time.size), rel=0.1)
+    assert observation.is_consistent and abs(observation.whiteness["y"]) < 3 / np.sqrt(time.size)
 
 
 def test_force_of_the_independent_rig(example: ModuleType, run: tuple[np.ndarray, pam.Trajectory]) -> None:
     force, truth = run
     for rate in (10.0, 80.0):
-        found = example.observed(example.sampled(truth, rate, seed=11), force, 5.0)
-        error = found.errors(since=0.5)["F"]
+        observation = example.observed(example.sampled(truth, rate, seed=11), force, 5.0)
+        error = observation.errors(since=0.5)["F"]
         assert error.rms < 1.8 and 0.4 < error.nees < 1.6 and error.inside >= 0.9
-        assert found.nis < found.nis_range[1]
+        assert observation.nis < observation.nis_range[1]
     assert error.rms < example.without_filter(example.sampled(truth, rate, seed=11), force) / 3
 
 
 def test_who_is_too_sure_is_told(example: ModuleType, run: tuple[np.ndarray, pam.Trajectory]) -> None:
     force, truth = run
-    found = example.observed(example.sampled(truth, 20.0, seed=11), force, 0.5)
-    assert not found.is_consistent and "too sure of itself" in str(found) and found.errors()["F"].nees > 3
+    observation = example.observed(example.sampled(truth, 20.0, seed=11), force, 0.5)
+    assert (
+        not observation.is_consistent
+        and "too sure of itself" in str(observation)
+        and observation.errors()["F"].nees > 3
+    )
 
 
 def test_missing_samples_and_a_file(
@@ -115,16 +119,16 @@ def test_missing_samples_and_a_file(
     path = tmp_path / "r.csv"
     path.write_text("\n".join(rows).replace("np.float64(", "").replace(")", "") + "\n")
     words = {"noise": {"p": "0.5 kPa", "x": "0.2 mm"}, "unknown": {"F_ext": ("5 N", "5 N")}, "outputs": ["F"]}
-    found = pam.observe(MODEL, path, interpolation="previous", **words)
-    assert found.sizes[:, 1].sum() == 40 and np.isnan(found.innovations["p"]).sum() == 20
+    observation = pam.observe(MODEL, path, interpolation="previous", **words)
+    assert observation.sizes[:, 1].sum() == 40 and np.isnan(observation.innovations["p"]).sum() == 20
     foreign = pam.build(MODEL, tmp_path / "foreign.fmu")
     other = pam.observe(str(foreign), path, interpolation="previous", **words)
-    np.testing.assert_array_equal(other["F"], found["F"])
-    assert pam.load(pam.save(found, tmp_path / "o.npz")).as_dict() == found.as_dict()
-    pam.draw(found.with_truth({"F": found["F"]}), tmp_path / "o.png")
+    np.testing.assert_array_equal(other["F"], observation["F"])
+    assert pam.load(pam.save(observation, tmp_path / "o.npz")).as_dict() == observation.as_dict()
+    pam.draw(observation.with_truth({"F": observation["F"]}), tmp_path / "o.png")
     assert (tmp_path / "o.png").read_bytes().startswith(b"\x89PNG")
-    assert found.to_csv(tmp_path / "o.csv").read_text().startswith("time [s],muscle.gas.p [Pa],")
-    assert "<p>" in found._repr_html_()
+    assert observation.to_csv(tmp_path / "o.csv").read_text().startswith("time [s],muscle.gas.p [Pa],")
+    assert "<p>" in observation._repr_html_()
 
 
 @pytest.mark.parametrize(
@@ -151,8 +155,8 @@ def test_bad_input(words: dict, message: str) -> None:
 
 def test_truth_of_something_else(lag: str) -> None:
     time = np.array([0, 0.1])
-    found = pam.observe(lag, pam.Trajectory(time, {"y": time}, {"y": "m"}), noise={"y": 1})
+    observation = pam.observe(lag, pam.Trajectory(time, {"y": time}, {"y": "m"}), noise={"y": 1})
     with pytest.raises(pam.InputError, match="'z' was not estimated"):
-        found.with_truth({"z": time})
+        observation.with_truth({"z": time})
     with pytest.raises(pam.InputError, match="'y' has 3 values for 2 times"):
-        found.with_truth({"y": np.zeros(3)})
+        observation.with_truth({"y": np.zeros(3)})

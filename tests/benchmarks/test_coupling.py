@@ -15,9 +15,9 @@ def test_order_and_error_at_cost_of_a_known_series() -> None:
 
 
 def test_chosen_steps_beat_fixed_ones_where_the_muscle_rests() -> None:
-    found = coupling.costs(True, fixed=(1e-2, 2.5e-3), tolerances=(1e-4,))
-    (chosen,) = found[coupling.CHOSEN]
-    fixed = found[coupling.FIXED_STEPS]
+    costs = coupling.costs(True, fixed=(1e-2, 2.5e-3), tolerances=(1e-4,))
+    (chosen,) = costs[coupling.CHOSEN]
+    fixed = costs[coupling.FIXED_STEPS]
     assert chosen["cost"] < fixed[0]["cost"] and chosen["error"] < fixed[0]["error"] / 10
     assert chosen["cost"] < fixed[1]["cost"] / 4 and chosen["error"] < 1.5 * fixed[1]["error"]
 

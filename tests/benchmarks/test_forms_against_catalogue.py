@@ -48,6 +48,6 @@ def test_same_physics_same_curve(name: str) -> None:
         replace(TRUTH, load=RUN.load), RUN.p_supply, RUN.schedule, TIMES, [hidden], method="LSODA"
     )
     with Simulator(built(BENCH, name)) as simulator:
-        found = simulator.run(TIMES, parameters=parameters, inputs=_drive(), tolerance=1e-7).values
+        simulated = simulator.run(TIMES, parameters=parameters, inputs=_drive(), tolerance=1e-7).values
     for signal, course, unit in (("p", expected.p, "Pa"), ("x", expected.x, "m"), ("T", expected.temperature, "K")):
-        assert np.abs(found[signal] - course).max() < 0.3 * NOISE[unit], signal
+        assert np.abs(simulated[signal] - course).max() < 0.3 * NOISE[unit], signal

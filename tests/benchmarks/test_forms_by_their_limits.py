@@ -27,9 +27,9 @@ def _now(x: float = 0.0, v: float = 0.0, p_gauge: float = 0.0, heat: float = 0.0
 
 @pytest.mark.parametrize("x", [0.005, 0.03, 0.07])
 def test_long_chains_of_gent_are_neo_hookean(x):
-    found = seen.elasticity.GentTube(mu=2e5, limit=1e6).force((), x, 0.0, 0.0)
-    assert found == pytest.approx(MooneyRivlin(c10=1e5, c01=0.0).force((), x, 0.0, 0.0), rel=1e-5)
-    assert seen.elasticity.GentTube(mu=2e5, limit=3.0).force((), x, 0.0, 0.0) > found
+    force = seen.elasticity.GentTube(mu=2e5, limit=1e6).force((), x, 0.0, 0.0)
+    assert force == pytest.approx(MooneyRivlin(c10=1e5, c01=0.0).force((), x, 0.0, 0.0), rel=1e-5)
+    assert seen.elasticity.GentTube(mu=2e5, limit=3.0).force((), x, 0.0, 0.0) > force
 
 
 def test_bouc_wen_of_first_order_is_dahl():

@@ -65,8 +65,10 @@ def test_heat_of_friction_is_as_large_as_the_catalogues(ruler):
     sigma = draw_sensors(np.random.default_rng(4)).sigma
 
     def full(catalogue: bool) -> list[float]:
-        found = table.forms("score", catalogue)["friction_heat"]
-        return [ruler.size(form.make(np.random.default_rng(5), ruler.bench.muscle)(1.0), sigma) for form in found]
+        forms_of_heat = table.forms("score", catalogue)["friction_heat"]
+        return [
+            ruler.size(form.make(np.random.default_rng(5), ruler.bench.muscle)(1.0), sigma) for form in forms_of_heat
+        ]
 
     assert min(full(False)) > max(full(True))
 

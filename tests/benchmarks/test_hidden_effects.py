@@ -112,8 +112,8 @@ def test_nothing_hidden_leaves_the_noise_alone():
     sensors = replace(made.sensors, outliers=0.0)
     if made.sensors == sensors and sensors.colour != "drift":
         for name in SIGNALS:
-            found = made.description["noise"]["fit"][name]["mean_square"] ** 0.5
-            assert found == pytest.approx(sensors.sigma[name], rel=0.15)
+            noise = made.description["noise"]["fit"][name]["mean_square"] ** 0.5
+            assert noise == pytest.approx(sensors.sigma[name], rel=0.15)
 
 
 def test_the_data_do_not_say_what_is_hidden(tmp_path):
@@ -144,14 +144,14 @@ def ruler():
 )  # fmt: skip
 def test_sizes_grow_with_strength_and_shrink_by_projection(ruler, at):
     sigma = {"p": 500.0, "x": 2e-4, "T": 0.3}
-    found = [ruler.sizes(ruler.simulated([at(s)]), sigma) for s in (0.25, 1.0, 4.0)]
+    sizes = [ruler.sizes(ruler.simulated([at(s)]), sigma) for s in (0.25, 1.0, 4.0)]
     for signal in SIGNALS:
-        plain = [one[0][signal] for one in found]
+        plain = [one[0][signal] for one in sizes]
         assert plain == sorted(plain) or max(plain) < 1e-3  # a thermometer's lag does nothing to p and x
-    largest = [max(one[1].values()) for one in found]
+    largest = [max(one[1].values()) for one in sizes]
     assert largest == sorted(largest)
     assert largest[0] > 0
-    for plain, projected in found:
+    for plain, projected in sizes:
         # a fit to the runs of role fit can make others worse, but not by much here
         assert sum(v**2 for v in projected.values()) < 1.3 * sum(v**2 for v in plain.values())
 
@@ -178,8 +178,8 @@ def test_every_form_changes_what_is_measured_and_vanishes_with_its_strength(form
     at = form.make(np.random.default_rng(3), muscle)
 
     def change(strength: float) -> float:
-        found = bench.simulate([at(strength)])[0]
-        return max(float(np.abs(found[n] - base[n]).max()) / s for n, s in (("p", 500.0), ("x", 2e-4), ("T", 0.3)))
+        changed = bench.simulate([at(strength)])[0]
+        return max(float(np.abs(changed[n] - base[n]).max()) / s for n, s in (("p", 500.0), ("x", 2e-4), ("T", 0.3)))
 
     ordinary = change(min(1.0, form.high))
     assert ordinary > 0.05
@@ -209,21 +209,21 @@ def test_lines_between_samples_are_integrated_as_fine_steps_are():
 # --- judging ------------------------------------------------------------------------------------------------
 
 
-def _result(group: str, families: list[str], kind: str, found: list[str]) -> dict:
+def _result(group: str, families: list[str], kind: str, named: list[str]) -> dict:
     hidden = [{"family": f, "form": "x", "size": 5.0} for f in families]
     size = {"projected": {"p": 5.0 if families else 0.0, "x": 0.0, "T": 0.0}}
     return {
         "set": "score", "number": 0, "seconds": 1.0,
         "case": {"group": group, "families": families, "hidden": hidden, "size": size},
         "diagnosis": {
-            "verdict": {"kind": kind, "families": found, "effects": found},
+            "verdict": {"kind": kind, "families": named, "effects": named},
             "chi2": {"holdout": {"base": 9.0, "final": 1.05, "noise": 1.0}},
         },
     }  # fmt: skip
 
 
 @pytest.mark.parametrize(
-    ("group", "true", "kind", "found", "outcome"),
+    ("group", "true", "kind", "named", "outcome"),
     [
         ("catalogue", ["leak"], "identified", ["leak"], "right"),
         ("catalogue", ["leak"], "identified", ["leak", "creep"], "wrong"),
@@ -243,8 +243,8 @@ def _result(group: str, families: list[str], kind: str, found: list[str]) -> dic
         ("none_of_these", [], "none_missing", [], "missed"),
     ],
 )
-def test_judging(group, true, kind, found, outcome):
-    assert judged(_result(group, true, kind, found)) == outcome
+def test_judging(group, true, kind, named, outcome):
+    assert judged(_result(group, true, kind, named)) == outcome
 
 
 def test_a_crash_is_an_error_and_has_no_chi_square():

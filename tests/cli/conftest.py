@@ -85,10 +85,10 @@ def process() -> Callable[..., Outcome]:
 
     def call(*words: object) -> Outcome:
         environment = {**os.environ, "PYTHONPATH": str(ROOT)}
-        found = subprocess.run(
+        completed = subprocess.run(
             [sys.executable, "-m", "pam_cosim", *map(str, words)], capture_output=True, text=True, env=environment
         )
-        return Outcome(found.returncode, found.stdout, found.stderr)
+        return Outcome(completed.returncode, completed.stdout, completed.stderr)
 
     return call
 

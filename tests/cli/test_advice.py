@@ -23,7 +23,7 @@ FULL = replace(PLAN, table=TABLE, units={"u_in": "A", "u_out": "A", "p_supply": 
 
 
 @pytest.fixture
-def found(monkeypatch: pytest.MonkeyPatch) -> Callable[[Diagnosis], None]:
+def study_gives(monkeypatch: pytest.MonkeyPatch) -> Callable[[Diagnosis], None]:
     """Makes the study find this."""
 
     def arrange(diagnosis: Diagnosis) -> None:
@@ -33,9 +33,9 @@ def found(monkeypatch: pytest.MonkeyPatch) -> Callable[[Diagnosis], None]:
 
 
 def test_next_experiment_is_a_file_that_reads_as_inputs(
-    command: Command, place: Path, data: Path, found: Callable[[Diagnosis], None]
+    command: Command, place: Path, data: Path, study_gives: Callable[[Diagnosis], None]
 ) -> None:
-    found(make_diagnosis("ambiguous", next_experiment=FULL))
+    study_gives(make_diagnosis("ambiguous", next_experiment=FULL))
     outcome = command("diagnose", "data", "--next", "next.csv")
     assert outcome.status == 0, outcome.err
     assert "Next experiment: run run-2, load.m times 1.5; with load.m = 3.000 kg" in outcome.out
@@ -52,10 +52,10 @@ def test_next_experiment_is_a_file_that_reads_as_inputs(
 
 
 def test_the_learned_term_is_a_modelica_file(
-    command: Command, place: Path, data: Path, found: Callable[[Diagnosis], None]
+    command: Command, place: Path, data: Path, study_gives: Callable[[Diagnosis], None]
 ) -> None:
     measured = make_data()
-    found(make_diagnosis("unknown", measured, learned=make_learned(measured)))
+    study_gives(make_diagnosis("unknown", measured, learned=make_learned(measured)))
     outcome = command("diagnose", "data", "--learned", "LearnedForce.mo")
     assert outcome.status == 0, outcome.err
     assert (place / "LearnedForce.mo").read_text() == "model LearnedForce\nend LearnedForce;\n"

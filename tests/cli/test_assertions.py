@@ -21,17 +21,17 @@ end Rising;
 
 def test_the_command_ends_with_the_message(place: Path, process: Callable[..., Outcome]) -> None:
     (place / "Rising.mo").write_text(MODEL)
-    found = process("simulate", "Rising.mo", "--stop-time", "20", "-o", "out.csv")
-    assert found.status == 1
-    assert "at time 2 s: x must stay below two" in found.err and "Traceback" not in found.err
+    outcome = process("simulate", "Rising.mo", "--stop-time", "20", "-o", "out.csv")
+    assert outcome.status == 1
+    assert "at time 2 s: x must stay below two" in outcome.err and "Traceback" not in outcome.err
     assert not (place / "out.csv").exists()
 
 
 def test_a_warning_is_told_once_and_the_run_goes_on(place: Path, process: Callable[..., Outcome]) -> None:
     (place / "Rising.mo").write_text(MODEL)
-    found = process("simulate", "Rising.mo", "--stop-time", "1.9", "-o", "out.csv")
-    assert found.status == 0 and (place / "out.csv").exists()
-    assert found.err.count("at time 1 s: x has passed one") == 1
+    outcome = process("simulate", "Rising.mo", "--stop-time", "1.9", "-o", "out.csv")
+    assert outcome.status == 0 and (place / "out.csv").exists()
+    assert outcome.err.count("at time 1 s: x has passed one") == 1
 
 
 def test_a_condition_on_a_condition(place: Path, process: Callable[..., Outcome]) -> None:
@@ -39,6 +39,6 @@ def test_a_condition_on_a_condition(place: Path, process: Callable[..., Outcome]
     branch = 'if x > 1 then\n    assert(k > 5, "too slow beyond one");\n  end if;'
     text = MODEL.replace('assert(x < 2, "x must stay below two");', branch).replace("der(x) = 1;", "der(x) = k;")
     (place / "Rising.mo").write_text(text.replace("  Real x(", "  parameter Real k = 1;\n  Real x(", 1))
-    found = process("simulate", "Rising.mo", "--stop-time", "3")
-    assert found.status == 1 and "at time 1 s: too slow beyond one" in found.err
+    outcome = process("simulate", "Rising.mo", "--stop-time", "3")
+    assert outcome.status == 1 and "at time 1 s: too slow beyond one" in outcome.err
     assert process("simulate", "Rising.mo", "--stop-time", "3", "--set", "k=6").status == 0

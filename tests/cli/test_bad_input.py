@@ -60,14 +60,14 @@ def damage(data: Path, name: str) -> list[str]:
     return words
 
 
-def refused(found: Outcome, words: list[str]) -> None:
-    assert found.status == 2
-    assert found.err.startswith("pam-cosim: ") and found.err.endswith("\n")
-    assert found.err.count("\n") == 1, found.err
-    assert found.out == ""
-    assert "Traceback" not in found.err
+def refused(outcome: Outcome, words: list[str]) -> None:
+    assert outcome.status == 2
+    assert outcome.err.startswith("pam-cosim: ") and outcome.err.endswith("\n")
+    assert outcome.err.count("\n") == 1, outcome.err
+    assert outcome.out == ""
+    assert "Traceback" not in outcome.err
     for word in words:
-        assert word in found.err, found.err
+        assert word in outcome.err, outcome.err
 
 
 @pytest.mark.parametrize("name", FAULTS)
@@ -164,8 +164,8 @@ def test_bad_words(command: Command, place: Path, data: Path, words: list[str], 
 
 @pytest.mark.parametrize("words", [["nonsense"], ["compare"], ["simulate", "TankFilling", "--stop-time", "soon"]])
 def test_words_that_are_no_command(command: Command, place: Path, words: list[str]) -> None:
-    found = command(*words)
-    assert found.status == 2 and "Traceback" not in found.err and found.err
+    outcome = command(*words)
+    assert outcome.status == 2 and "Traceback" not in outcome.err and outcome.err
 
 
 def test_fit_with_nothing_free(command: Command, place: Path, data: Path) -> None:

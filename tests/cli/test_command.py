@@ -35,5 +35,8 @@ pam_cosim.command.run()
 def test_interrupt_within_a_destructor_comes_again() -> None:
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
     words = [sys.executable, "-c", SCRIPT]
-    found = subprocess.run(words, env=environment, capture_output=True, text=True, timeout=25)
-    assert (found.returncode, found.stderr) == (128 + signal.SIGINT, "pam-cosim: interrupted; nothing was written\n")
+    completed = subprocess.run(words, env=environment, capture_output=True, text=True, timeout=25)
+    assert (completed.returncode, completed.stderr) == (
+        128 + signal.SIGINT,
+        "pam-cosim: interrupted; nothing was written\n",
+    )

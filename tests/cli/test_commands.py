@@ -22,9 +22,9 @@ from tests.fmu import models
 Command = Callable[..., Outcome]
 
 
-def done(found: Outcome) -> Outcome:
-    assert (found.status, "Traceback" in found.err) == (0, False), found.err
-    return found
+def done(outcome: Outcome) -> Outcome:
+    assert (outcome.status, "Traceback" in outcome.err) == (0, False), outcome.err
+    return outcome
 
 
 def rows(path: Path) -> list[dict[str, str]]:
@@ -33,9 +33,9 @@ def rows(path: Path) -> list[dict[str, str]]:
 
 
 def test_build_names_and_platforms(command: Command, place: Path) -> None:
-    found = done(command("build", "TankFilling", "PneumaticMuscle.Benches.VesselOrifice", "-o", "out"))
+    outcome = done(command("build", "TankFilling", "PneumaticMuscle.Benches.VesselOrifice", "-o", "out"))
     names = ["out/TankFilling.fmu", "out/VesselOrifice.fmu"]
-    assert found.out.split() == names
+    assert outcome.out.split() == names
     for name in names:
         with zipfile.ZipFile(place / name) as archive:
             assert archive.testzip() is None
@@ -45,8 +45,8 @@ def test_build_names_and_platforms(command: Command, place: Path) -> None:
 
 def test_build_with_sensitivities(command: Command, place: Path) -> None:
     done(command("build", "VesselOrifice", "--sensitivity", "tank.n", "--sensitivity", "orifice.C_d", "-o", "."))
-    found = done(command("simulate", "VesselOrifice.fmu"))
-    assert "sensitivity.p.tank.n" in found.out and "sensitivity.T.orifice.C_d" in found.out
+    outcome = done(command("simulate", "VesselOrifice.fmu"))
+    assert "sensitivity.p.tank.n" in outcome.out and "sensitivity.T.orifice.C_d" in outcome.out
     wrong = command("build", "VesselOrifice", "--sensitivity", "tank.m", "-o", "other")
     assert wrong.status == 2 and "tank.m" in wrong.err and not (place / "other").exists()
 
@@ -66,12 +66,12 @@ def test_built_fmu_is_a_model_of_its_own(command: Command, place: Path) -> None:
 
 def test_simulate_default(command: Command, place: Path) -> None:
     """Fills the 2.1 L tank from 207 kPa at 0.35 A over 60 s."""
-    found = done(command("simulate", "TankFilling", "-o", "t.csv", "--plot", "t.png"))
+    outcome = done(command("simulate", "TankFilling", "-o", "t.csv", "--plot", "t.png"))
     run = Trajectory.from_csv(place / "t.csv")
     assert run.time[0] == 0.0 and run.time[-1] == 60.0
     assert run.units == {"p": "Pa", "T": "K"}
     assert run["p"][0] == 0.0 and run["p"][-1] == pytest.approx(207e3, rel=1e-3)
-    assert "p: from 0 kPa to 207 kPa" in found.out
+    assert "p: from 0 kPa to 207 kPa" in outcome.out
     assert (place / "t.png").read_bytes().startswith(b"\x89PNG\r\n")
     assert sorted(p.name for p in place.iterdir()) == ["t.csv", "t.png"]
 
@@ -91,16 +91,16 @@ def test_simulate_with_parameters_and_inputs(command: Command, place: Path) -> N
 
 def test_simulation_that_breaks_down(command: Command, place: Path) -> None:
     model = Path(__file__).parent / "Divider.mo"
-    found = command("simulate", model, "--set", "a=-1", "-o", "x.csv")
-    assert found.status == 1
-    assert found.err.count("\n") == 1 and "a = -1" in found.err and "finite" in found.err
+    outcome = command("simulate", model, "--set", "a=-1", "-o", "x.csv")
+    assert outcome.status == 1
+    assert outcome.err.count("\n") == 1 and "a = -1" in outcome.err and "finite" in outcome.err
     assert list(place.iterdir()) == []
 
 
 def test_sweep_goes_on_after_a_failure(command: Command, place: Path) -> None:
     model = Path(__file__).parent / "Divider.mo"
-    found = done(command("sweep", model, "--vary", "a=-1,1,4", "-o", "s.csv"))
-    assert "2 of 3 runs done" in found.out
+    outcome = done(command("sweep", model, "--vary", "a=-1,1,4", "-o", "s.csv"))
+    assert "2 of 3 runs done" in outcome.out
     table = rows(place / "s.csv")
     assert list(table[0]) == ["a [1]", "time [s]", "y [1]", "failure"]
     failed = [r for r in table if r["failure"]]
@@ -144,8 +144,8 @@ def test_compare_with_another_model(command: Command, place: Path, data: Path, b
 
 
 def test_fit_writes_parameters_that_compare_reads(command: Command, place: Path, data: Path) -> None:
-    found = done(command("fit", "data", "-o", "p.json", "--json", "f.json"))
-    assert "\n  orifice.C_d = 0.8" in found.out and " to 0.8" in found.out
+    outcome = done(command("fit", "data", "-o", "p.json", "--json", "f.json"))
+    assert "\n  orifice.C_d = 0.8" in outcome.out and " to 0.8" in outcome.out
     values = read_parameters(place / "p.json")
     assert values == pytest.approx({"orifice.C_d": TRUE_C_D, "tank.n": TRUE_N}, rel=0.01)
     fit = json.loads((place / "f.json").read_text())
@@ -166,7 +166,7 @@ def test_every_method_finds_the_same(command: Command, place: Path, data: Path, 
 
 def test_diagnose_writes_what_the_contract_says(command: Command, place: Path, data: Path, workers: int | None) -> None:
     words = [] if workers is None else ["--workers", workers]
-    found = done(command("diagnose", "data", "--json", "d.json", "--report", "d.html", *words))
+    outcome = done(command("diagnose", "data", "--json", "d.json", "--report", "d.html", *words))
     content = json.loads((place / "d.json").read_text())
     assert {"base", "where", "balance", "candidates", "verdict", "next_experiment"} <= set(content)
     assert {"chi2_reduced", "signals"} <= set(content["base"])
@@ -179,20 +179,20 @@ def test_diagnose_writes_what_the_contract_says(command: Command, place: Path, d
     assert order == sorted(order)
     assert content["verdict"]["kind"] == "none_missing"
     assert {"kind", "families", "effects"} <= set(content["verdict"])
-    assert found.out.startswith("Verdict: none_missing")
+    assert outcome.out.startswith("Verdict: none_missing")
     assert (place / "d.html").stat().st_size > 5000
 
 
 def test_effects_lists_the_catalogue(command: Command) -> None:
-    found = done(command("effects"))
+    outcome = done(command("effects"))
     for effect in study.effects():
-        assert effect.name in found.out and effect.family in found.out
+        assert effect.name in outcome.out and effect.family in outcome.out
 
 
 def test_add_writes_a_model_that_simulates(command: Command, place: Path) -> None:
-    found = done(command("add", "EnergyGas", "OrificeLeak", "--to", "TankFilling", "-o", "Leaky.mo"))
+    outcome = done(command("add", "EnergyGas", "OrificeLeak", "--to", "TankFilling", "-o", "Leaky.mo"))
     text = (place / "Leaky.mo").read_text()
-    assert found.out == text
+    assert outcome.out == text
     assert text.startswith("model Leaky") and "extends" in text and "EnergyGas" in text and "OrificeLeak" in text
     done(command("simulate", "Leaky.mo", "-o", "leaky.csv"))
     done(command("simulate", "TankFilling", "-o", "plain.csv"))
@@ -204,8 +204,8 @@ def test_add_writes_a_model_that_simulates(command: Command, place: Path) -> Non
 
 
 def test_own_process_and_module(process: Callable[..., Outcome], place: Path) -> None:
-    found = process("simulate", "VesselOrifice", "-o", place / "t.csv")
-    assert found.status == 0, found.err
+    outcome = process("simulate", "VesselOrifice", "-o", place / "t.csv")
+    assert outcome.status == 0, outcome.err
     assert (place / "t.csv").exists()
 
 
@@ -213,8 +213,8 @@ def test_effects_tell_descriptions_as_they_are(command: Command, place: Path) ->
     text = "[/nope] [red]x[/red] <b> {0} %s"
     base = "PneumaticMuscle.Effects.Leak.LaminarLeak"
     (place / "Own.mo").write_text(f'model Own "{text}"\n  extends {base};\nend Own;\n')
-    found = done(command("effects", "--file", "Own.mo"))
-    assert text in " ".join(found.out.replace("│", " ").split())
+    outcome = done(command("effects", "--file", "Own.mo"))
+    assert text in " ".join(outcome.out.replace("│", " ").split())
 
 
 def test_describe_lists_what_can_be_set_and_kept(command: Command) -> None:

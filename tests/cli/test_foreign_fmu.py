@@ -23,17 +23,17 @@ needs_proc = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="re
 
 def test_run_that_hangs_is_reported(process: Command, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("HANG", "fmi2DoStep")
-    found = process("simulate", hanging(place), "--timeout", "1", "-o", "run.csv")
-    assert (found.status, found.out) == (1, "")
-    assert "pam-cosim: the simulation failed: Hanging.fmu was ended: no progress for 1 s, fmi2DoStep" in found.err
-    assert "Traceback" not in found.err and not (place / "run.csv").exists()
+    outcome = process("simulate", hanging(place), "--timeout", "1", "-o", "run.csv")
+    assert (outcome.status, outcome.out) == (1, "")
+    assert "pam-cosim: the simulation failed: Hanging.fmu was ended: no progress for 1 s, fmi2DoStep" in outcome.err
+    assert "Traceback" not in outcome.err and not (place / "run.csv").exists()
 
 
 def test_sweep_goes_on(process: Command, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("HANG_ABOVE", "1")
-    found = process("sweep", hanging(place), "--vary", "tau=0.5,2,0.7", "--timeout", "1", "-o", "sweep.csv")
-    assert found.status == 0 and "2 of 3 runs done" in found.out
-    assert "no progress for 1 s, fmi2SetReal" in found.err.replace("\n", " ")
+    outcome = process("sweep", hanging(place), "--vary", "tau=0.5,2,0.7", "--timeout", "1", "-o", "sweep.csv")
+    assert outcome.status == 0 and "2 of 3 runs done" in outcome.out
+    assert "no progress for 1 s, fmi2SetReal" in outcome.err.replace("\n", " ")
     rows = (place / "sweep.csv").read_text().splitlines()[1:]
     counts = Counter(float(row.split(",")[0]) for row in rows)
     assert counts[0.5] == counts[0.7] == 101 and counts[2.0] <= 1  # a line without values for the one that failed
@@ -86,5 +86,5 @@ def test_an_fmu_that_reads_finds_nothing(process: Command, place: Path) -> None:
     """What it would read is not meant for it."""
     step = "c->core.phase = INSTANTIATED;"
     reading = patched(place, "pam_lifecycle.c", step, step + " char b[8]; while (fread(b, 1, 8, stdin)) {}")
-    found = process("simulate", reading, "--timeout", "20")
-    assert (found.status, found.err) == (0, "")
+    outcome = process("simulate", reading, "--timeout", "20")
+    assert (outcome.status, outcome.err) == (0, "")

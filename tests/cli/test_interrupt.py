@@ -57,14 +57,14 @@ class Running:
 
     def family(self) -> list[str]:
         """The commands of all processes that have inherited its environment."""
-        found = []
+        commands = []
         for folder in Path("/proc").glob("[0-9]*"):
             try:
                 if self.mark.encode() in (folder / "environ").read_bytes().split(b"\0"):
-                    found.append((folder / "cmdline").read_bytes().replace(b"\0", b" ").decode())
+                    commands.append((folder / "cmdline").read_bytes().replace(b"\0", b" ").decode())
             except OSError:
                 continue
-        return [command for command in found if command]  # a zombie has none
+        return [command for command in commands if command]  # a zombie has none
 
     def wait_for(self, event: Callable[[Running], bool]) -> None:
         end = time.monotonic() + 120

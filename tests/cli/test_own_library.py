@@ -23,8 +23,8 @@ PAGE = (ROOT / "docs" / "your-own-library.md").read_text(encoding="utf-8")
 def diagnosed(command: Callable[..., Outcome], hidden: str, *words: str) -> dict:  # type: ignore[type-arg]
     RIG["write"](Path("motor"), hidden)
     done(command("diagnose", "motor", "--file", str(LIBRARY), "--json", "verdict.json", *words))
-    found: dict = json.loads(Path("verdict.json").read_text())  # type: ignore[type-arg]
-    return found
+    diagnosis: dict = json.loads(Path("verdict.json").read_text())  # type: ignore[type-arg]
+    return diagnosis
 
 
 def holdout(summary: dict) -> float:  # type: ignore[type-arg]
@@ -48,8 +48,8 @@ def test_the_page_as_it_stands(command: Callable[..., Outcome], place: Path) -> 
     assert len(errors) == 2 and all(line in diagnose for line in errors), diagnose
     assert "share of the error in the torque balance 100" in diagnose
     assert "extends DCMotor.Benches.FreeRun" in add
-    found = {n: float(v) for n, v in re.findall(r"^  (\S+) = (\S+) \(", diagnose, re.MULTILINE)}
-    assert found["coulombFriction.tau_C"] == pytest.approx(0.012, rel=0.01)
+    estimates = {n: float(v) for n, v in re.findall(r"^  (\S+) = (\S+) \(", diagnose, re.MULTILINE)}
+    assert estimates["coulombFriction.tau_C"] == pytest.approx(0.012, rel=0.01)
     assert "better.fmu" in build and (place / "better.fmu").is_file()
     report = (place / "motor.html").read_text(encoding="utf-8")
     assert "within the range of voltages, loads and speeds that was tested" in report
@@ -62,11 +62,11 @@ def test_the_page_as_it_stands(command: Callable[..., Outcome], place: Path) -> 
      pytest.param("air_drag", "torque", marks=pytest.mark.full)],
 )  # fmt: skip
 def test_hidden_effect_is_named(command: Callable[..., Outcome], place: Path, hidden: str, balance: str) -> None:
-    found = diagnosed(command, hidden)
-    assert (found["verdict"]["kind"], found["verdict"]["families"]) == ("identified", [hidden])
-    best = next(c for c in found["candidates"] if c["effects"] == found["verdict"]["effects"])
+    diagnosis = diagnosed(command, hidden)
+    assert (diagnosis["verdict"]["kind"], diagnosis["verdict"]["families"]) == ("identified", [hidden])
+    best = next(c for c in diagnosis["candidates"] if c["effects"] == diagnosis["verdict"]["effects"])
     assert best["balance"] == balance
-    assert holdout(best) < 0.1 * holdout(found["base"]) and holdout(best) < 1.3
+    assert holdout(best) < 0.1 * holdout(diagnosis["base"]) and holdout(best) < 1.3
 
 
 def test_nothing_is_found_where_nothing_is_hidden(command: Callable[..., Outcome], place: Path) -> None:

@@ -31,9 +31,9 @@ def test_a_diagnosis_keeps_its_ledger(data: Path, place: Path, process: Callable
     assertion is one that could not be fitted; the others are judged."""
     (data / "experiment.toml").write_text(WRONG)
     (place / "My.mo").write_text(MODEL)
-    found = process("diagnose", "data", "--model", "My.mo", "--file", "./My.mo", "--workers", "1")
-    assert found.status == 0, found.err
-    said = found.out + found.err
+    outcome = process("diagnose", "data", "--model", "My.mo", "--file", "./My.mo", "--workers", "1")
+    assert outcome.status == 0, outcome.err
+    said = outcome.out + outcome.err
     assert "Ledger of the base model" in said and "no ledger" not in said
     assert "could not be fitted: no start value within the bounds can be simulated" in said
     assert "the gas is warmer than it can be, T = 2" in said

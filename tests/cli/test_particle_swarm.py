@@ -13,10 +13,12 @@ from tests.cli.conftest import Outcome
 
 @pytest.mark.full
 def test_swarm_is_reported_by_itself(process: Callable[..., Outcome], data: Path, place: Path) -> None:
-    found = process("fit", data, "--method", "particle-swarm", "--json", place / "fit.json", "-o", place / "best.json")
-    assert found.status == 0, found.err
+    outcome = process(
+        "fit", data, "--method", "particle-swarm", "--json", place / "fit.json", "-o", place / "best.json"
+    )
+    assert outcome.status == 0, outcome.err
     for part in ("swarm of 50 particles", "by generation", "its own best particle", "the descent from there comes to"):
-        assert part in found.out
+        assert part in outcome.out
     written = json.loads((place / "fit.json").read_text())
     own = written["search"]
     assert len(own["chi2_by_generation"]) == 11 and own["generations"] == 10 and own["particles"] == 50
@@ -49,8 +51,8 @@ def test_product_that_alone_is_determined_is_said(process: Callable[..., Outcome
     rows = [[line.split(",")[i] for i in at] for line in lines[1:]]
     table = [f"{t},200,{1e3 * float(x)}" for t, x in rows]
     (folder / "one.csv").write_text("\n".join(["time [s],p [kPa],x [mm]", *table, ""]))
-    found = process("fit", folder, "--json", place / "fit.json")
-    assert found.status == 0, found.err
-    assert "only the product is determined: muscle.friction.a * muscle.friction.b_f" in found.out
+    outcome = process("fit", folder, "--json", place / "fit.json")
+    assert outcome.status == 0, outcome.err
+    assert "only the product is determined: muscle.friction.a * muscle.friction.b_f" in outcome.out
     (pair,) = json.loads((place / "fit.json").read_text())["combinations"]
     assert pair["kind"] == "product" and pair["unit"] == "s2" and abs(pair["value"] - 0.15) < 0.02

@@ -121,8 +121,10 @@ def test_a_redirected_stream_keeps_what_was_said(place: Path) -> None:
     """``-o /dev/stdout > out.txt`` would replace out.txt under the command's own feet."""
     with open(place / "out.txt", "w") as out:
         command = [sys.executable, "-m", "pam_cosim", "simulate", "VesselOrifice", "-o", "/dev/stdout"]
-        found = subprocess.run(command, stdout=out, stderr=subprocess.PIPE, env={**os.environ, "PYTHONPATH": str(ROOT)})
-    assert found.returncode == 2 and b"/dev/stdout: is a stream" in found.stderr
+        completed = subprocess.run(
+            command, stdout=out, stderr=subprocess.PIPE, env={**os.environ, "PYTHONPATH": str(ROOT)}
+        )
+    assert completed.returncode == 2 and b"/dev/stdout: is a stream" in completed.stderr
     assert (place / "out.txt").read_text() == ""
 
 
@@ -134,12 +136,12 @@ def test_two_results_for_one_file(command: Command, place: Path, data: Path) -> 
 
 @pytest.mark.parametrize("name", ["x" * 300, "x" * 250 + ".fmu"])
 def test_long_names(command: Command, place: Path, name: str) -> None:
-    found = command("build", "VesselOrifice", "-o", name + ".fmu" if len(name) > 255 else name)
+    outcome = command("build", "VesselOrifice", "-o", name + ".fmu" if len(name) > 255 else name)
     if len(name) > 255:
-        refused(found, ["too long"])
+        refused(outcome, ["too long"])
     else:
-        done(found)
-    assert [p.name for p in place.iterdir()] == ([name] if found.status == 0 else [])
+        done(outcome)
+    assert [p.name for p in place.iterdir()] == ([name] if outcome.status == 0 else [])
 
 
 def test_a_folder_that_is_a_file(command: Command, place: Path) -> None:
@@ -194,6 +196,6 @@ def test_no_result_replaces_what_the_command_reads(case: str, command: Command, 
 
 def test_a_model_made_from_own_files_says_what_it_needs(command: Command, place: Path) -> None:
     (place / "My own.mo").write_text("model Own\n  extends PneumaticMuscle.Benches.TankFilling;\nend Own;\n")
-    found = done(command("add", "LaminarLeak", "--to", "My own.mo", "-o", "Leaking.mo"))
-    assert "--file 'My own.mo'" in found.err
+    outcome = done(command("add", "LaminarLeak", "--to", "My own.mo", "-o", "Leaking.mo"))
+    assert "--file 'My own.mo'" in outcome.err
     done(command("simulate", "Leaking.mo", "--file", "My own.mo", "--stop-time", "1"))

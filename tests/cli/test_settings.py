@@ -29,8 +29,8 @@ def over_time(values: dict[str, float]) -> pam.Inputs:
 
 def test_the_sweep_that_a_newcomer_tries(command: Command, place: Path) -> None:
     words = ["--vary", "u_in=0.2:0.35:4", "--vary", "p_supply=138e3,207e3"]
-    found = done(command("sweep", BENCH, *words, "--stop-time", "5", "-o", "s.csv"))
-    assert "8 of 8 runs done" in found.out
+    outcome = done(command("sweep", BENCH, *words, "--stop-time", "5", "-o", "s.csv"))
+    assert "8 of 8 runs done" in outcome.out
     lines = rows(place / "s.csv")
     assert list(lines[0]) == ["u_in [A]", "p_supply [Pa]", "time [s]", "p [Pa]", "T [K]", "failure"]
     points = dict.fromkeys((float(r["u_in [A]"]), float(r["p_supply [Pa]"])) for r in lines)
@@ -43,8 +43,8 @@ def test_the_sweep_that_a_newcomer_tries(command: Command, place: Path) -> None:
 
 
 def test_set_with_a_unit(command: Command, place: Path) -> None:
-    found = done(command("simulate", BENCH, "--set", "p_supply=138 kPa", "--set", "tank.V=0.35 l", "-o", "t.csv"))
-    assert "p: from 0 kPa to 138 kPa" in found.out
+    outcome = done(command("simulate", BENCH, "--set", "p_supply=138 kPa", "--set", "tank.V=0.35 l", "-o", "t.csv"))
+    assert "p: from 0 kPa to 138 kPa" in outcome.out
     done(command("simulate", BENCH, "--set", "p_supply=138e3", "--set", "tank.V=0.35e-3", "-o", "s.csv"))
     text, number = (pam.Trajectory.from_csv(place / name)["p"] for name in ("t.csv", "s.csv"))
     assert text == pytest.approx(number, rel=1e-9)
@@ -164,9 +164,9 @@ def filling(folder: Path, columns: dict[str, float], u_in: str = "0.3 A") -> Pat
 
 def test_a_data_set_states_inputs_that_were_held(command: Command, place: Path) -> None:
     filling(place / "data", {})
-    found = done(command("compare", "data", "--json", "c.json"))
+    outcome = done(command("compare", "data", "--json", "c.json"))
     content = json.loads((place / "c.json").read_text())
-    assert content["signals"]["p"]["rmse"] == pytest.approx(500.0, rel=0.02), found.out  # the alternating error
+    assert content["signals"]["p"]["rmse"] == pytest.approx(500.0, rel=0.02), outcome.out  # the alternating error
     recorded = filling(place / "recorded", {"u_in": 0.3, "p_supply": 138.0})
     toml = recorded / "experiment.toml"
     kept = (line for line in toml.read_text().splitlines() if not line.startswith(("p_supply", "u_in")))
@@ -203,8 +203,8 @@ def test_an_input_cannot_be_fitted(command: Command, place: Path) -> None:
 
 
 def test_a_name_that_ends_in_fmu_is_a_file(command: Command, place: Path) -> None:
-    found = done(command("build", "VesselOrifice", "-o", "sub/Mine.fmu"))
-    assert found.out.split() == ["sub/Mine.fmu"]
+    outcome = done(command("build", "VesselOrifice", "-o", "sub/Mine.fmu"))
+    assert outcome.out.split() == ["sub/Mine.fmu"]
     assert [p.name for p in (place / "sub").iterdir()] == ["Mine.fmu"] and zipfile.is_zipfile(place / "sub/Mine.fmu")
     done(command("build", "VesselOrifice", "-o", "sub"))
     assert sorted(p.name for p in (place / "sub").iterdir()) == ["Mine.fmu", "VesselOrifice.fmu"]

@@ -62,12 +62,12 @@ def test_works_from_elsewhere(wheel: Path, tmp_path: Path) -> None:
             "import sys, pam_cosim; from pam_cosim.command import run; "
             "print(pam_cosim.__file__, file=sys.stderr); run()"
         )
-        found = subprocess.run(
+        completed = subprocess.run(
             [sys.executable, "-c", start, *words], cwd=work, env=environment, capture_output=True, text=True
         )
-        assert found.returncode == 0, found.stderr
-        assert str(tmp_path / "site") in found.stderr
-        return found.stdout
+        assert completed.returncode == 0, completed.stderr
+        assert str(tmp_path / "site") in completed.stderr
+        return completed.stdout
 
     assert "EnergyGas" in run("effects")
     assert "p: from 0 kPa to 207 kPa" in run("simulate", "TankFilling", "-o", "t.csv")

@@ -42,13 +42,13 @@ def at(
     state = initial(ode, p) | dict(x or {})
     arguments = [ode.t, ode.x, ode.u, ode.d, ode.p]
     function = ca.Function("at", arguments, [ode.derivatives, ode.outputs, ode.locals])
-    found = function(t, list(state.values()), list(u), list(d), defaults(ode, p))
+    columns = function(t, list(state.values()), list(u), list(d), defaults(ode, p))
     names = [
         [f"der({variable.name})" for variable in ode.states],
         list(ode.interface.outputs),
         list(ode.interface.locals),
     ]
-    pairs = [zip(n, v.full().ravel(), strict=True) for n, v in zip(names, found, strict=True)]
+    pairs = [zip(n, v.full().ravel(), strict=True) for n, v in zip(names, columns, strict=True)]
     return {name: float(value) for pair in pairs for name, value in pair} | state
 
 

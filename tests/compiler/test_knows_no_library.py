@@ -14,9 +14,9 @@ LIBRARY = [folder for folder in modelica_root().iterdir() if (folder / "package.
 
 
 def modules(room: str) -> list[Path]:
-    found = sorted((PACKAGE / room).rglob("*.py"))
-    assert found
-    return found
+    files = sorted((PACKAGE / room).rglob("*.py"))
+    assert files
+    return files
 
 
 def imported(file: Path) -> set[str]:

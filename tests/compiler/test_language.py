@@ -11,23 +11,23 @@ def test_arrays_and_for_equations():
     assert [state.name for state in ode.states] == ["x[1]", "x[2]", "x[3]", "x[4]", "y[1]", "y[2]"]
     assert initial(ode, {"start": 5})["x[3]"] == 5
     x = {"x[1]": 1.0, "x[2]": 2.0, "x[3]": 4.0, "x[4]": 7.0, "y[1]": 1.0, "y[2]": 2.0}
-    found = at(ode, x, p={"tau[3]": 3})
-    assert [found[f"der(x[{i}])"] for i in range(1, 5)] == pytest.approx([-2, -1, -2 / 3, -1.5])
-    assert [found["der(y[1])"], found["der(y[2])"]] == pytest.approx([1, 1])
-    assert found["total"] == 14 and found["largest"] == 7
-    assert found["weighted"] == pytest.approx(0.5 + 2 + 12 + 14)
+    values = at(ode, x, p={"tau[3]": 3})
+    assert [values[f"der(x[{i}])"] for i in range(1, 5)] == pytest.approx([-2, -1, -2 / 3, -1.5])
+    assert [values["der(y[1])"], values["der(y[2])"]] == pytest.approx([1, 1])
+    assert values["total"] == 14 and values["largest"] == 7
+    assert values["weighted"] == pytest.approx(0.5 + 2 + 12 + 14)
 
 
 def test_outer_components_find_the_inner_one():
-    found = at(compiled("Language.InnerOuter"), p={"world.g": 3})
-    assert [found["der(balls[1].v)"], found["der(balls[2].v)"]] == [-3, -3]
+    values = at(compiled("Language.InnerOuter"), p={"world.g": 3})
+    assert [values["der(balls[1].v)"], values["der(balls[2].v)"]] == [-3, -3]
 
 
 @pytest.mark.parametrize(("u", "expected"), [(2.0, 5 * 14), (0.5, 2.5), (-1.0, 0.0)])
 def test_functions_with_loops_branches_and_redeclaration(u, expected):
-    found = at(compiled("Language.Functions"), u=[u])
-    assert found["y"] == 2 * u and found["z"] == pytest.approx(expected)
-    assert found["square"] == u**2 and found["cube"] == pytest.approx(u**3)
+    values = at(compiled("Language.Functions"), u=[u])
+    assert values["y"] == 2 * u and values["z"] == pytest.approx(expected)
+    assert values["square"] == u**2 and values["cube"] == pytest.approx(u**3)
 
 
 def test_function_redeclared_two_levels_down():
@@ -37,8 +37,8 @@ def test_function_redeclared_two_levels_down():
 def test_records_enumerations_and_constructors():
     ode = compiled("Language.Records")
     assert ode.interface.parameters["data.a"].start == 10 and ode.interface.parameters["data.b"].start == 5
-    found = at(ode, p={"data.a": 4, "other.a": 3})
-    assert found["area"] == 16 and found["sum_"] == 3 + 6
+    values = at(ode, p={"data.a": 4, "other.a": 3})
+    assert values["area"] == 16 and values["sum_"] == 3 + 6
 
 
 def test_redeclared_record():
@@ -48,9 +48,9 @@ def test_redeclared_record():
 
 
 def test_linear_loop_is_solved():
-    found = at(compiled("Language.Loop"), {"x": 2.0, "v": 0.5}, p={"k1": 20})
+    values = at(compiled("Language.Loop"), {"x": 2.0, "v": 0.5}, p={"k1": 20})
     force = 2.0 / (1 / 20 + 1 / 30)
-    assert found["node"] == pytest.approx(force / 20) and found["der(v)"] == pytest.approx(-force / 2)
+    assert values["node"] == pytest.approx(force / 20) and values["der(v)"] == pytest.approx(-force / 2)
 
 
 def test_rigid_coupling_is_reduced_from_index_three():
@@ -64,16 +64,16 @@ def test_rigid_coupling_is_reduced_from_index_three():
 
 def test_initial_equations_follow_parameters():
     ode = compiled("Language.Initial")
-    found = initial(ode, {"T0": 350})
-    assert found["m"] == 2 and found["steady"] == pytest.approx(350 / 3)
+    start = initial(ode, {"T0": 350})
+    assert start["m"] == 2 and start["steady"] == pytest.approx(350 / 3)
     assert at(ode, p={"T0": 350})["T"] == pytest.approx(350)
 
 
 @pytest.mark.parametrize(("t", "x", "y"), [(0.0, 1.0, 1.0), (0.0, 0.2, 0.5), (1.0, 1.0, 1.0), (1.0, 0.05, 2.0)])
 def test_conditions(t, x, y):
-    found = at(compiled("Language.Conditions"), {"x": x}, t=t)
-    assert found["der(x)"] == -2 * x and found["y"] == y
-    assert found["rate"] == pytest.approx(2 * x * -2 * x + 1)
+    values = at(compiled("Language.Conditions"), {"x": x}, t=t)
+    assert values["der(x)"] == -2 * x and values["y"] == y
+    assert values["rate"] == pytest.approx(2 * x * -2 * x + 1)
 
 
 def test_state_select_decides():
@@ -93,9 +93,9 @@ def test_only_literal_public_top_most_parameters_are_free():
 
 
 def test_connections_through_outside_connectors_and_arrays():
-    found = at(compiled("Language.Circuit"))
-    assert found["current"] == pytest.approx(12 / 6) and found["top.i"] == 0
-    assert found["box.b.i"] == pytest.approx(-2)
+    values = at(compiled("Language.Circuit"))
+    assert values["current"] == pytest.approx(12 / 6) and values["top.i"] == 0
+    assert values["box.b.i"] == pytest.approx(-2)
 
 
 def test_output_that_is_a_state():

@@ -11,13 +11,13 @@ TIMES = np.linspace(0, 4, 9)
 
 def test_two_tanks_level_out_as_the_closed_form_says():
     ode = compiled("Tanks.Bench")
-    found = simulate(ode, TIMES, lambda t: (0.4,), {"valve.k": 0.5})
+    simulated = simulate(ode, TIMES, lambda t: (0.4,), {"valve.k": 0.5})
     a, b, k, q = 2.0, 1.0, 0.5, 0.4
     rate = k * (1 / a + 1 / b)
     difference = q / a / rate + (2.5 - q / a / rate) * np.exp(-rate * TIMES)
     volume = 3 * a + 0.5 * b + q * TIMES
-    assert found["left.h"] == pytest.approx((volume + b * difference) / (a + b), rel=1e-8)
-    assert found["right.h"] == pytest.approx((volume - a * difference) / (a + b), rel=1e-8)
+    assert simulated["left.h"] == pytest.approx((volume + b * difference) / (a + b), rel=1e-8)
+    assert simulated["right.h"] == pytest.approx((volume - a * difference) / (a + b), rel=1e-8)
 
 
 def test_interface_carries_units_bounds_and_the_experiment():
@@ -89,11 +89,11 @@ def test_volume_under_der_and_redeclared_gas(model, gas, L0, flow, h):
     assert sum(state.name.startswith("muscle") for state in ode.states) == len(ode.states)
     times = np.linspace(0, 0.5, 6)
     expected = muscle_by_hand(gas, times, L0, flow, h)
-    found = simulate(ode, times, lambda t: (flow,) if ode.interface.inputs else ())
-    assert found["muscle.gas.p"] == pytest.approx(expected[0], rel=1e-7)
-    assert found["muscle.x"] == pytest.approx(expected[1], rel=1e-7)
+    simulated = simulate(ode, times, lambda t: (flow,) if ode.interface.inputs else ())
+    assert simulated["muscle.gas.p"] == pytest.approx(expected[0], rel=1e-7)
+    assert simulated["muscle.x"] == pytest.approx(expected[1], rel=1e-7)
     if gas == "energetic":
-        assert found["muscle.gas.m"] == pytest.approx(expected[3], rel=1e-7)
+        assert simulated["muscle.gas.m"] == pytest.approx(expected[3], rel=1e-7)
 
 
 def test_redeclaration_three_levels_down_takes_a_parameter_of_the_model():

@@ -30,20 +30,20 @@ def test_the_changes_are_met_wherever_the_run_starts(start: float, tmp_path: Pat
     times = start + np.array([0.0, 0.3, 0.4999, 0.5, 0.75, 0.999, 1.0, 1.25])
     held = Inputs(np.array([start]), {"u": np.array([1.0])})
     with Simulator(path) as simulator:
-        found = simulator.run(times, inputs=held, outputs=["y", "x", "before", "after"], start_time=start)
-        assert found["y"].tolist() == [0, 0, 0, 1, 1, 1, 1, 1]
-        assert found["before"].tolist() == [1, 1, 1, 1, 1, 1, 0, 0]
-        assert found["after"].tolist() == [2, 2, 2, 2, 2, 2, 3, 3]
-        np.testing.assert_allclose(found["x"], np.maximum(times - start - 0.5, 0), atol=1e-12)
+        run = simulator.run(times, inputs=held, outputs=["y", "x", "before", "after"], start_time=start)
+        assert run["y"].tolist() == [0, 0, 0, 1, 1, 1, 1, 1]
+        assert run["before"].tolist() == [1, 1, 1, 1, 1, 1, 0, 0]
+        assert run["after"].tolist() == [2, 2, 2, 2, 2, 2, 3, 3]
+        np.testing.assert_allclose(run["x"], np.maximum(times - start - 0.5, 0), atol=1e-12)
         short = simulator.run(times, inputs=held, outputs=["x"], start_time=start, parameters={"T": 0.0})
         np.testing.assert_allclose(short["x"], times - start, atol=1e-12)
 
 
 def test_a_parameter_that_initial_equations_determine():
     ode = compiled("Start.Steady")
-    found = at(ode, p={"k": 5.0}, t=14.0)
-    assert found["q"] == 15.0 and found["twice"] == 30.0 and found["y"] == 45.0 and found["der(x)"] == 0.0
-    assert (found["switched"], at(ode, p={"k": 5.0}, t=16.0)["switched"]) == (0.0, 1.0)
+    values = at(ode, p={"k": 5.0}, t=14.0)
+    assert values["q"] == 15.0 and values["twice"] == 30.0 and values["y"] == 45.0 and values["der(x)"] == 0.0
+    assert (values["switched"], at(ode, p={"k": 5.0}, t=16.0)["switched"]) == (0.0, 1.0)
     assert "q" not in ode.interface.parameters
 
 

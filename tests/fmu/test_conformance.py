@@ -101,8 +101,11 @@ def test_effects_and_library_version_are_annotated(fmi: str, tmp_path: Path) -> 
     holder = "VendorAnnotations/Tool" if fmi == "2.0" else "Annotations/Annotation"
     annotation = tree.find(holder)
     assert annotation is not None and annotation.get("name" if fmi == "2.0" else "type") == "pam-cosim"
-    found = {e.attrib["name"] for e in annotation.iter("Effect")}
-    assert found == {"PneumaticMuscle.Effects.Elasticity.LinearBladder", "PneumaticMuscle.Effects.GasEnergy.EnergyGas"}
+    annotated = {e.attrib["name"] for e in annotation.iter("Effect")}
+    assert annotated == {
+        "PneumaticMuscle.Effects.Elasticity.LinearBladder",
+        "PneumaticMuscle.Effects.GasEnergy.EnergyGas",
+    }
     _schema(fmi, "ModelDescription").assertValid(tree)
 
 

@@ -110,13 +110,13 @@ def test_the_past_grows_with_the_delay() -> None:
         _begin(fmu, vr, 5.0, 1.0)
         values = _zigzag(fmu, vr, range(12000), width=0.001)
     inside = [i for i in range(5000, 11990) if i % 3 == 0]
-    found = np.array([values[i + 5000][1] if i + 5000 < 12000 else np.nan for i in inside])
+    delayed = np.array([values[i + 5000][1] if i + 5000 < 12000 else np.nan for i in inside])
     expected = np.array([(-1.0) ** i + 0.1 * i for i in inside])
-    known = ~np.isnan(found)
+    known = ~np.isnan(delayed)
     assert known.sum() > 600
     # Read at the end of a step, where the next line may have begun: either is right to rounding.
     following = np.array([(-1.0) ** (i + 1) + 0.1 * (i + 1) for i in inside])
-    off = np.minimum(np.abs(found - expected), np.abs(found - following))
+    off = np.minimum(np.abs(delayed - expected), np.abs(delayed - following))
     assert off[known].max() < 1e-9
 
 

@@ -63,11 +63,15 @@ def largest_difference(result: np.ndarray, bench: str) -> dict[str, tuple[float,
     own = ours(bench)
     assert set(result.dtype.names) == {"time", *own.values}
     assert result["time"][0] == own.time[0] and result["time"][-1] == pytest.approx(own.time[-1])
-    found = {}
+    differences = {}
     for name, values in own.values.items():
         there = np.interp(result["time"], own.time, values)
-        found[name] = float(np.abs(there - result[name]).max()), float(np.ptp(values)), float(np.abs(values).max())
-    return found
+        differences[name] = (
+            float(np.abs(there - result[name]).max()),
+            float(np.ptp(values)),
+            float(np.abs(values).max()),
+        )
+    return differences
 
 
 @pytest.mark.parametrize("fmi", VERSIONS)
@@ -96,9 +100,9 @@ def test_settings_mean_the_same_to_fmpy(run: Callable[..., str], tmp_path: Path)
     result = tmp_path / "result.csv"
     values = ["p_supply", "138e3", "u_in", "0.3", "tank.V", "1e-3"]
     run("simulate", pam.build("TankFilling"), "--start-values", *values, "--output-file", result)
-    found = read_csv(str(result))
+    theirs = read_csv(str(result))
     own = pam.simulate("TankFilling", {"p_supply": "138 kPa", "u_in": "300 mA", "tank.V": "1 l"})
-    assert found["p"] == pytest.approx(own["p"], rel=1e-9)
+    assert theirs["p"] == pytest.approx(own["p"], rel=1e-9)
     assert own["p"][-1] == pytest.approx(138e3, rel=1e-3)
 
 
@@ -119,8 +123,8 @@ def test_the_line_of_the_readme_shows_its_plot(tmp_path: Path, fmi: str) -> None
     words = [sys.executable, "-m", "pam_cosim", "build", "TankFilling", "--fmi", fmi]
     subprocess.run(words, cwd=tmp_path, env=environment, check=True, capture_output=True, timeout=300)
     words = [str(programs / "fmpy"), *line.split()[1:]]
-    found = subprocess.run(words, cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=120)
-    assert found.returncode == 0 and "Traceback" not in found.stderr, found.stderr
+    completed = subprocess.run(words, cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=120)
+    assert completed.returncode == 0 and "Traceback" not in completed.stderr, completed.stderr
     shown = kept(page)
     assert etree.HTML(shown).xpath("//div[contains(@class, 'plotly-graph-div')]")
     drawn = shown.rpartition("Plotly.newPlot(")[2]

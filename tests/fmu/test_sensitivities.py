@@ -54,7 +54,7 @@ def test_linear_model_has_its_exact_sensitivities(tmp_path: Path) -> None:
 def test_equal_to_careful_finite_differences() -> None:
     outputs = ("p", "x")
     with Simulator(build_model("Isotonic", sensitivities=_CHOSEN)) as exact:
-        found = exact.run(_TIMES, inputs=_INPUTS, tolerance=1e-9).values
+        exact_values = exact.run(_TIMES, inputs=_INPUTS, tolerance=1e-9).values
     with Simulator(build_model("Isotonic")) as simulator:
         for name in _CHOSEN:
             value = simulator.interface.parameters[name].start
@@ -69,7 +69,7 @@ def test_equal_to_careful_finite_differences() -> None:
             for output in outputs:
                 a, b, c, d = (s.values[output] for s in shifted)
                 difference = (a - 8 * b + 8 * c - d) / (12 * h)
-                slope = found[f"sensitivity.{output}.{name}"]
+                slope = exact_values[f"sensitivity.{output}.{name}"]
                 assert np.abs(slope - difference).max() < 1e-5 * np.abs(difference).max(), (output, name)
 
 
@@ -86,15 +86,15 @@ def test_model_exchange_with_another_integrator_agrees() -> None:
     assert validate_fmu(path) == []
     columns = [("time", float), *((name, float) for name in _INPUTS.values)]
     rows = list(zip(_INPUTS.time, *_INPUTS.values.values(), strict=True))
-    found = [
+    runs = [
         fmpy.simulate_fmu(path, fmi_type=kind, input=np.array(rows, dtype=columns), stop_time=2.5,
                           output_interval=0.05, relative_tolerance=1e-8)
         for kind in ("ModelExchange", "CoSimulation")
     ]  # fmt: skip
     for name in ("sensitivity.x.load.m", "sensitivity.p.valve.C_A"):
-        times, slopes = np.unique(found[0]["time"], return_index=True)
-        reference = np.interp(times, found[1]["time"], found[1][name])
-        assert np.abs(found[0][name][slopes] - reference).max() < 1e-3 * np.abs(reference).max()
+        times, slopes = np.unique(runs[0]["time"], return_index=True)
+        reference = np.interp(times, runs[1]["time"], runs[1][name])
+        assert np.abs(runs[0][name][slopes] - reference).max() < 1e-3 * np.abs(reference).max()
 
 
 def test_state_of_the_fmu_holds_the_sensitivities(tmp_path: Path) -> None:
@@ -120,9 +120,9 @@ def test_a_delayed_input_drives_the_sensitivities(tmp_path: Path) -> None:
     t = np.linspace(0.0, 3.0, 31)
     step = Inputs(np.array([0.0, 1.0, 1.0, 3.0]), {"u": np.array([0.0, 0.0, 2.0, 2.0])}, "linear")
     with Simulator(path) as simulator:
-        found = simulator.run(t, inputs=step, tolerance=1e-8).values["sensitivity.y.tau"]
+        sensitivity = simulator.run(t, inputs=step, tolerance=1e-8).values["sensitivity.y.tau"]
     since = np.maximum(t - 1.3, 0.0)
-    assert found == pytest.approx(-2.0 * since / 0.25 * np.exp(-since / 0.5), abs=1e-5)
+    assert sensitivity == pytest.approx(-2.0 * since / 0.25 * np.exp(-since / 0.5), abs=1e-5)
 
 
 def test_delays_and_wrong_names_are_refused() -> None:

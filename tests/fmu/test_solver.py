@@ -91,8 +91,8 @@ def test_dense_output_has_order_four(s: float) -> None:
     errors = []
     for h in (0.4, 0.2, 0.1):
         starts = np.arange(0.0, 2.5, 0.25)
-        found = [_step(t, _exact()(t), h, s)[1] - _exact()(t + s * h) for t in starts]  # type: ignore[operator]
-        errors.append(np.abs(found).max())
+        local_errors = [_step(t, _exact()(t), h, s)[1] - _exact()(t + s * h) for t in starts]  # type: ignore[operator]
+        errors.append(np.abs(local_errors).max())
     orders = np.log2(np.array(errors[:-1]) / errors[1:])
     assert np.all(orders > 4.6), orders
 

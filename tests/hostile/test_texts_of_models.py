@@ -107,8 +107,8 @@ def test_names_come_back_as_they_are(name: str, fmi: str, place: Path) -> None:
     assert validate_fmu(str(path)) == []
     with Simulator(path) as simulator:
         assert list(simulator.interface.outputs) == [f"'y {name}'"]
-        found = simulator.run(np.linspace(0, 1, 11), parameters={f"'p {name}'": 1.5})
-        assert found[f"'y {name}'"][-1] == pytest.approx(np.exp(-1.5), rel=1e-5)
+        run = simulator.run(np.linspace(0, 1, 11), parameters={f"'p {name}'": 1.5})
+        assert run[f"'y {name}'"][-1] == pytest.approx(np.exp(-1.5), rel=1e-5)
         with pytest.raises(RunFailure) as caught:
             simulator.run([0.0, 1.0], parameters={f"'p {name}'": 0.0, f"'x {name}'": -1.0})
         assert "an assertion of the model fails" in str(caught.value)
@@ -118,10 +118,10 @@ def test_names_come_back_as_they_are(name: str, fmi: str, place: Path) -> None:
 @pytest.mark.parametrize("name", NAMES.values(), ids=NAMES.keys())
 def test_trajectories_and_pictures_take_them(name: str, place: Path) -> None:
     with Simulator(study.build(str(_write(place, name)))) as simulator:
-        found = simulator.run(np.linspace(0, 1, 11))
-    again = Trajectory.from_csv(found.to_csv(place / "out.csv"))
-    assert list(again.values) == list(found.values)
-    plot_trajectory(found, place / "out.png")
+        run = simulator.run(np.linspace(0, 1, 11))
+    again = Trajectory.from_csv(run.to_csv(place / "out.csv"))
+    assert list(again.values) == list(run.values)
+    plot_trajectory(run, place / "out.png")
     assert sorted(p.name for p in place.iterdir()) == ["Hostile.mo", "out.csv", "out.png"]
 
 
@@ -174,8 +174,8 @@ def test_every_byte_survives_the_way_into_c(tmp_path: Path) -> None:
     visible = '__attribute__((visibility("default")))'
     source = f"{visible} const char *const texts[] = {{{literals}}};"
     library = ctypes.CDLL(str(compile_library((), {"texts.c": source}, native_platform())))
-    found = (ctypes.c_char_p * len(texts)).in_dll(library, "texts")
-    assert [f.decode() for f in found if f is not None] == texts
+    compiled = (ctypes.c_char_p * len(texts)).in_dll(library, "texts")
+    assert [f.decode() for f in compiled if f is not None] == texts
     assert "??" not in literals
 
 

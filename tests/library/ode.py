@@ -60,8 +60,8 @@ class Model:
         """States, their derivatives as ``der(name)``, outputs and locals."""
         states = [state.name for state in self.ode.states]
         names = [*(f"der({name})" for name in states), *self.interface.outputs, *self.interface.locals]
-        found = self.everything(0, x, u, p).full().ravel().tolist()
-        return dict(zip(states, x.tolist(), strict=True)) | dict(zip(names, found, strict=True))
+        values = self.everything(0, x, u, p).full().ravel().tolist()
+        return dict(zip(states, x.tolist(), strict=True)) | dict(zip(names, values, strict=True))
 
     def ledger(
         self, end: float, entry: Callable[[Values], float], u: np.ndarray, p: np.ndarray, rtol: float = 1e-11

@@ -128,8 +128,8 @@ def run(fmu: Path, parameters: dict[str, float]) -> tuple[Values, Interface]:
             if name in known
         }
         inputs = Inputs(_DRIVE_TIMES, drive, "linear") if drive else None
-        found = simulator.run(TIMES, parameters=parameters, inputs=inputs).values
-        return {name: found[name] for name in simulator.interface.outputs}, simulator.interface
+        courses = simulator.run(TIMES, parameters=parameters, inputs=inputs).values
+        return {name: courses[name] for name in simulator.interface.outputs}, simulator.interface
 
 
 def noise(variable: Variable) -> float:

@@ -38,10 +38,10 @@ class Law:
         self.names = composition.parameters[effect]
         self.interface = model.interface
         self._p = model.parameters()
-        found = ode.locals[list(model.interface.locals).index(local)]
+        law = ode.locals[list(model.interface.locals).index(local)]
         x = _columns([s.name for s in ode.states], model.initial(self._p), at)
         u = _columns(list(model.interface.inputs), model.inputs(), at)
-        values = ca.Function("values", model.arguments, [found]).map(x.shape[1])
+        values = ca.Function("values", model.arguments, [law]).map(x.shape[1])
         p = ca.MX.sym("p", len(self._p))
         self._values = ca.Function("law", [p], [values(0, x, u, p)])
         self._slopes = self._values.jacobian()
@@ -53,8 +53,8 @@ class Law:
     def slopes(self, **own: float) -> Array:
         """Derivatives (n, parameters) by the effect's own parameters."""
         at = self._changed(own)
-        found = np.asarray(self._slopes(at, self._values(at)))
-        mine = found[:, [list(self.interface.parameters).index(n) for n in self.names]]
+        jacobian = np.asarray(self._slopes(at, self._values(at)))
+        mine = jacobian[:, [list(self.interface.parameters).index(n) for n in self.names]]
         return mine * np.reshape(self._weight, (-1, 1))
 
     def _changed(self, own: Mapping[str, float]) -> Array:
@@ -86,12 +86,12 @@ Coefficients = dict[str, tuple[float, float, float, float]]
 
 def coefficients(interface: Interface, names: Sequence[str]) -> Coefficients:
     """Minimum, maximum, start and nominal size by the last part of the name."""
-    found = {}
+    by_name = {}
     for name in names:
         v = interface.parameters[name]
         assert v.min is not None and v.max is not None and v.start is not None
-        found[name.rpartition(".")[2]] = (v.min, v.max, v.start, v.nominal or v.max - v.min)
-    return found
+        by_name[name.rpartition(".")[2]] = (v.min, v.max, v.start, v.nominal or v.max - v.min)
+    return by_name
 
 
 def misses(
@@ -132,10 +132,10 @@ def misses(
     ]
     for z in starts:
         z = np.clip(z, zs[0] + 1e-6 * reach, zs[1] - 1e-6 * reach)
-        found = least_squares(
+        solution = least_squares(
             residuals, z, jacobian if slopes else "2-point", bounds=(zs[0], zs[1]), ftol=1e-10, diff_step=1e-3
         )
-        best = min(best, float(np.sqrt(2 * found.cost)))
+        best = min(best, float(np.sqrt(2 * solution.cost)))
     return best
 
 
@@ -178,7 +178,7 @@ def course_misses(
 
         def law(values: dict[str, float]) -> Array:
             changed = {f"{part}.{name}": value for name, value in values.items()}
-            found = simulator.run(times, parameters=changed, inputs=drive, tolerance=1e-7)
-            return np.asarray(found.values[output]) * weight
+            run = simulator.run(times, parameters=changed, inputs=drive, tolerance=1e-7)
+            return np.asarray(run.values[output]) * weight
 
         return misses(law, target * weight, own, target * weight)

@@ -63,10 +63,10 @@ def test_model_builds_and_runs(model: str) -> None:
     with Simulator(build_model(model)) as simulator:
         interface = simulator.interface
         assert interface.outputs
-        found = simulator.run(np.linspace(0, interface.stop_time, 201), max_seconds=20).values
+        run = simulator.run(np.linspace(0, interface.stop_time, 201), max_seconds=20).values
         for name in interface.outputs:
-            assert np.isfinite(found[name]).all(), name
-        assert any(found[name].any() for name in interface.outputs)
+            assert np.isfinite(run[name]).all(), name
+        assert any(run[name].any() for name in interface.outputs)
 
 
 @pytest.mark.parametrize("model", MODELS)

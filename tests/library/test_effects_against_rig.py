@@ -55,10 +55,10 @@ def test_same_physics_same_curve(form: str) -> None:
     muscle = replace(TRUTH, load=RUN.load)
     expected = simulate_muscle(muscle, RUN.p_supply, RUN.schedule, TIMES, [effect_of(form)])
     with Simulator(built(BENCH, name)) as simulator:
-        found = simulator.run(TIMES, parameters=parameters, inputs=_drive(), tolerance=1e-7).values
+        simulated = simulator.run(TIMES, parameters=parameters, inputs=_drive(), tolerance=1e-7).values
     for signal, course, unit in (("p", expected.p, "Pa"), ("x", expected.x, "m"), ("T", expected.temperature, "K")):
         # regularisation at equal pressures and the position at rest on the stop differ a little
-        assert np.abs(found[signal] - course).max() < 0.3 * NOISE[unit], signal
+        assert np.abs(simulated[signal] - course).max() < 0.3 * NOISE[unit], signal
 
 
 def _drive() -> Inputs:

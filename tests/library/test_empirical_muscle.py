@@ -46,11 +46,11 @@ def test_muscle_agrees_with_an_independent_integration(load: float, frequency: f
     own = {"load.m": load, "frequency": frequency, "damper.ab": 0.12}
     own |= {"muscle.friction.c_c": 6.0, "muscle.friction.c_v": 0.0}
     with Simulator(proposed()) as simulator:
-        found = simulator.run(
+        run = simulator.run(
             truth.time, parameters=own, inputs=Inputs(truth.time, {"p": truth.p}, "linear"), tolerance=1e-8
         )
     assert np.ptp(truth.x) > 0.02
-    assert np.abs(found.values["x"] - truth.x).max() < 3e-6
+    assert np.abs(run.values["x"] - truth.x).max() < 3e-6
 
 
 def test_constant_coefficient_and_effect_together_are_the_proposed_model() -> None:
@@ -82,17 +82,17 @@ def at_rest(model: str, **parameters: float) -> Trajectory:
 @pytest.mark.parametrize("length", [0.0, 0.3, 0.302, 0.295])
 def test_stretched_sleeve_carries_the_load_from_any_length(length: float) -> None:
     """DY (12) with the cube over the whole stretch: K (stretch)^3 = M g."""
-    found = at_rest("VerticalLoad", muscle__elasticity__L_o=length)
+    rest = at_rest("VerticalLoad", muscle__elasticity__L_o=length)
     expected = 0.3 - (length or 0.3) - (WEIGHT / 1e10) ** (1 / 3)
-    assert found.values["x"] == pytest.approx(np.full(31, expected), abs=1e-7)
+    assert rest.values["x"] == pytest.approx(np.full(31, expected), abs=1e-7)
 
 
 @pytest.mark.parametrize("length", [0.3, 0.2995])
 def test_printed_sleeve_carries_the_load(length: float) -> None:
     """DY (12) as printed: K (L_o - L (1 - eps)^3) = -M g; for L_o = L a spring of three times K."""
-    found = at_rest("PneumaticMuscle.Examples.PrintedSleeveLoad", muscle__elasticity__L_o=length)
+    rest = at_rest("PneumaticMuscle.Examples.PrintedSleeveLoad", muscle__elasticity__L_o=length)
     eps = 1 - ((length + WEIGHT / 3e4) / 0.3) ** (1 / 3)
-    assert found.values["eps"] == pytest.approx(np.full(31, eps), abs=1e-6)
+    assert rest.values["eps"] == pytest.approx(np.full(31, eps), abs=1e-6)
     if length == 0.3:
         assert eps == pytest.approx(-WEIGHT / (3 * 3e4 * 0.3), rel=5e-3)
 
@@ -112,14 +112,14 @@ def test_printed_sleeve_begins_without_a_jump_only_where_both_lengths_are_one() 
 def test_forces_of_figure_5_balance() -> None:
     """DY (13)-(16): F_dyn = F_s - M g - F_elastic - F_hys, and F_dyn = M L eps_ddot."""
     with Simulator(build_model("PneumaticMuscle.Validation.ForceDynamics")) as simulator:
-        found = simulator.run(np.linspace(0, 20, 8001), tolerance=1e-8)
-    v = found.values
+        run = simulator.run(np.linspace(0, 20, 8001), tolerance=1e-8)
+    v = run.values
     for i, load in enumerate((5, 10, 20, 30), start=1):
         assert v[f"F_s[{i}]"] - v[f"F_net[{i}]"] == pytest.approx(load * 9.80665)
         left = v[f"F_net[{i}]"] - v[f"F_elastic[{i}]"] - v[f"F_hys[{i}]"]
         assert v[f"F_dyn[{i}]"] == pytest.approx(left, abs=1e-6)
-        acceleration = 0.3 * np.gradient(np.gradient(v[f"eps[{i}]"], found.time), found.time)
-        swinging = binary_erosion((v[f"F_elastic[{i}]"] == 0) & (found.time > 2), iterations=10)
+        acceleration = 0.3 * np.gradient(np.gradient(v[f"eps[{i}]"], run.time), run.time)
+        swinging = binary_erosion((v[f"F_elastic[{i}]"] == 0) & (run.time > 2), iterations=10)
         assert (load * acceleration)[swinging] == pytest.approx(v[f"F_dyn[{i}]"][swinging], abs=0.05 * load)
         assert np.abs(v[f"F_dyn[{i}]"][swinging]).max() < 0.2 * load * 9.80665
 
@@ -128,10 +128,10 @@ def test_longer_muscle_has_the_length_of_the_paper() -> None:
     with Simulator(build_model("PneumaticMuscle.Examples.LongMuscle")) as simulator:
         parameters = simulator.interface.parameters
         assert parameters["muscle.L0"].start == 0.53
-        found = simulator.run(np.linspace(0, 10, 101))
+        run = simulator.run(np.linspace(0, 10, 101))
     short = at_rest("VerticalLoad", muscle__L0=0.53)
     assert short.values["x"] == pytest.approx(np.full(31, -((WEIGHT / 1e10) ** (1 / 3))), abs=1e-7)
-    assert found.values["x"][-1] == pytest.approx(0.53 * found.values["eps"][-1])
+    assert run.values["x"][-1] == pytest.approx(0.53 * run.values["eps"][-1])
 
 
 TABLE_3 = {

@@ -18,8 +18,8 @@ def run(model: str, end: float, samples: int = 1001, **parameters: float) -> Tra
         return simulator.run(np.linspace(0, end, samples), parameters=parameters)
 
 
-def at(found: Trajectory, name: str, time: float) -> float:
-    return float(np.interp(time, found.time, found.values[name]))
+def at(trajectory: Trajectory, name: str, time: float) -> float:
+    return float(np.interp(time, trajectory.time, trajectory.values[name]))
 
 
 def static_force(p: float, eps: float) -> float:
@@ -30,33 +30,33 @@ def static_force(p: float, eps: float) -> float:
 
 
 def test_exponent_matters_for_the_steady_state_only_with_the_printed_wall() -> None:
-    found = run("Validation.PolytropicExponent", 10)
-    x, printed = ([at(found, f"{name}[{i}]", 4.9) for i in (1, 2, 3)] for name in ("x", "x_printed"))
+    trajectory = run("Validation.PolytropicExponent", 10)
+    x, printed = ([at(trajectory, f"{name}[{i}]", 4.9) for i in (1, 2, 3)] for name in ("x", "x_printed"))
     assert x == pytest.approx([67.88e-3] * 3, rel=1e-3)
     assert printed[0] > 1.25 * printed[1] > 1.25 * printed[2]
 
 
 def test_temperature_by_the_polytropic_law_is_far_above_the_printed_four_degrees() -> None:
-    found = run("Validation.PolytropicExponent", 10)
+    trajectory = run("Validation.PolytropicExponent", 10)
     for i, n in ((1, 1.0), (2, 1.2), (3, 1.4)):
-        rise = float(found.values[f"T[{i}]"].max()) - 293.15
-        ratio = 1 + float(found.values[f"p[{i}]"].max()) / 101325
+        rise = float(trajectory.values[f"T[{i}]"].max()) - 293.15
+        ratio = 1 + float(trajectory.values[f"p[{i}]"].max()) / 101325
         assert rise == pytest.approx(293.15 * (ratio ** ((n - 1) / n) - 1), abs=1e-3)
     assert rise > 100
 
 
 def test_bladder_friction_moves_the_steady_contraction() -> None:
-    found = run("Validation.BladderFriction", 10)
-    assert at(found, "x[1]", 4.9) == pytest.approx(62.86e-3, abs=5e-5)
-    assert at(found, "x[2]", 4.9) == pytest.approx(47.43e-3, abs=5e-5)
+    trajectory = run("Validation.BladderFriction", 10)
+    assert at(trajectory, "x[1]", 4.9) == pytest.approx(62.86e-3, abs=5e-5)
+    assert at(trajectory, "x[2]", 4.9) == pytest.approx(47.43e-3, abs=5e-5)
 
 
 def test_friction_slows_only_fast_filling_and_a_bladder_every_filling() -> None:
     fast = run("Validation.ButylSlowRise", 4.9)
     slow = run("Validation.ButylSlowRise", 80, **{"inlet.height": 0.17, "inlet.stop": 1e3, "outlet.start": 1e3})
 
-    def contraction(found: Trajectory, i: int) -> float:
-        return float(np.interp(1e5, found.values[f"p[{i}]"], found.values[f"x[{i}]"]))
+    def contraction(trajectory: Trajectory, i: int) -> float:
+        return float(np.interp(1e5, trajectory.values[f"p[{i}]"], trajectory.values[f"x[{i}]"]))
 
     assert contraction(fast, 2) < 0.8 * contraction(fast, 1)
     assert contraction(slow, 2) > 0.97 * contraction(slow, 1)
@@ -72,36 +72,36 @@ def test_slides_linearisation_holds_but_for_a_power_of_ten() -> None:
 
 
 def test_loops_of_the_empirical_muscle_widen_with_load_and_rate() -> None:
-    found = run("Validation.LoadsAndRates", 20)
+    trajectory = run("Validation.LoadsAndRates", 20)
 
     def width(i: int) -> float:
-        near = (np.abs(found.values[f"p[{i}]"] - 2e5) < 5e3) & (found.time > 2)
-        return float(np.ptp(found.values[f"eps[{i}]"][near]))
+        near = (np.abs(trajectory.values[f"p[{i}]"] - 2e5) < 5e3) & (trajectory.time > 2)
+        return float(np.ptp(trajectory.values[f"eps[{i}]"][near]))
 
     assert width(2) > 1.3 * width(1) and width(4) > 2 * width(3) and width(4) > 1.5 * width(2)
 
 
 def test_butyl_pressure_hardly_depends_on_the_exponent_and_the_length_matters() -> None:
-    found = run("Validation.ButylPressure", 10)
-    assert [at(found, f"p[{i}]", 1.0) for i in (1, 2, 3)] == pytest.approx([96.64e3, 95.00e3, 93.78e3], rel=2e-3)
-    assert [at(found, f"x[{i}]", 4.9) for i in (1, 2, 3)] == pytest.approx([62.86e-3] * 3, rel=1e-3)
-    assert at(found, "x_long", 4.9) == pytest.approx(67.88e-3, rel=1e-3)
+    trajectory = run("Validation.ButylPressure", 10)
+    assert [at(trajectory, f"p[{i}]", 1.0) for i in (1, 2, 3)] == pytest.approx([96.64e3, 95.00e3, 93.78e3], rel=2e-3)
+    assert [at(trajectory, f"x[{i}]", 4.9) for i in (1, 2, 3)] == pytest.approx([62.86e-3] * 3, rel=1e-3)
+    assert at(trajectory, "x_long", 4.9) == pytest.approx(67.88e-3, rel=1e-3)
 
 
 def test_two_lengths_share_one_slow_loop_and_inertia_parts_them() -> None:
-    found = run("Validation.TwoLengths", 10, 8001)
+    trajectory = run("Validation.TwoLengths", 10, 8001)
 
     def width(i: int) -> float:
-        near = (np.abs(found.values[f"p[{i}]"] - 3e5) < 3e3) & (found.time > 5)
-        return float(np.ptp(found.values[f"eps[{i}]"][near]))
+        near = (np.abs(trajectory.values[f"p[{i}]"] - 3e5) < 3e3) & (trajectory.time > 5)
+        return float(np.ptp(trajectory.values[f"eps[{i}]"][near]))
 
     assert width(1) == pytest.approx(width(2), rel=0.01)
     assert width(3) > 2 * width(1) and width(4) > 1.15 * width(3)
 
 
 def test_area_by_the_flow_is_one_for_all_supplies_and_other_conversions_are_not() -> None:
-    found = run("Validation.ValveCalibration", 10)
-    area, choked, gauge = ([float(found.values[f"{name}[{i}]"][-1]) for i in range(1, 16)]
+    trajectory = run("Validation.ValveCalibration", 10)
+    area, choked, gauge = ([float(trajectory.values[f"{name}[{i}]"][-1]) for i in range(1, 16)]
                            for name in ("A", "A_choked", "A_gauge"))  # fmt: skip
     assert area == pytest.approx([2.580e-7] * 15, rel=1e-3)
     assert choked[0] < 0.87 * area[0] and choked[4:] == pytest.approx(area[4:], rel=1e-6)

@@ -422,11 +422,11 @@ RISING = 5e4 + 5e4 * CLOCK
 
 def slips(travels: Array, path: Array) -> Array:
     """Mean of hard Jenkin elements, each slipping at its own travel [m], by its own force."""
-    found, r = [], np.zeros(len(travels))
+    forces, r = [], np.zeros(len(travels))
     for step in np.diff(path, prepend=path[0]):
         r = np.clip(r + step / travels, -1, 1)
-        found.append(r.mean())
-    return np.array(found)
+        forces.append(r.mean())
+    return np.array(forces)
 
 
 LOOPS: dict[str, tuple[float, Array, Array]] = {
@@ -460,13 +460,13 @@ def chain(zeta: float, omega: float) -> Array:
 
 def chased(up: float, down: float, rate: float = np.inf) -> Array:
     """A first-order lag [s] that differs up and down, or a limited rate [A/s]."""
-    y, found = 0.0, []
+    y, currents = 0.0, []
     dt = (TICK[1] - TICK[0]) / 20
     for u in COMMAND:
-        found.append(y)
+        currents.append(y)
         for _ in range(20):
             y += dt * float(np.clip((u - y) / (up if u > y else down), -rate, rate))
-    return np.array(found)
+    return np.array(currents)
 
 
 COURSES: dict[str, tuple[float, Array]] = {

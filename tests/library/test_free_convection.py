@@ -48,8 +48,8 @@ def test_discharge(c: float) -> None:
     parameters = values(effect, on_bench(effect.name, BENCH), {"c": c})
     known = {"tank.V": VOLUME, "tank.p_start": P_START, "orifice.d": DIAMETER, "orifice.C_d": C_D}
     with Simulator(built(BENCH, effect.name)) as simulator:
-        found = simulator.run(TIMES, parameters=parameters | known, tolerance=1e-8).values
+        simulated = simulator.run(TIMES, parameters=parameters | known, tolerance=1e-8).values
     p, t = by_hand(c)
-    assert np.abs(found["p"] - p).max() < 300
-    assert np.abs(found["T"] - t).max() < 0.3
+    assert np.abs(simulated["p"] - p).max() < 300
+    assert np.abs(simulated["T"] - t).max() < 0.3
     assert t.min() < T_ATM - 20

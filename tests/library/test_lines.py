@@ -48,14 +48,14 @@ def by_hand(volume, flow, isothermal):  # type: ignore[no-untyped-def]
         p_line_rate = R * T_ATM * (into - on) / volume if isothermal else GAMMA * R * heat / volume
         return [p_line_rate, into - on, N * R * t_tank * on / V_TANK]
 
-    y, found = np.array([P_ATM, P_ATM * volume / (R * T_ATM), P_ATM]), []
+    y, pressures = np.array([P_ATM, P_ATM * volume / (R * T_ATM), P_ATM]), []
     for filling, part in ((True, TIMES[TIMES <= 20]), (False, TIMES[TIMES >= 20])):
         piece = solve_ivp(
             rates, part[[0, -1]], y, "BDF", part, args=(filling,), rtol=1e-8, atol=[1e-2, 1e-13, 1e-2]
         ).y  # fmt: skip
         y = piece[:, -1]
-        found.append(piece[2])
-    return np.concatenate([found[0], found[1][1:]]) - P_ATM
+        pressures.append(piece[2])
+    return np.concatenate([pressures[0], pressures[1][1:]]) - P_ATM
 
 
 @pytest.mark.parametrize("name", LINES)
@@ -69,13 +69,13 @@ def test_tank_behind_a_line(name: str) -> None:
         "p_supply": np.array([P_SUPPLY, P_SUPPLY]),
     }
     with Simulator(built(BENCH, name)) as simulator:
-        found = simulator.run(
+        simulated = simulator.run(
             TIMES,
             parameters=parameters | {"tank.V": V_TANK, "tank.n": N},
             inputs=Inputs(np.array([0.0, 20.0]), drive, "previous"),
             tolerance=1e-7,
         ).values["p"]
     expected = by_hand(volume, flow, name == ISOTHERMAL)
-    assert np.abs(found - expected).max() < 100
-    assert np.abs(found - expected).mean() < 20
+    assert np.abs(simulated - expected).max() < 100
+    assert np.abs(simulated - expected).mean() < 20
     assert expected.max() > 50e3

@@ -39,5 +39,5 @@ def test_shut_valves_hold_what_contraction_leaves() -> None:
 
 def test_closed_vessel_keeps_its_pressure() -> None:
     with Simulator(study.build("PneumaticMuscle.Benches.ClosedVessel")) as simulator:
-        found = simulator.run(np.linspace(0, 150, 16), parameters={"tank.p_start": 7e5})
-    assert np.abs(found.values["p"] - 7e5).max() < 1.0
+        run = simulator.run(np.linspace(0, 150, 16), parameters={"tank.p_start": 7e5})
+    assert np.abs(run.values["p"] - 7e5).max() < 1.0

@@ -44,8 +44,8 @@ def cited(text: str) -> list[str]:
 def test_every_citation_is_in_the_bibliography(name: str) -> None:
     assert set(cited(texts()[name])) <= set(keys())
     for what, pattern in LOOSE.items():
-        found = pattern.search(texts()[name])
-        assert found is None, f"{what}: {found.group()}"
+        match = pattern.search(texts()[name])
+        assert match is None, f"{what}: {match.group()}"
 
 
 def test_every_entry_is_cited() -> None:

@@ -28,10 +28,10 @@ def test_linear_model_is_the_exponential_of_its_matrix() -> None:
     end = np.array([p_in - p_0, -c_1 * (p_in - p_0) / (c_2 + k), 0.0])
     times = np.linspace(0, 0.8, 41)
     pressure, length = np.array([end - expm(matrix * t) @ end for t in times]).T[:2]
-    found = run("LumpedLinear", times, Inputs([0.0, 0.8], {"p_in": [p_in, p_in]}), parameters)
-    assert found["p"] == pytest.approx(p_0 + pressure, abs=1e-3)
-    assert found["L"] == pytest.approx(length, abs=1e-7 * np.ptp(length))
-    assert found["F"] == pytest.approx(f_0 + c_1 * pressure + c_2 * length, abs=1e-5)
+    trajectory = run("LumpedLinear", times, Inputs([0.0, 0.8], {"p_in": [p_in, p_in]}), parameters)
+    assert trajectory["p"] == pytest.approx(p_0 + pressure, abs=1e-3)
+    assert trajectory["L"] == pytest.approx(length, abs=1e-7 * np.ptp(length))
+    assert trajectory["F"] == pytest.approx(f_0 + c_1 * pressure + c_2 * length, abs=1e-5)
     assert np.ptp(length) > 4e-3 and np.abs(np.diff(np.sign(np.diff(length)))).sum() > 4  # it rings
 
 
@@ -72,7 +72,7 @@ def test_vertical_load_in_strain_and_angles() -> None:
         "muscle.friction.rate_smooth": ROUND, "muscle.friction.a": A, "muscle.friction.b_f": B,
         "muscle.elasticity.K": STIFFNESS,
     }  # fmt: skip
-    found = run("VerticalLoad", times, course, parameters)
+    trajectory = run("VerticalLoad", times, course, parameters)
     p, eps, _ = exact.y
-    assert np.ptp(eps) > 0.1 and found["eps"] == pytest.approx(eps, abs=1e-6)
-    assert found["x"] == pytest.approx(LENGTH * eps, abs=1e-6 * LENGTH)
+    assert np.ptp(eps) > 0.1 and trajectory["eps"] == pytest.approx(eps, abs=1e-6)
+    assert trajectory["x"] == pytest.approx(LENGTH * eps, abs=1e-6 * LENGTH)

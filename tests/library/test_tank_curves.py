@@ -53,5 +53,5 @@ def simulated_times(vessel: Vessel, supply: float, filling: bool, end: float) ->
 def test_times_agree_with_quadrature(volume: float, supply: float, n: float, filling: bool) -> None:
     vessel = Vessel(volume, n)
     exact = exact_times(vessel, supply, filling)
-    found = simulated_times(vessel, supply, filling, 1.1 * exact[-1])
-    assert found == pytest.approx(exact, rel=2e-4)
+    simulated = simulated_times(vessel, supply, filling, 1.1 * exact[-1])
+    assert simulated == pytest.approx(exact, rel=2e-4)

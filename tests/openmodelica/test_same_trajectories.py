@@ -40,11 +40,11 @@ def test_nothing_is_left_out() -> None:
 
 @pytest.mark.parametrize("name", CLASSES)
 def test_class(name: str) -> None:
-    found = differences(build_model(f"PneumaticMuscle.{name}"), HERE / "classes" / f"{name}.csv")
-    assert max(found.values()) < ADDED_UP * 1e-9, found
+    apart = differences(build_model(f"PneumaticMuscle.{name}"), HERE / "classes" / f"{name}.csv")
+    assert max(apart.values()) < ADDED_UP * 1e-9, apart
 
 
 @pytest.mark.parametrize("effect", EFFECTS)
 def test_effect(effect: str) -> None:
-    found = differences(built(BENCH, effect), HERE / "isotonic-with-effect" / f"{effect}.csv")
-    assert max(found.values()) < ADDED_UP * 1e-8, found
+    apart = differences(built(BENCH, effect), HERE / "isotonic-with-effect" / f"{effect}.csv")
+    assert max(apart.values()) < ADDED_UP * 1e-8, apart

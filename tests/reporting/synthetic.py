@@ -58,14 +58,14 @@ def make_fit(data, error, parameters=None):
         role: residual_statistics(series_of([r for r in comparison.runs if r.run.role == role], sigma))
         for role in ("fit", "holdout")
     }
-    found = {"valve.C_A": Estimate(0.712, 0.701, 0.723, "1")} if parameters is None else parameters
-    return Fit("M", found, comparison, by_role, 12, ("step size too small at t = 3 s",))
+    estimates = {"valve.C_A": Estimate(0.712, 0.701, 0.723, "1")} if parameters is None else parameters
+    return Fit("M", estimates, comparison, by_role, 12, ("step size too small at t = 3 s",))
 
 
-def make_candidate(data, effect, family, balance, error, own=None, before=(), **found):
+def make_candidate(data, effect, family, balance, error, own=None, before=(), **fields):
     own = own or {}
     fit = make_fit(data, error, {"valve.C_A": Estimate(0.699, 0.695, 0.703, "1"), **own})
-    return Candidate(effect, family, balance, (*before, effect), tuple(own), fit, equations=EQUATIONS, **found)
+    return Candidate(effect, family, balance, (*before, effect), tuple(own), fit, equations=EQUATIONS, **fields)
 
 
 def make_diagnosis(kind="identified", data=None, **changes):

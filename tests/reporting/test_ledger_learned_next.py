@@ -119,8 +119,8 @@ def test_the_next_run_is_ready_to_make():
 def test_a_long_run_is_cut_in_the_report_only(tmp_path):
     n = 100
     long = replace(PLAN, table={"time": list(range(n)), "u_in": [0.1] * n, "p_supply": [2e5] * n})
-    found = next_run(long)
-    assert (len(found["table"]), found["left_out"]) == (40, 60)
+    shown = next_run(long)
+    assert (len(shown["table"]), shown["left_out"]) == (40, 60)
     write_next_run(tmp_path / "n.csv", long)
     assert len((tmp_path / "n.csv").read_text().splitlines()) == 2 + 1 + n
 
@@ -135,8 +135,8 @@ def test_the_terminal_gets_the_way_the_place_the_ledger_and_the_next_run():
     assert lines[0] == "Verdict: ambiguous: elasticity and end_shape (StiffWall, RoundEnds)"
 
     def line(start):
-        (found,) = [x.strip() for x in lines if x.strip().startswith(start)]
-        return found
+        (only,) = [x.strip() for x in lines if x.strip().startswith(start)]
+        return only
 
     assert line("The way there: base model ").endswith("(reduced chi-square, holdout runs)")
     assert "→ + StiffWall" in line("The way there")

@@ -35,12 +35,12 @@ def _one_hold(seed: int) -> DataSet:
     """
     schedule = Schedule.of([phase for _ in range(4) for phase in (Phase(0.36, u_in=0.35), Phase(1.0))])
     times = np.arange(272) / 50
-    found = simulate_muscle(replace(TRUTH, load=2.27), 207e3, schedule, times, [effect_of("elasticity:linear")])
+    simulated = simulate_muscle(replace(TRUTH, load=2.27), 207e3, schedule, times, [effect_of("elasticity:linear")])
     rng = np.random.default_rng(seed)
     recorded = (times > 5.08) & (times < 5.43)
     measured = {
-        "p": np.where(recorded, found.p + 500.0 * rng.standard_normal(len(times)), np.nan),
-        "x": np.where(recorded, found.x + 0.2e-3 * rng.standard_normal(len(times)), np.nan),
+        "p": np.where(recorded, simulated.p + 500.0 * rng.standard_normal(len(times)), np.nan),
+        "x": np.where(recorded, simulated.x + 0.2e-3 * rng.standard_normal(len(times)), np.nan),
     }
     currents = np.array([schedule.at(t) for t in times.tolist()])
     inputs = {"u_in": currents[:, 0], "u_out": currents[:, 1], "p_supply": np.full(len(times), 207e3)}
@@ -51,19 +51,19 @@ def _one_hold(seed: int) -> DataSet:
 
 @pytest.mark.full
 def test_one_hold_cannot_separate_what_shortens_the_stroke(workers: int | None) -> None:
-    found = study.diagnose(_one_hold(1), workers=workers)
-    verdict = found.verdict
+    diagnosis = study.diagnose(_one_hold(1), workers=workers)
+    verdict = diagnosis.verdict
     assert verdict.kind == "ambiguous", verdict
     assert "elasticity" in verdict.families and len(verdict.families) >= 2
     assert len(verdict.families) == len(dict.fromkeys(verdict.families)) == len(verdict.effects)
-    assert found.missing_term is None
-    plan = found.next_experiment
+    assert diagnosis.missing_term is None
+    plan = diagnosis.next_experiment
     assert plan is not None
     assert plan.run == "run" and plan.change
     assert set(plan.between) <= set(verdict.families)
     # the run is worth making: it tells the two apart by more than the evidence that counts as very strong
     assert plan.evidence > 10
-    best, other = (next(c for c in found.candidates if c.family == f) for f in verdict.families[:2])
+    best, other = (next(c for c in diagnosis.candidates if c.family == f) for f in verdict.families[:2])
     assert abs(best.delta_bic - other.delta_bic) < 10
 
 
@@ -75,9 +75,9 @@ def _swinging_vessel(seed: int) -> DataSet:
     times = np.linspace(0.0, 20.0, 201)
     vessel = Vessel(VOLUME, TRUE_N, P_START + P_ATM, T_START)
     port = orifice_port(DIAMETER, TRUE_C_D, 0.0)
-    found = simulate_vessel(vessel, port, times, P_START, effects=[effect_of("gas_energy:film:h=12")])
+    simulated = simulate_vessel(vessel, port, times, P_START, effects=[effect_of("gas_energy:film:h=12")])
     swing = 4e3 * np.sin(2 * np.pi * times * 9 / 20)
-    p = found.p + swing + 1e3 * np.random.default_rng(seed).standard_normal(len(times))
+    p = simulated.p + swing + 1e3 * np.random.default_rng(seed).standard_normal(len(times))
     known = {**KNOWN, "orifice.C_d": TRUE_C_D, "tank.n": TRUE_N}
     run = replace(recording(times, {"p": p}), parameters=known)
     return data_set("PneumaticMuscle.Benches.VesselOrifice", [run], {"p": 1e3}, parameters=known)
@@ -85,11 +85,11 @@ def _swinging_vessel(seed: int) -> DataSet:
 
 @pytest.mark.full
 def test_what_two_families_leave_alike_is_unknown(workers: int | None) -> None:
-    found = study.diagnose(_swinging_vessel(3), workers=workers, explain=False)
-    verdict = found.verdict
-    best, rival = (next(c for c in found.candidates if c.family == f) for f in ("gas_energy", "pressure_offset"))
+    diagnosis = study.diagnose(_swinging_vessel(3), workers=workers, explain=False)
+    verdict = diagnosis.verdict
+    best, rival = (next(c for c in diagnosis.candidates if c.family == f) for f in ("gas_energy", "pressure_offset"))
     assert abs(best.delta_bic - rival.delta_bic) < 10  # the data cannot tell them apart
     assert (verdict.kind, verdict.families, verdict.effects) == ("unknown", (best.family,), (best.effect,)), verdict
     assert "separate gas_energy and pressure_offset" in verdict.reason
-    assert found.next_experiment is None  # it would decide between two that are wrong
-    assert found.missing_term is not None
+    assert diagnosis.next_experiment is None  # it would decide between two that are wrong
+    assert diagnosis.missing_term is not None

@@ -43,31 +43,31 @@ def but_first_in_full(cases: Iterable[Any]) -> list[Any]:
 def test_hidden_effect_is_found(tmp_path: Path, workers: int | None, hidden: str) -> None:
     family = hidden.partition(":")[0]
     data = study.read(write_light_data(tmp_path / "d", [effect_of(hidden)], seed=1))
-    found = study.diagnose(data, workers=workers)
-    assert found.verdict.kind == "identified", found.verdict
-    assert found.verdict.families == (family,)
-    assert found.candidates[0].family == family
-    fit, holdout = (found.final.comparison.chi2_reduced(role) for role in ("fit", "holdout"))
+    diagnosis = study.diagnose(data, workers=workers)
+    assert diagnosis.verdict.kind == "identified", diagnosis.verdict
+    assert diagnosis.verdict.families == (family,)
+    assert diagnosis.candidates[0].family == family
+    fit, holdout = (diagnosis.final.comparison.chi2_reduced(role) for role in ("fit", "holdout"))
     assert 0.9 < holdout < 1.2 and 0.85 < fit < 1.15
-    assert found.base.comparison.chi2_reduced("holdout") > 2
+    assert diagnosis.base.comparison.chi2_reduced("holdout") > 2
     law, parameter, true = HIDDEN[hidden]
-    (same,) = [c for c in found.candidates if c.effects == (law,)]
+    (same,) = [c for c in diagnosis.candidates if c.effects == (law,)]
     (estimate,) = [e for name, e in same.parameters.items() if name.rpartition(".")[2] == parameter]
     assert estimate.low <= true <= estimate.high, (parameter, str(estimate))
     assert estimate.high - estimate.low < 0.1 * true
-    assert sum(found.balance.values()) == pytest.approx(1.0)
+    assert sum(diagnosis.balance.values()) == pytest.approx(1.0)
 
 
 @pytest.mark.full
 def test_family_is_found_where_its_form_is_not_listed(tmp_path: Path, workers: int | None) -> None:
-    found = study.diagnose(
+    diagnosis = study.diagnose(
         study.read(write_light_data(tmp_path / "d", [UNLISTED["pressed_lip"]], seed=1)), workers=workers
     )
-    assert (found.verdict.kind, found.verdict.families) == ("identified", ("leak",)), found.verdict
-    assert found.path[-1].general and "no listed law fits as well" in found.verdict.reason
-    assert found.base.comparison.chi2_reduced("holdout") > 100
-    assert 0.9 < found.final.comparison.chi2_reduced("holdout") < 1.1
-    held = [e for e in found.path[-1].parameters.values() if e.value == 0]
+    assert (diagnosis.verdict.kind, diagnosis.verdict.families) == ("identified", ("leak",)), diagnosis.verdict
+    assert diagnosis.path[-1].general and "no listed law fits as well" in diagnosis.verdict.reason
+    assert diagnosis.base.comparison.chi2_reduced("holdout") > 100
+    assert 0.9 < diagnosis.final.comparison.chi2_reduced("holdout") < 1.1
+    held = [e for e in diagnosis.path[-1].parameters.values() if e.value == 0]
     assert held and not any(e.determined for e in held)
 
 
@@ -82,10 +82,10 @@ def test_tank_that_lacks_nothing(tmp_path: Path, workers: int | None, seed: int)
     _nothing(study.diagnose(_tank(seed), workers=workers))
 
 
-def _nothing(found: Diagnosis) -> None:
-    assert found.verdict.kind == "none_missing", found.verdict
-    assert (found.verdict.families, found.path, found.next_experiment) == ((), (), None)
-    assert found.final is found.base
+def _nothing(diagnosis: Diagnosis) -> None:
+    assert diagnosis.verdict.kind == "none_missing", diagnosis.verdict
+    assert (diagnosis.verdict.families, diagnosis.path, diagnosis.next_experiment) == ((), (), None)
+    assert diagnosis.final is diagnosis.base
 
 
 def _tank(seed: int) -> DataSet:
@@ -97,12 +97,12 @@ def _tank(seed: int) -> DataSet:
         schedule = Schedule.of(
             [Phase(2.5, u_in=0.35), Phase(1.5), Phase(2.0, u_in=0.3), Phase(1.5), Phase(2.5, u_out=0.3)]
         )
-        found = simulate_vessel(Vessel(0.35e-3), valve_ports(supply, 0.72), times, schedule=schedule)
+        simulated = simulate_vessel(Vessel(0.35e-3), valve_ports(supply, 0.72), times, schedule=schedule)
         currents = np.array([schedule.at(t) for t in times.tolist()])
         inputs = {"u_in": currents[:, 0], "u_out": currents[:, 1], "p_supply": np.full(len(times), supply)}
         noisy = {
-            "p": found.p + 500.0 * rng.standard_normal(len(times)),
-            "T": found.temperature + 0.3 * rng.standard_normal(len(times)),
+            "p": simulated.p + 500.0 * rng.standard_normal(len(times)),
+            "T": simulated.temperature + 0.3 * rng.standard_normal(len(times)),
         }
         run = recording(times, noisy, role, inputs)
         runs.append(replace(run, interpolation="previous", parameters={"tank.V": 0.35e-3}))

@@ -26,28 +26,28 @@ def example() -> ModuleType:
 
 
 @pytest.fixture(scope="module")
-def found(example: ModuleType, workers: int | None, tmp_path_factory: pytest.TempPathFactory) -> Diagnosis:
+def diagnosis(example: ModuleType, workers: int | None, tmp_path_factory: pytest.TempPathFactory) -> Diagnosis:
     folder = example.rig.write_data_set(tmp_path_factory.mktemp("vertical-load"))
     return study.diagnose(study.read(folder), workers=workers)
 
 
 @pytest.mark.full
-def test_verdict_is_the_effect_of_the_paper(found: Diagnosis) -> None:
-    assert found.verdict.kind == "identified", found.verdict
-    assert found.verdict.effects == ("LoadFrequencyFriction",)
-    assert max(found.balance, key=lambda b: found.balance[b]) == "force"
+def test_verdict_is_the_effect_of_the_paper(diagnosis: Diagnosis) -> None:
+    assert diagnosis.verdict.kind == "identified", diagnosis.verdict
+    assert diagnosis.verdict.effects == ("LoadFrequencyFriction",)
+    assert max(diagnosis.balance, key=lambda b: diagnosis.balance[b]) == "force"
 
 
 @pytest.mark.full
-def test_error_falls_to_the_noise_on_conditions_that_were_not_fitted(found: Diagnosis) -> None:
-    before, after = (f.comparison.scores["holdout"]["x"].rmse for f in (found.base, found.final))
+def test_error_falls_to_the_noise_on_conditions_that_were_not_fitted(diagnosis: Diagnosis) -> None:
+    before, after = (f.comparison.scores["holdout"]["x"].rmse for f in (diagnosis.base, diagnosis.final))
     assert before > 5e-4 and after < 1.05e-4
-    assert found.final.residuals["holdout"].chi2_reduced < 1.1
+    assert diagnosis.final.residuals["holdout"].chi2_reduced < 1.1
 
 
 @pytest.mark.full
-def test_coefficients_come_back(found: Diagnosis) -> None:
-    own = found.final.values
+def test_coefficients_come_back(diagnosis: Diagnosis) -> None:
+    own = diagnosis.final.values
     assert own["damper.ab"] == pytest.approx(0.12, rel=0.02)
     assert own["muscle.friction.c_c"] == pytest.approx(6.0, rel=0.02)
     assert own["muscle.friction.c_v"] < 0.01 * 0.12 * 15 * 9.81  # N.s, of the coefficient at 15 kg and 1 Hz
@@ -56,10 +56,10 @@ def test_coefficients_come_back(found: Diagnosis) -> None:
 
 @pytest.mark.full
 def test_example_draws_the_loops_and_tables_them_as_the_paper_does(
-    example: ModuleType, found: Diagnosis, tmp_path: Path
+    example: ModuleType, diagnosis: Diagnosis, tmp_path: Path
 ) -> None:
-    example.draw(found, tmp_path / "loops.png")
+    example.draw(diagnosis, tmp_path / "loops.png")
     assert (tmp_path / "loops.png").stat().st_size > 10_000
-    table = example.tabled(found.final.comparison, "correlation").splitlines()
+    table = example.tabled(diagnosis.final.comparison, "correlation").splitlines()
     assert [line.split("|")[1].strip() for line in table[2:-1]] == ["5 kg", "10 kg", "15 kg", "20 kg", "25 kg", "30 kg"]
     assert "nan" not in table[-1] and "±" in table[-1]

@@ -49,10 +49,10 @@ class Crack(Effect):
 def _emptied(effect: Effect, seed: int, n: float = TRUE_N) -> dict[str, np.ndarray]:
     rng = np.random.default_rng([seed, 4])
     vessel = Vessel(VOLUME, n, P_START + P_ATM, T_START)
-    found = simulate_vessel(vessel, orifice_port(DIAMETER, TRUE_C_D, 0.0), TIMES, P_START, effects=[effect])
+    simulated = simulate_vessel(vessel, orifice_port(DIAMETER, TRUE_C_D, 0.0), TIMES, P_START, effects=[effect])
     return {
-        "p": found.p + 1000.0 * rng.standard_normal(len(TIMES)),
-        "T": found.temperature + 0.3 * rng.standard_normal(len(TIMES)),
+        "p": simulated.p + 1000.0 * rng.standard_normal(len(TIMES)),
+        "T": simulated.temperature + 0.3 * rng.standard_normal(len(TIMES)),
     }
 
 
@@ -62,20 +62,20 @@ def _cracked() -> DataSet:
 
 
 def test_own_effect_is_found_when_its_file_is_named(workers: int | None) -> None:
-    found = study.diagnose(_cracked(), files=[HERE / "BurstLeak.mo"], workers=workers)
-    assert found.verdict.kind == "identified", found.verdict
-    assert (found.verdict.families, found.verdict.effects) == (("burst_leak",), ("BurstLeak",))
-    (estimate,) = found.path[0].parameters.values()
+    diagnosis = study.diagnose(_cracked(), files=[HERE / "BurstLeak.mo"], workers=workers)
+    assert diagnosis.verdict.kind == "identified", diagnosis.verdict
+    assert (diagnosis.verdict.families, diagnosis.verdict.effects) == (("burst_leak",), ("BurstLeak",))
+    (estimate,) = diagnosis.path[0].parameters.values()
     assert estimate.low <= 3e-15 <= estimate.high and estimate.unit == "kg/(s.Pa2)"
-    c_d = found.final.parameters["orifice.C_d"]
+    c_d = diagnosis.final.parameters["orifice.C_d"]
     assert c_d.low <= TRUE_C_D <= c_d.high
 
 
 @pytest.mark.full
 def test_without_the_file_it_is_a_leak_of_a_form_that_is_not_listed(workers: int | None) -> None:
-    found = study.diagnose(_cracked(), workers=workers)
-    assert (found.verdict.kind, found.verdict.families) == ("identified", ("leak",)), found.verdict
-    assert found.verdict.effects == ("FlexibleLeak",)
+    diagnosis = study.diagnose(_cracked(), workers=workers)
+    assert (diagnosis.verdict.kind, diagnosis.verdict.families) == ("identified", ("leak",)), diagnosis.verdict
+    assert diagnosis.verdict.effects == ("FlexibleLeak",)
 
 
 @pytest.mark.full
@@ -84,13 +84,13 @@ def test_own_bench(workers: int | None) -> None:
     run = recording(TIMES, {"pressure": measured["p"], "temperature": measured["T"]})
     fit = (FreeParameter("hole.C_d", 0.5, 1.1), FreeParameter("bottle.n", 1.0, 1.4))
     data = data_set(str(HERE / "Reservoir.mo"), [run], {"pressure": 1000.0, "temperature": 0.3}, fit)
-    found = study.diagnose(data, workers=workers)
-    assert found.verdict.kind == "identified", found.verdict
-    assert found.verdict.families == ("gas_energy",)
-    assert found.final.comparison.chi2_reduced("fit") == pytest.approx(1.0, abs=0.15)
-    c_d = found.final.parameters["hole.C_d"]
+    diagnosis = study.diagnose(data, workers=workers)
+    assert diagnosis.verdict.kind == "identified", diagnosis.verdict
+    assert diagnosis.verdict.families == ("gas_energy",)
+    assert diagnosis.final.comparison.chi2_reduced("fit") == pytest.approx(1.0, abs=0.15)
+    c_d = diagnosis.final.parameters["hole.C_d"]
     assert c_d.low <= TRUE_C_D <= c_d.high
-    assert {"bottle.gas.h", "hole.C_d"} <= set(found.final.parameters)
+    assert {"bottle.gas.h", "hole.C_d"} <= set(diagnosis.final.parameters)
 
 
 @pytest.mark.full
@@ -98,11 +98,11 @@ def test_error_that_no_effect_explains_is_unknown(workers: int | None) -> None:
     """A compressor nearby makes the pressure gauge swing by 4 kPa every 7 s."""
     swing = 4e3 * np.sin(2 * np.pi * TIMES / 7)
     data = vessel_data(seed=2, clean=discharge(times=TIMES)[0] + swing, times=TIMES)
-    found = study.diagnose(data, workers=workers)
-    assert found.verdict.kind == "unknown", found.verdict
-    term = found.missing_term
+    diagnosis = study.diagnose(data, workers=workers)
+    assert diagnosis.verdict.kind == "unknown", diagnosis.verdict
+    term = diagnosis.missing_term
     assert term is not None and term.balance in ("mass", "energy", "sensor")
     # what is left is the swing, 4/sqrt(2) kPa, and the noise of 1 kPa
     assert term.signals["p"].rmse == pytest.approx(np.hypot(4e3 / np.sqrt(2), 1e3), rel=0.1)
     assert term.signals["p"].noise_standard_deviations == pytest.approx(3.0, rel=0.1)
-    assert found.next_experiment is None
+    assert diagnosis.next_experiment is None

@@ -60,7 +60,7 @@ def test_regression_gives_62_with_its_pressure_taken_as_absolute(calibration: Mo
 
 
 def test_flow_rises_with_current_and_supply(calibration: ModuleType) -> None:
-    found = calibration.calibration()
-    flows = np.array([found.values[f"V_flow[{i}]"] for i in range(1, 16)])
-    assert (np.diff(flows[:, -1]) > 0).all() and (flows[:, found.values["u"] < 0.145] == 0).all()
+    trajectory = calibration.calibration()
+    flows = np.array([trajectory.values[f"V_flow[{i}]"] for i in range(1, 16)])
+    assert (np.diff(flows[:, -1]) > 0).all() and (flows[:, trajectory.values["u"] < 0.145] == 0).all()
     assert flows[-1, -1] * 6e4 == pytest.approx(11.57, abs=0.01)  # L/min, C_A = 0.699

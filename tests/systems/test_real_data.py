@@ -39,8 +39,8 @@ def vessel() -> ModuleType:
     return script("tank-discharge")
 
 
-def kilopascals(found, role):  # type: ignore[no-untyped-def]
-    return found.comparison.scores[role]["p"].rmse / 1e3
+def kilopascals(fit, role):  # type: ignore[no-untyped-def]
+    return fit.comparison.scores[role]["p"].rmse / 1e3
 
 
 @pytest.mark.full
@@ -97,11 +97,11 @@ def test_discharge_predicts_the_filling(vessel: ModuleType, tmp_path: Path) -> N
 
 @pytest.mark.full
 def test_nitrogen_is_cooled_and_warmed_by_free_convection(vessel: ModuleType, tmp_path: Path) -> None:
-    found = vessel.fitted("nitrogen", ("FreeConvectionGas",), ("p", "T"), tmp_path)
-    c, c_d = found.parameters["tank.gas.c"], found.parameters["orifice.C_d"]
+    fit = vessel.fitted("nitrogen", ("FreeConvectionGas",), ("p", "T"), tmp_path)
+    c, c_d = fit.parameters["tank.gas.c"], fit.parameters["orifice.C_d"]
     assert c.low <= 0.13 <= c.high and c.value == pytest.approx(0.13, abs=0.01)
     assert c_d.low <= 0.80 <= c_d.high
-    assert found.comparison.scores["fit"]["T"].rmse < 3.0
+    assert fit.comparison.scores["fit"]["T"].rmse < 3.0
 
 
 def raw(module: ModuleType, name: str) -> Path:
