@@ -175,8 +175,14 @@ class ExchangeModel:
 
     def variable(self, name: str) -> Variable | None:
         """What the FMU says of a variable; None where it only names it."""
-        face = self.interface
-        for group in (face.outputs, face.inputs, face.locals, face.parameters, face.sensitivities):
+        interface = self.interface
+        for group in (
+            interface.outputs,
+            interface.inputs,
+            interface.locals,
+            interface.parameters,
+            interface.sensitivities,
+        ):
             if name in group:
                 return group[name]
         return None

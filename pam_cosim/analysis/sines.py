@@ -155,8 +155,8 @@ def respond_from_start(
 
     Each run begins at the start values and is prolonged until it settles.
     """
-    face = simulator.interface
-    variable = face.inputs[sines.input]
+    interface = simulator.interface
+    variable = interface.inputs[sines.input]
     middle = parameters.get(sines.input, variable.start or 0.0)
     others = {name: value for name, value in parameters.items() if name != sines.input}
     answers = []
@@ -164,8 +164,8 @@ def respond_from_start(
         answers.append(_swing_from_start(simulator, others, middle, frequency, sines))
         if progress is not None:
             progress(i + 1, len(sines.frequencies))
-    units = {name: v.unit for name, v in (face.inputs | face.outputs | face.locals).items()}
-    return _collected(answers, sines, face.model, units, None)
+    units = {name: v.unit for name, v in (interface.inputs | interface.outputs | interface.locals).items()}
+    return _collected(answers, sines, interface.model, units, None)
 
 
 def _swing_from_start(

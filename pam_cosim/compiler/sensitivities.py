@@ -33,12 +33,12 @@ def with_sensitivities(ode: Ode, parameters: Sequence[str]) -> Ode:
     x, s = ode.x, ca.SX.sym("S", ode.x.numel(), len(names))
     rates = ca.jacobian(ode.derivatives, x) @ s + ca.jacobian(ode.derivatives, chosen)
     slopes = ca.jacobian(ode.outputs, x) @ s + ca.jacobian(ode.outputs, chosen)
-    face = ode.interface
-    states = [_variable(state, face.parameters[n]) for state in ode.states for n in names]
-    outputs = [_variable(output, face.parameters[n]) for output in face.outputs.values() for n in names]
+    interface = ode.interface
+    states = [_variable(state, interface.parameters[n]) for state in ode.states for n in names]
+    outputs = [_variable(output, interface.parameters[n]) for output in interface.outputs.values() for n in names]
     return replace(
         ode,
-        interface=replace(face, outputs=face.outputs | {v.name: v for v in outputs}),
+        interface=replace(interface, outputs=interface.outputs | {v.name: v for v in outputs}),
         states=(*ode.states, *states),
         x=ca.vertcat(x, ca.vec(s.T)),
         derivatives=ca.vertcat(ode.derivatives, ca.vec(rates.T)),

@@ -253,8 +253,8 @@ class Rig(Printed):
 
 def variables_of(interface: Interface) -> dict[str, Variable]:
     """Everything that can be read, by name."""
-    face = interface
-    return {**face.outputs, **face.inputs, **face.locals, **face.sensitivities, **face.parameters}
+    groups = (interface.outputs, interface.inputs, interface.locals, interface.sensitivities, interface.parameters)
+    return {name: variable for group in groups for name, variable in group.items()}
 
 
 def input_of(name: str, interface: Interface) -> Variable:

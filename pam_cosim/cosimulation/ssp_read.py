@@ -302,8 +302,8 @@ def _unitless(part: Part) -> Part:
     def plain(variables: dict[str, Any]) -> dict[str, Any]:
         return {name: replace(variable, unit="") for name, variable in variables.items()}
 
-    face = part.interface
-    return replace(part, interface=Interface(face.model, plain(face.inputs), plain(face.outputs)))
+    interface = part.interface
+    return replace(part, interface=Interface(interface.model, plain(interface.inputs), plain(interface.outputs)))
 
 
 def _placed(description: _Description, names: dict[_Place, str], file: Path) -> Iterator[tuple[_Place, str, Setting]]:

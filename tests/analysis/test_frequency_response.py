@@ -64,8 +64,8 @@ def test_without_model_exchange(tmp_path: Path) -> None:
     begin = text.index("<ModelExchange")
     end = text.index("/>", begin) + 2 if "</ModelExchange>" not in text else text.index("</ModelExchange>") + 16
     alone = repacked(built, tmp_path / "alone.fmu", {text[begin:end]: ""})
-    face = pam.describe(str(alone))
-    [name] = face.inputs
+    interface = pam.describe(str(alone))
+    [name] = interface.inputs
     words = {"input": name, "amplitude": 0.5, "frequencies": [0.2, 2.0]}
     by_runs, whole = pam.frequency_response(str(alone), **words), pam.frequency_response(str(built), **words)
     assert by_runs.linear is None and np.isnan(by_runs.linear_gain).all() and by_runs.settled.all()

@@ -40,7 +40,7 @@ def differential_evolution_search(problem: Problem) -> GlobalSearch:
         lowest[-1] = min(lowest[-1], here)
         return here
 
-    found = differential_evolution(
+    solution = differential_evolution(
         cost,
         list(zip(*objective.bounds, strict=True)),
         popsize=MEMBERS,
@@ -50,6 +50,6 @@ def differential_evolution_search(problem: Problem) -> GlobalSearch:
         polish=False,
         callback=lambda *_: lowest.append(lowest[-1]),
     )
-    if not np.isfinite(found.fun):
+    if not np.isfinite(solution.fun):
         raise SimulationFailure(f"no point within the bounds can be simulated: {objective.first_failure}")
-    return searched("differential evolution", objective, np.asarray(found.x), lowest, before)
+    return searched("differential evolution", objective, np.asarray(solution.x), lowest, before)
