@@ -139,6 +139,18 @@ class FitCriteria:
     at_bound: float = decides(1e-6, "of the range", "an estimate this near a bound ended there")
     seen: float = decides(1e-6, "of the largest singular value", "directions below are not determined by the data")
     blind: float = decides(1e-3, "1", "share of an undetermined direction that makes a parameter undetermined")
+    profile_rise: float = decides(
+        3.84, "1", "of chi-square along a profile, where the 95 % interval ends", "chi-square distribution"
+    )
+    flat: float = decides(
+        0.1, "1", "rise of a profile below which others make up for all; a rise at their bounds is not the data's then"
+    )
+    profile_step: float = decides(0.7, "sd", "first step of a profile: three or four of them to the interval's end")
+    profile_points: int = decides(8, "points", "of a profile on each side, at most")
+    profile_evaluations: int = decides(12, "evaluations", "to fit the others again at each, from the point before")
+    follows: float = decides(0.1, "1", "power of one parameter that another follows along a flat profile, at least")
+    off_course: float = decides(0.1, "of its course", "what the follower may be off that power")
+    confused: float = decides(0.95, "1", "correlation of two estimates from which on a fit says so")
     loud: float = decides(1.5, "noise variances", "a verdict mentions that the noise is more than the stated one")
 
 

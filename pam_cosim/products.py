@@ -22,7 +22,7 @@ from pam_cosim.comparison import Comparison, ConditionTable
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, write_bytes
-from pam_cosim.fitting import Fit, Record
+from pam_cosim.fitting import Fit, Profiles, Record
 from pam_cosim.ledger import Ledger
 from pam_cosim.simulation import Trajectory
 
@@ -31,6 +31,7 @@ Product = (
     | Comparison
     | ConditionTable
     | Fit
+    | Profiles
     | Ledger
     | Diagnosis
     | LinearModel

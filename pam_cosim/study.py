@@ -20,8 +20,9 @@ from pam_cosim.diagnosis import diagnose as _diagnose
 from pam_cosim.domain import Domain
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, make_folder, write_bytes, write_text
-from pam_cosim.fitting import Fit, FitOptions, Progress, base_parameters
+from pam_cosim.fitting import Fit, FitOptions, Profiles, Progress, base_parameters
 from pam_cosim.fitting import fit as _fit
+from pam_cosim.fitting import profile as _profile
 from pam_cosim.fmu import build_model, read_interface
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet, complete_noise, read_data_set
@@ -190,6 +191,35 @@ def fit(
         data, fixed = complete_noise(data), resolve(parameters or {}, simulator.interface)
         options, kept = FitOptions(method, starts=starts), Path(resume) if resume is not None else None
         return _fit(simulator, data, free, fixed=fixed, options=options, progress=progress, resume=kept)
+
+
+def profile(
+    data: DataSet,
+    fit: Fit,
+    model: str | None = None,
+    *,
+    parameters: Mapping[str, Setting] | None = None,
+    files: Paths = (),
+    progress: Progress | None = None,
+    timeout: float | None = None,
+) -> Profiles:
+    """How well the data determine each parameter of a fit: its profile likelihood, with a sentence for each.
+
+    Args:
+        data: what was fitted to.
+        fit: what ``fit`` returned.
+        model: as for ``fit``.
+        parameters: as for ``fit``.
+        files: as for ``fit``.
+        progress: as for ``fit``.
+        timeout: as for ``fit``.
+
+    Raises:
+        InputError: as ``fit``.
+    """
+    with opened(model or data.model, files, data.free_names, timeout) as simulator:
+        fixed = resolve(parameters or {}, simulator.interface)
+        return _profile(simulator, complete_noise(data), fit, fixed=fixed, progress=progress)
 
 
 def diagnose(

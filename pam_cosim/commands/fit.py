@@ -21,6 +21,7 @@ from pam_cosim.commands.common import (
 )
 from pam_cosim.files import write_json
 from pam_cosim.fitting import METHODS, FitOptions, summary, write_parameters
+from pam_cosim.reporting import plot_fit
 
 
 def fit(
@@ -34,6 +35,12 @@ def fit(
     ] = 0,
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the parameters (.json, .ssv).")] = None,
     json: JsonOption = None,
+    plot: Annotated[
+        Path | None, typer.Option(help="Draw how the fit came down, where descents ended, and correlations as PNG.")
+    ] = None,
+    profile: Annotated[
+        Path | None, typer.Option(help="Find how well each parameter is determined, and draw the profiles as PNG.")
+    ] = None,
     resume: Annotated[
         Path | None,
         typer.Option(help="Keep every simulation's outcome here; the same command goes on where it was interrupted."),
@@ -42,7 +49,7 @@ def fit(
     timeout: TimeoutOption = None,
 ) -> None:
     """Fit the parameters that the data set leaves free."""
-    check_results(output, json, resume, sources=[model, *(files or [])])
+    check_results(output, json, plot, profile, resume, sources=[model, *(files or [])])
     read = read_data(data, model, files)
     with console.status("fitting") as status:
         found = study.fit(
@@ -55,10 +62,26 @@ def fit(
             progress=lambda standing: status.update(f"fitting: {standing}"),
             resume=resume,
         )
+        made = None
+        if profile:
+            made = study.profile(
+                read,
+                found,
+                model,
+                files=files or [],
+                timeout=timeout,
+                progress=lambda standing: status.update(f"profiles: {standing.evaluations} simulations"),
+            )
     typer.echo(str(found))
+    if made:
+        typer.echo(f"How well these data determine each parameter:\n{made}")
     if output:
         write_parameters(output, found)
     if json:
-        write_json(json, found.as_dict())
-    for path in (output, json, resume):
+        write_json(json, found.as_dict() | ({"profiles": made.as_dict()} if made else {}))
+    if plot:
+        plot_fit(found, plot)
+    if profile and made:
+        study.draw(made, profile)
+    for path in (output, json, plot, profile, resume):
         say_written(path)

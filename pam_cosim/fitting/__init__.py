@@ -2,11 +2,12 @@
 
 from pam_cosim.fitting.combinations import Combination
 from pam_cosim.fitting.estimate import Estimate, estimates
-from pam_cosim.fitting.fit import Fit, fit
+from pam_cosim.fitting.fit import Fit, fit, profile
 from pam_cosim.fitting.free import Free, base_parameters
 from pam_cosim.fitting.methods import METHODS, Record, summary
 from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.parameter_file import read_parameters, write_parameters
+from pam_cosim.fitting.profile import Profile, Profiles
 from pam_cosim.fitting.solve import spread_starts
 from pam_cosim.fitting.tracker import Convergence, Progress, Standing
 
@@ -18,12 +19,15 @@ __all__ = [
     "Fit",
     "FitOptions",
     "Free",
+    "Profile",
+    "Profiles",
     "Progress",
     "Record",
     "Standing",
     "base_parameters",
     "estimates",
     "fit",
+    "profile",
     "read_parameters",
     "spread_starts",
     "summary",

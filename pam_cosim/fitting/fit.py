@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from pam_cosim.arrays import Array
 from pam_cosim.comparison import (
     Comparison,
     ResidualStatistics,
@@ -24,6 +25,7 @@ from pam_cosim.fitting.free import Free, base_parameters
 from pam_cosim.fitting.methods import METHODS, Record
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fitting.options import FitOptions
+from pam_cosim.fitting.profile import Profiles, correlations, profiles
 from pam_cosim.fitting.resume import FitLog, LoggedObjective, identity_of
 from pam_cosim.fitting.solve import Problem
 from pam_cosim.fitting.tracker import Convergence, Progress, Tracker
@@ -47,6 +49,7 @@ class Fit(Printed):
         method: how it was fitted.
         search: what that method did on its own way, where that is worth telling.
         convergence: how the chi-square came down.
+        correlation: (k, k) matrix of the estimates, in the order of ``parameters``; empty: not known.
     """
 
     model: str
@@ -59,6 +62,7 @@ class Fit(Printed):
     method: str = "least-squares"
     search: Record | None = None
     convergence: Convergence = field(default_factory=Convergence)
+    correlation: Array = field(default_factory=lambda: np.zeros((0, 0)))
 
     @property
     def values(self) -> dict[str, float]:
@@ -86,17 +90,31 @@ class Fit(Printed):
             "combinations": [c.as_dict() for c in self.combinations],
             "method": self.method,
             "search": self.search.as_dict() if self.search else None,
+            "correlation": [[float(c) for c in row] for row in self.correlation],
             "convergence": self.convergence.as_dict(),
             "chi2_reduced": self.residuals["fit"].chi2_reduced,
             "comparison": self.comparison.as_dict(),
         }
+
+    def confused(self) -> tuple[str, ...]:
+        """A sentence for each pair of parameters that these data hardly tell apart."""
+        names = list(self.parameters)
+        told = {frozenset(c.names) for c in self.combinations}
+        sentences = []
+        for i, j in zip(*np.triu_indices(len(self.correlation), 1), strict=True):
+            r = self.correlation[i, j]
+            if abs(r) > CRITERIA.fit.confused and frozenset((names[i], names[j])) not in told:
+                way = "raised together" if r > 0 else "one raised and the other lowered"
+                sentences.append(f"{names[i]} and {names[j]} are hardly told apart: {way}, they fit alike ({r:+.3f})")
+        return tuple(sentences)
 
     def __str__(self) -> str:
         lines = [str(self.comparison)]
         if self.search:
             reached = self.residuals["fit"].chi2_reduced
             lines += [str(self.search), f"  the descent from there comes to chi2 {reached:.4g}:"]
-        return "\n".join([*lines, describe(self.parameters), *(f"  {c}" for c in self.combinations)])
+        said = [f"  {c}" for c in (*self.combinations, *self.confused())]
+        return "\n".join([*lines, describe(self.parameters), *said])
 
 
 def fit(
@@ -161,7 +179,33 @@ def fit(
         options.method,
         solution.record,
         tracker.convergence,
+        correlations(end.jacobian),
     )
+
+
+def profile(
+    simulator: AnySimulator,
+    data: DataSet,
+    fit: Fit,
+    free: Sequence[Free] | None = None,
+    *,
+    fixed: Mapping[str, float] | None = None,
+    progress: Progress | None = None,
+) -> Profiles:
+    """Profile likelihood of every parameter of a fit.
+
+    Args:
+        simulator: the model that was fitted.
+        data: what it was fitted to.
+        fit: the optimum.
+        free: the parameters that were fitted, as for ``fit``.
+        fixed: further parameter values [SI], as for ``fit``.
+        progress: called after each simulation.
+    """
+    chosen = tuple(base_parameters(data, simulator.interface) if free is None else free)
+    tracker = Tracker({n: signal.unit for n, signal in data.signals.items()}, progress)
+    objective = Objective(simulator, data, data.fit_runs, chosen, fixed, None, tracker)
+    return profiles(objective, fit.values, _spread(fit.residuals["fit"]), fit.model)
 
 
 def statistics_by_role(comparison: Comparison) -> dict[str, ResidualStatistics]:

@@ -2,7 +2,7 @@
 
 from pam_cosim.reporting.comparison_page import comparison_report
 from pam_cosim.reporting.diagnosis_page import diagnosis_report
-from pam_cosim.reporting.plots import draw, error_ladder_figure, plot_comparison, plot_tables, plot_trajectory
+from pam_cosim.reporting.plots import draw, error_ladder_figure, plot_comparison, plot_fit, plot_tables, plot_trajectory
 from pam_cosim.reporting.printed import diagnosis_text
 from pam_cosim.reporting.writing import write_report
 
@@ -13,6 +13,7 @@ __all__ = [
     "draw",
     "error_ladder_figure",
     "plot_comparison",
+    "plot_fit",
     "plot_tables",
     "plot_trajectory",
     "write_report",

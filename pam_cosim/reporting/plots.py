@@ -12,13 +12,14 @@ from pam_cosim.comparison import Comparison, ConditionTable
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, write_bytes
-from pam_cosim.fitting import Fit
+from pam_cosim.fitting import Fit, Profiles
 from pam_cosim.ledger import Ledger
 from pam_cosim.reporting.diagnosis_page import layers_of, rungs_of
 from pam_cosim.reporting.figures.bode import bode, poles_along
 from pam_cosim.reporting.figures.condition_maps import condition_maps
 from pam_cosim.reporting.figures.course import course
 from pam_cosim.reporting.figures.curves import draw_curves, legend
+from pam_cosim.reporting.figures.fitted import fit_figure, profile_figure
 from pam_cosim.reporting.figures.frequency import frequency_figure
 from pam_cosim.reporting.figures.layer import SPARSE, rivals
 from pam_cosim.reporting.figures.ledger import ledger_figure
@@ -86,6 +87,24 @@ def plot_comparison(comparison: Comparison, path: Path | str, against: Sequence[
         handles = legend(layers, few)
         figure.legend(handles=handles, loc="outside upper center", ncols=len(handles))
         write_bytes(Path(path), png(figure))
+
+
+def plot_fit(fit: Fit, path: Path | str) -> None:
+    """Draws how a fit came down, where its descents ended and how its parameters hang together, as PNG.
+
+    Raises:
+        InputError: the file cannot be written.
+    """
+    check_writable(Path(path))
+    with drawing():
+        write_bytes(Path(path), png(fit_figure(fit)))
+
+
+@draw.register
+def _(product: Profiles, path: Path | str) -> None:
+    check_writable(Path(path))
+    with drawing():
+        write_bytes(Path(path), png(profile_figure(product)))
 
 
 @draw.register

@@ -37,3 +37,13 @@ def test_starts(command: Command, data: Path, place: Path) -> None:
     assert len(json.loads((place / "f.json").read_text())["convergence"]["descents"]) == 4
     refused = command("fit", data, "--starts", "3")
     assert refused.status == 2 and "starts are for the method multi-start" in refused.err
+
+
+def test_pictures_and_profiles(command: Command, data: Path, place: Path) -> None:
+    done = command("fit", data, "--plot", "fit.png", "--profile", "profile.png", "--json", "fit.json")
+    assert done.status == 0, done.err
+    assert "How well these data determine each parameter:" in done.out and "orifice.C_d lies between" in done.out
+    for name in ("fit.png", "profile.png"):
+        assert (place / name).read_bytes().startswith(b"\x89PNG")
+    written = json.loads((place / "fit.json").read_text())
+    assert set(written["profiles"]) == {"orifice.C_d", "tank.n"} and len(written["correlation"]) == 2

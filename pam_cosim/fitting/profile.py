@@ -1,0 +1,226 @@
+"""Profile likelihood: how much worse the fit gets as one parameter is moved and all others make up for it.
+
+Where a profile rises by the 95 % point of the chi-square distribution with one degree of freedom, the interval ends
+(Raue and others 2009, Bioinformatics 25, 1923-1929); where it never does, the data do not determine the parameter.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.fitting.estimate import standard_deviations
+from pam_cosim.fitting.levenberg_marquardt import levenberg_marquardt
+from pam_cosim.fitting.objective import Objective
+
+
+@dataclass(frozen=True)
+class Profile:
+    """The profile of one parameter.
+
+    Attributes:
+        name: of the parameter.
+        unit: its SI unit.
+        best: value at the optimum [unit].
+        values: (n,) at which all other parameters were fitted again [unit], increasing.
+        rise: (n,) of chi-square over its minimum, in the same measure as the intervals of the fit: noise beyond the
+            stated one, or correlated in time, makes it smaller.
+        low, high: ends of the 95 % interval [unit]; infinite where the profile does not rise so far within the bounds,
+            or does so only since another parameter, which made up for it till then, came to its own bound.
+        others: (n,) what each other parameter was fitted to, by name [its unit].
+    """
+
+    name: str
+    unit: str
+    best: float
+    values: Array
+    rise: Array
+    low: float
+    high: float
+    others: dict[str, Array]
+
+    @property
+    def determined(self) -> bool:
+        """Whether the data say something about the parameter on one side at least."""
+        return bool(np.isfinite(self.low) or np.isfinite(self.high))
+
+    def followers(self) -> dict[str, float]:
+        """Other parameters that follow a power of this one along its profile, with the power; by their logarithms."""
+        powers = {}
+        flat = self.rise < CRITERIA.fit.profile_rise
+        x = self.values[flat]
+        if len(x) > 2 and np.all(x > 0) and np.ptp(np.log(x)) > 0:
+            for name, y in self.others.items():
+                if np.all(y[flat] > 0):
+                    power, start = np.polyfit(np.log(x), np.log(y[flat]), 1)
+                    off = np.log(y[flat]) - start - power * np.log(x)
+                    if abs(power) > CRITERIA.fit.follows and np.ptp(off) < CRITERIA.fit.off_course * np.ptp(
+                        np.log(y[flat])
+                    ):
+                        powers[name] = float(power)
+        return powers
+
+    def sentence(self) -> str:
+        """What the data say of it, in words."""
+        unit = "" if self.unit == "1" else f" {self.unit}"
+        low = f"{self.low:.4g}" if np.isfinite(self.low) else "its lower bound"
+        high = f"{self.high:.4g}" if np.isfinite(self.high) else "its upper bound"
+        if self.determined:
+            text = f"{self.name} lies between {low} and {high}{unit} (95 %)"
+            sides = [s for s, v in (("below", self.low), ("above", self.high)) if not np.isfinite(v)]
+            return text + (f"; these data do not limit it {sides[0]}" if sides else "")
+        fitting = self.values[self.rise < CRITERIA.fit.profile_rise]
+        span = f"{fitting[0]:.4g} to {fitting[-1]:.4g}{unit}"
+        text = f"these data do not determine {self.name}: anything from {span} fits"
+        follows = [f"{name} as its power {power:.2g}" for name, power in self.followers().items()]
+        return text + (f", where others follow: {', '.join(follows)}; hold one of them fixed" if follows else "")
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON, SI units."""
+        return {
+            "unit": self.unit,
+            "best": self.best,
+            "values": self.values.tolist(),
+            "rise": self.rise.tolist(),
+            "low": self.low if np.isfinite(self.low) else None,
+            "high": self.high if np.isfinite(self.high) else None,
+            "determined": self.determined,
+            "others": {n: v.tolist() for n, v in self.others.items()},
+            "sentence": self.sentence(),
+        }
+
+
+@dataclass(frozen=True)
+class Profiles:
+    """The profiles of all parameters of a fit, by name."""
+
+    model: str
+    profiles: dict[str, Profile]
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON, SI units."""
+        return {name: profile.as_dict() for name, profile in self.profiles.items()}
+
+    def __str__(self) -> str:
+        return "\n".join(f"  {p.sentence()}" for p in self.profiles.values())
+
+
+def profiles(objective: Objective, best: Mapping[str, float], spread: float, model: str) -> Profiles:
+    """Profiles about an optimum.
+
+    Args:
+        objective: of the fit.
+        best: fitted parameters by name [SI].
+        spread: factor on the standard deviations, as for ``estimates``.
+        model: its name.
+    """
+    z = np.array([f.to_z(best[f.name]) for f in objective.free])
+    lowest, linear = objective.squares(z), objective.triangle(z)
+    deviation = spread * standard_deviations(np.where(linear[:, :-1] == 0, 1e-300, linear[:, :-1]))
+    made = {}
+    for i, free in enumerate(objective.free):
+        sides = [_side(objective, z, i, sign, deviation[i], lowest, spread) for sign in (-1.0, 1.0)]
+        points = [*reversed(sides[0]), (z, 0.0), *sides[1]]
+        at = np.array([[f.to_value(float(c)) for f, c in zip(objective.free, p, strict=True)] for p, _ in points])
+        rise = np.array([r for _, r in points])
+        ends = [_end(objective, z, i, side) for side in sides]
+        others = {f.name: at[:, k] for k, f in enumerate(objective.free) if k != i}
+        low, high = (-np.inf if ends[0] is None else ends[0]), (np.inf if ends[1] is None else ends[1])
+        made[free.name] = Profile(free.name, free.unit, best[free.name], at[:, i], rise, low, high, others)
+    return Profiles(model, made)
+
+
+def _side(
+    objective: Objective, z: Array, i: int, sign: float, deviation: float, lowest: float, spread: float
+) -> list[tuple[Array, float]]:
+    """Points away from the optimum on one side, with the rise at each, until the interval or the bounds end."""
+    low, high = objective.bounds
+    room = (high[i] - z[i]) if sign > 0 else (z[i] - low[i])
+    step = min(CRITERIA.fit.profile_step * deviation, room / CRITERIA.fit.profile_points)
+    points: list[tuple[Array, float]] = []
+    at, before = z, 0.0
+    for _ in range(CRITERIA.fit.profile_points):
+        left = (high[i] - at[i]) if sign > 0 else (at[i] - low[i])
+        if step <= 0 or left <= 0:
+            break
+        at = _refitted(objective, at, i, float(at[i] + sign * min(step, left)))
+        rise = max(objective.squares(at) - lowest, 0.0) / spread**2
+        if not np.isfinite(rise):
+            break
+        points.append((at, rise))
+        if rise > CRITERIA.fit.profile_rise:
+            break
+        step *= 2 if rise - before < CRITERIA.fit.profile_rise / CRITERIA.fit.profile_points else 1
+        before = rise
+    return points
+
+
+def _refitted(objective: Objective, at: Array, i: int, value: float) -> Array:
+    """All other parameters fitted where parameter i is held."""
+    low, high = objective.bounds
+    kept = np.arange(len(at)) != i
+
+    def whole(rest: Array) -> Array:
+        z = np.empty(len(at))
+        z[kept], z[i] = rest, value
+        return z
+
+    if not kept.any() or not np.isfinite(objective.squares(whole(at[kept]))):
+        return whole(at[kept])
+    columns = np.append(kept, True)
+    found = levenberg_marquardt(
+        lambda rest: objective.squares(whole(rest)),
+        lambda rest: np.asarray(np.linalg.qr(objective.triangle(whole(rest))[:, columns], mode="r")),
+        at[kept],
+        (low[kept], high[kept]),
+        CRITERIA.fit.precision,
+        CRITERIA.fit.profile_evaluations,
+    )
+    return whole(found.z)
+
+
+def _end(objective: Objective, z: Array, i: int, side: Sequence[tuple[Array, float]]) -> float | None:
+    """Where the rise passes the limit; None: nowhere, or only since another parameter that made up came to its bound.
+
+    Between two points the root of the rise is taken as straight, which it is for a parabola.
+    """
+    limit = float(np.sqrt(CRITERIA.fit.profile_rise))
+    points = [(z, 0.0), *side]
+    for (a, low), (b, high) in zip(points[:-1], points[1:], strict=True):
+        if np.sqrt(high) >= limit > np.sqrt(low):
+            free = [rise for p, rise in side if rise < high and not _at_new_bound(objective, z, p, i)]
+            if _at_new_bound(objective, z, b, i) and free and max(free) < CRITERIA.fit.flat:
+                return None
+            share = (limit - np.sqrt(low)) / (np.sqrt(high) - np.sqrt(low))
+            return objective.free[i].to_value(float(a[i] + (b[i] - a[i]) * share))
+    return None
+
+
+def _at_new_bound(objective: Objective, best: Array, z: Array, i: int) -> bool:
+    """Whether another parameter is at a bound at ``z`` that was not at one at ``best``."""
+    low, high = objective.bounds
+    near = CRITERIA.fit.at_bound * (high - low)
+    bound, before = ((p - low <= near) | (high - p <= near) for p in (z, best))
+    return bool(np.any((bound & ~before)[np.arange(len(z)) != i]))
+
+
+def correlations(jacobian: Array) -> Array:
+    """(k, k) correlation matrix of the estimates; NaN beside a parameter that moves nothing.
+
+    Args:
+        jacobian: (m, k) of the weighted residuals.
+    """
+    k = jacobian.shape[1]
+    matrix = np.full((k, k), np.nan)
+    alive = np.flatnonzero(np.linalg.norm(jacobian, axis=0) > 0)
+    if alive.size:
+        _, s, vt = np.linalg.svd(jacobian[:, alive] / np.linalg.norm(jacobian[:, alive], axis=0), full_matrices=False)
+        deviations = vt / np.maximum(s, CRITERIA.fit.seen * s[0])[:, None]  # a direction nobody sees is very uncertain
+        covariance = deviations.T @ deviations
+        size = np.sqrt(np.diag(covariance))
+        matrix[np.ix_(alive, alive)] = np.clip(covariance / np.outer(size, size), -1, 1)
+    return matrix

@@ -1,0 +1,100 @@
+"""How a fit came down, where its descents ended, how its parameters hang together, and their profiles."""
+
+from __future__ import annotations
+
+from math import ceil
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.fitting import Fit, Profiles
+from pam_cosim.reporting.figures.bode import plain_decades
+from pam_cosim.reporting.style import BLUE, INK, SOFT, VERMILLION, message, new_figure
+from pam_cosim.reporting.wording import unit_text
+from pam_cosim.units import readable_factor
+
+_COLUMNS = 3
+
+
+def fit_figure(fit: Fit) -> Figure:
+    """Three panels: chi-square over simulations, the ends of the descents in order, the correlation matrix."""
+    figure = new_figure(12.0, 3.6)
+    left, middle, right = figure.subplots(1, 3)
+    _convergence(left, fit)
+    _waterfall(middle, fit)
+    _matrix(right, fit)
+    return figure
+
+
+def _convergence(axes: Axes, fit: Fit) -> None:
+    course = fit.convergence
+    axes.set(xlabel="simulations of the fitted runs", ylabel="lowest reduced chi-square")
+    if not len(course.evaluations):
+        message(axes, "not recorded")
+        return
+    end = max(fit.evaluations, int(course.evaluations[-1]))
+    x, y = np.append(course.evaluations, end), np.append(course.chi2_reduced, course.chi2_reduced[-1])
+    axes.step(x, y, where="post", color=BLUE)
+    searched = getattr(fit.search, "evaluations", None)
+    if searched is not None:
+        axes.axvline(searched, color=SOFT, ls="--", lw=0.9)
+        axes.text(searched, y[0], " descent", color=SOFT, va="top", fontsize=7.5)
+    axes.set_yscale("log")
+    plain_decades(axes.yaxis)
+    axes.grid(True)
+
+
+def _waterfall(axes: Axes, fit: Fit) -> None:
+    ends = np.sort(fit.convergence.descents)
+    axes.set(xlabel="descents, the lowest first", ylabel="reduced chi-square at the end")
+    if not len(ends):
+        message(axes, "no descent")
+        return
+    axes.plot(np.arange(1, len(ends) + 1), ends, "o-", color=VERMILLION, ms=4, lw=0.8)
+    axes.set_yscale("log")
+    plain_decades(axes.yaxis)
+    axes.set_xlim(0.5, len(ends) + 0.5)
+    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
+    axes.grid(True)
+
+
+def _matrix(axes: Axes, fit: Fit) -> None:
+    names, matrix = list(fit.parameters), fit.correlation
+    if not matrix.size:
+        message(axes, "no correlation")
+        return
+    axes.imshow(np.ma.masked_invalid(matrix), cmap="RdBu_r", vmin=-1, vmax=1)
+    for i, j in np.ndindex(matrix.shape):
+        if np.isfinite(matrix[i, j]):
+            colour = "white" if abs(matrix[i, j]) > 0.6 else INK
+            axes.text(j, i, f"{matrix[i, j]:.2f}", ha="center", va="center", fontsize=7, color=colour)
+    axes.set_xticks(range(len(names)), names, rotation=45, ha="right")
+    axes.set_yticks(range(len(names)), names)
+    axes.tick_params(length=0)
+    axes.set_title("correlation of the estimates", loc="left")
+
+
+def profile_figure(made: Profiles) -> Figure:
+    """A panel for each parameter: the rise of chi-square, and the level where the 95 % interval ends."""
+    count = len(made.profiles)
+    rows = max(1, ceil(count / _COLUMNS))
+    columns = min(_COLUMNS, max(count, 1))
+    figure = new_figure(3.8 * columns, 2.7 * rows)
+    panels = figure.subplots(rows, columns, squeeze=False).ravel()
+    limit = CRITERIA.fit.profile_rise
+    for axes, profile in zip(panels, made.profiles.values(), strict=False):
+        factor, unit = readable_factor(profile.unit), unit_text(profile.unit)
+        axes.plot(profile.values * factor, profile.rise, "o-", color=BLUE, ms=3)
+        axes.axhline(limit, color=SOFT, ls="--", lw=0.9)
+        axes.axvline(profile.best * factor, color=VERMILLION, lw=0.9)
+        axes.set_ylim(-0.05 * limit, max(1.2 * limit, 0.1))
+        axes.set_xlabel(f"{profile.name} [{unit}]" if unit else profile.name)
+        axes.set_ylabel("rise of chi-square")
+        axes.set_title("" if profile.determined else "not determined", loc="left", color=VERMILLION)
+        axes.grid(True)
+    for axes in panels[count:]:
+        axes.set_visible(False)
+    return figure
