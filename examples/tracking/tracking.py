@@ -68,12 +68,12 @@ def main(folder: Path) -> None:
         "Python, the same, valves apart": pam.track("Isotonic", servo, **words),
     }
     figure, axes = plt.subplots(1, 3, figsize=(12, 3.9), layout="constrained")
-    for (name, found), colour in zip(results.items(), ("#d55e00", "#009e73", "#0072b2"), strict=True):
-        print(f"\n{name}: {found}")
-        axes[0].loglog(FREQUENCIES, 100 * found.relative_error, "o-", color=colour, ms=4, label=name)
+    for (name, tracking), colour in zip(results.items(), ("#d55e00", "#009e73", "#0072b2"), strict=True):
+        print(f"\n{name}: {tracking}")
+        axes[0].loglog(FREQUENCIES, 100 * tracking.relative_error, "o-", color=colour, ms=4, label=name)
         for axis, k in ((axes[1], 2), (axes[2], 5)):
-            axis.plot(found.phase, 1e3 * found.courses[k], color=colour, lw=1.2)
-            axis.plot(found.phase, 1e3 * found.wanted, color="#2b2f33", lw=1.0, ls="--")
+            axis.plot(tracking.phase, 1e3 * tracking.courses[k], color=colour, lw=1.2)
+            axis.plot(tracking.phase, 1e3 * tracking.wanted, color="#2b2f33", lw=1.0, ls="--")
             axis.set(title=f"{FREQUENCIES[k]:.2g} Hz", xlabel="part of a period", ylabel="contraction [mm]")
     axes[0].axhline(100, color="#2b2f33", lw=0.8, ls=":")
     axes[0].set(xlabel="frequency [Hz]", ylabel="rms error [% of the sine's]")

@@ -52,7 +52,7 @@ def fit(
     check_results(output, json, plot, profile, resume, sources=[model, *(files or [])])
     read = read_data(data, model, files)
     with console.status("fitting") as status:
-        found = study.fit(
+        fitted = study.fit(
             read,
             model,
             method=method,
@@ -66,21 +66,21 @@ def fit(
         if profile:
             made = study.profile(
                 read,
-                found,
+                fitted,
                 model,
                 files=files or [],
                 timeout=timeout,
                 progress=lambda standing: status.update(f"profiles: {standing.evaluations} simulations"),
             )
-    typer.echo(str(found))
+    typer.echo(str(fitted))
     if made:
         typer.echo(f"How well these data determine each parameter:\n{made}")
     if output:
-        write_parameters(output, found)
+        write_parameters(output, fitted)
     if json:
-        write_json(json, found.as_dict() | ({"profiles": made.as_dict()} if made else {}))
+        write_json(json, fitted.as_dict() | ({"profiles": made.as_dict()} if made else {}))
     if plot:
-        plot_fit(found, plot)
+        plot_fit(fitted, plot)
     if profile and made:
         study.draw(made, profile)
     for path in (output, json, plot, profile, resume):

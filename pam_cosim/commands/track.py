@@ -53,17 +53,17 @@ def track(
     columns = (TextColumn("tracking"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     with Progress(*columns, console=console, disable=not console.is_terminal) as progress:
         task = progress.add_task("tracking", total=len(chosen))
-        found = tracking.track(
+        tracked = tracking.track(
             plant, made, dict(parse_pairs(settings or [])), output=of, mean=mean, amplitude=amplitude, rate=rate,
             frequencies=chosen, lead=lead, periods=periods, files=files or [], timeout=timeout,
             progress=lambda done, total: progress.update(task, completed=done, total=total),
         )  # fmt: skip
-    typer.echo(str(found))
+    typer.echo(str(tracked))
     if output:
-        found.to_csv(output)
+        tracked.to_csv(output)
     if json:
-        found.to_json(json)
+        tracked.to_json(json)
     if plot:
-        study.draw(found, plot)
+        study.draw(tracked, plot)
     for path in (output, json, plot):
         say_written(path)

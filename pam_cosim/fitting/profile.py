@@ -172,7 +172,7 @@ def _refitted(objective: Objective, at: Array, i: int, value: float) -> Array:
     if not kept.any() or not np.isfinite(objective.squares(whole(at[kept]))):
         return whole(at[kept])
     columns = np.append(kept, True)
-    found = levenberg_marquardt(
+    solution = levenberg_marquardt(
         lambda rest: objective.squares(whole(rest)),
         lambda rest: np.asarray(np.linalg.qr(objective.triangle(whole(rest))[:, columns], mode="r")),
         at[kept],
@@ -180,7 +180,7 @@ def _refitted(objective: Objective, at: Array, i: int, value: float) -> Array:
         CRITERIA.fit.precision,
         CRITERIA.fit.profile_evaluations,
     )
-    return whole(found.z)
+    return whole(solution.z)
 
 
 def _end(objective: Objective, z: Array, i: int, side: Sequence[tuple[Array, float]]) -> float | None:

@@ -54,16 +54,16 @@ def proportional() -> pam.Controller:
 
 def test_a_closed_loop_whose_answer_is_known(slide: str) -> None:
     """y = K/(s + K) w, the sampling adding half a sample of delay; the error is that of the difference from one."""
-    found = pam.track(slide, proportional, **WORDS)
+    tracking = pam.track(slide, proportional, **WORDS)
     expected = 1 / (1 + 2j * np.pi * np.array(WORDS["frequencies"]) / 6)
-    np.testing.assert_allclose(found.gain, expected, rtol=0.04)
-    np.testing.assert_allclose(found.relative_error, np.abs(1 - found.gain), rtol=0.01)
-    assert found.settled.all() and found.rate == pytest.approx(200) and found.controller == "proportional"
+    np.testing.assert_allclose(tracking.gain, expected, rtol=0.04)
+    np.testing.assert_allclose(tracking.relative_error, np.abs(1 - tracking.gain), rtol=0.01)
+    assert tracking.settled.all() and tracking.rate == pytest.approx(200) and tracking.controller == "proportional"
 
 
 def test_an_fmu_says_the_same_a_sample_late(slide: str, gain: str, tmp_path: Path) -> None:
-    found, python = pam.track(slide, gain, **WORDS, rate=200), pam.track(slide, proportional, **WORDS)
-    np.testing.assert_allclose(found.gain, python.gain, rtol=0.07)
+    compiled, python = pam.track(slide, gain, **WORDS, rate=200), pam.track(slide, proportional, **WORDS)
+    np.testing.assert_allclose(compiled.gain, python.gain, rtol=0.07)
     stiffer = pam.track(slide, gain, {"control.K": 12}, **WORDS, rate=200)
     omega = 2 * np.pi * np.array(WORDS["frequencies"])
     np.testing.assert_allclose(stiffer.relative_error, omega / np.hypot(omega, 12), rtol=0.1)
@@ -73,26 +73,26 @@ def test_an_fmu_says_the_same_a_sample_late(slide: str, gain: str, tmp_path: Pat
 def test_a_foreign_controller(slide: str, gain: str, tmp_path: Path) -> None:
     """In a process of its own; the same numbers."""
     foreign = str(pam.build(gain, tmp_path / "Gain.fmu"))
-    other, found = (pam.track(slide, one, **WORDS, rate=100) for one in (foreign, gain))
-    np.testing.assert_allclose(other.gain, found.gain, rtol=1e-9)
+    other, own = (pam.track(slide, one, **WORDS, rate=100) for one in (foreign, gain))
+    np.testing.assert_allclose(other.gain, own.gain, rtol=1e-9)
     assert other.controller == "Gain"
 
 
 def test_the_muscle_follows_slowly_and_not_fast() -> None:
-    found = pam.track(
+    tracking = pam.track(
         "Isotonic", "CoSimulation.ServoController", output="x", mean="45 mm", amplitude="5 mm", frequencies=[0.1, 2.0],
     )  # fmt: skip
-    assert found.relative_error[0] < 0.05 and found.relative_error[1] > 0.8
-    assert found.actuation["u_in"].max() <= 0.35 and found.actuation["u_out"].min() >= 0.145
+    assert tracking.relative_error[0] < 0.05 and tracking.relative_error[1] > 0.8
+    assert tracking.actuation["u_in"].max() <= 0.35 and tracking.actuation["u_out"].min() >= 0.145
 
 
 def test_saved_loaded_drawn_and_shown(slide: str, tmp_path: Path) -> None:
-    found = pam.track(slide, proportional, **WORDS)
-    assert pam.load(pam.save(found, tmp_path / "t.npz")).as_dict() == found.as_dict()
-    pam.draw(found, tmp_path / "t.png")
+    tracking = pam.track(slide, proportional, **WORDS)
+    assert pam.load(pam.save(tracking, tmp_path / "t.npz")).as_dict() == tracking.as_dict()
+    pam.draw(tracking, tmp_path / "t.png")
     assert (tmp_path / "t.png").read_bytes().startswith(b"\x89PNG")
-    assert found.to_csv(tmp_path / "t.csv").read_text().startswith("frequency [Hz],rms error [m],")
-    assert "<table>" in found._repr_html_() and "follows 1e+03 mm" in str(found)
+    assert tracking.to_csv(tmp_path / "t.csv").read_text().startswith("frequency [Hz],rms error [m],")
+    assert "<table>" in tracking._repr_html_() and "follows 1e+03 mm" in str(tracking)
 
 
 def raising() -> pam.Controller:
