@@ -9,7 +9,9 @@ from xml.etree import ElementTree
 from pam_cosim.errors import InputError
 from pam_cosim.files import read_json, write_json, write_text
 from pam_cosim.fitting.fit import Fit
+from pam_cosim.units import BaseUnit, UnitError, base_unit
 
+_SSC = "http://ssp-standard.org/SSP1/SystemStructureCommon"
 _SSV = "http://ssp-standard.org/SSP1/SystemStructureParameterValues"
 
 
@@ -30,14 +32,36 @@ def write_parameters(path: Path, fit: Fit) -> None:
 
 def _ssv(fit: Fit) -> str:
     ElementTree.register_namespace("ssv", _SSV)
+    ElementTree.register_namespace("ssc", _SSC)
     root = ElementTree.Element(f"{{{_SSV}}}ParameterSet", version="1.0", name=fit.model)
     listed = ElementTree.SubElement(root, f"{{{_SSV}}}Parameters")
     shared = {name: estimate for name, estimate in fit.parameters.items() if not estimate.run}
+    named = {text: _definition(text) for text in dict.fromkeys(e.unit for e in shared.values() if e.unit)}
+    defined = [unit for unit in named.values() if unit is not None]
     for name, estimate in shared.items():
         parameter = ElementTree.SubElement(listed, f"{{{_SSV}}}Parameter", name=name)
-        ElementTree.SubElement(parameter, f"{{{_SSV}}}Real", value=repr(estimate.value), unit=estimate.unit)
+        ElementTree.SubElement(
+            parameter,
+            f"{{{_SSV}}}Real",
+            {"value": repr(estimate.value)} | ({"unit": estimate.unit} if named.get(estimate.unit) else {}),
+        )
+    units = ElementTree.SubElement(root, f"{{{_SSV}}}Units") if defined else root
+    for unit in defined:  # a parameter may only refer to a unit that the file defines
+        base = {name: str(exponent) for name, exponent in unit.exponents}
+        base |= {"factor": repr(unit.factor)} if unit.factor != 1 else {}
+        base |= {"offset": repr(unit.offset)} if unit.offset != 0 else {}
+        definition = ElementTree.SubElement(units, f"{{{_SSC}}}Unit", name=unit.name)
+        ElementTree.SubElement(definition, f"{{{_SSC}}}BaseUnit", base)
     ElementTree.indent(root)
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + ElementTree.tostring(root, encoding="unicode") + "\n"
+
+
+def _definition(unit: str) -> BaseUnit | None:
+    """A unit by SI base units; None: an FMU of somebody else's may have one that nobody knows."""
+    try:
+        return base_unit(unit)
+    except UnitError:
+        return None
 
 
 def read_parameters(path: Path) -> dict[str, float]:

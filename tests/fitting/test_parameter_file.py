@@ -8,6 +8,7 @@ from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import pytest
+from fmpy.ssp.ssd import read_ssv
 
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Estimate, Fit, read_parameters, write_parameters
@@ -45,6 +46,17 @@ def test_ssv_is_what_the_standard_says(tmp_path: Path) -> None:
     assert root.tag == f"{space}ParameterSet" and root.attrib["version"] == "1.0" and root.attrib["name"]
     reals = root.findall(f"{space}Parameters/{space}Parameter/{space}Real")
     assert [float(r.attrib["value"]) for r in reals] == list(VALUES.values())
+
+
+def test_ssv_is_valid_and_read_by_another_tool(tmp_path: Path) -> None:
+    """FMPy validates against the schemas of SSP 1.0; every unit that is used is defined."""
+    write_parameters(tmp_path / "p.ssv", FOUND)
+    read = read_ssv(str(tmp_path / "p.ssv"))
+    assert {p.name: float(p.value) for p in read.parameters} == VALUES
+    root = ElementTree.parse(tmp_path / "p.ssv").getroot()
+    space = "{http://ssp-standard.org/SSP1/SystemStructureCommon}"
+    units = {u.attrib["name"]: u[0].attrib for u in root.iter(f"{space}Unit")}
+    assert units == {"1": {}, "W/(m2.K)": {"kg": "1", "s": "-3", "K": "-1"}}
 
 
 def test_plain_object_of_names_and_numbers(tmp_path: Path) -> None:
