@@ -12,7 +12,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.processes import deaf
 from pam_cosim.sweeps.records import Row
-from pam_cosim.sweeps.task import Batch, Job, make_runs
+from pam_cosim.sweeps.task import Batch, Job, forget_foreign, make_runs
 from pam_cosim.workers import local_pool, processors, running_tasks
 
 _BATCH = 0.3  # [s] of work that is handed out at once, and lost at most where the program is killed
@@ -38,23 +38,30 @@ def run_all(job: Job, runs: Sequence[int], points: Array, executor: Any, workers
         InputError: no such executor.
         SimulationFailure: a process of the executor died; what is said is said.
     """
-    left = list(runs)
     if executor is None:
-        first = make_runs(job, left, points[left], None if workers == 1 else _BATCH)
-        say(first.rows)
-        left = left[len(first.rows) :]
-        rate = first.running / len(first.rows)
-        if left and (workers == 1 or rate * len(left) < _WORTH):
-            for part in _parts(left, max(1, int(_BATCH / max(rate, 1e-9)))):
-                say(make_runs(job, part, points[part]).rows)
-            return
-        if left:
-            count = min(workers or processors(), len(left))
-            with local_pool(count) as pool:
-                _feed(job, left, points, pool, count, say, first)
+        try:
+            _run_here(job, list(runs), points, workers, say)
+        finally:
+            forget_foreign()
         return
     with _executor(executor) as (pool, count):
-        _feed(replace(job, content=job.fmu.read_bytes()), left, points, pool, count, say, None)
+        _feed(replace(job, content=job.fmu.read_bytes()), runs, points, pool, count, say, None)
+
+
+def _run_here(job: Job, left: list[int], points: Array, workers: int | None, say: Say) -> None:
+    """In this process, and as soon as it is worth them in others of this machine."""
+    first = make_runs(job, left, points[left], _BATCH)
+    say(first.rows)
+    left = left[len(first.rows) :]
+    rate = first.running / len(first.rows)
+    if left and (workers == 1 or rate * len(left) < _WORTH):
+        for part in _parts(left, max(1, int(_BATCH / max(rate, 1e-9)))):
+            say(make_runs(job, part, points[part]).rows)
+        return
+    if left:
+        count = min(workers or processors(), len(left))
+        with local_pool(count) as pool:
+            _feed(job, left, points, pool, count, say, first)
 
 
 @contextmanager

@@ -104,18 +104,30 @@ def _numbers(job: Job, made: Trajectory) -> Array:
     return np.array([scalar.of(made) for scalar in job.scalars])
 
 
+# The FMU of somebody else's that this process has in use: one that hangs while it is loaded is not loaded again.
+_foreign: dict[tuple[Path, float | None], IsolatedSimulator] = {}
+
+
+def forget_foreign() -> None:
+    """Ends the processes of other people's FMUs that this process has in use."""
+    while _foreign:
+        _foreign.popitem()[1].close()
+
+
 @contextmanager
 def _opened(job: Job) -> Iterator[AnySimulator]:
-    if job.content is None:
-        with _simulator(job, job.fmu) as simulator:
+    if job.content is not None:
+        with tempfile.TemporaryDirectory(prefix="pam-cosim-sweep-") as folder:
+            fmu = Path(folder) / f"{hashlib.sha256(job.content).hexdigest()[:16]}.fmu"
+            fmu.write_bytes(job.content)
+            with IsolatedSimulator(fmu, job.timeout) if job.foreign else Simulator(fmu) as simulator:
+                yield simulator
+    elif job.foreign:
+        key = job.fmu, job.timeout
+        if key not in _foreign:
+            forget_foreign()
+            _foreign[key] = IsolatedSimulator(job.fmu, job.timeout)
+        yield _foreign[key]
+    else:
+        with Simulator(job.fmu) as simulator:
             yield simulator
-        return
-    with tempfile.TemporaryDirectory(prefix="pam-cosim-sweep-") as folder:
-        fmu = Path(folder) / f"{hashlib.sha256(job.content).hexdigest()[:16]}.fmu"
-        fmu.write_bytes(job.content)
-        with _simulator(job, fmu) as simulator:
-            yield simulator
-
-
-def _simulator(job: Job, fmu: Path) -> AnySimulator:
-    return IsolatedSimulator(fmu, job.timeout) if job.foreign else Simulator(fmu)

@@ -199,3 +199,12 @@ def test_it_tells_what_it_holds(reference: pam.Sweep) -> None:
     assert first.startswith("8 runs of PneumaticMuscle.Benches.TankFilling (grid): u_in from 0.25 A to 0.35 A")
     assert "filling time: from" in repr(reference)
     assert reference._repr_html_().startswith("<pre>8 runs") and "<table" in reference._repr_html_()
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_runs_are_kept_as_they_are_made(workers: int) -> None:
+    """Not all of them at the end: what is told is what is kept."""
+    told: list[int] = []
+    vary = {"u_in": np.linspace(0.25, 0.35, 1500)}
+    pam.sweep(MODEL, vary, scalars=["max(p)"], workers=workers, progress=lambda done, total: told.append(done))
+    assert len(told) > 3 and told == sorted(told) and told[-1] == 1500
