@@ -310,9 +310,9 @@ def simulate(
     if engine not in ENGINES:
         raise InputError(f"there is no engine '{engine}'; there are {', '.join(ENGINES)}")
     with opened(model, files, timeout=timeout) as simulator:
-        face = simulator.interface
-        course, times = _course(face, inputs, stop_time, interval)
-        values, kept = resolve(parameters or {}, face), _kept(face, outputs)
+        interface = simulator.interface
+        course, times = _course(interface, inputs, stop_time, interval)
+        values, kept = resolve(parameters or {}, interface), _kept(interface, outputs)
         if engine == "fmpy":
             return run_with_fmpy(simulator.path, times, parameters=values, inputs=course, outputs=kept)
         return simulator.run(times, parameters=values, inputs=course, outputs=kept)
@@ -430,17 +430,17 @@ def sweep(
     if output is not None:
         check_writable(Path(output))
     foreign, fmu = is_fmu(model), build(model, files=files)
-    face = read_interface(fmu)
-    course, times = _course(face, inputs, stop_time, interval)
-    asked = read_scalars(scalars, face)
+    interface = read_interface(fmu)
+    course, times = _course(interface, inputs, stop_time, interval)
+    asked = read_scalars(scalars, interface)
     plan = Plan(
         fmu=fmu,
-        interface=face,
-        design=design_of(vary, face, design, runs, seed),
-        fixed=resolve(parameters or {}, face),
+        interface=interface,
+        design=design_of(vary, interface, design, runs, seed),
+        fixed=resolve(parameters or {}, interface),
         inputs=course,
         times=times,
-        outputs=tuple(_kept(face, outputs)),
+        outputs=tuple(_kept(interface, outputs)),
         scalars=asked,
         keep=not asked if trajectories is None else trajectories,
         foreign=foreign,

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from pam_cosim.cosimulation.loops import algebraic_loop, refuse_loop
-from pam_cosim.cosimulation.march import Step, march
+from pam_cosim.cosimulation.master import Step, integrate
 from pam_cosim.cosimulation.network import (
     CouplingFailure,
     Extrapolation,
@@ -226,7 +226,7 @@ class System(Printed):
             )  # fmt: skip
             recorder = Recorder(self._columns(observed, inputs))
             try:
-                march(network, plan, stop, lambda: self._write_down(network, recorder, inputs), progress)
+                integrate(network, plan, stop, lambda: self._write_down(network, recorder, inputs), progress)
             except (CouplingFailure, ControllerError) as error:
                 error.run = _run(recorder, method, plan, network.work)
                 raise

@@ -38,7 +38,7 @@ class Step:
     rejected: int = 0
 
 
-def march(
+def integrate(
     network: Network, plan: Step, stop: float, write_down: Callable[[], None], progress: Callable[[float, float], None]
 ) -> None:
     """Runs the network up to ``stop`` [s], writing down every communication point.
