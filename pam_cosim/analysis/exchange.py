@@ -61,6 +61,7 @@ class ExchangeModel:
         self.path = Path(path)
         self._description = exchange_description(self.path)
         self.interface: Interface = interface_of(self._description)
+        self._variables = self.interface.variables
         scalars = real_variables(self._description)
         self._references = {v.name: v.valueReference for v in scalars}
         derivatives = [unknown.variable for unknown in self._description.derivatives]
@@ -175,17 +176,7 @@ class ExchangeModel:
 
     def variable(self, name: str) -> Variable | None:
         """What the FMU says of a variable; None where it only names it."""
-        interface = self.interface
-        for group in (
-            interface.outputs,
-            interface.inputs,
-            interface.locals,
-            interface.parameters,
-            interface.sensitivities,
-        ):
-            if name in group:
-                return group[name]
-        return None
+        return self._variables.get(name)
 
     def check(self, names: Sequence[str], role: str = "variable") -> None:
         """Raises InputError, with the nearest name, where the model lacks one."""

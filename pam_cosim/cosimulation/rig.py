@@ -89,7 +89,7 @@ class Rig(Printed):
         tolerance: float | None = None,
     ) -> None:
         self._simulator, self.interface = simulator, simulator.interface
-        self._variables = variables_of(self.interface)
+        self._variables = self.interface.variables
         values = resolve(parameters or {}, self.interface)
         self._names = list(self.interface.outputs if outputs is None else outputs)
         for name in self._names:
@@ -249,12 +249,6 @@ class Rig(Printed):
 
     def _resolved(self, inputs: Mapping[str, Setting]) -> dict[str, float]:
         return {name: value_of(value, input_of(name, self.interface)) for name, value in inputs.items()}
-
-
-def variables_of(interface: Interface) -> dict[str, Variable]:
-    """Everything that can be read, by name."""
-    groups = (interface.outputs, interface.inputs, interface.locals, interface.sensitivities, interface.parameters)
-    return {name: variable for group in groups for name, variable in group.items()}
 
 
 def input_of(name: str, interface: Interface) -> Variable:

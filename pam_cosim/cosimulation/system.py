@@ -29,7 +29,6 @@ from pam_cosim.cosimulation.parts import (
     sample_time,
 )
 from pam_cosim.cosimulation.recorder import Recorder
-from pam_cosim.cosimulation.rig import variables_of
 from pam_cosim.cosimulation.sampling import ControllerError
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.interface import Interface, Variable
@@ -272,7 +271,7 @@ class System(Printed):
     def _observed(self, name: str) -> Port:
         one = port(name, self.components)
         interface = self.components[one.component].interface
-        known = variables_of(interface)
+        known = interface.variables
         if one.variable not in known:
             raise InputError(f"{interface.model} has no variable '{one.variable}'; {did_you_mean(one.variable, known)}")
         return one
@@ -297,7 +296,7 @@ class System(Printed):
             f"{name}.{n}": v.unit for name, part in self.components.items() for n, v in part.interface.outputs.items()
         }
         for one in observed:
-            units[str(one)] = variables_of(self.components[one.component].interface)[one.variable].unit
+            units[str(one)] = self.components[one.component].interface.variables[one.variable].unit
         units.update({name: self.inputs[name].unit for name in (inputs.values if inputs is not None else ())})
         return units
 

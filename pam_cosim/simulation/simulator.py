@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fmu.read import interface_of, read_description, real_variables
-from pam_cosim.interface import Interface, Variable
+from pam_cosim.interface import Interface
 from pam_cosim.simulation.driver import TOO_SLOW, Callbacks, Driver, Outcome, Progress
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs, with_held
@@ -66,9 +66,7 @@ class Simulator:
         self.interface: Interface = interface_of(self._description)
         self._settable = self.interface.settable
         self._references = {v.name: v.valueReference for v in real_variables(self._description)}
-        self._units = {
-            v.name: v.unit for group in _groups(self.interface) for v in group.values()
-        }  # fmt: skip
+        self._units = {name: variable.unit for name, variable in self.interface.variables.items()}
         self._instance: Instance | None = None
         self._stepper: Stepper | None = None
         self._directory = tempfile.mkdtemp(prefix="pam-cosim-fmu-")
@@ -265,10 +263,6 @@ class Simulator:
             row, column = bad[0]
             reason = f"'{names[column]}' is not a finite number at time {times[row]:.6g} s"
             raise RunFailure(reason, float(times[row]), self._changed(values))
-
-
-def _groups(interface: Interface) -> tuple[dict[str, Variable], ...]:
-    return interface.inputs, interface.outputs, interface.parameters, interface.locals, interface.sensitivities
 
 
 def _number(name: str, value: float) -> float:
