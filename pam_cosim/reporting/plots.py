@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import singledispatch
 from pathlib import Path
 from typing import Any
+
+from matplotlib.figure import Figure
 
 from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation, Tracking
 from pam_cosim.comparison import Comparison, ConditionTable
@@ -60,13 +62,6 @@ def plot_trajectory(trajectory: Trajectory, path: Path | str) -> None:
 
 
 @draw.register
-def _(product: Sweep, path: Path | str) -> None:
-    check_writable(Path(path))
-    with drawing():
-        write_bytes(Path(path), png(sweep_figure(product)))
-
-
-@draw.register
 def _(product: Fit, path: Path | str) -> None:
     plot_comparison(product.comparison, path)
 
@@ -101,13 +96,6 @@ def plot_fit(fit: Fit, path: Path | str) -> None:
 
 
 @draw.register
-def _(product: Profiles, path: Path | str) -> None:
-    check_writable(Path(path))
-    with drawing():
-        write_bytes(Path(path), png(profile_figure(product)))
-
-
-@draw.register
 def _(product: ConditionTable, path: Path | str) -> None:
     plot_tables([product], path)
 
@@ -123,46 +111,25 @@ def plot_tables(tables: Sequence[ConditionTable], path: Path | str) -> None:
         write_bytes(Path(path), png(condition_maps(tables)))
 
 
-@draw.register
-def _(product: Ledger, path: Path | str) -> None:
-    check_writable(Path(path))
-    with drawing():
-        write_bytes(Path(path), png(ledger_figure(product)))
+def _registered(kind: type[Any], figure: Callable[[Any], Figure]) -> None:
+    """``draw`` of such a product is this one figure."""
+
+    def draw_one(product: Any, path: Path | str) -> None:
+        check_writable(Path(path))
+        with drawing():
+            write_bytes(Path(path), png(figure(product)))
+
+    draw.register(kind, draw_one)
 
 
-@draw.register
-def _(product: LinearModel, path: Path | str) -> None:
-    check_writable(Path(path))
-    with drawing():
-        write_bytes(Path(path), png(bode(product)))
-
-
-@draw.register
-def _(product: FrequencyResponse, path: Path | str) -> None:
-    check_writable(Path(path))
-    with drawing():
-        write_bytes(Path(path), png(frequency_figure(product)))
-
-
-@draw.register
-def _(product: Observation, path: Path | str) -> None:
-    check_writable(Path(path))
-    with drawing():
-        write_bytes(Path(path), png(observation_figure(product)))
-
-
-@draw.register
-def _(product: Tracking, path: Path | str) -> None:
-    check_writable(Path(path))
-    with drawing():
-        write_bytes(Path(path), png(tracking_figure(product)))
-
-
-@draw.register
-def _(product: LinearCourse, path: Path | str) -> None:
-    check_writable(Path(path))
-    with drawing():
-        write_bytes(Path(path), png(poles_along(product)))
+_registered(Sweep, sweep_figure)
+_registered(Profiles, profile_figure)
+_registered(Ledger, ledger_figure)
+_registered(LinearModel, bode)
+_registered(FrequencyResponse, frequency_figure)
+_registered(Observation, observation_figure)
+_registered(Tracking, tracking_figure)
+_registered(LinearCourse, poles_along)
 
 
 @draw.register
