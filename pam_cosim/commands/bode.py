@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from pam_cosim import dynamics, study
+from pam_cosim import dynamics
 from pam_cosim.arguments import parse_frequencies, parse_point, parse_settings
 from pam_cosim.commands.common import (
     FilesOption,
@@ -17,7 +17,7 @@ from pam_cosim.commands.common import (
     TimeoutOption,
     check_results,
     console,
-    say_written,
+    tell_and_write,
 )
 from pam_cosim.errors import InputError
 
@@ -54,12 +54,4 @@ def bode(
             free=free or [], most_periods=most_periods, files=files or [], timeout=timeout,
             progress=lambda done, total: progress.update(task, completed=done, total=total),
         )  # fmt: skip
-    typer.echo(str(response))
-    if output:
-        response.to_csv(output)
-    if json:
-        response.to_json(json)
-    if plot:
-        study.draw(response, plot)
-    for path in (output, json, plot):
-        say_written(path)
+    tell_and_write(response, output, json, plot)

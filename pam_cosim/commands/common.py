@@ -11,6 +11,7 @@ import typer
 from rich.console import Console
 
 from pam_cosim import study
+from pam_cosim.analysis import FrequencyResponse, LinearModel, Observation, Tracking
 from pam_cosim.files import check_distinct, check_spared, check_writable, identity
 from pam_cosim.measurement import DataSet
 from pam_cosim.workers import stop_workers
@@ -61,6 +62,24 @@ def say_written(path: Path | None) -> None:
     """Names a result on standard error, where one was asked for."""
     if path is not None:
         console.print(f"written: {path}", style="dim", markup=False, soft_wrap=True)
+
+
+def tell_and_write(
+    product: LinearModel | FrequencyResponse | Observation | Tracking,
+    output: Path | None,
+    json: Path | None,
+    plot: Path | None,
+) -> None:
+    """Prints a product and writes it where that was asked for: as CSV, as JSON and as a picture."""
+    typer.echo(str(product))
+    if output:
+        product.to_csv(output)
+    if json:
+        product.to_json(json)
+    if plot:
+        study.draw(product, plot)
+    for path in (output, json, plot):
+        say_written(path)
 
 
 def interrupted() -> int:

@@ -16,6 +16,7 @@ from pam_cosim.commands.common import (
     TimeoutOption,
     check_results,
     say_written,
+    tell_and_write,
 )
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_json
@@ -63,17 +64,11 @@ def linearise(
             write_json(json, along.as_dict())
         if plot:
             study.draw(along, plot)
+        say_written(json)
+        say_written(plot)
     else:
         one = dynamics.linearise(
             model, parameters, at=point[0] if isinstance(point, list) else point, free=free or [], inputs=inputs,
             outputs=of, files=files or [], timeout=timeout,
         ).select(by, None, states)  # fmt: skip
-        typer.echo(str(one))
-        if output:
-            one.to_csv(output)
-        if json:
-            one.to_json(json)
-        if plot:
-            study.draw(one, plot)
-    for path in (output, json, plot):
-        say_written(path)
+        tell_and_write(one, output, json, plot)

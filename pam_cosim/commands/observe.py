@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from pam_cosim import dynamics, study
+from pam_cosim import dynamics
 from pam_cosim.arguments import parse_pairs, parse_point, parse_settings
 from pam_cosim.commands.common import (
     FilesOption,
@@ -15,7 +15,7 @@ from pam_cosim.commands.common import (
     SetOption,
     TimeoutOption,
     check_results,
-    say_written,
+    tell_and_write,
 )
 from pam_cosim.errors import InputError
 
@@ -56,15 +56,7 @@ def observe(
         drift=parse_pairs(drift or []), spread=parse_pairs(spread or []), start=point,
         interpolation="previous" if held else "linear", files=files or [], timeout=timeout,
     )  # fmt: skip
-    typer.echo(str(observation))
-    if output:
-        observation.to_csv(output)
-    if json:
-        observation.to_json(json)
-    if plot:
-        study.draw(observation, plot)
-    for path in (output, json, plot):
-        say_written(path)
+    tell_and_write(observation, output, json, plot)
 
 
 def _two(name: str, text: str) -> tuple[str, str]:

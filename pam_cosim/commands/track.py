@@ -10,7 +10,7 @@ from typing import Annotated
 import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from pam_cosim import study, tracking
+from pam_cosim import tracking
 from pam_cosim.arguments import parse_frequencies, parse_pairs
 from pam_cosim.commands.common import (
     FilesOption,
@@ -18,7 +18,7 @@ from pam_cosim.commands.common import (
     TimeoutOption,
     check_results,
     console,
-    say_written,
+    tell_and_write,
 )
 from pam_cosim.cosimulation import Controller
 from pam_cosim.cosimulation.python_file import controller_from
@@ -58,12 +58,4 @@ def track(
             frequencies=chosen, lead=lead, periods=periods, files=files or [], timeout=timeout,
             progress=lambda done, total: progress.update(task, completed=done, total=total),
         )  # fmt: skip
-    typer.echo(str(tracked))
-    if output:
-        tracked.to_csv(output)
-    if json:
-        tracked.to_json(json)
-    if plot:
-        study.draw(tracked, plot)
-    for path in (output, json, plot):
-        say_written(path)
+    tell_and_write(tracked, output, json, plot)
