@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 import tempfile
 import zipfile
@@ -13,9 +12,7 @@ from types import TracebackType
 from typing import Any, TypeVar
 from xml.etree.ElementTree import fromstring
 
-import fmpy
 import numpy as np
-from fmpy.fmi2 import FMU2Model
 from fmpy.fmi3 import FMU3Model
 from fmpy.model_description import ModelDescription
 
@@ -25,7 +22,7 @@ from pam_cosim.fmu.read import exchange_description, fmi_version, interface_of, 
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.simulation.driver import Callbacks
 from pam_cosim.simulation.failure import RunFailure
-from pam_cosim.simulation.instance import own_library
+from pam_cosim.simulation.instance import instantiate, load_instance
 from pam_cosim.wording import did_you_mean
 
 EXACT, DIFFERENCES = "directional derivatives of the FMU", "central differences"
@@ -83,29 +80,12 @@ class ExchangeModel:
             raise
 
     def _load(self) -> None:
-        fmpy.extract(str(self.path), unzipdir=self._directory)
-        self._callbacks, folder = Callbacks(), os.getcwd()
-        try:
-            self._model = _loaded(self._description, self._directory)
-        except Exception as error:  # fmpy raises bare Exceptions
-            raise InputError(f"the FMU cannot be loaded on this machine: {error}", self.path) from error
-        finally:
-            os.chdir(folder)  # FMPy goes to the library's folder and stays there when loading fails
+        self._callbacks = Callbacks()
+        model = load_instance(self.path, self._description, self._directory, exchange=True)
         self._rates = (c_double * max(1, len(self.states)))()
         self._state = (c_double * max(1, len(self.states)))()
-        self._instantiate()
-
-    def _instantiate(self) -> None:
-        try:
-            if isinstance(self._model, FMU3Model):
-                self._model.instantiate(loggingOn=True, logMessage=self._callbacks.note)
-            else:
-                self._model.instantiate(callbacks=self._callbacks.functions)
-        except Exception as error:
-            messages = " ".join(self._callbacks.take_messages()) or str(error)
-            self._model.freeLibrary()
-            self._model = None
-            raise RunFailure(f"{self.path.name} cannot be instantiated: {messages}") from error
+        instantiate(model, self._callbacks, self.path.name)
+        self._model = model
 
     def __enter__(self) -> ExchangeModel:
         return self
@@ -304,16 +284,3 @@ def _gives_derivatives(path: Path, description: ModelDescription) -> bool:
         root = fromstring(archive.read("modelDescription.xml"))
     kind = root.find("ModelExchange")
     return kind is not None and kind.get("providesDirectionalDerivatives") in ("true", "1")
-
-
-def _loaded(description: ModelDescription, directory: str) -> Any:
-    identifier = description.modelExchange.modelIdentifier
-    arguments = {
-        "guid": description.guid,
-        "unzipDirectory": directory,
-        "modelIdentifier": identifier,
-        "instanceName": "instance",
-    }
-    if fmi_version(description) == "3.0":
-        return FMU3Model(**arguments)
-    return FMU2Model(**arguments, libraryPath=own_library(directory, identifier))

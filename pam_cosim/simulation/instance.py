@@ -1,37 +1,54 @@
-"""FMPy's interface to a co-simulation instance, for both versions of FMI."""
+"""FMPy's interface to an instance, for both versions of FMI and both kinds."""
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from fmpy.fmi2 import FMU2Slave
-from fmpy.fmi3 import FMU3Slave
+import fmpy
+from fmpy.fmi2 import FMU2Model, FMU2Slave
+from fmpy.fmi3 import FMU3Model, FMU3Slave
 from fmpy.model_description import ModelDescription
 
+from pam_cosim.errors import InputError
 from pam_cosim.fmu.compile import PLATFORMS, native_platform
 from pam_cosim.fmu.read import fmi_version
 from pam_cosim.simulation.driver import Callbacks
+from pam_cosim.simulation.failure import RunFailure
 
-Instance: TypeAlias = Any  # FMU2Slave | FMU3Slave, of a package without types
+Instance: TypeAlias = Any  # FMU2Slave | FMU3Slave | FMU2Model | FMU3Model, of a package without types
 
 
-def load_instance(description: ModelDescription, directory: str) -> Instance:
-    """Loads the binary of an unpacked FMU; no instance yet.
+def load_instance(path: Path, description: ModelDescription, directory: str, *, exchange: bool = False) -> Instance:
+    """Unpacks an FMU and loads its binary; no instance yet.
+
+    Args:
+        path: of the FMU.
+        description: of its model.
+        directory: where it is unpacked.
+        exchange: for model exchange, not co-simulation.
 
     Raises:
-        Exception: FMPy's own, where there is no binary for this machine or it cannot be loaded.
+        InputError: there is no binary for this machine, or it cannot be loaded.
     """
-    identifier = description.coSimulation.modelIdentifier
+    fmpy.extract(str(path), unzipdir=directory)
+    identifier = (description.modelExchange if exchange else description.coSimulation).modelIdentifier
     arguments = {
         "guid": description.guid,
         "unzipDirectory": directory,
         "modelIdentifier": identifier,
         "instanceName": "instance",
     }
-    if fmi_version(description) == "3.0":
-        return FMU3Slave(**arguments)
-    return FMU2Slave(**arguments, libraryPath=own_library(directory, identifier))
+    folder = os.getcwd()
+    try:
+        if fmi_version(description) == "3.0":
+            return (FMU3Model if exchange else FMU3Slave)(**arguments)
+        return (FMU2Model if exchange else FMU2Slave)(**arguments, libraryPath=own_library(directory, identifier))
+    except Exception as error:  # fmpy raises bare Exceptions
+        raise InputError(f"the FMU cannot be loaded on this machine: {error}", path) from error
+    finally:
+        os.chdir(folder)  # FMPy goes to the library's folder and stays there when loading fails
 
 
 def own_library(directory: str, identifier: str) -> str | None:
@@ -41,16 +58,21 @@ def own_library(directory: str, identifier: str) -> str | None:
     return str(path) if path.exists() else None
 
 
-def instantiate(instance: Instance, callbacks: Callbacks) -> None:
-    """Makes an instance that reports to ``callbacks``.
+def instantiate(instance: Instance, callbacks: Callbacks, file: str) -> None:
+    """Makes an instance that reports to ``callbacks``; where the FMU refuses, its library is freed.
 
     Raises:
-        Exception: FMPy's own, where the FMU refuses.
+        SimulationFailure: (``RunFailure``) the FMU refuses; ``file`` names it.
     """
-    if isinstance(instance, FMU3Slave):
-        instance.instantiate(loggingOn=True, logMessage=callbacks.note)
-    else:
-        instance.instantiate(callbacks=callbacks.functions)
+    try:
+        if major_version(instance) == 3:
+            instance.instantiate(loggingOn=True, logMessage=callbacks.note)
+        else:
+            instance.instantiate(callbacks=callbacks.functions)
+    except Exception as error:  # fmpy raises bare Exceptions
+        messages = " ".join(callbacks.take_messages()) or str(error)
+        instance.freeLibrary()
+        raise RunFailure(f"{file} cannot be instantiated: {messages}") from error
 
 
 def free_instance(instance: Instance) -> None:
@@ -61,7 +83,7 @@ def free_instance(instance: Instance) -> None:
 
 def major_version(instance: Instance) -> int:
     """Of FMI: 2 or 3."""
-    return 3 if isinstance(instance, FMU3Slave) else 2
+    return 3 if isinstance(instance, (FMU3Slave, FMU3Model)) else 2
 
 
 def takes_slopes(description: ModelDescription, instance: Instance) -> bool:

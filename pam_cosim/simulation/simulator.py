@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 import math
-import os
 import shutil
 import tempfile
 from collections.abc import Iterable, Mapping, Sequence
@@ -12,7 +11,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
 
-import fmpy
 import numpy as np
 from fmpy.fmi1 import FMICallException
 from numpy.typing import ArrayLike
@@ -77,15 +75,8 @@ class Simulator:
             raise
 
     def _load(self) -> None:
-        fmpy.extract(str(self.path), unzipdir=self._directory)
         self._callbacks = Callbacks()
-        folder = os.getcwd()
-        try:
-            self._instance = load_instance(self._description, self._directory)
-        except Exception as error:  # fmpy raises bare Exceptions
-            raise InputError(f"the FMU cannot be loaded on this machine: {error}", self.path) from error
-        finally:
-            os.chdir(folder)  # FMPy goes to the library's folder and stays there when loading fails
+        self._instance = load_instance(self.path, self._description, self._directory)
         self._slopes = takes_slopes(self._description, self._instance)
         self._instantiate(self._instance)
 
@@ -96,13 +87,9 @@ class Simulator:
         self._instantiate(self._instance)
 
     def _instantiate(self, instance: Instance) -> None:
-        try:
-            instantiate(instance, self._callbacks)
-        except Exception as error:
-            messages = " ".join(self._callbacks.take_messages()) or str(error)
-            instance.freeLibrary()
-            self._instance = None
-            raise RunFailure(f"{self.path.name} cannot be instantiated: {messages}") from error
+        self._instance = None  # while there is none
+        instantiate(instance, self._callbacks, self.path.name)
+        self._instance = instance
         self._driver = Driver(instance.dll, instance.component, self._slopes, major_version(instance))
         self._used = False
 
