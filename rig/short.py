@@ -14,6 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
+from rig.instruments import FAULTS, Fault, fault_of, readings
 from rig.measurement import TRUTH, Measurement, Noise, write_data_set
 from rig.muscle import simulate_muscle
 from rig.named import UNLISTED, Effect, effect_of
@@ -21,6 +22,7 @@ from rig.plan import Run
 from rig.schedule import Phase
 
 DURATION, RATE = 4.0, 50.0  # s, Hz
+FINER, LONGER = 10, 0.5  # what a run with faulty instruments is simulated at, by RATE, and beyond its end [s]
 
 
 def _fill(duration: float, current: float = 0.35) -> Phase:
@@ -42,24 +44,32 @@ PLAN = (
 """One run to fit and one to judge: filling fast and slow, holding at three levels, venting in parts."""
 
 
-def measure_light(effects: Sequence[Effect] = (), seed: int = 0, further: Sequence[Run] = ()) -> list[Measurement]:
-    """Both runs, and those asked for further, with the rig's usual noise."""
+def measure_light(
+    effects: Sequence[Effect] = (), seed: int = 0, further: Sequence[Run] = (), faults: Sequence[Fault] = ()
+) -> list[Measurement]:
+    """Both runs, and those asked for further, with the rig's usual noise, through instruments with these faults."""
     rng = np.random.default_rng([seed, 7])
     sigma = Noise().as_dict()
     measured = []
     for run in (*PLAN, *further):
         duration = DURATION if run in PLAN else sum(phase.duration for phase in run.phases)
-        times = np.arange(round(duration * RATE) + 1) / RATE
-        simulated = simulate_muscle(replace(TRUTH, load=run.load), run.p_supply, run.schedule, times, effects)
+        samples = np.arange(round(duration * RATE) + 1) / RATE
+        fine = np.arange(round((duration + LONGER) * RATE * FINER) + 1) / (RATE * FINER) if faults else samples
+        simulated = simulate_muscle(replace(TRUTH, load=run.load), run.p_supply, run.schedule, fine, effects)
         clean = {"p": simulated.p, "x": simulated.x, "T": simulated.temperature}
-        noisy = {name: y + sigma[name] * rng.standard_normal(len(y)) for name, y in clean.items()}
-        measured.append(Measurement(run, times, noisy))
+        measured.append(Measurement(run, samples, readings(faults, fine, clean, samples, sigma, rng)))
     return measured
 
 
-def write_light_data(folder: Path, effects: Sequence[Effect] = (), seed: int = 0, further: Sequence[Run] = ()) -> Path:
+def write_light_data(
+    folder: Path,
+    effects: Sequence[Effect] = (),
+    seed: int = 0,
+    further: Sequence[Run] = (),
+    faults: Sequence[Fault] = (),
+) -> Path:
     """A data set of the Isotonic bench."""
-    write_data_set(folder, measure_light(effects, seed, further))
+    write_data_set(folder, measure_light(effects, seed, further, faults))
     return folder
 
 
@@ -82,16 +92,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("folder", type=Path, help="data set to write")
     shown = f"FAMILY:FORM as in python -m rig --list; {' or '.join(UNLISTED)}, which no catalogue holds"
     parser.add_argument("--effect", action="append", default=[], help=shown)
+    forms = ", ".join(kind.form for kind in FAULTS)
+    parser.add_argument("--fault", action="append", default=[], help=f"FORM:signal=NAME,...: of an instrument; {forms}")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--further", type=Path, help="a run to make as well, from 'pam-cosim diagnose --next'")
     parser.add_argument("--load", type=float, default=2.27, help="of the further run [kg]")
     options = parser.parse_args(arguments)
     try:
         effects = [UNLISTED.get(text) or effect_of(text) for text in options.effect]
+        faults = [fault_of(text) for text in options.fault]
     except ValueError as error:
         parser.error(str(error))
     further = [planned(options.further, options.load)] if options.further else []
-    write_light_data(options.folder, effects, options.seed, further)
+    write_light_data(options.folder, effects, options.seed, further, faults)
     return 0
 
 
