@@ -95,12 +95,17 @@ class Trajectory:
     v: Array  # m/s
 
 
-_ATOL = (1e-8, 1e-10, 1e-9)
+ATOL = (1e-8, 1e-10, 1e-9)
+"""Of internal energy [J] and the two states of motion."""
+
 _CP = GAMMA * R / (GAMMA - 1)  # J/(kg K)
 
 
-class _Rig:
-    """The right-hand side for one run."""
+class Chain:
+    """Valves, gas, braid and load: the right-hand side for one run of one muscle.
+
+    What moves the load end is `motion` and `moved`; benches that hold it otherwise override those.
+    """
 
     def __init__(self, parameters: MuscleParameters, p_supply: float, effects: Sequence[Effect]) -> None:
         self.par, self.effects = parameters, tuple(effects)
@@ -118,10 +123,13 @@ class _Rig:
 
     def start(self) -> list[float]:
         """At rest on the stop, filled with ambient air."""
-        x = -self.resting_mass * G / self.par.stop_stiffness
+        return self.start_at(-self.resting_mass * G / self.par.stop_stiffness)
+
+    def start_at(self, x: float) -> list[float]:
+        """At rest at a contraction [m], filled with ambient air."""
         pv = P_ATM * (self.par.volume(x) + self.dead_volume)
         rest = Rest(x, pv / (R * T_ATM), T_ATM, (0.0, 0.0))
-        return [pv / (GAMMA - 1), x, 0.0, *(value for e in self.effects for value in e.initial(rest))]
+        return [pv / (GAMMA - 1), *self.at_rest(x), *(value for e in self.effects for value in e.initial(rest))]
 
     def gas(self, y: Sequence[float]) -> tuple[float, float]:
         """Absolute pressure [Pa] and temperature [K]."""
@@ -132,22 +140,20 @@ class _Rig:
             temperature = effect.temperature(y[own], pv, temperature)
         return p, temperature
 
-    def rates(self, y: Sequence[float], command: Currents) -> list[float]:
+    def rates(self, y: Sequence[float], command: Sequence[float]) -> list[float]:
         """Time derivatives of all states."""
-        par, x, v = self.par, y[1], y[2]
+        par = self.par
+        x, v = self.motion(y)
         p, temperature = self.gas(y)
         gauge = p - P_ATM
-        currents, leak, extra, factor, wall = command, 0.0, 0.0, 1.0, T_ATM
-        source, inertia, pull_factor = self.p_source, self.mass, 1.0
+        told = self.currents(command)
+        currents, leak, wall, source, inertia = told, 0.0, T_ATM, self.p_source, self.mass
         side_mass, side_enthalpy, other_heat = 0.0, 0.0, 0.0
         for effect, own in zip(self.effects, self.slices, strict=True):
             q = y[own]
             currents = effect.current(q, currents)
             leak += effect.leak(p, temperature)
-            extra += effect.force(q, x, v, gauge)
             inertia += effect.balanced_mass(x)
-            factor *= effect.shape_factor(x, gauge)
-            pull_factor *= effect.pull_factor(x, gauge)
             wall = effect.wall_temperature(q, wall)
             source = effect.supply(q, source)
             other_heat += effect.heat(q)
@@ -162,19 +168,53 @@ class _Rig:
             film = effect.film(y[own], film, p, temperature)
         heat = film * par.bare_area(x) * (wall - temperature)
 
-        fibre = gauge * par.crossing_area * par.mu_d * tanh(par.k_f * v)
-        bladder = gauge * par.mu_fb * par.fibre_area
-        stop = max(0.0, -par.stop_stiffness * x - par.stop_damping * v) if x < 0 else 0.0
-        pull = pull_factor * gauge * par.volume_slope(factor * x)
-        acceleration = (pull - fibre - bladder - extra + stop - self.mass * G) / inertia
-
+        pull, fibre, bladder = self.forces(y, x, v, gauge)
         rubbed = sum(effect.friction_heat(fibre * v, bladder * v) for effect in self.effects)
         energy_rate = heat + other_heat + rubbed + enthalpy_in - p * par.volume_slope(x) * v
-        now = Now(x, v, gauge, temperature, command, net, heat)
-        rates = [energy_rate, v, acceleration]
+        now = Now(x, v, gauge, temperature, told, net, heat, pull)
+        rates = [energy_rate, *self.moved(y, v, command, self.net_force(x, v, pull), inertia)]
         for k, (effect, own) in enumerate(zip(self.effects, self.slices, strict=True)):
             rates.extend(line_rates if k == self.line else effect.rates(y[own], now))
         return rates
+
+    def currents(self, command: Sequence[float]) -> Currents:
+        """Currents of inlet and exhaust valve [A], of all that the rig is told."""
+        return command[0], command[1]
+
+    def forces(self, y: Sequence[float], x: float, v: float, gauge: float) -> tuple[float, float, float]:
+        """What the muscle pulls with after all its frictions, and those of the base model [N].
+
+        Friction of fibre on fibre, then of fibres on the bladder.
+        """
+        par, extra, factor, pull_factor = self.par, 0.0, 1.0, 1.0
+        for effect, own in zip(self.effects, self.slices, strict=True):
+            extra += effect.force(y[own], x, v, gauge)
+            factor *= effect.shape_factor(x, gauge)
+            pull_factor *= effect.pull_factor(x, gauge)
+        fibre = gauge * par.crossing_area * par.mu_d * tanh(par.k_f * v)
+        bladder = gauge * par.mu_fb * par.fibre_area
+        pull = pull_factor * gauge * par.volume_slope(factor * x)
+        return pull - fibre - bladder - extra, fibre, bladder
+
+    def motion(self, y: Sequence[float]) -> tuple[float, float]:
+        """Contraction [m] and its speed [m/s]."""
+        return y[1], y[2]
+
+    def at_rest(self, x: float) -> tuple[float, float]:
+        """The two states of motion at rest at a contraction [m]."""
+        return x, 0.0
+
+    def net_force(self, x: float, v: float, pull: float) -> float:
+        """Force [N] on what moves, from the pull of the muscle: with the stop and the weights."""
+        par = self.par
+        stop = max(0.0, -par.stop_stiffness * x - par.stop_damping * v) if x < 0 else 0.0
+        return pull + stop - self.mass * G
+
+    def moved(
+        self, y: Sequence[float], v: float, command: Sequence[float], force: float, inertia: float
+    ) -> tuple[float, float]:
+        """Time derivatives of the two states of motion."""
+        return v, force / inertia
 
     def _inflow(
         self, y: Sequence[float], pressures: tuple[float, float, float], currents: Currents
@@ -230,11 +270,11 @@ def simulate_muscle(
     p_supply: gauge [Pa]; times: increasing, shape (n,) [s]; method: of solve_ivp, by default BDF with stiff
     effects, else LSODA. Raises RuntimeError when integration fails.
     """
-    rig = _Rig(parameters, p_supply, effects)
+    rig = Chain(parameters, p_supply, effects)
     late = schedule.delayed(sum(effect.delay() for effect in rig.effects))
     for effect in rig.effects:
         late = effect.drive(late)
-    atol = (*_ATOL, *(value for effect in rig.effects for value in effect.atol))
+    atol = (*ATOL, *(value for effect in rig.effects for value in effect.atol))
     method = method or ("BDF" if any(effect.stiff for effect in rig.effects) else "LSODA")
     states = integrate(rig.rates, rig.start(), late, times, atol, rtol, method)
     readings = np.array([rig.reading(column) for column in states.T.tolist()])

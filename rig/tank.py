@@ -13,13 +13,16 @@ from math import pi, pow
 
 import numpy as np
 
-from rig.effect import Effect, Now, Rest
-from rig.flow import GAMMA, P_ATM, T_ATM, R, mass_flow, valve_area
+from rig.effect import Effect, LineEffect, Now, Rest
+from rig.flow import CP, GAMMA, P_ATM, T_ATM, R, mass_flow, valve_area
 from rig.integrate import Array, integrate
 from rig.schedule import Currents, Schedule
 
-FAMILIES = ("none", "leak", "valve_dynamics", "gas_energy", "thermocouple_lag", "pressure_offset")
-"""Families of effects that a vessel knows; the others belong to a muscle."""
+OF_A_MUSCLE = (
+    "elasticity", "dry_friction", "rate_friction", "creep", "end_shape", "moving_mass", "dead_volume", "friction_heat",
+    "wall_heat", "position_sensor", "force_sensor",
+)  # fmt: skip
+"""Families of effects that a vessel cannot have."""
 
 Ports = Callable[[float, float, Currents], Iterable[tuple[float, float]]]
 """Absolute pressure [Pa], temperature [K], currents [A] -> flows into the vessel [kg/s], outer temperatures."""
@@ -67,12 +70,19 @@ class VesselTrajectory:
     temperature: Array  # K
 
 
-def valve_ports(p_supply: float, calibration: float) -> Ports:
-    """Valves from a supply at p_supply [Pa gauge] and to ambient."""
+def valve_ports(p_supply: float, calibration: float, effects: Sequence[Effect] = ()) -> Ports:
+    """Valves from a supply at p_supply [Pa gauge] and to ambient, with what effects do to their areas."""
+    source = p_supply + P_ATM
 
     def flows(p: float, temperature: float, currents: Currents) -> Iterable[tuple[float, float]]:
-        area_in, area_out = (valve_area(u, calibration) for u in currents)
-        yield mass_flow(area_in, p_supply + P_ATM, T_ATM, p, temperature), T_ATM
+        areas = (valve_area(currents[0], calibration), valve_area(currents[1], calibration))
+        for effect in effects:
+            areas = effect.areas(areas, currents)
+        area_in, area_out = areas
+        for effect in effects:
+            area_in *= effect.valve_factor(max(p, source), min(p, source))
+            area_out *= effect.valve_factor(max(p, P_ATM), min(p, P_ATM))
+        yield mass_flow(area_in, source, T_ATM, p, temperature), T_ATM
         yield mass_flow(area_out, P_ATM, T_ATM, p, temperature), T_ATM
 
     return flows
@@ -99,14 +109,17 @@ def simulate_vessel(
 ) -> VesselTrajectory:
     """Pressure and temperature from p_start [Pa gauge], at the vessel's polytropic temperature there.
 
-    times: increasing, shape (n,) [s]. Raises ValueError for an effect that is not among FAMILIES, RuntimeError
-    when integration fails.
+    times: increasing, shape (n,) [s]. Raises ValueError for an effect that is among OF_A_MUSCLE, RuntimeError when
+    integration fails. Effects on the areas of valves have to be among those of `ports` as well.
     """
     for effect in effects:
-        if effect.family not in FAMILIES:
+        if effect.family in OF_A_MUSCLE:
             raise ValueError(f"a vessel cannot have an effect of the family {effect.family}")
     schedule = schedule or Schedule((), ())
     late = schedule.delayed(sum(effect.delay() for effect in effects))
+    for effect in effects:
+        late = effect.drive(late)
+    line = next((k for k, effect in enumerate(effects) if isinstance(effect, LineEffect)), None)
     slices, at = [], 2
     for effect in effects:
         slices.append(slice(at, at + len(effect.atol)))
@@ -121,24 +134,42 @@ def simulate_vessel(
             temperature = effect.temperature(y[own], p * vessel.volume, temperature)
         return p, temperature
 
+    def through(p: float, temperature: float, currents: Currents) -> tuple[float, float]:
+        """Gas [kg/s] and enthalpy [W] through the ports into gas at p [Pa]."""
+        mass, enthalpy = 0.0, 0.0
+        for flow, outer in ports(p, temperature, currents):
+            mass += flow
+            enthalpy += flow * (outer if flow > 0 else temperature)
+        return mass, CP * enthalpy
+
+    def inflow(
+        y: Sequence[float], p: float, temperature: float, currents: Currents
+    ) -> tuple[tuple[float, float], tuple[float, ...]]:
+        """Gas and enthalpy into the vessel, and the rates of the line if there is one."""
+        if line is None:
+            return through(p, temperature, currents), ()
+        tube, q = effects[line], y[slices[line]]
+        assert isinstance(tube, LineEffect)
+        arriving = through(*tube.node(q), currents)
+        return tube.into_muscle(q, p, temperature), tube.line_rates(q, arriving, p, temperature)
+
     def rates(y: Sequence[float], command: Currents) -> list[float]:
         p, temperature = gas(y)
         currents, net, enthalpy = command, 0.0, 0.0
         for effect, own in zip(effects, slices, strict=True):
             currents = effect.current(y[own], currents)
             net -= effect.leak(p, temperature)
-        enthalpy = net * (temperature if net < 0 else T_ATM)
-        for flow, outer in ports(p, temperature, currents):
-            net += flow
-            enthalpy += flow * (outer if flow > 0 else temperature)
+        enthalpy = CP * net * (temperature if net < 0 else T_ATM)
+        entering, line_rates = inflow(y, p, temperature, currents)
+        net, enthalpy = net + entering[0], enthalpy + entering[1]
         film = vessel.h
         for effect, own in at_the_wall:
             film = effect.film(y[own], film, p, temperature)
         heat = film * vessel.wall_area * (T_ATM - temperature)
         now = Now(0.0, 0.0, p - P_ATM, temperature, command, net, heat)
-        result = [net, GAMMA * R / (GAMMA - 1) * enthalpy + heat]
-        for effect, own in zip(effects, slices, strict=True):
-            result.extend(effect.rates(y[own], now))
+        result = [net, enthalpy + heat]
+        for k, (effect, own) in enumerate(zip(effects, slices, strict=True)):
+            result.extend(line_rates if k == line else effect.rates(y[own], now))
         return result
 
     def reading(y: Sequence[float]) -> tuple[float, float]:

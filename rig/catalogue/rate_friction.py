@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import pi, pow
 
 from rig.effect import Effect, State
@@ -61,3 +61,20 @@ class LoadRate(Effect):
         length = self.length - x
         pull = p_gauge * (3 * length * length - self.fibre_squared) / (4 * pi * self.turns**2)
         return self.ab * max(pull, 0.0) * v / self.length
+
+
+@dataclass(frozen=True)
+class LoadFrequency(Effect):
+    """Friction ab W f v/L0 by the weight W and the frequency f of the run (Dzahir and Yamamoto (10)-(11))."""
+
+    family = "rate_friction"
+    form = "load_frequency"
+    ab: float = 0.15  # s2
+    length: float = 0.3  # m
+    damping: float = 0.0  # N s/m, in the run that it is in
+
+    def in_run(self, weight: float, frequency: float) -> LoadFrequency:
+        return replace(self, damping=self.ab * weight * frequency / self.length)
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.damping * v
