@@ -6,12 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar, NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
 from rig.schedule import Currents, Schedule
 
-Array = NDArray[np.float64]
 State = Sequence[float]
 """An effect's own states."""
 
@@ -35,7 +31,6 @@ class Now(NamedTuple):
     command: Currents  # A, before valve dynamics
     net_mass_flow: float  # kg/s, into the gas volume
     heat_to_gas: float  # W, through the wall
-    pull: float = 0.0  # N, what a load cell at the muscle would show
 
 
 @dataclass(frozen=True)
@@ -151,25 +146,13 @@ class Effect:
         """What the displacement sensor shows [m]."""
         return x
 
-    def force_shown(self, q: State, pull: float) -> float:
-        """What the load cell shows [N]."""
-        return pull
-
     def in_run(self, weight: float, frequency: float) -> Effect:
         """The effect in a run with this weight on the muscle [N] and this frequency of excitation [Hz]."""
         return self
 
-    def clock(self) -> float:
-        """Time [s] by which the clock of the instruments' recorder is ahead of that of the inputs' recorder."""
-        return 0.0
-
     def in_truth(self, name: str, stated: float) -> float:
-        """What the simulator's parameter `name` is, where the experiment's description states this value [SI]."""
+        """What a bench's parameter is in truth, where the description of the experiment states this value [SI]."""
         return stated
-
-    def digits(self, name: str, recorded: Array) -> Array:
-        """What is stored of the samples of a signal, noise and all; shape (times,) [SI]."""
-        return recorded
 
 
 @dataclass(frozen=True)

@@ -63,10 +63,7 @@ class HeldChain(Chain):
     def reading_of_pull(self, y: Sequence[float]) -> float:
         """What the load cell shows [N]."""
         x, v = self.motion(y)
-        pull = self.forces(y, x, v, self.gas(y)[0] - P_ATM)[0]
-        for effect, own in zip(self.effects, self.slices, strict=True):
-            pull = effect.force_shown(y[own], pull)
-        return pull
+        return self.forces(y, x, v, self.gas(y)[0] - P_ATM)[0]
 
 
 def simulate_held(

@@ -171,7 +171,7 @@ class Chain:
         pull, fibre, bladder = self.forces(y, x, v, gauge)
         rubbed = sum(effect.friction_heat(fibre * v, bladder * v) for effect in self.effects)
         energy_rate = heat + other_heat + rubbed + enthalpy_in - p * par.volume_slope(x) * v
-        now = Now(x, v, gauge, temperature, told, net, heat, pull)
+        now = Now(x, v, gauge, temperature, told, net, heat)
         rates = [energy_rate, *self.moved(y, v, command, self.net_force(x, v, pull), inertia)]
         for k, (effect, own) in enumerate(zip(self.effects, self.slices, strict=True)):
             rates.extend(line_rates if k == self.line else effect.rates(y[own], now))

@@ -86,7 +86,7 @@ class _Vertical:
         for effect, own in zip(self.effects, self.slices, strict=True):
             pull -= effect.force(y[own], x, v, p)
             inertia += effect.balanced_mass(x)
-        now = Now(x, v, p, T_ATM, (0.0, 0.0), 0.0, 0.0, pull)
+        now = Now(x, v, p, T_ATM, (0.0, 0.0), 0.0, 0.0)
         result = [down, (self.mass * G - pull) / inertia, (told[0] - p) / par.lag]
         for effect, own in zip(self.effects, self.slices, strict=True):
             result.extend(effect.rates(y[own], now))
