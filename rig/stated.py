@@ -17,4 +17,5 @@ class WrongParameter(Effect):
     factor: float = 1.05
 
     def in_truth(self, name: str, stated: float) -> float:
+        """`factor` times what is stated, for the one parameter."""
         return self.factor * stated if name == self.name else stated
