@@ -98,7 +98,7 @@ HIDDEN: dict[str, tuple[str, Effect, str, dict[str, float]]] = {
     "lag at tank": ("filling", ValveLag(0.1), "ValveLag", {"tau": 0.1}),
     "thermometer in vessel": ("discharge", ThermocoupleLag(0.3), "ThermocoupleLag", {"tau": 0.3}),
     "leak of vessel": ("discharge", LaminarLeak(2e-9), "LaminarLeak", {"G": 2e-9}),
-    "gas and wall": ("discharge", GasEnergy(SURFACES / (2 / 10.0 + 2e-4)), "EnergyGas", {"h": 10}),
+    "gas and wall": ("discharge", GasEnergy(10.0 * SURFACES), "EnergyGas", {"h": 10}),
 }
 
 
