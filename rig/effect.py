@@ -31,6 +31,7 @@ class Now(NamedTuple):
     command: Currents  # A, before valve dynamics
     net_mass_flow: float  # kg/s, into the gas volume
     heat_to_gas: float  # W, through the wall
+    areas: tuple[float, float] = (0.0, 0.0)  # m2, of both valves by their currents, before dynamics of the openings
 
 
 @dataclass(frozen=True)
@@ -113,6 +114,10 @@ class Effect:
 
     def areas(self, areas: tuple[float, float], currents: Currents) -> tuple[float, float]:
         """Effective areas [m2] of inlet and exhaust valve from the calibrated ones."""
+        return areas
+
+    def opening(self, q: State, areas: tuple[float, float]) -> tuple[float, float]:
+        """Effective areas [m2] at this moment, of the valves that will be open by `areas` in the end."""
         return areas
 
     def supply(self, q: State, p: float) -> float:

@@ -160,7 +160,8 @@ class Chain:
             lost = effect.exchange(q, p, temperature)
             side_mass, side_enthalpy = side_mass + lost[0], side_enthalpy + lost[1]
 
-        valves, line_rates = self._inflow(y, (source, p, temperature), currents)
+        targets = self._target_areas(currents)
+        valves, line_rates = self._inflow(y, (source, p, temperature), targets)
         net = valves[0] - leak - side_mass
         enthalpy_in = valves[1] - side_enthalpy - _CP * leak * (temperature if leak > 0 else T_ATM)
         film = par.heat_coefficient
@@ -171,8 +172,13 @@ class Chain:
         pull, fibre, bladder = self.forces(y, x, v, gauge)
         rubbed = sum(effect.friction_heat(fibre * v, bladder * v) for effect in self.effects)
         energy_rate = heat + other_heat + rubbed + enthalpy_in - p * par.volume_slope(x) * v
+<<<<<<< HEAD
         now = Now(x, v, gauge, temperature, told, net, heat)
         rates = [energy_rate, *self.moved(y, v, command, self.net_force(x, v, pull), inertia)]
+=======
+        now = Now(x, v, gauge, temperature, command, net, heat, targets)
+        rates = [energy_rate, v, acceleration]
+>>>>>>> ca83cbf (Valves have a place behind the law of their area; the general drive reaches the opening and unlike valves)
         for k, (effect, own) in enumerate(zip(self.effects, self.slices, strict=True)):
             rates.extend(line_rates if k == self.line else effect.rates(y[own], now))
         return rates
@@ -217,25 +223,33 @@ class Chain:
         return v, force / inertia
 
     def _inflow(
-        self, y: Sequence[float], pressures: tuple[float, float, float], currents: Currents
+        self, y: Sequence[float], pressures: tuple[float, float, float], targets: tuple[float, float]
     ) -> tuple[tuple[float, float], tuple[float, ...]]:
         """Gas [kg/s] and enthalpy [W] into the muscle, and the rates of the line if there is one.
 
-        pressures: of the supply and of the gas [Pa], and the gas's temperature [K].
+        pressures: of the supply and of the gas [Pa], and the gas's temperature [K]; targets: areas of both valves by
+        their currents [m2].
         """
         source, p, temperature = pressures
+        areas = targets
+        for effect, own in zip(self.effects, self.slices, strict=True):
+            areas = effect.opening(y[own], areas)
         if self.line is None:
-            return self._valves(source, p, temperature, currents), ()
+            return self._valves(source, p, temperature, areas), ()
         line, q = self.effects[self.line], y[self.slices[self.line]]
         assert isinstance(line, LineEffect)
-        valves = self._valves(source, *line.node(q), currents)
+        valves = self._valves(source, *line.node(q), areas)
         return line.into_muscle(q, p, temperature), line.line_rates(q, valves, p, temperature)
 
-    def _valves(self, source: float, p: float, temperature: float, currents: Currents) -> tuple[float, float]:
-        """Gas [kg/s] and enthalpy [W] that both valves let into gas at p [Pa]."""
+    def _target_areas(self, currents: Currents) -> tuple[float, float]:
+        """Areas [m2] of both valves by their currents, which dynamics of the openings may reach late."""
         areas = (valve_area(currents[0], self.par.calibration), valve_area(currents[1], self.par.calibration))
         for effect in self.effects:
             areas = effect.areas(areas, currents)
+        return areas
+
+    def _valves(self, source: float, p: float, temperature: float, areas: tuple[float, float]) -> tuple[float, float]:
+        """Gas [kg/s] and enthalpy [W] that both valves, open by `areas` [m2], let into gas at p [Pa]."""
         area_in, area_out = areas
         for effect in self.effects:
             area_in *= effect.valve_factor(max(p, source), min(p, source))

@@ -15,9 +15,12 @@ model ReviewedValves "Inlet and exhaust valve with a place for the law of flow"
     annotation (choicesAllMatching=true);
   replaceable model Area = Laws.Valves.LinearArea constrainedby Interfaces.ValveArea "Law of the effective areas"
     annotation (choicesAllMatching=true);
+  replaceable model Opening = Laws.Valves.ImmediateOpening constrainedby Interfaces.ValveOpening
+    "Dynamics of the openings" annotation (choicesAllMatching=true);
   Area area(u={u_in, u_out}, p_a={supply.p, port.p}, p_b={port.p, exhaust.p}, C_A=C_A) "From current to effective area";
-  Flow inlet(A=area.A[1]) "Inlet valve";
-  Flow outlet(A=area.A[2]) "Exhaust valve";
+  Opening opening(A_set=area.A) "From that to the area that the gas finds";
+  Flow inlet(A=opening.A[1]) "Inlet valve";
+  Flow outlet(A=opening.A[2]) "Exhaust valve";
 equation
   connect(supply, inlet.port_a);
   connect(inlet.port_b, port);

@@ -15,10 +15,13 @@ model ValvePair "An inlet and an exhaust valve, current-driven, of one make, DP 
     annotation (choicesAllMatching=true);
   replaceable model Area = Laws.Valves.LinearArea constrainedby Interfaces.ValveArea "Law of the effective areas"
     annotation (choicesAllMatching=true);
+  replaceable model Opening = Laws.Valves.ImmediateOpening constrainedby Interfaces.ValveOpening
+    "Dynamics of the openings" annotation (choicesAllMatching=true);
   Drive drive(u={u_in, u_out}) "From command to current";
   Area area(u=drive.y, p_a={supply.p, port.p}, p_b={port.p, exhaust.p}, C_A=C_A) "From current to effective area";
-  Orifice inlet(A=area.A[1]) "Inlet valve";
-  Orifice outlet(A=area.A[2]) "Exhaust valve";
+  Opening opening(A_set=area.A) "From that to the area that the gas finds";
+  Orifice inlet(A=opening.A[1]) "Inlet valve";
+  Orifice outlet(A=opening.A[2]) "Exhaust valve";
 equation
   connect(supply, inlet.port_a);
   connect(inlet.port_b, port);

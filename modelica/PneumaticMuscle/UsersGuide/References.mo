@@ -26,6 +26,7 @@ year, written as here: one, two or three names, or the first <code>and others</c
 <li><b>Kerscher and others 2006</b>: T. Kerscher, J. Albiez, J. M. Zollner, R. Dillmann, <i>Evaluation of the dynamic model of fluid muscles using quick-release</i>, Proceedings of the IEEE/RAS-EMBS International Conference on Biomedical Robotics and Biomechatronics, Pisa 2006.</li>
 <li><b>King 1914</b>: L. V. King, <i>On the convection of heat from small cylinders in a stream of fluid</i>, Philosophical Transactions of the Royal Society A 214 (1914) 373-432.</li>
 <li><b>McAdams 1954</b>: W. H. McAdams, <i>Heat transmission</i>, third edition, McGraw-Hill, New York 1954.</li>
+<li><b>Merritt 1967</b>: H. E. Merritt, <i>Hydraulic control systems</i>, Wiley, New York 1967.</li>
 <li><b>Perry 1949</b>: J. A. Perry, <i>Critical flow through sharp-edged orifices</i>, Transactions of the ASME 71 (1949) 757-764.</li>
 <li><b>Reynolds and others 2003</b>: D. B. Reynolds, D. W. Repperger, C. A. Phillips, G. Bandry, <i>Modeling the dynamic characteristics of pneumatic muscle</i>, Annals of Biomedical Engineering 31 (2003) 310-317.</li>
 <li><b>Scadron and Warshawsky 1952</b>: M. D. Scadron, I. Warshawsky, <i>Experimental determination of time constants and Nusselt numbers for bare-wire thermocouples in high-velocity air streams and analytic approximation of conduction and radiation errors</i>, NACA Technical Note 2599, 1952.</li>

@@ -1,0 +1,9 @@
+within PneumaticMuscle.Laws.Valves;
+model ImmediateOpening "The valves are open as far as their currents say, as DP assume"
+  extends Interfaces.ValveOpening;
+equation
+  A = A_set;
+  annotation (Documentation(info="<html>
+<p>A = A_set: DP leave out the dynamics of the valves.</p>
+</html>"));
+end ImmediateOpening;
