@@ -6,6 +6,9 @@ from dataclasses import dataclass, field
 
 from pam_cosim.wording import Printed
 
+RECORD_DELAY = "RecordDelay"
+"""The quantity of a parameter by which the record of all readings is late against that of the inputs [s]."""
+
 
 @dataclass(frozen=True)
 class Variable:
@@ -56,6 +59,11 @@ class Interface(Printed):
     def variables(self) -> dict[str, Variable]:
         """What can be read of a run: outputs and everything else that changes with time, and parameters."""
         return {**self.outputs, **self.sensitivities, **self.inputs, **self.locals, **self.parameters}
+
+    @property
+    def record_delays(self) -> dict[str, Variable]:
+        """Parameters by whose sum the readings are recorded late: what is asked for at t was there that much before."""
+        return {name: v for name, v in self.parameters.items() if v.quantity == RECORD_DELAY}
 
     @property
     def settable(self) -> dict[str, Variable]:

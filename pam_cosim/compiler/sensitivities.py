@@ -24,7 +24,7 @@ def with_sensitivities(ode: Ode, parameters: Sequence[str]) -> Ode:
 
     Raises:
         InputError: the model has no such parameter, it is named twice, or it is the length of a delay, with which
-            the solution does not change smoothly.
+            the solution does not change smoothly, or the delay of a record.
     """
     names = tuple(parameters)
     if not names:
@@ -49,10 +49,14 @@ def with_sensitivities(ode: Ode, parameters: Sequence[str]) -> Ode:
 
 
 def smooth_parameters(ode: Ode) -> tuple[str, ...]:
-    """Names of the parameters that ``with_sensitivities`` takes."""
+    """Names of the parameters that ``with_sensitivities`` takes.
+
+    A record that is late is no part of the equations: no derivative in them tells of it.
+    """
     lengths = ca.vertcat(ca.SX(0, 1), *[ca.SX(delay.time) for delay in ode.delays])
     bound = set(ca.jacobian_sparsity(lengths, ode.p).get_col()) if ode.delays else set()
-    return tuple(name for i, name in enumerate(ode.interface.parameters) if i not in bound)
+    late = ode.interface.record_delays
+    return tuple(name for i, name in enumerate(ode.interface.parameters) if i not in bound and name not in late)
 
 
 def _chosen(ode: Ode, names: tuple[str, ...]) -> ca.SX:
@@ -62,6 +66,12 @@ def _chosen(ode: Ode, names: tuple[str, ...]) -> ca.SX:
             raise InputError(f"there is no parameter '{name}' to differentiate by", ode.interface.model)
         if name in names[:i]:
             raise InputError(f"parameter '{name}' is named twice", ode.interface.model)
+        if name in ode.interface.record_delays:
+            raise InputError(
+                f"parameter '{name}' says how late a record is, which stands in no equation of the model: there is no "
+                "derivative with respect to it",
+                ode.interface.model,
+            )
         if name not in smooth:
             raise InputError(
                 f"parameter '{name}' is the length of a delay: where an input jumps there is no derivative with "

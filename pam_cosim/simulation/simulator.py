@@ -126,6 +126,9 @@ class Simulator:
     ) -> Trajectory:
         """Simulates from the start values.
 
+        Where the model has a clock of the record (``Interface.record_delays``), the values are those that are
+        recorded at the times: as they were when the run began, until the delay has passed.
+
         Args:
             times: (n,) [s] of the values wanted, never decreasing; a time given twice, where an input steps,
                 yields the values before and after the step.
@@ -151,7 +154,9 @@ class Simulator:
         own = {name: value for name, value in values.items() if name not in held}
         course = with_held(inputs, held, start)
         names = list(self.interface.outputs | self.interface.sensitivities if outputs is None else outputs)
-        layout = plan(wanted, start, course, None if self._slopes else self.interface.interval)
+        late = sum(own.get(name, v.start or 0.0) for name, v in self.interface.record_delays.items())
+        shown = np.maximum(wanted - late, start) if late else wanted
+        layout = plan(shown, start, course, None if self._slopes else self.interface.interval)
         parameter_references = self._lookup(own, self._settable, "parameter")
         input_references = self._lookup(course.values if course else (), self.interface.inputs, "input")
         output_references = self._lookup(names, self._references, "output")

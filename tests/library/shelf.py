@@ -75,7 +75,8 @@ def on_bench(effect: str, bench: str = "") -> Composition:
 def homes(effect: str) -> dict[str, Composition]:
     """All benches in which an effect finds a place.
 
-    Where a bench imposes a contraction or a pressure without its rate, what depends on the rate has none.
+    Where a bench imposes a contraction or a pressure without its rate, what depends on the rate has none; nor has a
+    reading that begins at rest where it follows an input at once.
     """
     all_composed = {bench: composed(bench, effect) for bench in benches()}
     return {b: c for b, c in all_composed.items() if c is not None and not _needs_rate_of_input(c)}
@@ -88,7 +89,7 @@ def _needs_rate_of_input(composition: Composition) -> bool:
         try:
             compile_model(str(file))
         except ModelError as problem:
-            if "needs the derivative of its input" in problem.message:
+            if any(text in problem.message for text in ("needs the derivative of its input", "depends on the input")):
                 return True
             raise
     return False

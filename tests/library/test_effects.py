@@ -31,7 +31,8 @@ BALANCES = {
     "elasticity": "force", "dry_friction": "force", "rate_friction": "force", "creep": "force", "end_shape": "force",
     "moving_mass": "force", "valve_dynamics": "mass", "valve_area": "mass", "supply_line": "mass",
     "dead_volume": "mass", "leak": "mass", "gas_energy": "energy", "wall_heat": "energy", "friction_heat": "energy",
-    "thermocouple_lag": "sensor", "pressure_offset": "sensor",
+    "thermocouple_lag": "sensor", "pressure_offset": "sensor", "position_sensor": "sensor", "force_sensor": "sensor",
+    "pressure_sensor_lag": "sensor", "temperature_sensor": "sensor", "clock_offset": "sensor", "saturation": "sensor",
 }  # fmt: skip
 
 OTHER_LAWS = ("VerticalLoad", "StaticForce")

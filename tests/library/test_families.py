@@ -22,7 +22,7 @@ def test_a_package_holds_a_family() -> None:
         for effect in effects()
     }
     assert places == {family: {"".join(map(str.capitalize, family.split("_")))} for family in places}
-    assert sorted(p for (p,) in places.values()) == PACKAGES and len(PACKAGES) == 16
+    assert sorted(p for (p,) in places.values()) == PACKAGES and len(PACKAGES) == 22
 
 
 @pytest.mark.parametrize("package", PACKAGES)

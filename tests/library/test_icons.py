@@ -35,7 +35,7 @@ def test_class_has_an_icon(name: str) -> None:
 
 def test_every_family_has_a_picture_of_its_own() -> None:
     pictures = {name: repr(PICTURES.shapes(PICTURES.of(name))) for name in FAMILIES}
-    assert len(set(pictures.values())) == len(FAMILIES) == 16
+    assert len(set(pictures.values())) == len(FAMILIES) == 22
     for name in FAMILIES:
         for member in PICTURES.of(name).definition.classes.values():
             shown = PICTURES.shapes(PICTURES.of(member.qualified_name))
@@ -89,7 +89,7 @@ def _place(parts: dict[str, Placed], of: Reference) -> np.ndarray:
 
 def test_pictures_are_drawn() -> None:
     figure = gallery(PICTURES, FAMILIES, columns=4)
-    assert len(figure.axes) == 16 and all(axes.patches for axes in figure.axes)
+    assert len(figure.axes) == 22 and all(axes.patches for axes in figure.axes)
     (axes,) = diagram(PICTURES, benches()[0]).axes
     names = {text.get_text() for text in axes.texts}
     assert {part.name for part in PICTURES.parts(PICTURES.of(benches()[0]))} <= names

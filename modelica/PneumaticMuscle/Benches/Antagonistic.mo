@@ -9,6 +9,16 @@ model Antagonistic "Two muscles that pull a pulley against each other"
   output Types.GaugePressure p_1 "Gauge pressure in the first muscle";
   output Types.GaugePressure p_2 "Gauge pressure in the second muscle";
   output Types.Length x "Travel of the rim, towards the first muscle";
+  replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducers"
+    annotation (choicesAllMatching=true);
+  replaceable model PressureChannel = Sensors.DirectPressure constrainedby Interfaces.PressureChannel
+    "Measuring channel of the pressure"
+    annotation (choicesAllMatching=true);
+  replaceable model PositionChannel = Sensors.DirectPosition constrainedby Interfaces.PositionChannel
+    "Measuring channel of the position"
+    annotation (choicesAllMatching=true);
+  replaceable model Clock = Sensors.SharedClock constrainedby Interfaces.Clock "Clock of the record"
+    annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-20,60},{20,100}})));
   Components.Supply supply(p_gauge=p_supply) "Air supply"
@@ -33,10 +43,18 @@ model Antagonistic "Two muscles that pull a pulley against each other"
     annotation (Placement(transformation(extent={{10,-20},{50,20}})));
   Components.Pulley pulley "Pulley"
     annotation (Placement(transformation(extent={{-20,-100},{20,-60}})));
-  Sensors.GaugePressure manometer_1 "Pressure transducer"
+  Manometer manometer_1 "Pressure transducer"
     annotation (Placement(transformation(extent={{-140,55},{-100,95}})));
-  Sensors.GaugePressure manometer_2 "Pressure transducer"
+  Manometer manometer_2 "Pressure transducer"
     annotation (Placement(transformation(extent={{100,55},{140,95}})));
+  PressureChannel channel_p_1(u=manometer_1.p) "Measuring channel of the pressure"
+    annotation (Placement(transformation(extent={{-230,-180},{-190,-140}})));
+  PressureChannel channel_p_2(u=manometer_2.p) "Measuring channel of the pressure"
+    annotation (Placement(transformation(extent={{-170,-180},{-130,-140}})));
+  PositionChannel channel_x(u=pulley.r*pulley.phi) "Measuring channel of the position"
+    annotation (Placement(transformation(extent={{-110,-180},{-70,-140}})));
+  Clock clock "Clock of the record"
+    annotation (Placement(transformation(extent={{-50,-180},{-10,-140}})));
 equation
   connect(supply.port, valve_1.supply)
     annotation (Line(points={{-200,110}, {-190,110}, {-190,12}, {-180,12}}, color={0,90,160}));
@@ -70,10 +88,10 @@ equation
     annotation (Line(points={{80,-20}, {80,-40}, {30,-40}, {30,-20}}, color={0,110,60}));
   connect(muscle_2.flange_b, stop_2.flange_b)
     annotation (Line(points={{80,20}, {80,40}, {30,40}, {30,20}}, color={0,110,60}));
-  p_1 = manometer_1.p;
-  p_2 = manometer_2.p;
-  x = pulley.r*pulley.phi;
-  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-250,-140},{250,140}})),
+  p_1 = channel_p_1.y;
+  p_2 = channel_p_2.y;
+  x = channel_x.y;
+  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-250,-190},{250,140}})),
     experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
 <p>Two muscles of DP on a pulley, each with its valves; both are contracted by <code>pulley.x_0</code> in the middle
 position, so that each has room to extend. They fill alike in volume and pressure until the one that is filled faster turns

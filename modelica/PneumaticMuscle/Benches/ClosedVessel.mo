@@ -7,6 +7,14 @@ model ClosedVessel "A vessel under pressure with everything shut"
     annotation (choicesAllMatching=true);
   replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"
     annotation (choicesAllMatching=true);
+  replaceable model PressureChannel = Sensors.DirectPressure constrainedby Interfaces.PressureChannel
+    "Measuring channel of the pressure"
+    annotation (choicesAllMatching=true);
+  replaceable model TemperatureChannel = Sensors.DirectTemperature constrainedby Interfaces.TemperatureChannel
+    "Measuring channel of the temperature"
+    annotation (choicesAllMatching=true);
+  replaceable model Clock = Sensors.SharedClock constrainedby Interfaces.Clock "Clock of the record"
+    annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-120,-20},{-80,20}})));
   Components.Tank tank(V=1e-4, p_start=7e5, startIsReference=true) "Vessel"
@@ -15,14 +23,20 @@ model ClosedVessel "A vessel under pressure with everything shut"
     annotation (Placement(transformation(extent={{-30,60},{10,100}})));
   Thermometer thermometer(T_start=tank.T_start, m_flow=tank.port.m_flow) "Thermometer"
     annotation (Placement(transformation(extent={{-80,60},{-40,100}})));
+  PressureChannel channel_p(u=manometer.p) "Measuring channel of the pressure"
+    annotation (Placement(transformation(extent={{-110,-90},{-70,-50}})));
+  TemperatureChannel channel_T(u=thermometer.T) "Measuring channel of the temperature"
+    annotation (Placement(transformation(extent={{-50,-90},{-10,-50}})));
+  Clock clock "Clock of the record"
+    annotation (Placement(transformation(extent={{10,-90},{50,-50}})));
 equation
   connect(tank.port, manometer.port)
     annotation (Line(points={{30,0}, {-10,0}, {-10,60}}, color={0,90,160}));
   connect(tank.port, thermometer.port)
     annotation (Line(points={{30,0}, {-60,0}, {-60,60}}, color={0,90,160}));
-  p = manometer.p;
-  T = thermometer.T;
-  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-130,-50},{110,120}})),
+  p = channel_p.y;
+  T = channel_T.y;
+  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-130,-100},{110,120}})),
     experiment(StopTime=150, Interval=0.15, Tolerance=1e-6), Documentation(info="<html>
 <p>The test of tightness: fill, shut, and watch the pressure. As it stands nothing changes; what does is an effect. A
 leak is found in proportion to the volume: without <code>tank.V</code> only the ratio is known.</p>

@@ -14,6 +14,17 @@ model Isometric "A muscle whose contraction is imposed, driven by current-driven
     annotation (choicesAllMatching=true);
   replaceable model Line = Laws.Lines.DirectLine constrainedby Interfaces.Line "Line between valves and muscle"
     annotation (choicesAllMatching=true);
+  replaceable model PressureChannel = Sensors.DirectPressure constrainedby Interfaces.PressureChannel
+    "Measuring channel of the pressure"
+    annotation (choicesAllMatching=true);
+  replaceable model ForceChannel = Sensors.DirectForce constrainedby Interfaces.ForceChannel
+    "Measuring channel of the force"
+    annotation (choicesAllMatching=true);
+  replaceable model TemperatureChannel = Sensors.DirectTemperature constrainedby Interfaces.TemperatureChannel
+    "Measuring channel of the temperature"
+    annotation (choicesAllMatching=true);
+  replaceable model Clock = Sensors.SharedClock constrainedby Interfaces.Clock "Clock of the record"
+    annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
   Components.Supply supply(p_gauge=p_supply) "Air supply"
@@ -36,6 +47,14 @@ model Isometric "A muscle whose contraction is imposed, driven by current-driven
     annotation (Placement(transformation(extent={{-110,60},{-70,100}})));
   Sensors.Pull loadCell "Load cell"
     annotation (Placement(transformation(extent={{30,-85},{70,-45}})));
+  PressureChannel channel_p(u=manometer.p) "Measuring channel of the pressure"
+    annotation (Placement(transformation(extent={{-170,-210},{-130,-170}})));
+  ForceChannel channel_F(u=loadCell.F) "Measuring channel of the force"
+    annotation (Placement(transformation(extent={{-110,-210},{-70,-170}})));
+  TemperatureChannel channel_T(u=thermometer.T) "Measuring channel of the temperature"
+    annotation (Placement(transformation(extent={{-50,-210},{-10,-170}})));
+  Clock clock "Clock of the record"
+    annotation (Placement(transformation(extent={{10,-210},{50,-170}})));
 equation
   connect(supply.port, valve.supply)
     annotation (Line(points={{-130,40}, {-120,40}, {-120,12}, {-110,12}}, color={0,90,160}));
@@ -55,10 +74,10 @@ equation
     annotation (Line(points={{50,-85}, {50,-110}}, color={0,110,60}));
   connect(muscle.flange_b, ceiling.flange)
     annotation (Line(points={{50,20}, {50,60}}, color={0,110,60}));
-  p = manometer.p;
-  F = loadCell.F;
-  T = thermometer.T;
-  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-170},{110,120}})),
+  p = channel_p.y;
+  F = channel_F.y;
+  T = channel_T.y;
+  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-220},{110,120}})),
     experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
 <p>The muscle of <code>Isotonic</code> between a ceiling and a drive. The imposed contraction reaches the muscle through
 a critically damped filter of 5 ms, <code>Components.ImposedPosition</code>, because the speed of the end enters the

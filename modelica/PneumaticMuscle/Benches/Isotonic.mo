@@ -13,6 +13,17 @@ model Isotonic "A muscle that lifts a hanging mass, driven by current-driven val
     annotation (choicesAllMatching=true);
   replaceable model Line = Laws.Lines.DirectLine constrainedby Interfaces.Line "Line between valves and muscle"
     annotation (choicesAllMatching=true);
+  replaceable model PressureChannel = Sensors.DirectPressure constrainedby Interfaces.PressureChannel
+    "Measuring channel of the pressure"
+    annotation (choicesAllMatching=true);
+  replaceable model PositionChannel = Sensors.DirectPosition constrainedby Interfaces.PositionChannel
+    "Measuring channel of the position"
+    annotation (choicesAllMatching=true);
+  replaceable model TemperatureChannel = Sensors.DirectTemperature constrainedby Interfaces.TemperatureChannel
+    "Measuring channel of the temperature"
+    annotation (choicesAllMatching=true);
+  replaceable model Clock = Sensors.SharedClock constrainedby Interfaces.Clock "Clock of the record"
+    annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
   Components.Supply supply(p_gauge=p_supply) "Air supply"
@@ -37,6 +48,14 @@ model Isotonic "A muscle that lifts a hanging mass, driven by current-driven val
     annotation (Placement(transformation(extent={{-110,60},{-70,100}})));
   Sensors.Contraction ruler "Displacement transducer"
     annotation (Placement(transformation(extent={{95,-105},{135,-65}})));
+  PressureChannel channel_p(u=manometer.p) "Measuring channel of the pressure"
+    annotation (Placement(transformation(extent={{-170,-170},{-130,-130}})));
+  PositionChannel channel_x(u=ruler.x) "Measuring channel of the position"
+    annotation (Placement(transformation(extent={{-110,-170},{-70,-130}})));
+  TemperatureChannel channel_T(u=thermometer.T) "Measuring channel of the temperature"
+    annotation (Placement(transformation(extent={{-50,-170},{-10,-130}})));
+  Clock clock "Clock of the record"
+    annotation (Placement(transformation(extent={{10,-170},{50,-130}})));
 equation
   connect(supply.port, valve.supply)
     annotation (Line(points={{-130,40}, {-120,40}, {-120,12}, {-110,12}}, color={0,90,160}));
@@ -60,10 +79,10 @@ equation
     annotation (Line(points={{50,20}, {50,40}, {115,40}, {115,20}}, color={0,110,60}));
   connect(muscle.flange_a, ruler.flange)
     annotation (Line(points={{50,-20}, {50,-40}, {80,-40}, {80,-85}, {95,-85}}, color={0,110,60}));
-  p = manometer.p;
-  x = ruler.x;
-  T = thermometer.T;
-  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-130},{150,120}})),
+  p = channel_p.y;
+  x = channel_x.y;
+  T = channel_T.y;
+  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-180},{150,120}})),
     experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
 <p>DP section 3 and Fig. 2, equations DP (17)-(18), (40)-(42), (44)-(49), (59)-(60), (62), (68)-(71): the base model
 whose parts are in <code>Components</code>. The mass rests on the stop of the full length at the start. By default it

@@ -5,6 +5,17 @@ model LumpedLinear "Linear model of three states, pressure, length and its rate,
   output Types.GaugePressure p "Gauge pressure in the muscle";
   output Types.Length L "Length, from that at the operating point";
   output Types.Force F "Pull of the muscle";
+  replaceable model PressureChannel = Sensors.DirectPressure constrainedby Interfaces.PressureChannel
+    "Measuring channel of the pressure"
+    annotation (choicesAllMatching=true);
+  replaceable model PositionChannel = Sensors.DirectPosition constrainedby Interfaces.PositionChannel
+    "Measuring channel of the position"
+    annotation (choicesAllMatching=true);
+  replaceable model ForceChannel = Sensors.DirectForce constrainedby Interfaces.ForceChannel
+    "Measuring channel of the force"
+    annotation (choicesAllMatching=true);
+  replaceable model Clock = Sensors.SharedClock constrainedby Interfaces.Clock "Clock of the record"
+    annotation (choicesAllMatching=true);
   parameter Types.GaugePressure p_0(min=0, max=1e6) = 2.5e5 "Gauge pressure at the operating point"
     annotation (Dialog(group="Operating point"));
   parameter Types.Time tau(min=1e-3, max=10) = 0.1 "Time constant of the pressure" annotation (Dialog(group="Law"));
@@ -20,16 +31,24 @@ model LumpedLinear "Linear model of three states, pressure, length and its rate,
     annotation (Dialog(group="Operating point"));
   Types.GaugePressure P(start=p_0, fixed=true) "Pressure";
   Types.Velocity v(start=0, fixed=true) "Rate of the length";
+  PressureChannel channel_p(u=P) "Measuring channel of the pressure"
+    annotation (Placement(transformation(extent={{-95,-140},{-55,-100}})));
+  PositionChannel channel_L(u=l) "Measuring channel of the position"
+    annotation (Placement(transformation(extent={{-45,-140},{-5,-100}})));
+  ForceChannel channel_F(u=F_0 + C_1*(P - p_0) + C_2*l) "Measuring channel of the force"
+    annotation (Placement(transformation(extent={{5,-140},{45,-100}})));
+  Clock clock "Clock of the record"
+    annotation (Placement(transformation(extent={{55,-140},{95,-100}})));
 protected
   Types.Length l(start=0, fixed=true) "Length, from that at the operating point";
 equation
   tau*der(P) = p_in - P;
   der(l) = v;
   m*der(v) = -C_1*(P - p_0) - (C_2 + k)*l - b*v;
-  p = P;
-  L = l;
-  F = F_0 + C_1*(P - p_0) + C_2*l;
-  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-100,-100},{100,100}}), graphics={
+  p = channel_p.y;
+  L = channel_L.y;
+  F = channel_F.y;
+  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-100,-150},{100,100}}), graphics={
     Line(points={{-70,80}, {70,80}}, color={60,60,60}, thickness=1),
     Line(points={{-50,80}, {-50,50}, {-65,42}, {-35,26}, {-65,10}, {-35,-6}, {-50,-14}, {-50,-40}}, color={0,110,60}),
     Line(points={{0,80}, {0,30}}, color={0,110,60}),

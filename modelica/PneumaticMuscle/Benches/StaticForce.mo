@@ -4,13 +4,22 @@ model StaticForce "Pull of a muscle by pressure and contraction ratio, without a
   input Types.GaugePressure p(start=6e5) "Gauge pressure in the muscle";
   input Real eps(start=0.1, unit="1") "Contraction ratio";
   output Types.Force F "Pull of the muscle";
+  replaceable model ForceChannel = Sensors.DirectForce constrainedby Interfaces.ForceChannel
+    "Measuring channel of the force"
+    annotation (choicesAllMatching=true);
+  replaceable model Clock = Sensors.SharedClock constrainedby Interfaces.Clock "Clock of the record"
+    annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-70,-20},{-30,20}})));
   Components.HeldMuscle muscle(p_gauge=p, eps=eps) "Muscle"
     annotation (Placement(transformation(extent={{10,-20},{50,20}})));
+  ForceChannel channel_F(u=muscle.F) "Measuring channel of the force"
+    annotation (Placement(transformation(extent={{-80,-100},{-40,-60}})));
+  Clock clock "Clock of the record"
+    annotation (Placement(transformation(extent={{-20,-100},{20,-60}})));
 equation
-  F = muscle.F;
-  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-100,-60},{100,60}})),
+  F = channel_F.y;
+  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-100,-110},{100,60}})),
     experiment(StopTime=1, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
 <p>AM, theoretical force equations 1 to 3: Kang's force with q = 1 + 3 exp(-2e-6 P), D0 = 1 cm, 23 degrees, 30 cm. Each
 sample of the inputs is a point of a data sheet's grid of force by pressure and contraction, so a grid can be compared

@@ -13,6 +13,14 @@ model SwitchedMuscle "A muscle of imposed contraction that on-off valves fill fr
     annotation (choicesAllMatching=true);
   replaceable model Line = Laws.Lines.DirectLine constrainedby Interfaces.Line "Line between valves and muscle"
     annotation (choicesAllMatching=true);
+  replaceable model PressureChannel = Sensors.DirectPressure constrainedby Interfaces.PressureChannel
+    "Measuring channel of the pressure"
+    annotation (choicesAllMatching=true);
+  replaceable model TemperatureChannel = Sensors.DirectTemperature constrainedby Interfaces.TemperatureChannel
+    "Measuring channel of the temperature"
+    annotation (choicesAllMatching=true);
+  replaceable model Clock = Sensors.SharedClock constrainedby Interfaces.Clock "Clock of the record"
+    annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
   Components.Supply supply(p_gauge=p_supply) "Source"
@@ -33,6 +41,12 @@ model SwitchedMuscle "A muscle of imposed contraction that on-off valves fill fr
     annotation (Placement(transformation(extent={{-50,60},{-10,100}})));
   Thermometer thermometer(T_start=ambient.T, m_flow=muscle.port.m_flow) "Thermometer"
     annotation (Placement(transformation(extent={{-110,60},{-70,100}})));
+  PressureChannel channel_p(u=manometer.p) "Measuring channel of the pressure"
+    annotation (Placement(transformation(extent={{-170,-150},{-130,-110}})));
+  TemperatureChannel channel_T(u=thermometer.T) "Measuring channel of the temperature"
+    annotation (Placement(transformation(extent={{-110,-150},{-70,-110}})));
+  Clock clock "Clock of the record"
+    annotation (Placement(transformation(extent={{-50,-150},{-10,-110}})));
 protected
   constant Types.Current u_open = (1e-5 + 2.61e-7)/1.80e-6 "Current at which DP (62) opens 10 mm2";
 equation
@@ -52,9 +66,9 @@ equation
     annotation (Line(points={{50,-20}, {50,-55}}, color={0,110,60}));
   connect(muscle.flange_b, ceiling.flange)
     annotation (Line(points={{50,20}, {50,60}}, color={0,110,60}));
-  p = manometer.p;
-  T = thermometer.T;
-  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-110},{110,120}})),
+  p = channel_p.y;
+  T = channel_T.y;
+  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-160},{110,120}})),
     experiment(StopTime=0.5, Interval=0.001, Tolerance=1e-6), Documentation(info="<html>
 <p>As <code>Isometric</code> with valves that are open or shut: a command of 1 opens 10 <code>valve.C_A</code> mm2, so that
 <code>valve.C_A</code> is the effective area of the open valve. A finite tank needs no model of its own where the

@@ -12,6 +12,14 @@ model TankFilling "A tank that is filled and emptied through current-driven valv
     annotation (choicesAllMatching=true);
   replaceable model Line = Laws.Lines.DirectLine constrainedby Interfaces.Line "Line between valves and tank"
     annotation (choicesAllMatching=true);
+  replaceable model PressureChannel = Sensors.DirectPressure constrainedby Interfaces.PressureChannel
+    "Measuring channel of the pressure"
+    annotation (choicesAllMatching=true);
+  replaceable model TemperatureChannel = Sensors.DirectTemperature constrainedby Interfaces.TemperatureChannel
+    "Measuring channel of the temperature"
+    annotation (choicesAllMatching=true);
+  replaceable model Clock = Sensors.SharedClock constrainedby Interfaces.Clock "Clock of the record"
+    annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
   Components.Supply supply(p_gauge=p_supply) "Air supply"
@@ -28,6 +36,12 @@ model TankFilling "A tank that is filled and emptied through current-driven valv
     annotation (Placement(transformation(extent={{-50,60},{-10,100}})));
   Thermometer thermometer(T_start=tank.T_start, m_flow=tank.port.m_flow) "Thermometer"
     annotation (Placement(transformation(extent={{-110,60},{-70,100}})));
+  PressureChannel channel_p(u=manometer.p) "Measuring channel of the pressure"
+    annotation (Placement(transformation(extent={{-170,-120},{-130,-80}})));
+  TemperatureChannel channel_T(u=thermometer.T) "Measuring channel of the temperature"
+    annotation (Placement(transformation(extent={{-110,-120},{-70,-80}})));
+  Clock clock "Clock of the record"
+    annotation (Placement(transformation(extent={{-50,-120},{-10,-80}})));
 equation
   connect(supply.port, valve.supply)
     annotation (Line(points={{-130,40}, {-120,40}, {-120,12}, {-110,12}}, color={0,90,160}));
@@ -41,9 +55,9 @@ equation
     annotation (Line(points={{30,0}, {10,0}, {10,45}, {-30,45}, {-30,60}}, color={0,90,160}));
   connect(tank.port, thermometer.port)
     annotation (Line(points={{30,0}, {10,0}, {10,45}, {-90,45}, {-90,60}}, color={0,90,160}));
-  p = manometer.p;
-  T = thermometer.T;
-  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-80},{110,120}})),
+  p = channel_p.y;
+  T = channel_T.y;
+  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-130},{110,120}})),
     experiment(StopTime=60, Interval=0.06, Tolerance=1e-6), Documentation(info="<html>
 <p>DP (60), (62)-(66), Figs. 4 and 5: eight volumes, two supplies, 0.35 A. The library's tests hold the times against
 quadrature.</p>

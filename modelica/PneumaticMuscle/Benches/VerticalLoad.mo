@@ -4,6 +4,11 @@ model VerticalLoad "The empirical muscle with a hanging load, driven by pressure
   input Types.GaugePressure p(start=200e3) "Gauge pressure in the muscle";
   output Types.Length x "Contraction";
   output Real eps(unit="1") "Contraction ratio";
+  replaceable model PositionChannel = Sensors.DirectPosition constrainedby Interfaces.PositionChannel
+    "Measuring channel of the position"
+    annotation (choicesAllMatching=true);
+  replaceable model Clock = Sensors.SharedClock constrainedby Interfaces.Clock "Clock of the record"
+    annotation (choicesAllMatching=true);
   parameter Real frequency(unit="Hz", min=0.01, max=100) = 0.5 "Frequency of the excitation"
     annotation (Dialog(group="Load"));
   inner Components.Ambient ambient "Surroundings"
@@ -20,6 +25,10 @@ model VerticalLoad "The empirical muscle with a hanging load, driven by pressure
     annotation (Placement(transformation(extent={{30,-105},{70,-65}})));
   Sensors.Contraction ruler "Displacement transducer"
     annotation (Placement(transformation(extent={{95,-105},{135,-65}})));
+  PositionChannel channel_x(u=ruler.x) "Measuring channel of the position"
+    annotation (Placement(transformation(extent={{-80,-170},{-40,-130}})));
+  Clock clock "Clock of the record"
+    annotation (Placement(transformation(extent={{-20,-170},{20,-130}})));
 equation
   connect(regulator.port, muscle.port)
     annotation (Line(points={{-10,0}, {30,0}}, color={0,90,160}));
@@ -29,9 +38,9 @@ equation
     annotation (Line(points={{50,20}, {50,60}}, color={0,110,60}));
   connect(muscle.flange_a, ruler.flange)
     annotation (Line(points={{50,-20}, {50,-40}, {80,-40}, {80,-85}, {95,-85}}, color={0,110,60}));
-  x = ruler.x;
+  x = channel_x.y;
   eps = x/muscle.L0;
-  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-100,-130},{150,120}})),
+  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-100,-180},{150,120}})),
     experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
 <p>M L eps_ddot = F_s(P, eps) - F_elastic - F_hys - M g, DY (13)-(16), with x = L eps. Load (5 to 30 kg) and frequency
 (0.5 to 2 Hz) are constants of a run. The sign of the speed is rounded (<code>Laws.Frictions.CoulombViscous</code>).

@@ -5,6 +5,14 @@ model VesselOrifice "A vessel that empties or fills through a plain orifice"
   output Types.Temperature T "Temperature reading in the vessel";
   parameter Types.GaugePressure p_outside(min=-1.01e5, max=1e8) = 0 "Gauge pressure outside"
     annotation (Dialog(group="Surroundings"));
+  replaceable model PressureChannel = Sensors.DirectPressure constrainedby Interfaces.PressureChannel
+    "Measuring channel of the pressure"
+    annotation (choicesAllMatching=true);
+  replaceable model TemperatureChannel = Sensors.DirectTemperature constrainedby Interfaces.TemperatureChannel
+    "Measuring channel of the temperature"
+    annotation (choicesAllMatching=true);
+  replaceable model Clock = Sensors.SharedClock constrainedby Interfaces.Clock "Clock of the record"
+    annotation (choicesAllMatching=true);
   replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"
     annotation (choicesAllMatching=true);
   replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"
@@ -21,6 +29,12 @@ model VesselOrifice "A vessel that empties or fills through a plain orifice"
     annotation (Placement(transformation(extent={{-30,60},{10,100}})));
   Thermometer thermometer(T_start=tank.T_start, m_flow=tank.port.m_flow) "Thermometer"
     annotation (Placement(transformation(extent={{-80,60},{-40,100}})));
+  PressureChannel channel_p(u=manometer.p) "Measuring channel of the pressure"
+    annotation (Placement(transformation(extent={{-130,-90},{-90,-50}})));
+  TemperatureChannel channel_T(u=thermometer.T) "Measuring channel of the temperature"
+    annotation (Placement(transformation(extent={{-70,-90},{-30,-50}})));
+  Clock clock "Clock of the record"
+    annotation (Placement(transformation(extent={{-10,-90},{30,-50}})));
 equation
   connect(tank.port, orifice.port_a)
     annotation (Line(points={{30,0}, {-20,0}}, color={0,90,160}));
@@ -30,9 +44,9 @@ equation
     annotation (Line(points={{30,0}, {10,0}, {10,45}, {-10,45}, {-10,60}}, color={0,90,160}));
   connect(tank.port, thermometer.port)
     annotation (Line(points={{30,0}, {10,0}, {10,45}, {-60,45}, {-60,60}}, color={0,90,160}));
-  p = manometer.p;
-  T = thermometer.T;
-  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-150,-50},{110,120}})),
+  p = channel_p.y;
+  T = channel_T.y;
+  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-150,-100},{110,120}})),
     experiment(StopTime=60, Interval=0.06, Tolerance=1e-6), Documentation(info="<html>
 <p>The polytropic law starts from the state of the vessel: T = T_start (p/p_start)^((n - 1)/n), absolute
 pressures.</p>

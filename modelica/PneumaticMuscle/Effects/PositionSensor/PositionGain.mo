@@ -1,0 +1,14 @@
+within PneumaticMuscle.Effects.PositionSensor;
+model PositionGain "The position reading is off by a factor"
+  extends Interfaces.PositionChannel;
+  extends FamilyMember(final absent="gain=1");
+  parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.03 "Factor on the reading"
+    annotation (Dialog(group="Effect"));
+equation
+  y = gain*u;
+  annotation (Documentation(info="<html>
+<p>y = gain u. Source: span error, the second line of a transducer's data sheet (IEC 61298-2); typical 0.1 to 5 %; more
+where the string of a transducer runs at an angle.</p>
+<p>Fingerprint: the position is off in proportion to itself; pressure and temperature are right.</p>
+</html>"));
+end PositionGain;

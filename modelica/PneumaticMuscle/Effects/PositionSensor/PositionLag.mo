@@ -1,0 +1,16 @@
+within PneumaticMuscle.Effects.PositionSensor;
+model PositionLag "The position reading lags"
+  extends Interfaces.PositionChannel;
+  extends FamilyMember(final absent="tau=1e-4");
+  parameter Types.Time tau(min=1e-4, max=5, nominal=0.05) = 0.05 "Time constant"
+    annotation (Dialog(group="Effect"));
+initial equation
+  y = u;
+equation
+  tau*der(y) = u - y;
+  annotation (Documentation(info="<html>
+<p>tau y_dot = u - y, from y = u at the start. Source: the low-pass filter of a measuring amplifier, 1/(2 pi f_c) by its
+corner frequency; typical 0.5 to 100 ms.</p>
+<p>Fingerprint: the position is late in motion and right at rest; pressure and temperature are not late.</p>
+</html>"));
+end PositionLag;

@@ -1,0 +1,8 @@
+within PneumaticMuscle.Effects.PressureSensorLag;
+partial model FamilyMember "What every member of the family says of itself"
+  extends Interfaces.Effect(final family="pressure_sensor_lag", final balance="sensor");
+  extends Icons.PressureSensorLag;
+  annotation (Documentation(info="<html>
+<p>A member also extends <code>Interfaces.PressureChannel</code>, whose place it takes, and gives its equations.</p>
+</html>"));
+end FamilyMember;

@@ -1,0 +1,15 @@
+within PneumaticMuscle.Effects.TemperatureSensor;
+model TemperatureOffset "The temperature reading is off by a constant"
+  extends Interfaces.TemperatureChannel;
+  extends FamilyMember(final absent="offset=0");
+  parameter Real offset(unit="K", min=-20, max=20, nominal=1) = 1 "What the reading has too much"
+    annotation (Dialog(group="Effect"));
+equation
+  y = u + offset;
+  annotation (Documentation(info="<html>
+<p>y = u + offset. Source: zero error, the first line of a transducer's data sheet (IEC 61298-2); typical 0.5 to 2.5 K
+(class 1 and 2 of IEC 60584-1), and what the reference junction is off.</p>
+<p>Fingerprint: the temperature is off by the same amount everywhere, at rest before the start too; pressure and
+contraction are right.</p>
+</html>"));
+end TemperatureOffset;

@@ -1,0 +1,10 @@
+within PneumaticMuscle.Interfaces;
+partial model PressureChannel "From what a transducer of pressure gives to what is recorded"
+  extends Icons.Channel;
+  input Types.GaugePressure u "What the transducer gives";
+  Types.GaugePressure y "What is recorded";
+  annotation (Documentation(info="<html>
+<p>The measuring channel behind a transducer: amplifier, filter, converter. Left to the extending class: the equation of
+y.</p>
+</html>"));
+end PressureChannel;

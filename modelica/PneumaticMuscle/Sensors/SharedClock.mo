@@ -1,0 +1,9 @@
+within PneumaticMuscle.Sensors;
+model SharedClock "One clock for inputs and readings"
+  extends Interfaces.Clock;
+equation
+  t = time;
+  annotation (Documentation(info="<html>
+<p>t = time.</p>
+</html>"));
+end SharedClock;
