@@ -172,13 +172,8 @@ class Chain:
         pull, fibre, bladder = self.forces(y, x, v, gauge)
         rubbed = sum(effect.friction_heat(fibre * v, bladder * v) for effect in self.effects)
         energy_rate = heat + other_heat + rubbed + enthalpy_in - p * par.volume_slope(x) * v
-<<<<<<< HEAD
-        now = Now(x, v, gauge, temperature, told, net, heat)
+        now = Now(x, v, gauge, temperature, told, net, heat, targets)
         rates = [energy_rate, *self.moved(y, v, command, self.net_force(x, v, pull), inertia)]
-=======
-        now = Now(x, v, gauge, temperature, command, net, heat, targets)
-        rates = [energy_rate, v, acceleration]
->>>>>>> ca83cbf (Valves have a place behind the law of their area; the general drive reaches the opening and unlike valves)
         for k, (effect, own) in enumerate(zip(self.effects, self.slices, strict=True)):
             rates.extend(line_rates if k == self.line else effect.rates(y[own], now))
         return rates
