@@ -1,6 +1,6 @@
 within PneumaticMuscle.Interfaces;
 partial model ValveOpening "From the areas that the currents set to those that the gas finds"
-  extends Icons.Area;
+  extends Icons.Valve;
   input Types.Area A_set[2] "Areas that the inlet and the exhaust valve have in the end, by their currents and pressures";
   Types.Area A[2] "Effective areas at this moment";
   annotation (Documentation(info="<html>
