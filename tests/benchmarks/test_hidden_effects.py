@@ -63,7 +63,7 @@ def test_composition_and_a_fair_prefix():
     assert set(table.FAMILIES) <= set(families)
 
 
-@pytest.mark.parametrize(("which", "cases"), [("score", CASES), ("tuning", 2 * CASES)])
+@pytest.mark.parametrize(("which", "cases"), [("score", CASES), ("tuning", 3 * CASES)])
 def test_every_form_of_a_set_is_used(which, cases):
     """The tuning set has more forms than 300 cases have turns, since those of former score sets moved there."""
     used = {(f.family, f.name) for n in range(cases) for f in case_of(which, n).hidden}
