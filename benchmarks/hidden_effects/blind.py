@@ -81,11 +81,6 @@ def _slow_reel(rng: Random, muscle: MuscleParameters) -> At:
     return lambda s: blind.none_of_these.SlowReel(0.04 / s)
 
 
-def _hunting(rng: Random, muscle: MuscleParameters) -> At:
-    frequency, damping = spread(rng, 0.8, 2.5), spread(rng, 0.05, 0.2)
-    return lambda s: blind.none_of_these.HuntingRegulator(800.0 * s, frequency, damping)
-
-
 FORMS: tuple[Form, ...] = (
     # family, form, sets, in the catalogue, ...
     Form("elasticity", "eight_chain", S, False, _rubber(blind.elasticity.EightChain, "links", (1.6, 6.0))),
@@ -93,8 +88,8 @@ FORMS: tuple[Form, ...] = (
     Form("elasticity", "valanis_landel", S, False, _rubber(blind.elasticity.LogarithmicTube, "")),
     Form("dry_friction", "crossing_contact", S, False,
          _braided(blind.dry_friction.CrossingContact, "c", 6e-5, width=(2e-4, 1e-3))),
-    Form("dry_friction", "pressed_bristle", S, False,
-         plain(blind.dry_friction.PressedBristle, "c", 6e-5, p_0=(5e3, 5e4), travel=(3e-4, 3e-3))),
+    Form("dry_friction", "carried_pressure", S, False,
+         _braided(blind.dry_friction.CarriedPressure, "c", 8e-5, p_b=(5e4, 2e5), travel=(3e-4, 3e-3))),
     Form("dry_friction", "bliman_sorine", S, False,
          plain(blind.dry_friction.BreakawayByWay, "f_c", 7.0, a=(0.3, 0.8), travel=(1e-3, 5e-3))),
     Form("rate_friction", "carreau", S, False,
@@ -117,15 +112,16 @@ FORMS: tuple[Form, ...] = (
          plain(blind.moving_mass.Freewheel, "m", 4.0, tau=(0.01, 0.04), coast=(0.3, 2.0))),
     Form("valve_dynamics", "pressed_plunger", S, False,
          plain(blind.valve_dynamics.PressedPlunger, "tau", 0.04, p_0=(5e4, 2e5))),
-    Form("valve_dynamics", "coil_and_armature", S, False,
-         plain(blind.valve_dynamics.CoilAndArmature, "tau", 0.025, r=(0.7, 2.0), zeta=(0.3, 0.9)), 0.02),
+    Form("valve_dynamics", "seat_adhesion", S, False,
+         plain(blind.valve_dynamics.SeatAdhesion, "tau", 0.02, c=(2.0, 6.0), h_0=(0.1, 0.5)), 0.005),
     Form("valve_dynamics", "averaged_command", S, False,
          plain(blind.valve_dynamics.AveragedCommand, "window", 0.1), 0.05, 6.0),
     Form("valve_area", "jet_force", S, False, plain(blind.valve_area.JetForce, "beta", 0.08), high=8.0),
-    Form("valve_area", "clogged_filter", S, False, _smaller(blind.valve_area.CloggedFilter, "area", 5e-7)),
+    Form("valve_area", "pushed_exhaust", S, False,
+         plain(blind.valve_area.PushedExhaust, "beta", 0.08), high=6.0, signed=True),
     Form("valve_area", "short_stroke", S, False, _smaller(blind.valve_area.ShortStroke, "most", 3e-7)),
-    Form("supply_line", "cool_line", S, False,
-         tube(blind.supply_line.CoolLine, "area", 5e-7, (2e-6, 1.5e-5)), 0.1, 20.0),
+    Form("supply_line", "cooled_line", S, False,
+         tube(blind.supply_line.CooledLine, "area", 5e-7, (2e-6, 1.5e-5), wall=(5e-3, 0.1)), 0.1, 20.0),
     Form("supply_line", "soft_hose", S, False,
          tube(blind.supply_line.SoftHose, "area", 5e-7, (2e-6, 1.2e-5), expansion=(1e-6, 6e-6)), 0.1, 20.0),
     Form("supply_line", "valved_coupling", S, False,
@@ -160,16 +156,15 @@ FORMS: tuple[Form, ...] = (
          plain(blind.pressure_offset.RestingPointer, "offset", 3e3, p_0=(1e4, 4e4)), high=10.0, signed=True),
     Form("pressure_offset", "wrong_knot", S, False,
          plain(blind.pressure_offset.WrongKnot, "c", 0.06, p_k=(4e4, 1.2e5)), high=8.0, signed=True),
-    Form("pressure_offset", "double_bow", S, False,
-         plain(blind.pressure_offset.DoubleBow, "c", 0.1, p_fs=(2e5, 4e5)), high=6.0, signed=True),
+    Form("pressure_offset", "eccentric_pointer", S, False,
+         plain(blind.pressure_offset.EccentricPointer, "size", 2e3, phi_0=(0.3, 6.0), p_fs=(2.5e5, 4e5)),
+         high=8.0, signed=True),
 )  # fmt: skip
 """Forms of the sixteen families."""
 
 STRANGE: tuple[Form, ...] = (
     Form("none_of_these", "compliant_frame", S, False,
          _braided(blind.none_of_these.CompliantFrame, "compliance", 2e-5, True)),
-    Form("none_of_these", "lock_up", S, False,
-         plain(blind.none_of_these.LockUp, "share", 0.08, tau=(0.4, 2.0), m_0=(3e-5, 2e-4)), high=5.0),
     Form("none_of_these", "venturi_tap", S, False, plain(blind.none_of_these.VenturiTap, "size", 300.0), high=8.0),
     Form("none_of_these", "detent", S, False, _detent, high=5.0),
     Form("none_of_these", "hot_supply", S, False, plain(blind.none_of_these.HotSupply, "hotter", 15.0), high=5.0),
@@ -177,7 +172,8 @@ STRANGE: tuple[Form, ...] = (
     Form("none_of_these", "dripping_load", S, False, plain(blind.none_of_these.DrippingLoad, "rate", 0.03), high=4.0),
     Form("none_of_these", "residual_charge", S, False,
          plain(blind.none_of_these.ResidualCharge, "per_metre", 30.0), signed=True),
-    Form("none_of_these", "hunting_regulator", S, False, _hunting, high=6.0),
+    Form("none_of_these", "ground_loop", S, False,
+         plain(blind.none_of_these.GroundLoop, "size", 2.0), signed=True),
     Form("none_of_these", "frozen_display", S, False,
          plain(blind.none_of_these.FrozenDisplay, "off", 0.1, period=(0.9, 2.0), first=(0.2, 0.8)), 0.1, 6.0),
     Form("none_of_these", "settling_rope", S, False,

@@ -33,19 +33,21 @@ class CrossingContact(Effect):
 
 
 @dataclass(frozen=True)
-class PressedBristle(Effect):
-    """Dahl's bristle whose sliding force grows with pressure: c (p_0 + p) z, z' = (v - |v| z)/d.
+class CarriedPressure(Effect):
+    """Only what the bladder does not carry itself presses the fibres: c P z, P = p - p_b (D/D0 - 1) where above 0.
 
-    Contacts between fibres stay in proportion to the load that presses them. Source: P. R. Dahl, Solid friction
-    damping of mechanical vibrations, AIAA J. 14 (1976) 1675, with Amontons' law for its sliding force.
+    z' = (v - |v| z)/d is Dahl's bristle; P is rounded over 5 kPa. Source: Amontons' law with the pressure that C.-P.
+    Chou and B. Hannaford, IEEE Trans. Robot. Autom. 12 (1996) 90, say a bladder needs to meet the braid.
     """
 
     family = "dry_friction"
-    form = "pressed_bristle"
+    form = "carried_pressure"
     atol: ClassVar[tuple[float, ...]] = (1e-7,)
-    c: float = 6e-5  # m2
-    p_0: float = 2e4  # Pa
+    c: float = 8e-5  # m2
+    p_b: float = 1e5  # Pa, what the bladder needs to be twice as wide
     travel: float = 1e-3  # m, d
+    length: float = 0.24  # m
+    fibre_squared: float = 0.0734  # m2
 
     def initial(self, rest: Rest) -> tuple[float, ...]:
         return (0.0,)
@@ -54,7 +56,9 @@ class PressedBristle(Effect):
         return ((now.v - abs(now.v) * q[0]) / self.travel,)
 
     def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
-        return self.c * (self.p_0 + max(p_gauge, 0.0)) * q[0]
+        wider = sqrt((self.fibre_squared - (self.length - x) ** 2) / (self.fibre_squared - self.length**2))
+        left = p_gauge - self.p_b * (wider - 1)
+        return self.c * (left + sqrt(left * left + 2.5e7)) / 2 * q[0]
 
 
 @dataclass(frozen=True)

@@ -17,12 +17,12 @@ class ChangingLeak(Effect):
     family = "leak"
     conductance: float = 2e-11  # kg/(s Pa)
 
-    def opening(self, q: State) -> float:
+    def factor(self, q: State) -> float:
         """Factor on the conductance."""
         raise NotImplementedError
 
     def exchange(self, q: State, p: float, temperature: float) -> tuple[float, float]:
-        flow = self.conductance * (p - P_ATM) * self.opening(q)
+        flow = self.conductance * (p - P_ATM) * self.factor(q)
         return flow, CP * flow * (temperature if flow > 0 else T_ATM)
 
 
@@ -43,7 +43,7 @@ class MovingSeal(ChangingLeak):
     def rates(self, q: State, now: Now) -> tuple[float, ...]:
         return ((now.v - q[0]) / 5e-3,)
 
-    def opening(self, q: State) -> float:
+    def factor(self, q: State) -> float:
         return float(1 + ((q[0] * q[0] + 1e-10) ** 0.5 / self.v_0) ** 0.5)
 
 
@@ -65,7 +65,7 @@ class CreepingSeal(ChangingLeak):
     def rates(self, q: State, now: Now) -> tuple[float, ...]:
         return ((1 / (1 + max(now.p_gauge, 0.0) / self.p_0) - q[0]) / self.tau,)
 
-    def opening(self, q: State) -> float:
+    def factor(self, q: State) -> float:
         return q[0]
 
 

@@ -41,51 +41,24 @@ class CompliantFrame(Strange):
 
 
 @dataclass(frozen=True)
-class LockUp(Strange):
-    """A regulator that leaks while nothing is drawn: the supply is p (1 + share s), s' = (1 - s)/tau - s m_in/m_0.
+class GroundLoop(Strange):
+    """The coils' return currents lift the thermocouple's ground, one way or the other: T + size (u_in - u_out)/0.35 A.
 
-    Data sheets call it lock-up: the outlet rises above its setting at no flow.
+    State: the difference of the currents behind 5 ms. Source: R. Morrison, Grounding and Shielding (2007).
     """
 
-    form = "lock_up"
+    form = "ground_loop"
     atol: ClassVar[tuple[float, ...]] = (1e-7,)
-    share: float = 0.06
-    tau: float = 1.0  # s
-    m_0: float = 1e-5  # kg
+    size: float = 2.0  # K
 
     def initial(self, rest: Rest) -> tuple[float, ...]:
-        return (1.0,)
+        return (0.0,)
 
     def rates(self, q: State, now: Now) -> tuple[float, ...]:
-        return ((1 - q[0]) / self.tau - q[0] * max(now.net_mass_flow, 0.0) / self.m_0,)
+        return (((now.command[0] - now.command[1]) / 0.35 - q[0]) / _QUICK,)
 
-    def supply(self, q: State, p: float) -> float:
-        return p * (1 + self.share * q[0])
-
-
-@dataclass(frozen=True)
-class HuntingRegulator(Strange):
-    """A regulator that rings when the draw changes: the supply is p (1 - c a) with the flow's band pass a.
-
-    a' = w (m_in - b) - 2 zeta w a, b' = w a. Source: P. Beater, Pneumatic Drives (2007), on regulators' stability.
-    """
-
-    form = "hunting_regulator"
-    atol: ClassVar[tuple[float, ...]] = (1e-10, 1e-10)
-    per_flow: float = 800.0  # s/kg, c
-    frequency: float = 1.5  # Hz
-    damping: float = 0.1  # zeta
-
-    def initial(self, rest: Rest) -> tuple[float, ...]:
-        return (0.0, 0.0)
-
-    def rates(self, q: State, now: Now) -> tuple[float, ...]:
-        omega = 2 * pi * self.frequency
-        drawn = max(now.net_mass_flow, 0.0)
-        return omega * (drawn - q[1]) - 2 * self.damping * omega * q[0], omega * q[0]
-
-    def supply(self, q: State, p: float) -> float:
-        return p * (1 - min(max(self.per_flow * q[0], -0.6), 0.6))
+    def reading(self, q: State, temperature: float) -> float:
+        return temperature + self.size * q[0]
 
 
 @dataclass(frozen=True)

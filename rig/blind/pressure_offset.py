@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import exp, sqrt
+from math import exp, pi, sin, sqrt
 
 from rig.effect import Effect, State
 
@@ -42,17 +42,18 @@ class WrongKnot(Effect):
 
 
 @dataclass(frozen=True)
-class DoubleBow(Effect):
-    """A transducer adjusted at both ends and in the middle of its range: p + c p (1 - p/p_fs)(1 - 2 p/p_fs).
+class EccentricPointer(Effect):
+    """A dial that is not centred on its pointer, read by eye or camera: p + size (sin(phi + phi_0) - sin(phi_0)).
 
-    Source: IEC 61298-2, on conformity; the cubic term is what three points leave.
+    phi runs over three quarters of a turn to full scale. Reasoned from the error of eccentricity of divided circles.
     """
 
     family = "pressure_offset"
-    form = "double_bow"
-    c: float = 0.1
+    form = "eccentric_pointer"
+    size: float = 3e3  # Pa
+    phi_0: float = 1.0  # rad
     p_fs: float = 2.5e5  # Pa, full scale
 
     def pressure_shown(self, q: State, p_gauge: float) -> float:
-        share = p_gauge / self.p_fs
-        return p_gauge * (1 + self.c * (1 - share) * (1 - 2 * share))
+        phi = 1.5 * pi * p_gauge / self.p_fs
+        return p_gauge + self.size * (sin(phi + self.phi_0) - sin(self.phi_0))

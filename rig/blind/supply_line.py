@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import sqrt
-from typing import ClassVar
 
 from rig.catalogue.supply_line import OrificeTube, Tube
 from rig.effect import Rest, State
@@ -12,24 +11,19 @@ from rig.flow import GAMMA, P_ATM, T_ATM, R
 
 
 @dataclass(frozen=True)
-class CoolLine(OrificeTube):
-    """A metal line that keeps its gas at ambient temperature, and an orifice. State: the gas in it.
+class CooledLine(OrificeTube):
+    """A line whose wall takes heat from its gas, G (T - T_atm), and an orifice: neither adiabatic nor isothermal.
 
-    Source: E. Richer, Y. Hurmuzlu, A high performance pneumatic force actuator system, J. Dyn. Syst. Meas. Control 122
-    (2000) 416, whose lines are isothermal.
+    Source: first law for an open volume; E. Richer, Y. Hurmuzlu, A high performance pneumatic force actuator system, J.
+    Dyn. Syst. Meas. Control 122 (2000) 416, on the two limits.
     """
 
-    form = "cool_line"
-    atol: ClassVar[tuple[float, ...]] = (1e-12,)
-
-    def initial(self, rest: Rest) -> tuple[float, ...]:
-        return (P_ATM * self.volume / (R * T_ATM),)
-
-    def node(self, q: State) -> tuple[float, float]:
-        return q[0] * R * T_ATM / self.volume, T_ATM
+    form = "cooled_line"
+    wall: float = 0.03  # W/K, G
 
     def line_rates(self, q: State, from_valves: tuple[float, float], p: float, temperature: float) -> tuple[float, ...]:
-        return (from_valves[0] - self.into_muscle(q, p, temperature)[0],)
+        gas, energy = super().line_rates(q, from_valves, p, temperature)
+        return gas, energy - self.wall * (self.node(q)[1] - T_ATM)
 
 
 @dataclass(frozen=True)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import sqrt
+from typing import ClassVar
 
-from rig.effect import Effect
+from rig.effect import Effect, Now, Rest, State
 from rig.flow import GAMMA, P_ATM, R_CRITICAL, flow_function
 from rig.schedule import Currents
 
@@ -31,18 +32,26 @@ class JetForce(Effect):
 
 
 @dataclass(frozen=True)
-class CloggedFilter(Effect):
-    """A filter of area A_f in series before the inlet valve: A/sqrt(1 + (A/A_f)^2), the exhaust valve as it was.
+class PushedExhaust(Effect):
+    """The muscle's pressure lifts the plunger of the exhaust valve alone: area times 1 + beta p/1 bar.
 
-    Restrictions in series add by their inverse squares (P. Beater, Pneumatic Drives, 2007, section 5.3).
+    It sits against the flow, the inlet's with it. State: the gauge pressure behind 2 ms. Reasoned: the pressure on the
+    seat's area moves a plunger on its spring (P. Beater, Pneumatic Drives, 2007, chapter 6).
     """
 
     family = "valve_area"
-    form = "clogged_filter"
-    area: float = 5e-7  # m2, A_f
+    form = "pushed_exhaust"
+    atol: ClassVar[tuple[float, ...]] = (1e-1,)
+    beta: float = 0.1
 
-    def areas(self, areas: tuple[float, float], currents: Currents) -> tuple[float, float]:
-        return areas[0] / sqrt(1 + (areas[0] / self.area) ** 2), areas[1]
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (0.0,)
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        return ((now.p_gauge - q[0]) / 2e-3,)
+
+    def opening(self, q: State, areas: tuple[float, float]) -> tuple[float, float]:
+        return areas[0], areas[1] * max(1 + self.beta * q[0] / 1e5, 0.05)
 
 
 @dataclass(frozen=True)
