@@ -113,7 +113,7 @@ FORMS: tuple[Form, ...] = (
     Form("valve_dynamics", "pressed_plunger", S, False,
          plain(blind.valve_dynamics.PressedPlunger, "tau", 0.04, p_0=(5e4, 2e5))),
     Form("valve_dynamics", "seat_adhesion", S, False,
-         plain(blind.valve_dynamics.SeatAdhesion, "tau", 0.02, c=(2.0, 6.0), h_0=(0.1, 0.5)), 0.005),
+         plain(blind.valve_dynamics.SeatAdhesion, "tau", 0.006, c=(2.0, 6.0), h_0=(0.1, 0.5)), 0.02),
     Form("valve_dynamics", "averaged_command", S, False,
          plain(blind.valve_dynamics.AveragedCommand, "window", 0.1), 0.05, 6.0),
     Form("valve_area", "jet_force", S, False, plain(blind.valve_area.JetForce, "beta", 0.08), high=8.0),
@@ -165,7 +165,7 @@ FORMS: tuple[Form, ...] = (
 STRANGE: tuple[Form, ...] = (
     Form("none_of_these", "compliant_frame", S, False,
          _braided(blind.none_of_these.CompliantFrame, "compliance", 2e-5, True)),
-    Form("none_of_these", "venturi_tap", S, False, plain(blind.none_of_these.VenturiTap, "size", 300.0), high=8.0),
+    Form("none_of_these", "venturi_tap", S, False, plain(blind.none_of_these.VenturiTap, "size", 300.0), high=6.0),
     Form("none_of_these", "detent", S, False, _detent, high=5.0),
     Form("none_of_these", "hot_supply", S, False, plain(blind.none_of_these.HotSupply, "hotter", 15.0), high=5.0),
     Form("none_of_these", "slow_reel", S, False, _slow_reel, 0.05, 12.0),

@@ -30,7 +30,7 @@ class ChangingLeak(Effect):
 class MovingSeal(ChangingLeak):
     """A seal that rides up on a film while it slides: G p (1 + (|v|/v_0)^(1/2)). State: the speed behind 5 ms.
 
-    Source: H. K. Mueller, B. S. Nau, Fluid Sealing Technology (1998), chapter 3: the film goes with the root of speed.
+    Source: H. K. Mueller, B. S. Nau, Fluid Sealing Technology (1998): the film goes with the root of speed.
     """
 
     form = "moving_seal"

@@ -14,7 +14,7 @@ class OwnWall(Effect):
     """The muscle's own wall moves along and outward: inertia m (1/3 + r'(x)^2), half of its weight.
 
     Its points move in proportion to their distance from the upper clamp (Rayleigh's third), and all outward with the
-    radius; the force m'(x) v^2/2 goes with it (Lagrange). Source: J. W. Strutt, The Theory of Sound I (1877), art. 156.
+    radius; the force m'(x) v^2/2 goes with it (Lagrange). Source: J. W. Strutt, The Theory of Sound I (1877).
     """
 
     family = "moving_mass"

@@ -36,7 +36,7 @@ class PushedExhaust(Effect):
     """The muscle's pressure lifts the plunger of the exhaust valve alone: area times 1 + beta p/1 bar.
 
     It sits against the flow, the inlet's with it. State: the gauge pressure behind 2 ms. Reasoned: the pressure on the
-    seat's area moves a plunger on its spring (P. Beater, Pneumatic Drives, 2007, chapter 6).
+    seat's area moves a plunger on its spring (P. Beater, Pneumatic Drives, 2007).
     """
 
     family = "valve_area"

@@ -16,7 +16,7 @@ class PressedPlunger(Effect):
     """The muscle's pressure holds the exhaust's plunger: it opens (1 + p/p_0) times later and shuts as much sooner.
 
     The inlet valve has the plain lag. Reasoned: pressure on the seat's area counts against the coil while the plunger
-    opens and with the spring while it shuts (P. Beater, Pneumatic Drives, 2007, chapter 6).
+    opens and with the spring while it shuts (P. Beater, Pneumatic Drives, 2007).
     """
 
     family = "valve_dynamics"
