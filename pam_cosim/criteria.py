@@ -44,6 +44,9 @@ class NoiseCriteria:
     level_spread: float = decides(
         2.0, "1/sqrt(samples)", "or by more than this, where the samples are so few that chance lowers it"
     )
+    off_step: float = decides(
+        0.01, "of a step", "conversion of units may put a sample of a record in steps so far off; others lie anywhere"
+    )
     assumed_share: float = decides(
         0.01, "of range", "noise assumed where nobody states it and the samples show none, as points of a figure"
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 
@@ -19,6 +20,7 @@ class Domain:
         axes: variables that a missing term is drawn against, the telling ones first.
         planes: pairs of variables that a missing term is drawn over; the first that a term has both of counts.
         tested: what a tested range is a range of.
+        instruments: rows of a family and a sentence: the family is a fault of an instrument, and what it says of which.
     """
 
     balances: tuple[str, ...] = ()
@@ -28,6 +30,12 @@ class Domain:
     axes: tuple[str, ...] = ()
     planes: tuple[tuple[str, str], ...] = ()
     tested: str = "inputs and loads"
+    instruments: tuple[tuple[str, str], ...] = ()
+
+    def faults(self, families: Sequence[str]) -> dict[str, str]:
+        """What those families say of an instrument that are faults of one, by family."""
+        said = dict(self.instruments)
+        return {family: said[family] for family in families if family in said}
 
     def place(self, balance: str) -> int:
         """Where a balance stands in the order; those that are not in it come last."""

@@ -12,6 +12,16 @@ record Domain "How results are told in this field: its balances, its phases, and
   constant String planes[:, 2] = {{"x", "p_gauge"}, {"T_excess", "p_gauge"}, {"p_rate", "p_gauge"}}
     "Pairs of variables that a missing term is drawn over; the first that a term has both of counts";
   constant String tested = "pressures, loads and speeds" "What a tested range is a range of";
+  constant String instruments[:, 2] = {
+    {"pressure_offset", "the reading of the pressure is off by an amount that follows from the pressure alone"},
+    {"pressure_sensor_lag", "the reading of the pressure comes late"},
+    {"position_sensor", "the reading of the position is off, or comes late"},
+    {"force_sensor", "the reading of the force is off, or comes late"},
+    {"temperature_sensor", "the reading of the temperature is off by an amount that follows from the temperature alone"},
+    {"thermocouple_lag", "the reading of the temperature comes late"},
+    {"saturation", "a reading ends at a limit where its signal goes on"},
+    {"clock_offset", "the record of all readings is shifted in time against that of the inputs"}}
+    "Families that are faults of an instrument, and what each says of which";
   annotation (Documentation(info="<html>
 <p>Data for who reports on a measurement; no model has a component of this class. A library without it is told in
 words that fit any field.</p>

@@ -1,7 +1,7 @@
 """The measurement room: a folder with ``experiment.toml`` and CSV files becomes a ``DataSet``."""
 
 from pam_cosim.measurement.data_set import ROLES, DataSet, FreeParameter, Prior, Role, Run, Signal, Transform
-from pam_cosim.measurement.noise import complete_noise, estimate_noise, with_noise
+from pam_cosim.measurement.noise import complete_noise, estimate_noise, record_step, with_noise
 from pam_cosim.measurement.read import read_data_set
 from pam_cosim.measurement.recording import Recording, read_recording
 from pam_cosim.measurement.write import write_data_set
@@ -18,6 +18,7 @@ __all__ = [
     "Transform",
     "complete_noise",
     "estimate_noise",
+    "record_step",
     "read_data_set",
     "read_recording",
     "with_noise",

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from pam_cosim.domain import Domain
 from pam_cosim.measurement.experiment import FILE_NAME
 from pam_cosim.simulation.inputs import Interpolation
+from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed
 
 Role = Literal["fit", "holdout"]
@@ -29,6 +30,7 @@ class Signal:
         sigma: standard deviation of the instrument's noise [unit]; None when nobody knows it.
         estimated: ``sigma`` was estimated from the samples, not stated by the experimenter.
         fitted: parameters are fitted to it and models judged by it; otherwise it is only shown beside the model.
+        step: of the record [unit], where that is coarse beside the stated noise: ``sigma`` holds what it adds. 0: none.
     """
 
     name: str
@@ -36,6 +38,7 @@ class Signal:
     sigma: float | None = None
     estimated: bool = False
     fitted: bool = True
+    step: float = 0.0
 
 
 Transform = Literal["log", "linear"]
@@ -182,10 +185,20 @@ class DataSet(Printed):
                 notes.append(f"the noise of {name} is not known")
             if not signal.fitted:
                 notes.append(f"{name} is compared but not fitted: it has no table [signals.{name}]")
+        notes += self.steps()
         for run in self.runs:
             if run.default_inputs:
                 notes.append(f"{run.name}: model defaults for the inputs {', '.join(run.default_inputs)}")
         return tuple(notes)
+
+    def steps(self) -> tuple[str, ...]:
+        """Which signals are recorded in steps that count, and what noise that makes, in sentences."""
+        return tuple(
+            f"{name} is recorded in steps of {format_quantity(s.step, s.unit)} (quantisation, an instrument): they "
+            f"are counted as noise, of {format_quantity(s.sigma, s.unit)} with that of the sensor"
+            for name, s in self.signals.items()
+            if s.step and s.sigma
+        )
 
     def describe(self) -> str:
         """A readable summary of some lines."""

@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.measurement.data_set import DataSet
+from pam_cosim.measurement.data_set import DataSet, Signal
 
 _CLIP = CRITERIA.noise.clip
 _CLIPPED_VARIANCE = 1.0 - 2.0 * _CLIP * exp(-(_CLIP**2) / 2.0) / sqrt(2.0 * pi) / erf(_CLIP / sqrt(2.0))
@@ -69,11 +69,15 @@ def with_noise(data_set: DataSet) -> DataSet:
 def complete_noise(data: DataSet) -> DataSet:
     """Keeps stated noise levels, estimates the others from the samples, and assumes 1 % of range where that fails.
 
-    Sparse samples, such as points read off a printed figure, show no noise to estimate.
+    Sparse samples, such as points read off a printed figure, show no noise to estimate. A record in steps has their
+    noise of step/sqrt(12) besides a stated one, which is that of the sensor (B. Widrow, I. Kollar, Quantization Noise,
+    2008); an estimated one holds it already.
     """
     data = with_noise(data)
     signals = {}
     for name, signal in data.signals.items():
+        if signal.sigma and not signal.step:
+            signal = _with_steps(data, signal)
         if signal.sigma is None or not np.isfinite(signal.sigma) or signal.sigma <= 0:
             values = np.concatenate([r.measurements[name] for r in data.runs if r.sample_count(name)])
             span = float(np.nanmax(values) - np.nanmin(values))
@@ -81,6 +85,33 @@ def complete_noise(data: DataSet) -> DataSet:
             signal = replace(signal, sigma=level, estimated=True)
         signals[name] = signal
     return replace(data, signals=signals)
+
+
+def record_step(values: ArrayLike) -> float:
+    """The step of a record of which every sample is a multiple of it, but for a constant; 0 where there is none.
+
+    Args:
+        values: (n,) samples, NaN where one is missing; fewer than some 30 show none.
+    """
+    samples: Array = np.asarray(values, dtype=float)
+    samples = samples[np.isfinite(samples)]
+    quantum = _quantum(samples)
+    if len(samples) < CRITERIA.noise.fewest_samples or quantum == 0.0:
+        return 0.0
+    places = (samples - samples[0]) / quantum
+    # A conversion from the unit of the file rounds too, by little; a gap that is no step is anywhere.
+    on_steps = np.abs(places - np.round(places)) < CRITERIA.noise.off_step
+    return quantum if bool(on_steps.all()) else 0.0
+
+
+def _with_steps(data_set: DataSet, signal: Signal) -> Signal:
+    """The signal with the step of its record and its noise, where that adds to what is known."""
+    runs = [run.measurements[signal.name] for run in data_set.runs if signal.name in run.measurements]
+    step = float(np.median([record_step(values) for values in runs])) if runs else 0.0
+    noise, rounding = signal.sigma or 0.0, step**2 / 12.0
+    if rounding < CRITERIA.residuals.slight_excess * noise**2:
+        return signal
+    return replace(signal, step=step, sigma=noise if signal.estimated else sqrt(noise**2 + rounding))
 
 
 def _typical(data_set: DataSet, signal: str) -> float | None:

@@ -40,6 +40,11 @@ _FORM_OPEN = (
     "a form that no listed law has, or something smaller is missing besides. Look for the family at the rig; use the "
     "fitted parameters as a description within the tested range."
 )
+_INSTRUMENT = (
+    "This is said of an instrument, not of the physics: {faults}. Look at the instrument, its adjustment and its "
+    "record before the model; the base model may be complete. A missing effect that shows in this one reading alone "
+    "would look the same."
+)
 
 
 def kind_name(kind: str) -> str:
@@ -50,7 +55,17 @@ def kind_name(kind: str) -> str:
 def meaning(verdict: Verdict, domain: Domain) -> str:
     """What a verdict says and does not say, in the words of the field."""
     text = _FORM_OPEN if verdict.remainder else _MEANING[verdict.kind]
+    faults = domain.faults(verdict.families)
+    if faults:
+        text += " " + _INSTRUMENT.replace("{faults}", "; ".join(f"{words(f)}: {said}" for f, said in faults.items()))
     return text.replace("{tested}", domain.tested)
+
+
+def instrument_sentence(verdict: Verdict, domain: Domain) -> str:
+    """Which of the families named are instruments, and what that says of them; "" where none is."""
+    faults = domain.faults(verdict.families)
+    said = "; ".join(f"{words(family)}: {text}" for family, text in faults.items())
+    return f"An instrument, not physics: {said}." if faults else ""
 
 
 def headline(diagnosis: Diagnosis) -> str:
@@ -62,7 +77,7 @@ def headline(diagnosis: Diagnosis) -> str:
         return "These data show no missing effect: what the model leaves is noise."
     if verdict.kind == "identified":
         form = ", in a form that is open" if verdict.remainder else ""
-        return f"The model lacks {families} ({' + '.join(verdict.effects)}){form}."
+        return f"{_lacking(diagnosis)} ({' + '.join(verdict.effects)}){form}."
     if verdict.kind == "ambiguous":
         return f"An effect is missing, but these data cannot tell {families} apart."
     if verdict.families:
@@ -70,6 +85,17 @@ def headline(diagnosis: Diagnosis) -> str:
             f"{families.capitalize()} {'explain' if several else 'explains'} a part of the error; the rest is unknown."
         )
     return "Something is missing, and no effect of the catalogue explains it."
+
+
+def _lacking(diagnosis: Diagnosis) -> str:
+    """What the model lacks, or which instrument is at fault, or both."""
+    named = diagnosis.verdict.families
+    faults = diagnosis.data.domain.faults(named)
+    physics = [words(family) for family in named if family not in faults]
+    parts = [f"the model lacks {listed(physics)}"] if physics else []
+    parts += [f"an instrument is at fault: {listed(list(faults.values()))}"] if faults else []
+    said = ", and ".join(parts)
+    return said[0].upper() + said[1:]
 
 
 def error_sentence(diagnosis: Diagnosis) -> str:

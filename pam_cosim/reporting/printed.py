@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.reporting.ledger_part import ledger_line
+from pam_cosim.reporting.meaning import instrument_sentence
 from pam_cosim.reporting.next_run import next_run_line
 from pam_cosim.reporting.wording import number, percent
 
@@ -13,6 +14,10 @@ _MOST_RULES = 3
 def diagnosis_text(diagnosis: Diagnosis) -> str:
     """The verdict, the way to it, where the base model is wrong, its ledger and what to do next."""
     parts = [str(diagnosis)]
+    fault = instrument_sentence(diagnosis.verdict, diagnosis.data.domain)
+    if fault:
+        parts.append(f"  {fault}")
+    parts += [f"  note: {note}" for note in diagnosis.data.steps()]
     if diagnosis.path:
         parts.append(f"  The way there: {_way(diagnosis)}")
     rules = diagnosis.base.comparison.where[:_MOST_RULES] if diagnosis.verdict.kind != "none_missing" else ()

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pam_cosim.measurement import DataSet, Run, Signal, estimate_noise, with_noise
+from pam_cosim.measurement import DataSet, Run, Signal, complete_noise, estimate_noise, record_step, with_noise
 
 N = 2000
 TIME = np.linspace(0.0, 4.0, N)
@@ -96,3 +96,39 @@ def test_only_unknown_noise_is_filled_in():
     assert (filled["x"].sigma, filled["x"].estimated) == (0.5, False)
     assert (filled["T"].sigma, filled["T"].estimated) == (None, False)
     assert data.signals["p"].sigma is None
+
+
+@pytest.mark.parametrize("step", [0.25, 1.0])
+def test_steps_of_a_record_come_on_top_of_a_stated_noise(step: float):
+    smooth = 20 * np.sin(TIME) + 0.1 * white(3)
+    assert record_step(step * np.round(smooth / step)) == pytest.approx(step)
+    data = DataSet(
+        Path("."), "t", "M", {"x": Signal("x", "m", 0.1)}, {}, {}, (run("a", x=step * np.round(smooth / step)),)
+    )
+    known = complete_noise(data)
+    assert known.signals["x"].sigma == pytest.approx(np.hypot(0.1, step / np.sqrt(12)))
+    assert known.signals["x"].step == pytest.approx(step) and not known.signals["x"].estimated
+    assert "x is recorded in steps of" in " ".join(known.notes())
+    assert complete_noise(known) == known
+
+
+def test_fine_steps_and_none_leave_the_stated_noise():
+    smooth = 20 * np.sin(TIME) + 0.1 * white(3)
+    few = np.linspace(0.0, 7.0, 12)
+    for values in (smooth, 0.01 * np.round(smooth / 0.01), np.append(few, np.full(len(TIME) - 12, np.nan))):
+        data = DataSet(Path("."), "t", "M", {"x": Signal("x", "m", 0.1)}, {}, {}, (run("a", x=values),))
+        assert complete_noise(data).signals == data.signals
+        assert complete_noise(data).steps() == ()
+
+
+def test_gaps_that_are_no_steps_are_none():
+    uneven = np.cumsum(1.0 + np.random.default_rng(1).random(200))
+    assert record_step(uneven) == 0.0
+    assert record_step(np.full(200, 3.0)) == 0.0
+
+
+def test_an_estimated_noise_holds_the_steps_already():
+    coarse = np.round(20 * np.sin(TIME) + white(3))
+    data = DataSet(Path("."), "t", "M", {"x": Signal("x", "m")}, {}, {}, (run("a", x=coarse),))
+    known = complete_noise(data).signals["x"]
+    assert known.sigma == with_noise(data).signals["x"].sigma and known.step == 1.0

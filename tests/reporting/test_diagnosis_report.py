@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from pam_cosim.measurement import Signal
-from pam_cosim.reporting import diagnosis_report
+from pam_cosim.reporting import diagnosis_report, diagnosis_text
+from tests.field import DOMAIN
 from tests.reporting.html_checks import checked
 from tests.reporting.synthetic import EQUATIONS, SIGNALS, make_data, make_diagnosis
 
@@ -41,6 +42,25 @@ def test_each_verdict_is_said_and_explained_in_its_own_words():
     assert "That does not prove the model complete" in texts["none_missing"]
     assert "Do not choose one by its small lead" in texts["ambiguous"]
     assert "do not trust them as physical values" in texts["unknown"]
+
+
+def test_a_fault_of_an_instrument_is_not_called_physics():
+    diagnosis = make_diagnosis("identified")
+    families = {
+        (
+            "position_sensor",
+        ): "An instrument is at fault: the reading of the position is off, or comes late",
+        ("elasticity", "clock_offset"): "The model lacks elasticity, and an instrument is at fault: the record of all",
+        ("elasticity",): "The model lacks elasticity (StiffWall).",
+    }
+    data = replace(diagnosis.data, domain=DOMAIN)
+    for named, said in families.items():
+        one = replace(diagnosis, data=data, verdict=replace(diagnosis.verdict, families=named))
+        page, printed = checked(diagnosis_report(one)).text, diagnosis_text(one)
+        instrument = named != ("elasticity",)
+        assert said in page
+        assert ("This is said of an instrument" in page) is instrument
+        assert ("An instrument, not physics: " in printed) is instrument
 
 
 def test_the_error_before_and_after_stands_first_in_readable_units():

@@ -1,0 +1,100 @@
+"""An instrument of the independent rig is at fault: the fault is measured, and the diagnosis names the instrument."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from pam_cosim import study
+from pam_cosim.catalogue import compose
+from pam_cosim.compiler import read_library
+from pam_cosim.measurement import DataSet, FreeParameter
+from pam_cosim.reporting import diagnosis_text
+from rig.instruments import (
+    ClockOffset,
+    Fault,
+    Gain,
+    Lag,
+    Offset,
+    OffsetAndGain,
+    Quantisation,
+    Saturation,
+    TransducerSaturation,
+)
+from rig.named import effect_of
+from rig.short import write_light_data
+
+# fault of the rig: the effect of the same law, its parameter, bounds and true value
+FAULTS: dict[Fault, tuple[str, str, tuple[float, float], float]] = {
+    ClockOffset(-0.04): ("ClockOffset", "clock.shift", (-2.0, 2.0), -0.04),
+    ClockOffset(0.03): ("ClockOffset", "clock.shift", (-2.0, 2.0), 0.03),
+    Offset("x", 1.5e-3): ("PositionOffset", "channel_x.offset", (-0.02, 0.02), 1.5e-3),
+    Gain("x", 1.05): ("PositionGain", "channel_x.gain", (0.5, 2.0), 1.05),
+    Lag("x", 0.03): ("PositionLag", "channel_x.tau", (1e-4, 5.0), 0.03),
+    Lag("p", 0.04): ("PressureLag", "channel_p.tau", (1e-4, 5.0), 0.04),
+    Gain("T", 1.15, zero=293.15): ("TemperatureGain", "channel_T.gain", (0.5, 2.0), 1.15),
+    TransducerSaturation("p", high=70e3): ("PressureCeiling", "channel_p.high", (-1.01e5, 1e7), 70e3),
+}
+"""The first at every change."""
+FIRST, *OTHERS = FAULTS
+EACH = [FIRST, *(pytest.param(fault, marks=pytest.mark.full, id=str(fault)) for fault in OTHERS)]
+
+
+def faulty(folder: Path, *faults: Fault) -> DataSet:
+    """Two short runs of the rig through these instruments."""
+    return study.read(write_light_data(folder / "data", seed=1, faults=faults))
+
+
+@pytest.mark.parametrize("fault", EACH)
+def test_a_fault_is_measured(tmp_path: Path, fault: Fault) -> None:
+    effect, name, (low, high), true = FAULTS[fault]
+    composed = compose(read_library(), "PneumaticMuscle.Benches.Isotonic", [effect])
+    assert composed is not None and composed.parameters[effect] == (name,)
+    model = tmp_path / f"{composed.name}.mo"
+    model.write_text(composed.text)
+    data = faulty(tmp_path, fault)
+    data = replace(data, fit={**data.fit, name: FreeParameter(name, low, high)})
+    fit = study.fit(data, str(model))
+    estimate = fit.parameters[name]
+    assert estimate.low <= true <= estimate.high, str(estimate)
+    assert 0.85 < fit.comparison.chi2_reduced("holdout") < 1.2
+
+
+NAMED: dict[tuple[Fault, ...], str] = {
+    (Offset("x", 1.5e-3),): "position_sensor",
+    (OffsetAndGain("x", 1e-3, 1.04),): "position_sensor",
+    (Lag("p", 0.04),): "pressure_sensor_lag",
+    (ClockOffset(-0.04),): "clock_offset",
+    (Saturation("p", high=60e3),): "saturation",
+    (Offset("T", 2.0),): "temperature_sensor",
+}
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("faults", NAMED, ids=str)
+def test_a_fault_is_named_as_that_of_an_instrument(
+    tmp_path: Path, workers: int | None, faults: tuple[Fault, ...]
+) -> None:
+    diagnosis = study.diagnose(faulty(tmp_path, *faults), workers=workers)
+    assert (diagnosis.verdict.kind, diagnosis.verdict.families) == ("identified", (NAMED[faults],))
+    assert "An instrument, not physics:" in diagnosis_text(diagnosis)
+
+
+@pytest.mark.full
+def test_steps_of_a_record_are_no_effect(tmp_path: Path, workers: int | None) -> None:
+    diagnosis = study.diagnose(faulty(tmp_path, Quantisation("x", 1e-3)), workers=workers)
+    assert diagnosis.verdict.kind == "none_missing", diagnosis.verdict
+    assert "x is recorded in steps of 1 mm (quantisation, an instrument)" in diagnosis_text(diagnosis)
+
+
+@pytest.mark.full
+def test_late_readings_and_a_dead_time_of_the_valves_are_one_where_the_supply_is_steady(
+    tmp_path: Path, workers: int | None
+) -> None:
+    dead = write_light_data(tmp_path / "dead", [effect_of("valve_dynamics:dead_time:dead_time=0.04")], seed=1)
+    for data in (faulty(tmp_path, ClockOffset(0.04)), study.read(dead)):
+        verdict = study.diagnose(data, workers=workers).verdict
+        assert verdict.kind == "ambiguous", verdict
+        assert set(verdict.families) == {"clock_offset", "valve_dynamics"}
