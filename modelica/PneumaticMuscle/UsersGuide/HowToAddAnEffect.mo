@@ -7,7 +7,7 @@ class HowToAddAnEffect "One file, one physical effect"
 <code>Interfaces.ForceEffect</code> and gives the equation of <code>f</code>; gas that leaves extends
 <code>Interfaces.GasPortEffect</code>; a law that takes the place of another extends the constraining class of that place
 (<code>Interfaces.Gas</code>, <code>ValveDrive</code>, <code>ValveArea</code>, <code>Line</code>, <code>Braid</code>,
-<code>Thermometer</code>, <code>Manometer</code>, ...) and <code>Interfaces.Effect</code>.</li>
+<code>Thermometer</code>, <code>Manometer</code>, a measuring channel such as <code>PositionChannel</code>, ...) and <code>Interfaces.Effect</code>.</li>
 <li>Put it into the package of its family: <code>extends FamilyMember(final absent=...)</code> says family and balance, and
 for a force or a leak the interface too; <code>absent</code> lists the parameter values at which it vanishes. Outside the
 library it extends <code>PneumaticMuscle.Effects.Elasticity.FamilyMember</code>, or says a <code>family</code> of its own.</li>

@@ -9,7 +9,7 @@ set pressure and temperature, resistances set mass and enthalpy flow; the two al
 <code>Interfaces.Flange</code> as the Modelica Standard Library has it, positive in contraction.</p>
 <p>Where the papers differ, a component has a replaceable law with a constraining class: the <code>Gas</code>, the
 <code>Wall</code> and the <code>Braid</code> of a muscle, the <code>Drive</code> and the <code>Area</code> of the valves, the
-<code>Thermometer</code> of a bench. <code>Laws</code> holds those that the papers review, <code>Effects</code> those that a
+instruments of a bench with the measuring channels behind them and the clock of the record. <code>Laws</code> holds those that the papers review, <code>Effects</code> those that a
 diagnosis tries on a measurement.</p>
 <p>No model has events. Corners, signs and stops are rounded over less than an instrument resolves; where, is said
 in the class. All expressions have finite derivatives throughout the range of operation.</p>
