@@ -13,7 +13,7 @@ import numpy as np
 
 from rig.effect import Effect
 from rig.flow import P_ATM
-from rig.integrate import Array, integrate
+from rig.integrate import PATIENCE, Array, integrate
 from rig.muscle import ATOL, Chain, MuscleParameters
 from rig.schedule import Course, Joint, Schedule
 
@@ -87,7 +87,7 @@ def simulate_held(
     for effect in rig.effects:
         late = effect.drive(late)
     atol = (*ATOL[:2], ATOL[1], *(value for effect in rig.effects for value in effect.atol))
-    states = integrate(rig.rates, rig.start(), Joint((late, contraction)), times, atol, rtol, method)
+    states = integrate(rig.rates, rig.start(), Joint((late, contraction)), times, atol, rtol, method, PATIENCE)
     columns = states.T.tolist()
     shown = np.array([rig.reading(column) for column in columns])
     pull = np.array([rig.reading_of_pull(column) for column in columns])

@@ -273,11 +273,12 @@ def simulate_muscle(
     effects: Sequence[Effect] = (),
     rtol: float = 1e-8,
     method: str | None = None,
+    patience: int | None = None,
 ) -> Trajectory:
     """Simulate one isotonic run from rest on the stop at times[0].
 
     p_supply: gauge [Pa]; times: increasing, shape (n,) [s]; method: of solve_ivp, by default BDF with stiff
-    effects, else LSODA. Raises RuntimeError when integration fails.
+    effects, else LSODA; patience: as `integrate` has it. Raises RuntimeError when integration fails.
     """
     rig = Chain(parameters, p_supply, effects)
     late = schedule.delayed(sum(effect.delay() for effect in rig.effects))
@@ -285,6 +286,6 @@ def simulate_muscle(
         late = effect.drive(late)
     atol = (*ATOL, *(value for effect in rig.effects for value in effect.atol))
     method = method or ("BDF" if any(effect.stiff for effect in rig.effects) else "LSODA")
-    states = integrate(rig.rates, rig.start(), late, times, atol, rtol, method)
+    states = integrate(rig.rates, rig.start(), late, times, atol, rtol, method, patience)
     readings = np.array([rig.reading(column) for column in states.T.tolist()])
     return Trajectory(times, readings[:, 0], readings[:, 1], readings[:, 2], states[2])

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from rig.effect import Effect
-from rig.integrate import Array, integrate
+from rig.integrate import PATIENCE, Array, integrate
 from rig.muscle import ATOL, Chain, MuscleParameters
 from rig.schedule import Joint, Schedule
 
@@ -117,6 +117,8 @@ def simulate_pair(
     for effect in effects:
         late = [effect.drive(schedule) for schedule in late]
     own = (ATOL[0], *(value for effect in effects for value in effect.atol))
-    states = integrate(rig.rates, rig.start(), Joint(tuple(late)), times, (*ATOL[1:], *own, *own), rtol, method)
+    states = integrate(
+        rig.rates, rig.start(), Joint(tuple(late)), times, (*ATOL[1:], *own, *own), rtol, method, PATIENCE
+    )
     shown = np.array([rig.reading(column) for column in states.T.tolist()])
     return PairTrajectory(times, shown[:, 0], shown[:, 1], shown[:, 2])

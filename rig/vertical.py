@@ -15,7 +15,7 @@ import numpy as np
 
 from rig.effect import Effect, Now, Rest
 from rig.flow import T_ATM, G
-from rig.integrate import Array, integrate
+from rig.integrate import PATIENCE, Array, integrate
 from rig.schedule import Course
 
 
@@ -118,5 +118,5 @@ def simulate_vertical(
     """
     rig = _Vertical(parameters, effects)
     atol = (*_ATOL, *(value for effect in rig.effects for value in effect.atol))
-    states = integrate(rig.rates, rig.start(), pressure, times, atol, rtol, method)
+    states = integrate(rig.rates, rig.start(), pressure, times, atol, rtol, method, PATIENCE)
     return VerticalTrajectory(times, np.array([rig.reading(column) for column in states.T.tolist()]))

@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks.hidden_effects import table
-from benchmarks.hidden_effects.noise import SIGNALS, Sensors, disturb, draw_sensors
+from benchmarks.hidden_effects.noise import SIGNALS, USUAL, Sensors, disturb, draw_sensors
 from benchmarks.hidden_effects.plans import draw_muscle, draw_plan
 from benchmarks.hidden_effects.sizes import Bench, FreeParameter, Ruler, Signals, calibrated
 from rig import data_set
@@ -210,7 +210,8 @@ def _fitting_noise(sensors: Sensors, size: float, target: float) -> tuple[Sensor
     """
     if abs(np.log(size / target)) < 0.4:
         return sensors, size
-    loud = sensors.sigma["p"] / 500.0
+    name = next(iter(sensors.sigma))
+    loud = sensors.sigma[name] / USUAL[name]
     factor = min(max(size / target, 0.1 / loud), 10.0 / loud)
     sigma = {name: float(f"{value * factor:.3g}") for name, value in sensors.sigma.items()}
     return replace(sensors, sigma=sigma), size / factor

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 
 import numpy as np
@@ -9,7 +10,7 @@ import numpy as np
 Random = np.random.Generator
 Array = np.ndarray
 SIGNALS = ("p", "x", "T")
-USUAL = {"p": 500.0, "x": 0.2e-3, "T": 0.3}  # Pa, m, K
+USUAL = {"p": 500.0, "x": 0.2e-3, "T": 0.3, "F": 1.0, "p_1": 500.0, "p_2": 500.0}  # Pa, m, K, N
 
 
 @dataclass(frozen=True)
@@ -38,10 +39,10 @@ class Sensors:
         return asdict(self)
 
 
-def draw_sensors(rng: Random) -> Sensors:
+def draw_sensors(rng: Random, signals: Sequence[str] = SIGNALS) -> Sensors:
     """65 % white, 25 % AR(1), 10 % with drift; a fifth with dropouts, 15 % with outliers, three quarters stated."""
     loud = float(np.exp(rng.uniform(np.log(0.4), np.log(2.5))))
-    sigma = {name: float(f"{USUAL[name] * loud * rng.uniform(0.7, 1.4):.3g}") for name in SIGNALS}
+    sigma = {name: float(f"{USUAL[name] * loud * rng.uniform(0.7, 1.4):.3g}") for name in signals}
     draw = rng.random(5)
     colour = "white" if draw[0] < 0.65 else "ar1" if draw[0] < 0.9 else "drift"
     memory, wander = round(float(rng.uniform(0.3, 0.9)), 3), round(float(rng.uniform(0.2, 0.5)), 3)
@@ -59,7 +60,7 @@ def draw_sensors(rng: Random) -> Sensors:
 
 def disturb(rng: Random, sensors: Sensors, clean: dict[str, Array]) -> dict[str, Array]:
     """What is recorded; NaN where a sample is missing. clean: signals of one run, arrays of one shape (times,)."""
-    return {name: _disturbed(rng, sensors, clean[name], sensors.sigma[name]) for name in SIGNALS}
+    return {name: _disturbed(rng, sensors, clean[name], sensors.sigma[name]) for name in sensors.sigma}
 
 
 def _disturbed(rng: Random, sensors: Sensors, clean: Array, sigma: float) -> Array:
@@ -77,7 +78,7 @@ def _disturbed(rng: Random, sensors: Sensors, clean: Array, sigma: float) -> Arr
     seen = clean + sigma * noise
     if sensors.dropouts:
         seen[rng.random(count) < sensors.dropouts / 2] = np.nan
-        gap = int(rng.integers(0, count - 60))
+        gap = int(rng.integers(0, max(1, count - 60)))
         seen[gap : gap + max(3, round(sensors.dropouts / 2 * count))] = np.nan
     return seen
 

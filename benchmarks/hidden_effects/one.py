@@ -8,6 +8,7 @@ from __future__ import annotations
 import argparse
 import json
 import math
+import resource
 import sys
 import tempfile
 import time
@@ -17,8 +18,7 @@ from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
 
-from benchmarks.hidden_effects.cases import SEEDS, case_of, make, outline, write
-from benchmarks.hidden_effects.noise import SIGNALS
+from benchmarks.hidden_effects.sets import SETS, case_of, make, outline, write
 
 _RANKS = 5
 
@@ -35,13 +35,22 @@ def solve(which: str, number: int, folder: Path, workers: int) -> dict[str, Any]
     except Exception:
         return result | {"error": {"where": "generator", "text": traceback.format_exc()}}
     result["generation_seconds"] = round(time.perf_counter() - start, 2)
-    start = time.perf_counter()
+    before, start = memory(), time.perf_counter()
     try:
         result["diagnosis"] = _diagnosis(folder, made.description, workers)
     except Exception:
         result["error"] = {"where": "diagnosis", "text": traceback.format_exc()}
     result["seconds"] = round(time.perf_counter() - start, 2)
-    return result
+    return result | {"megabytes": memory(), "megabytes_before": before}
+
+
+def memory() -> float:
+    """The most memory that this process, or one that it started and saw end, has had so far [MB].
+
+    Workers are counted by the largest of them: Linux keeps no sum.
+    """
+    peaks = [resource.getrusage(who).ru_maxrss for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    return round(max(peaks) / 1024, 1)
 
 
 def _diagnosis(folder: Path, description: Mapping[str, Any], workers: int) -> dict[str, Any]:
@@ -49,19 +58,22 @@ def _diagnosis(folder: Path, description: Mapping[str, Any], workers: int) -> di
 
     diagnosis = study.diagnose(study.read(folder), workers=workers, explain=False)
     verdict = diagnosis.verdict
-    sigma = {name: diagnosis.data.signals[name].sigma or math.nan for name in SIGNALS}
+    noise = description["noise"]
+    sigma = {name: diagnosis.data.signals[name].sigma or math.nan for name in noise["fit"]}
     final = diagnosis.final.comparison
     return {
         "verdict": verdict.as_dict(),
+        "probability": _probability(verdict.as_dict()),
         "sigma": sigma,
         "chi2": {
             role: {
                 "base": diagnosis.base.comparison.chi2_reduced(role),
                 "final": final.chi2_reduced(role),
-                "noise": _floor(description["noise"][role], sigma),
+                "noise": _floor(noise[role], sigma),
             }
-            for role in ("fit", "holdout")
+            for role in noise
         },
+        "evaluations": _evaluations(diagnosis),
         "path": [c.effect for c in diagnosis.path],
         "ranks": [[c.effect, c.family, c.delta_bic] for c in diagnosis.candidates[:_RANKS]],
         "parameters": {name: estimate.value for name, estimate in diagnosis.final.parameters.items()},
@@ -70,14 +82,27 @@ def _diagnosis(folder: Path, description: Mapping[str, Any], workers: int) -> di
 
 def _floor(noise: Mapping[str, Mapping[str, float]], sigma: Mapping[str, float]) -> float:
     """The reduced chi-square that the truth itself would have: recorded minus true, weighed as the software weighs."""
-    total = sum(noise[n]["mean_square"] * noise[n]["samples"] / sigma[n] ** 2 for n in SIGNALS)
-    return total / sum(noise[n]["samples"] for n in SIGNALS)
+    total = sum(one["mean_square"] * one["samples"] / sigma[n] ** 2 for n, one in noise.items())
+    return total / sum(one["samples"] for one in noise.values())
+
+
+def _probability(verdict: Mapping[str, Any]) -> float | None:
+    """What the verdict says of its families: that just these are missing; None where it says nothing."""
+    value = verdict.get("probability")
+    return None if value is None else float(value)
+
+
+def _evaluations(diagnosis: Any) -> int | None:
+    """How often a model was simulated for the fits of the path; None where the diagnosis does not say."""
+    fits = [getattr(step, "fit", None) for step in (diagnosis.base, *diagnosis.path)]
+    counted = [getattr(fit, "evaluations", None) for fit in fits]
+    return sum(counted) if counted and all(isinstance(n, int) for n in counted) else None
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Command line; returns the exit status."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--set", dest="which", choices=SEEDS, required=True)
+    parser.add_argument("--set", dest="which", choices=SETS, required=True)
     parser.add_argument("--number", type=int, required=True)
     parser.add_argument("--workers", type=int, default=0)
     parser.add_argument("--keep", type=Path, help="folder in which the data set stays")

@@ -6,6 +6,11 @@ from collections.abc import Mapping
 from typing import Any
 
 Result = Mapping[str, Any]
+INSTRUMENTS = (
+    "pressure_offset", "thermocouple_lag", "position_sensor", "force_sensor", "pressure_sensor_lag",
+    "temperature_sensor", "clock_offset", "wrong_parameter", "saturation", "quantisation",
+)  # fmt: skip
+"""Families of which a verdict counts as having named an instrument."""
 OUTCOMES = ("right", "ambiguous", "unknown", "missed", "wrong", "error")
 """right: as it should be. ambiguous: the truth is among the families named as not separable. unknown: "something else
 is missing". missed: "nothing is missing". wrong: other families are claimed. error: no verdict."""
@@ -24,9 +29,10 @@ def size(result: Result) -> float:
 def judged(result: Result) -> str:
     """One of OUTCOMES.
 
-    One family or a pair: right is identified with exactly these. Nothing hidden: right is none_missing; unknown claims
-    no effect either, and is counted by its own name. An effect in no family: unknown and ambiguous are right, an
-    identified family is wrong.
+    One family or several: right is identified with exactly these, or with others that the case says give the very same
+    data. Nothing hidden: right is none_missing; unknown claims no effect either, and is counted by its own name. An
+    effect in no family: unknown and ambiguous are right, and so is what names instruments alone; another identified
+    family is wrong.
     """
     if "error" in result:
         return "error"
@@ -34,7 +40,8 @@ def judged(result: Result) -> str:
     kind, named = verdict["kind"], set(verdict["families"])
     group, true = result["case"]["group"], set(result["case"]["families"])
     if group == "none_of_these":
-        return {"unknown": "right", "ambiguous": "right", "none_missing": "missed"}.get(kind, "wrong")
+        right = kind in ("unknown", "ambiguous") or names_instruments(result)
+        return "right" if right else "missed" if kind == "none_missing" else "wrong"
     if group == "null":
         if kind == "none_missing":
             return "right"
@@ -43,9 +50,38 @@ def judged(result: Result) -> str:
         return "missed"
     if kind == "unknown":
         return "unknown"
+    same = [true, *(set(families) for families in result["case"].get("same_as", []))]
     if kind == "ambiguous":
+        if len(same) > 1 and named == set().union(*same):
+            return "right"  # these data cannot tell them apart, and the verdict says just that
         return "ambiguous" if true <= named else "wrong"
-    return "right" if named == true else "wrong"
+    return "right" if named in same else "wrong"
+
+
+def names_instruments(result: Result) -> bool:
+    """Whether the verdict blames faults of instruments, of whichever family, and nothing else."""
+    if "error" in result:
+        return False
+    verdict = result["diagnosis"]["verdict"]
+    return (
+        verdict["kind"] in ("identified", "ambiguous")
+        and bool(verdict["families"])
+        and (set(verdict["families"]) <= set(INSTRUMENTS))
+    )
+
+
+def stated_probability(result: Result) -> tuple[float, bool] | None:
+    """What the verdict gave as the probability of what it says, and whether that is so; None where it gave none.
+
+    An ambiguous verdict is so where the truth is among what it names. `unknown` states nothing that could be so.
+    """
+    if "error" in result or result["diagnosis"]["verdict"]["kind"] == "unknown":
+        return None
+    value = result["diagnosis"].get("probability")
+    if value is None:
+        return None
+    right = ("right", "ambiguous") if result["diagnosis"]["verdict"]["kind"] == "ambiguous" else ("right",)
+    return float(value), judged(result) in right
 
 
 def claims_effect(result: Result) -> bool:
@@ -59,8 +95,9 @@ def leaves_remainder(result: Result) -> bool:
 
 
 def excess(result: Result) -> float | None:
-    """Holdout chi-square of the final model over that of the truth's own noise, minus one; None without a verdict."""
-    if "error" in result:
-        return None
-    chi2 = result["diagnosis"]["chi2"]["holdout"]
-    return float(chi2["final"] / chi2["noise"] - 1)
+    """Holdout chi-square of the final model over that of the truth's own noise, minus one.
+
+    None without a verdict, or without a run to judge by.
+    """
+    chi2 = None if "error" in result else result["diagnosis"]["chi2"].get("holdout")
+    return None if chi2 is None else float(chi2["final"] / chi2["noise"] - 1)

@@ -22,8 +22,8 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from benchmarks.hidden_effects.cases import SEEDS, case_of, outline
 from benchmarks.hidden_effects.outcome import judged
+from benchmarks.hidden_effects.sets import SETS, case_of, outline
 
 ROOT = Path(__file__).resolve().parents[2]
 Result = dict[str, Any]
@@ -93,7 +93,7 @@ def _end(process: subprocess.Popen[str]) -> None:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Command line; returns the exit status."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--set", dest="which", choices=SEEDS, default="score")
+    parser.add_argument("--set", dest="which", choices=SETS, default="score")
     parser.add_argument("--cases", type=int, default=300, help="how many, from --first on")
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--jobs", type=int, default=2)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -42,6 +43,7 @@ class Bench:
     muscle: MuscleParameters
     plan: tuple[TestRun, ...]
     free: tuple[FreeParameter, ...]
+    signals: tuple[str, ...] = SIGNALS
 
     def simulate(self, effects: Sequence[Effect] = (), changed: Mapping[str, float] | None = None) -> list[Signals]:
         """Noise-free signals of every run, with simulator's fields `changed`.
@@ -68,13 +70,31 @@ def joined(signals: Sequence[Signals], name: str) -> Array:
     return np.concatenate([run[name] for run in signals])
 
 
+class Measured(Protocol):
+    """What a `Ruler` needs of a rig: `Bench`, or that of the many benches."""
+
+    @property
+    def free(self) -> tuple[FreeParameter, ...]:
+        """Base parameters that may move."""
+
+    @property
+    def signals(self) -> tuple[str, ...]:
+        """Names of what is measured."""
+
+    def simulate(self, effects: Sequence[Any] = (), changed: Mapping[str, float] | None = None) -> list[Signals]:
+        """Noise-free signals of every run."""
+
+    def roles(self) -> Array:
+        """For every sample whether it is of role fit."""
+
+
 class Ruler:
     """Measures effects against the base simulation of a bench and its sensitivities, which it makes once."""
 
-    def __init__(self, bench: Bench) -> None:
+    def __init__(self, bench: Measured) -> None:
         self.bench = bench
         self.base = bench.simulate()
-        self._seen: dict[Effect, list[Signals]] = {}
+        self._seen: dict[Any, list[Signals]] = {}
         self._slopes: list[list[Signals]] = []
         self._steps: list[float] = []
         for p in bench.free:
@@ -87,21 +107,21 @@ class Ruler:
 
         The free parameters move linearly, to fit the runs of role fit best; all runs are then counted.
         """
-        count = len(self.bench.roles())
-        away = np.concatenate([(joined(with_effect, n) - joined(self.base, n)) / sigma[n] for n in SIGNALS])
+        count, names = len(self.bench.roles()), self.bench.signals
+        away = np.concatenate([(joined(with_effect, n) - joined(self.base, n)) / sigma[n] for n in names])
         slopes = np.stack(
-            [np.concatenate([(joined(s, n) - joined(self.base, n)) / sigma[n] for n in SIGNALS]) for s in self._slopes],
+            [np.concatenate([(joined(s, n) - joined(self.base, n)) / sigma[n] for n in names]) for s in self._slopes],
             axis=1,
         )
-        fitted = np.tile(self.bench.roles(), len(SIGNALS))
+        fitted = np.tile(self.bench.roles(), len(names))
         moved = np.linalg.lstsq(slopes[fitted], away[fitted], rcond=1e-8)[0]
         left = away - slopes @ moved
         return tuple(
-            {n: float(np.sqrt(np.mean(v[k * count : (k + 1) * count] ** 2))) for k, n in enumerate(SIGNALS)}
+            {n: float(np.sqrt(np.mean(v[k * count : (k + 1) * count] ** 2))) for k, n in enumerate(names)}
             for v in (away, left)
         )
 
-    def simulated(self, effects: Sequence[Effect]) -> list[Signals]:
+    def simulated(self, effects: Sequence[Any]) -> list[Signals]:
         """As the bench's own, without doing the same work twice. Raises RuntimeError as that does."""
         if len(effects) != 1:
             return self.bench.simulate(effects)
@@ -109,13 +129,13 @@ class Ruler:
             self._seen[effects[0]] = self.bench.simulate(effects)
         return self._seen[effects[0]]
 
-    def size(self, effect: Effect, sigma: Mapping[str, float]) -> float:
+    def size(self, effect: Any, sigma: Mapping[str, float]) -> float:
         """The projected size on the signal that shows the effect most."""
         return max(self.sizes(self.simulated([effect]), sigma)[1].values())
 
 
 def calibrated(
-    ruler: Ruler, make: Callable[[float], Effect], sigma: Mapping[str, float], target: float, low: float, high: float
+    ruler: Ruler, make: Callable[[float], Any], sigma: Mapping[str, float], target: float, low: float, high: float
 ) -> tuple[float, float]:
     """Strength within [low, high] at which the projected size is near `target`, and the size there.
 

@@ -274,7 +274,7 @@ def test_report_counts_crashes_and_writes_all_files(tmp_path):
     file.write_text("\n".join(json.dumps(line) for line in lines) + "\n")
     assert report_main([str(file), "--out", str(tmp_path / "out")]) == 0
     text = (tmp_path / "out" / "report.md").read_text()
-    assert "| one effect of at least 3 standard deviations: right family | 95 % | 50 % (9 to 91; 1 of 2) | no |" in text
+    assert "| one effect of at least 3 standard deviations: right family | 97 % | 50 % (9 to 91; 1 of 2) | no |" in text
     assert {p.name for p in (tmp_path / "out").iterdir()} == {
         "report.md",
         "hit-rate.png",

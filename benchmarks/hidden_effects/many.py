@@ -1,0 +1,287 @@
+"""The composition of many benches: case number and set -> a data set and what is hidden in it.
+
+Sets `tuning2` and `score2`; their forms are those of `tuning` and `score` in `table.py`. The composition repeats every
+80 cases: 24 with one form of the catalogue, 14 with one form that it lacks, 10 pairs, 8 triples, 10 faults of
+instruments, 8 with nothing hidden, 6 effects in no family; mixed, so that the first cases already are a fair sample.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from benchmarks.hidden_effects import table
+from benchmarks.hidden_effects.cases import CLASSES, _fitting_noise, _negative, _within
+from benchmarks.hidden_effects.faults import FAULTS, ON_SOME_BENCH, FaultForm, Scene
+from benchmarks.hidden_effects.noise import Sensors, disturb, draw_sensors
+from benchmarks.hidden_effects.setups import SHARES, Design, Setup, draw, draw_design
+from benchmarks.hidden_effects.sizes import Ruler, Signals, calibrated
+from rig import tables
+from rig.effect import Effect
+from rig.instruments import Fault
+from rig.muscle import MuscleParameters
+from rig.named import effect_parameters
+
+Random = np.random.Generator
+Hidden = table.Form | FaultForm
+SEEDS = {"tuning2": 90217, "score2": 552209}
+FORMS_OF = {"tuning2": "tuning", "score2": "score"}
+GROUPS = {
+    "catalogue": 24, "new_form": 14, "pair": 10, "triple": 8, "instrument": 10, "null": 8, "none_of_these": 6,
+}  # fmt: skip
+PERIOD = sum(GROUPS.values())
+_CLASSES = {
+    "catalogue": CLASSES, "new_form": CLASSES, "instrument": CLASSES[1:4], "none_of_these": ((5.0, 40.0),),
+    "pair": ((5.0, 30.0),), "triple": ((5.0, 30.0),),
+}  # fmt: skip
+_TURNS = {5: (2, 0, 3, 1, 4, 2, 3), 3: (1, 2, 0, 1, 2), 1: (0,)}
+"""The order in which classes of size come, by how many there are."""
+_RUNS_TO_TELL = 4
+"""Runs of a plan, at least, for what shows only in how runs differ."""
+_HIDDEN = {"null": 0, "pair": 2, "triple": 3}
+
+
+@dataclass(frozen=True)
+class Case:
+    """What a case number stands for, before anything is simulated.
+
+    Attributes:
+        hidden: forms of the tables. targets: sizes wanted, in standard deviations.
+    """
+
+    which: str
+    number: int
+    group: str
+    design: Design
+    hidden: tuple[Hidden, ...]
+    targets: tuple[float, ...]
+
+    def rng(self, stream: int) -> Random:
+        """A stream of random numbers of this case alone."""
+        return np.random.default_rng([SEEDS[self.which], self.number, stream])
+
+
+@dataclass(frozen=True)
+class Made:
+    """A case that was simulated: what was recorded, and its description."""
+
+    case: Case
+    setup: Setup
+    sensors: Sensors
+    recorded: list[Signals]
+    description: dict[str, Any]
+
+
+def _spread(shares: Mapping[str, int]) -> tuple[str, ...]:
+    """Names by their shares, each spread evenly over one period."""
+    slots = [((k + 0.5) / count, name) for name, count in shares.items() for k in range(count)]
+    return tuple(name for _, name in sorted(slots))
+
+
+_GROUP_ORDER, _BENCH_ORDER = _spread(GROUPS), _spread(SHARES)
+
+
+@cache
+def _sample(form: table.Form) -> Effect:
+    """A member of a form, to ask which hooks it has."""
+    return form.make(np.random.default_rng(1), MuscleParameters())(min(1.0, form.high))
+
+
+def choices(which: str, group: str, design: Design) -> dict[str, list[Hidden]]:
+    """What can be hidden on a design, by what takes turns: a family, or a form that only some bench has."""
+    by_turn: dict[str, list[Hidden]] = {}
+    if group == "instrument":
+        for fault in FAULTS:
+            if fault.where(design):
+                by_turn.setdefault(fault.family, []).append(fault)
+        return by_turn
+    own = FORMS_OF[which]
+    forms: Sequence[table.Form] = table.STRANGE if group == "none_of_these" else (*table.FORMS, *ON_SOME_BENCH)
+    for form in forms:
+        wanted = group == "none_of_these" or form.catalogue is (group != "new_form")
+        if own in form.sets and wanted and design.rig.takes(_sample(form), design.signals):
+            alone = form in ON_SOME_BENCH or group == "none_of_these"
+            if form in ON_SOME_BENCH and design.runs < _RUNS_TO_TELL:
+                continue
+            by_turn.setdefault(f"{form.family}:{form.name}" if alone else form.family, []).append(form)
+    return by_turn
+
+
+@cache
+def _cases(which: str, periods: int) -> tuple[Case, ...]:
+    """The first cases of a set; what was least hidden so far in its group comes next."""
+    used: dict[str, Counter[str]] = {group: Counter() for group in GROUPS}
+    turns: Counter[str] = Counter()
+    cases = []
+    for number in range(periods * PERIOD):
+        group = _GROUP_ORDER[number % PERIOD]
+        bench = _BENCH_ORDER[(7 * number + number // len(_BENCH_ORDER)) % len(_BENCH_ORDER)]
+        case = Case(which, number, group, Design(bench, (), 0.0, 0), (), ())
+        rng = case.rng(0)
+        count = _HIDDEN.get(group, 1)
+        design, possible = _design(rng, which, group, bench, count)
+        picked = _picked(rng, used[group], possible, count)
+        bounds = _CLASSES.get(group, ())
+        targets = []
+        for _ in picked:
+            order = _TURNS[len(bounds)]
+            targets.append(_within(rng, bounds[order[turns[group] % len(order)]]))
+            turns[group] += 1
+        cases.append(replace(case, design=design, hidden=picked, targets=tuple(targets)))
+    return tuple(cases)
+
+
+def _design(rng: Random, which: str, group: str, bench: str, count: int) -> tuple[Design, dict[str, list[Hidden]]]:
+    """A design of a bench on which there is enough to hide; drawn again where there is not."""
+    while True:
+        design = draw_design(rng, bench)
+        possible = choices(which, group, design) if count else {}
+        if len({forms[0].family for forms in possible.values()}) >= count:
+            return design, possible
+
+
+def _picked(
+    rng: Random, used: Counter[str], possible: Mapping[str, Sequence[Hidden]], count: int
+) -> tuple[Hidden, ...]:
+    """Forms of different families, those that were hidden least first; what has no strength comes first of all."""
+    picked: list[Hidden] = []
+    for turn in sorted(possible, key=lambda turn: (used[turn], rng.random())):
+        if len(picked) == count:
+            break
+        if any(form.family == possible[turn][0].family for form in picked):
+            continue
+        fewest = min(used[f"{turn}/{form.name}"] for form in possible[turn])
+        forms = [form for form in possible[turn] if used[f"{turn}/{form.name}"] == fewest]
+        picked.append(forms[int(rng.integers(len(forms)))])
+        used.update([turn, f"{turn}/{picked[-1].name}"])
+    return tuple(sorted(picked, key=lambda form: form.high / form.low))
+
+
+def case_of(which: str, number: int) -> Case:
+    """The case with this number (from 0) of a set. Raises ValueError for an unknown set or a negative number."""
+    if which not in SEEDS or number < 0:
+        raise ValueError(f"there is no case {number} of a set '{which}'; sets: {', '.join(SEEDS)}")
+    return _cases(which, number // PERIOD + 1)[number]
+
+
+def outline(case: Case) -> dict[str, Any]:
+    """What is known of a case before it is simulated: the description of one that could not be."""
+    design = case.design
+    return {
+        "set": case.which,
+        "number": case.number,
+        "group": case.group,
+        "bench": design.bench,
+        "signals": list(design.signals),
+        "rate": design.rate,
+        "runs": design.runs,
+        "families": [form.family for form in case.hidden if form.family != "none_of_these"],
+        "same_as": _same_as(case),
+        "hidden": [
+            {"family": form.family, "form": form.name, "in_catalogue": form.catalogue, "target": target}
+            for form, target in zip(case.hidden, case.targets, strict=True)
+        ],
+    }
+
+
+def _same_as(case: Case) -> list[list[str]]:
+    """Other families that give the very same data, so that no verdict could tell them apart.
+
+    A dead time of valves and a recorder that is late, where currents are all that moves; a mass that hangs on the
+    muscle and a load that is stated too small, where all runs have one load.
+    """
+    design, also = case.design, []
+    if len(case.hidden) == 1:
+        form = case.hidden[0]
+        if (form.family, form.name) == ("valve_dynamics", "dead_time") and design.rig.course is None:
+            also.append(["clock_offset"])
+        if (form.family, form.name) == ("moving_mass", "hanging") and (design.sixth == "load.m" or design.runs == 1):
+            also.append(["wrong_parameter"])
+    return also
+
+
+def make(case: Case) -> Made:
+    """Simulates a case. Raises RuntimeError when its hidden effect cannot be simulated at any strength."""
+    setup = draw(case.rng(1), case.design).driven()
+    sensors = draw_sensors(case.rng(2), case.design.signals)
+    ruler = Ruler(setup) if case.hidden else None
+    hidden: list[Effect | Fault] = []
+    sizes: list[dict[str, Any]] = []
+    for k, (form, target) in enumerate(zip(case.hidden, case.targets, strict=True)):
+        assert ruler is not None
+        at = _maker(form, case.rng(10 + k), setup, ruler)
+        strength, size = calibrated(ruler, at, sensors.sigma, target, form.low, form.high)
+        if k == 0:
+            sensors, size = _fitting_noise(sensors, size, target)
+        hidden.append(at(strength))
+        sizes.append({"strength": strength, "size": size, "parameters": effect_parameters(hidden[-1])})
+    if ruler is not None and setup.loops:
+        setup, ruler, sizes = _driven_again(setup, sensors, hidden, sizes)
+    clean = ruler.simulated(hidden) if ruler else setup.simulate()
+    zero = dict.fromkeys(setup.signals, 0.0)
+    plain, projected = ruler.sizes(clean, sensors.sigma) if ruler else (zero, zero)
+    noise = case.rng(3)
+    recorded = setup.recorded(hidden, lambda read: disturb(noise, sensors, read))
+    known = outline(case)
+    description = known | {
+        "hidden": [a | b for a, b in zip(known["hidden"], sizes, strict=True)],
+        "size": {"plain": plain, "projected": projected},
+        "sensors": sensors.as_dict(),
+        "rig": dict(setup.values),
+        "free": {p.name: {"true": p.true, "min": p.low, "max": p.high} for p in setup.free},
+        "plan": [
+            {"style": t.style, "role": t.role, "seconds": (t.samples - 1) / t.rate, "values": dict(t.values)}
+            for t in setup.plan
+        ],
+        "noise": noise_of(setup, clean, recorded),
+    }
+    return Made(case, setup, sensors, recorded, description)
+
+
+def _maker(form: Hidden, rng: Random, setup: Setup, ruler: Ruler) -> Callable[[float], Any]:
+    if isinstance(form, FaultForm):
+        peaks = {name: max(float(run[name].max()) for run in ruler.base) for name in setup.signals}
+        at: Callable[[float], Any] = form.make(rng, Scene(setup, peaks))
+    else:
+        at = form.make(rng, setup.muscle)
+    return _negative(at) if form.signed and rng.random() < 0.5 else at
+
+
+def _driven_again(
+    setup: Setup, sensors: Sensors, hidden: Sequence[Effect | Fault], sizes: Sequence[dict[str, Any]]
+) -> tuple[Setup, Ruler, list[dict[str, Any]]]:
+    """With what is hidden in the loop its currents are others, and sizes with them."""
+    setup = setup.driven(hidden)
+    ruler = Ruler(setup)
+    measured = [s | {"size": ruler.size(one, sensors.sigma)} for s, one in zip(sizes, hidden, strict=True)]
+    return setup, ruler, measured
+
+
+def noise_of(setup: Setup, clean: Sequence[Signals], recorded: Sequence[Signals]) -> dict[str, Any]:
+    """Mean square of recorded minus true and number of samples, by role and signal [SI]: what the truth leaves."""
+    by_role: dict[str, Any] = {}
+    for role in dict.fromkeys(trial.role for trial in setup.plan):
+        runs = [k for k, trial in enumerate(setup.plan) if trial.role == role]
+        by_role[role] = {}
+        for name in setup.signals:
+            error = np.concatenate([recorded[k][name] - clean[k][name] for k in runs])
+            error = error[np.isfinite(error)]
+            by_role[role][name] = {"mean_square": float(np.mean(error**2)), "samples": len(error)}
+    return by_role
+
+
+def write(made: Made, folder: Path) -> None:
+    """Writes experiment.toml and the runs; nothing in them says what is hidden."""
+    setup = made.setup
+    free = {p.name: (p.low, p.high) for p in setup.free}
+    known = {name: value for name, value in setup.values.items() if name not in free}
+    known |= {p.name: p.nominal for p in setup.free if p.nominal is not None}
+    sigma = made.sensors.sigma if made.sensors.stated else None
+    about = tables.About(f"case {made.case.number}", setup.signals, sigma, known, free)
+    tables.write(folder, setup.design.rig, list(zip(setup.plan, made.recorded, strict=True)), about)
