@@ -127,6 +127,7 @@ def _seen(hooks_of: Mapping[str, str]) -> dict[str, frozenset[str]]:
 
 
 _VALVES = "current areas valve_factor delay drive now.command"
+_OPENINGS = "opening now.areas"
 _GAS = "leak exchange extra_volume now.p_gauge now.temperature now.net_mass_flow now.heat_to_gas now.x now.v"
 _HEAT = "film temperature wall_temperature friction_heat heat reading"
 _FORCE = "force shape_factor pull_factor"
@@ -214,26 +215,27 @@ BENCHES: dict[str, RigBench] = {
         RigBench(
             "Isotonic", f"{_PACKAGE}Benches.Isotonic", ("p", "x", "T"), ("u_in", "u_out", "p_supply"), None,
             _seen({
-                "p": f"{_VALVES} {_GAS} supply node pressure_shown in_truth", "T": _HEAT,
+                "p": f"{_VALVES} {_OPENINGS} {_GAS} supply node pressure_shown in_truth", "T": _HEAT,
                 "x": f"{_FORCE} {_MASSES} position_shown",
             }),
             _isotonic,
         ),
         RigBench(
             "Isometric", f"{_PACKAGE}Benches.Isometric", ("p", "F", "T"), ("u_in", "u_out", "p_supply", "s"), "s",
-            _seen({"p": f"{_VALVES} {_GAS} supply node pressure_shown in_truth", "T": _HEAT, "F": _FORCE}),
+            _seen({"p": f"{_VALVES} {_OPENINGS} {_GAS} supply node pressure_shown in_truth", "T": _HEAT, "F": _FORCE}),
             _isometric,
         ),
         RigBench(
             "SwitchedMuscle", f"{_PACKAGE}Benches.SwitchedMuscle", ("p", "T"), ("u_in", "u_out", "p_supply", "s"), "s",
-            _seen({"p": f"{_VALVES} {_GAS} supply node pressure_shown in_truth", "T": _HEAT}),
+            _seen({"p": f"{_VALVES} {_OPENINGS} {_GAS} supply node pressure_shown in_truth", "T": _HEAT}),
             _switched,
         ),
         RigBench(
             "Antagonistic", f"{_PACKAGE}Benches.Antagonistic", ("p_1", "p_2", "x"),
             ("u_in_1", "u_out_1", "u_in_2", "u_out_2", "p_supply"), None,
             _seen({
-                "p_1": f"{_VALVES} {_GAS} supply pressure_shown in_truth", "x": f"{_FORCE} {_MASSES} position_shown",
+                "p_1": f"{_VALVES} {_OPENINGS} {_GAS} supply pressure_shown in_truth",
+                "x": f"{_FORCE} {_MASSES} position_shown",
             }),
             _antagonistic,
         ),
