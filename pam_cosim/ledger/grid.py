@@ -74,7 +74,8 @@ def make_grid(
         stated = data.parameters_of(run, values)
         p = np.array([stated.get(n, v) for n, v in defaults.items()])
         courses = _courses(ode, run, stated)
-        t = _node_times(run, courses, spacing)
+        shown = _shown(ode, run, p)
+        t = _node_times(run, shown, courses, spacing)
         if further:
             t = np.union1d(t, further[r])
         end = np.append(t[:1], t[1:] - _INSIDE * np.diff(t))
@@ -84,7 +85,7 @@ def make_grid(
         stages.append(_at(courses, inside))
         delayed.append(_delayed(ode, p, courses, end, t[0]))
         stage_delayed.append(_delayed(ode, p, courses, inside, t[0]))
-        measured.append(_samples(run, t, signals))
+        measured.append(_samples(run, shown, t, signals))
         parameters.append(p)
     first = np.cumsum([0, *(len(t) for t in times)])
     ends = first[1:] - 1
@@ -107,8 +108,15 @@ def _courses(ode: Ode, run: Run, stated: Mapping[str, float]) -> list[Pieces]:
     return courses
 
 
-def _node_times(run: Run, courses: Sequence[Pieces], spacing: float) -> Array:
-    sampled = np.unique(run.time)
+def _shown(ode: Ode, run: Run, p: Array) -> Array:
+    """(n,) when the instruments showed what a run has recorded [s], by the clock of the inputs."""
+    clocks = ode.interface.record_delays
+    late = sum(float(value) for name, value in zip(ode.interface.parameters, p, strict=True) if name in clocks)
+    return np.maximum(run.time - late, start_time(run)) if late else run.time
+
+
+def _node_times(run: Run, shown: Array, courses: Sequence[Pieces], spacing: float) -> Array:
+    sampled = np.unique(shown)
     begin, end = start_time(run), float(sampled[-1])
     spacing = min(spacing, (end - begin) / _LEAST_STEPS)
     bends = np.unique(np.concatenate([np.zeros(0), *(c.time[1:] for c in courses)]))
@@ -146,14 +154,14 @@ def _delayed(ode: Ode, p: Array, courses: Sequence[Pieces], times: Array, start:
     return np.column_stack(columns)
 
 
-def _samples(run: Run, times: Array, signals: Sequence[str]) -> Array:
+def _samples(run: Run, shown: Array, times: Array, signals: Sequence[str]) -> Array:
     samples = np.full((len(times), len(signals)), np.nan)
     for j, name in enumerate(signals):
         values = run.measurements.get(name)
         if values is None:
             continue
         kept = np.isfinite(values)
-        at, last = np.unique(run.time[kept][::-1], return_index=True)
+        at, last = np.unique(shown[kept][::-1], return_index=True)
         own = values[kept][::-1][last]
         place = np.searchsorted(times, at)
         place = np.minimum(place, len(times) - 1)

@@ -20,6 +20,7 @@ from pam_cosim.ledger import Entry, Ledger, binned, keep_ledger, mapped
 from pam_cosim.measurement import DataSet, Signal, complete_noise
 from pam_cosim.simulation import Inputs, Simulator
 from rig.flow import P_ATM
+from rig.instruments import ClockOffset
 from rig.measurement import TRUTH
 from rig.muscle import simulate_muscle
 from rig.named import effect_of
@@ -85,6 +86,16 @@ def test_nothing_fails_where_nothing_is_missing(seed: int) -> None:
     for entry in ledger.entries:  # the terms hardly vary in time: a run is one draw, not a hundred
         for course in entry.courses:
             assert np.all(np.abs(course.value) < 3.5 * course.deviation), entry.balance
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("shift", [0.04, -0.04])
+def test_a_record_that_is_shifted_is_read_by_the_clock_of_the_model(shift: float) -> None:
+    folder = write_light_data(Path(mkdtemp()) / "d", seed=1, faults=[ClockOffset(shift)])
+    data = complete_noise(study.read(folder))
+    values = {"valve.C_A": TRUTH.calibration, "muscle.mu_fb": TRUTH.mu_fb, "clock.shift": shift}
+    assert keep_ledger(data, values, effects=["ClockOffset"]).failing == ()
+    assert keep_ledger(data, values | {"clock.shift": 0.0}, effects=["ClockOffset"]).failing != ()
 
 
 @pytest.mark.parametrize("hidden", ["elasticity:linear", "dry_friction:coulomb", "rate_friction:viscous"])
