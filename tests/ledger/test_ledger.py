@@ -93,9 +93,9 @@ def test_nothing_fails_where_nothing_is_missing(seed: int) -> None:
 def test_a_record_that_is_shifted_is_read_by_the_clock_of_the_model(shift: float) -> None:
     folder = write_light_data(Path(mkdtemp()) / "d", seed=1, faults=[ClockOffset(shift)])
     data = complete_noise(study.read(folder))
-    values = {"valve.C_A": TRUTH.calibration, "muscle.mu_fb": TRUTH.mu_fb, "clock.shift": shift}
+    values = {"valve.C_A": TRUTH.calibration, "muscle.mu_fb": TRUTH.mu_fb, "recorder.shift": shift}
     assert keep_ledger(data, values, effects=["ClockOffset"]).failing == ()
-    assert keep_ledger(data, values | {"clock.shift": 0.0}, effects=["ClockOffset"]).failing != ()
+    assert keep_ledger(data, values | {"recorder.shift": 0.0}, effects=["ClockOffset"]).failing != ()
 
 
 @pytest.mark.parametrize("hidden", ["elasticity:linear", "dry_friction:coulomb", "rate_friction:viscous"])

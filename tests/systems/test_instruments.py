@@ -28,8 +28,8 @@ from rig.short import write_light_data
 
 # fault of the rig: the effect of the same law, its parameter, bounds and true value
 FAULTS: dict[Fault, tuple[str, str, tuple[float, float], float]] = {
-    ClockOffset(-0.04): ("ClockOffset", "clock.shift", (-2.0, 2.0), -0.04),
-    ClockOffset(0.03): ("ClockOffset", "clock.shift", (-2.0, 2.0), 0.03),
+    ClockOffset(-0.04): ("ClockOffset", "recorder.shift", (-2.0, 2.0), -0.04),
+    ClockOffset(0.03): ("ClockOffset", "recorder.shift", (-2.0, 2.0), 0.03),
     Offset("x", 1.5e-3): ("PositionOffset", "channel_x.offset", (-0.02, 0.02), 1.5e-3),
     Gain("x", 1.05): ("PositionGain", "channel_x.gain", (0.5, 2.0), 1.05),
     Lag("x", 0.03): ("PositionLag", "channel_x.tau", (1e-4, 5.0), 0.03),

@@ -17,7 +17,7 @@ model Antagonistic "Two muscles that pull a pulley against each other"
   replaceable model PositionChannel = Sensors.DirectPosition constrainedby Interfaces.PositionChannel
     "Measuring channel of the position"
     annotation (choicesAllMatching=true);
-  replaceable model Clock = Sensors.SharedClock constrainedby Interfaces.Clock "Clock of the record"
+  replaceable model Recorder = Sensors.SharedClock constrainedby Interfaces.Recorder "Recorder of the readings"
     annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-20,60},{20,100}})));
@@ -53,7 +53,7 @@ model Antagonistic "Two muscles that pull a pulley against each other"
     annotation (Placement(transformation(extent={{-170,-180},{-130,-140}})));
   PositionChannel channel_x(u=pulley.r*pulley.phi) "Measuring channel of the position"
     annotation (Placement(transformation(extent={{-110,-180},{-70,-140}})));
-  Clock clock "Clock of the record"
+  Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{-50,-180},{-10,-140}})));
 equation
   connect(supply.port, valve_1.supply)

@@ -13,7 +13,7 @@ model ClosedVessel "A vessel under pressure with everything shut"
   replaceable model TemperatureChannel = Sensors.DirectTemperature constrainedby Interfaces.TemperatureChannel
     "Measuring channel of the temperature"
     annotation (choicesAllMatching=true);
-  replaceable model Clock = Sensors.SharedClock constrainedby Interfaces.Clock "Clock of the record"
+  replaceable model Recorder = Sensors.SharedClock constrainedby Interfaces.Recorder "Recorder of the readings"
     annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-120,-20},{-80,20}})));
@@ -27,7 +27,7 @@ model ClosedVessel "A vessel under pressure with everything shut"
     annotation (Placement(transformation(extent={{-110,-90},{-70,-50}})));
   TemperatureChannel channel_T(u=thermometer.T) "Measuring channel of the temperature"
     annotation (Placement(transformation(extent={{-50,-90},{-10,-50}})));
-  Clock clock "Clock of the record"
+  Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{10,-90},{50,-50}})));
 equation
   connect(tank.port, manometer.port)

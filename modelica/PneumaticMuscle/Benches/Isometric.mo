@@ -23,7 +23,7 @@ model Isometric "A muscle whose contraction is imposed, driven by current-driven
   replaceable model TemperatureChannel = Sensors.DirectTemperature constrainedby Interfaces.TemperatureChannel
     "Measuring channel of the temperature"
     annotation (choicesAllMatching=true);
-  replaceable model Clock = Sensors.SharedClock constrainedby Interfaces.Clock "Clock of the record"
+  replaceable model Recorder = Sensors.SharedClock constrainedby Interfaces.Recorder "Recorder of the readings"
     annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
@@ -53,7 +53,7 @@ model Isometric "A muscle whose contraction is imposed, driven by current-driven
     annotation (Placement(transformation(extent={{-110,-210},{-70,-170}})));
   TemperatureChannel channel_T(u=thermometer.T) "Measuring channel of the temperature"
     annotation (Placement(transformation(extent={{-50,-210},{-10,-170}})));
-  Clock clock "Clock of the record"
+  Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{10,-210},{50,-170}})));
 equation
   connect(supply.port, valve.supply)

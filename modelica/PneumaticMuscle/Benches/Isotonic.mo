@@ -22,7 +22,7 @@ model Isotonic "A muscle that lifts a hanging mass, driven by current-driven val
   replaceable model TemperatureChannel = Sensors.DirectTemperature constrainedby Interfaces.TemperatureChannel
     "Measuring channel of the temperature"
     annotation (choicesAllMatching=true);
-  replaceable model Clock = Sensors.SharedClock constrainedby Interfaces.Clock "Clock of the record"
+  replaceable model Recorder = Sensors.SharedClock constrainedby Interfaces.Recorder "Recorder of the readings"
     annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
@@ -54,7 +54,7 @@ model Isotonic "A muscle that lifts a hanging mass, driven by current-driven val
     annotation (Placement(transformation(extent={{-110,-170},{-70,-130}})));
   TemperatureChannel channel_T(u=thermometer.T) "Measuring channel of the temperature"
     annotation (Placement(transformation(extent={{-50,-170},{-10,-130}})));
-  Clock clock "Clock of the record"
+  Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{10,-170},{50,-130}})));
 equation
   connect(supply.port, valve.supply)

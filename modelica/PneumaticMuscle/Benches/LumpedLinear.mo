@@ -14,7 +14,7 @@ model LumpedLinear "Linear model of three states, pressure, length and its rate,
   replaceable model ForceChannel = Sensors.DirectForce constrainedby Interfaces.ForceChannel
     "Measuring channel of the force"
     annotation (choicesAllMatching=true);
-  replaceable model Clock = Sensors.SharedClock constrainedby Interfaces.Clock "Clock of the record"
+  replaceable model Recorder = Sensors.SharedClock constrainedby Interfaces.Recorder "Recorder of the readings"
     annotation (choicesAllMatching=true);
   parameter Types.GaugePressure p_0(min=0, max=1e6) = 2.5e5 "Gauge pressure at the operating point"
     annotation (Dialog(group="Operating point"));
@@ -37,7 +37,7 @@ model LumpedLinear "Linear model of three states, pressure, length and its rate,
     annotation (Placement(transformation(extent={{-45,-140},{-5,-100}})));
   ForceChannel channel_F(u=F_0 + C_1*(P - p_0) + C_2*l) "Measuring channel of the force"
     annotation (Placement(transformation(extent={{5,-140},{45,-100}})));
-  Clock clock "Clock of the record"
+  Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{55,-140},{95,-100}})));
 protected
   Types.Length l(start=0, fixed=true) "Length, from that at the operating point";

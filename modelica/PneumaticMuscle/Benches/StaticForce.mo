@@ -7,7 +7,7 @@ model StaticForce "Pull of a muscle by pressure and contraction ratio, without a
   replaceable model ForceChannel = Sensors.DirectForce constrainedby Interfaces.ForceChannel
     "Measuring channel of the force"
     annotation (choicesAllMatching=true);
-  replaceable model Clock = Sensors.SharedClock constrainedby Interfaces.Clock "Clock of the record"
+  replaceable model Recorder = Sensors.SharedClock constrainedby Interfaces.Recorder "Recorder of the readings"
     annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-70,-20},{-30,20}})));
@@ -15,7 +15,7 @@ model StaticForce "Pull of a muscle by pressure and contraction ratio, without a
     annotation (Placement(transformation(extent={{10,-20},{50,20}})));
   ForceChannel channel_F(u=muscle.F) "Measuring channel of the force"
     annotation (Placement(transformation(extent={{-80,-100},{-40,-60}})));
-  Clock clock "Clock of the record"
+  Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{-20,-100},{20,-60}})));
 equation
   F = channel_F.y;

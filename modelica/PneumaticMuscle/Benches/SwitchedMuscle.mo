@@ -19,7 +19,7 @@ model SwitchedMuscle "A muscle of imposed contraction that on-off valves fill fr
   replaceable model TemperatureChannel = Sensors.DirectTemperature constrainedby Interfaces.TemperatureChannel
     "Measuring channel of the temperature"
     annotation (choicesAllMatching=true);
-  replaceable model Clock = Sensors.SharedClock constrainedby Interfaces.Clock "Clock of the record"
+  replaceable model Recorder = Sensors.SharedClock constrainedby Interfaces.Recorder "Recorder of the readings"
     annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
@@ -45,7 +45,7 @@ model SwitchedMuscle "A muscle of imposed contraction that on-off valves fill fr
     annotation (Placement(transformation(extent={{-170,-150},{-130,-110}})));
   TemperatureChannel channel_T(u=thermometer.T) "Measuring channel of the temperature"
     annotation (Placement(transformation(extent={{-110,-150},{-70,-110}})));
-  Clock clock "Clock of the record"
+  Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{-50,-150},{-10,-110}})));
 protected
   constant Types.Current u_open = (1e-5 + 2.61e-7)/1.80e-6 "Current at which DP (62) opens 10 mm2";

@@ -18,7 +18,7 @@ model TankFilling "A tank that is filled and emptied through current-driven valv
   replaceable model TemperatureChannel = Sensors.DirectTemperature constrainedby Interfaces.TemperatureChannel
     "Measuring channel of the temperature"
     annotation (choicesAllMatching=true);
-  replaceable model Clock = Sensors.SharedClock constrainedby Interfaces.Clock "Clock of the record"
+  replaceable model Recorder = Sensors.SharedClock constrainedby Interfaces.Recorder "Recorder of the readings"
     annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
@@ -40,7 +40,7 @@ model TankFilling "A tank that is filled and emptied through current-driven valv
     annotation (Placement(transformation(extent={{-170,-120},{-130,-80}})));
   TemperatureChannel channel_T(u=thermometer.T) "Measuring channel of the temperature"
     annotation (Placement(transformation(extent={{-110,-120},{-70,-80}})));
-  Clock clock "Clock of the record"
+  Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{-50,-120},{-10,-80}})));
 equation
   connect(supply.port, valve.supply)

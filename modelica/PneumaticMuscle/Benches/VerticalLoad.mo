@@ -7,7 +7,7 @@ model VerticalLoad "The empirical muscle with a hanging load, driven by pressure
   replaceable model PositionChannel = Sensors.DirectPosition constrainedby Interfaces.PositionChannel
     "Measuring channel of the position"
     annotation (choicesAllMatching=true);
-  replaceable model Clock = Sensors.SharedClock constrainedby Interfaces.Clock "Clock of the record"
+  replaceable model Recorder = Sensors.SharedClock constrainedby Interfaces.Recorder "Recorder of the readings"
     annotation (choicesAllMatching=true);
   parameter Real frequency(unit="Hz", min=0.01, max=100) = 0.5 "Frequency of the excitation"
     annotation (Dialog(group="Load"));
@@ -27,7 +27,7 @@ model VerticalLoad "The empirical muscle with a hanging load, driven by pressure
     annotation (Placement(transformation(extent={{95,-105},{135,-65}})));
   PositionChannel channel_x(u=ruler.x) "Measuring channel of the position"
     annotation (Placement(transformation(extent={{-80,-170},{-40,-130}})));
-  Clock clock "Clock of the record"
+  Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{-20,-170},{20,-130}})));
 equation
   connect(regulator.port, muscle.port)

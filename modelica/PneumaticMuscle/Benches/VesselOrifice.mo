@@ -11,7 +11,7 @@ model VesselOrifice "A vessel that empties or fills through a plain orifice"
   replaceable model TemperatureChannel = Sensors.DirectTemperature constrainedby Interfaces.TemperatureChannel
     "Measuring channel of the temperature"
     annotation (choicesAllMatching=true);
-  replaceable model Clock = Sensors.SharedClock constrainedby Interfaces.Clock "Clock of the record"
+  replaceable model Recorder = Sensors.SharedClock constrainedby Interfaces.Recorder "Recorder of the readings"
     annotation (choicesAllMatching=true);
   replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"
     annotation (choicesAllMatching=true);
@@ -33,7 +33,7 @@ model VesselOrifice "A vessel that empties or fills through a plain orifice"
     annotation (Placement(transformation(extent={{-130,-90},{-90,-50}})));
   TemperatureChannel channel_T(u=thermometer.T) "Measuring channel of the temperature"
     annotation (Placement(transformation(extent={{-70,-90},{-30,-50}})));
-  Clock clock "Clock of the record"
+  Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{-10,-90},{30,-50}})));
 equation
   connect(tank.port, orifice.port_a)

@@ -1,6 +1,6 @@
 within PneumaticMuscle.Sensors;
 model SharedClock "One clock for inputs and readings"
-  extends Interfaces.Clock;
+  extends Interfaces.Recorder;
 equation
   t = time;
   annotation (Documentation(info="<html>

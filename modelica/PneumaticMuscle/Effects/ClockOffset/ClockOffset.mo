@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.ClockOffset;
 model ClockOffset "All readings are recorded late or early"
-  extends Interfaces.Clock;
+  extends Interfaces.Recorder;
   extends FamilyMember(final absent="shift=0");
   parameter Types.RecordDelay shift(min=-2, max=2) = 0.02 "By how much readings are recorded late; negative: early"
     annotation (Dialog(group="Effect"));
@@ -9,7 +9,7 @@ equation
   annotation (Documentation(info="<html>
 <p>t = time + shift, the same in all runs. Source: two loggers that were started one after the other, or one that stamps
 a block of samples when it ends. Typical -0.5 to 0.5 s. What a record shows before the start is what the model has at
-the start. Other tools draw outputs over <code>t</code>, see <code>Interfaces.Clock</code>.</p>
+the start. Other tools draw outputs over <code>t</code>, see <code>Interfaces.Recorder</code>.</p>
 <p>Fingerprint: every switching of a valve shows late, or early, in all readings alike. Where only the currents of the
 valves change in a run, readings that are late cannot be told from valves with a dead time (ValveDelay); a step of
 the supply, or an imposed motion, tells.</p>

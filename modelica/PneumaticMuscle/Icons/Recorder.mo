@@ -1,5 +1,5 @@
 within PneumaticMuscle.Icons;
-partial class Clock "A clock"
+partial class Recorder "A recorder, by its clock"
   extends Named;
   annotation (Icon(coordinateSystem(preserveAspectRatio=true, extent={{-100,-100},{100,100}}), graphics={
     Ellipse(extent={{-70,-70}, {70,70}}, lineColor={110,60,140}, fillColor={255,255,255},
@@ -13,4 +13,4 @@ partial class Clock "A clock"
     Documentation(info="<html>
 <p>A face with two hands.</p>
 </html>"));
-end Clock;
+end Recorder;

@@ -1,6 +1,6 @@
 within PneumaticMuscle.Interfaces;
-partial model Clock "What the clock of the record shows"
-  extends Icons.Clock;
+partial model Recorder "What the clock of the record shows"
+  extends Icons.Recorder;
   Types.Time t "Time that is written beside what the instruments show";
   annotation (Documentation(info="<html>
 <p>What the instruments show at <code>time</code>, the time of the inputs, is recorded for t. Left to the extending
@@ -10,4 +10,4 @@ record reads its outputs when t is what the record says. A parameter of <code>Ty
 much t is ahead of time; this project's simulator reads all outputs that much earlier, or later, than it is asked
 for. Another tool's outputs are to be drawn over t.</p>
 </html>"));
-end Clock;
+end Recorder;
