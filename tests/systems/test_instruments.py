@@ -62,6 +62,14 @@ def test_a_fault_is_measured(tmp_path: Path, fault: Fault) -> None:
     assert 0.85 < fit.comparison.chi2_reduced("holdout") < 1.2
 
 
+def test_a_transducer_and_its_channel_may_both_be_at_fault_and_a_channel_has_one_fault() -> None:
+    tree, bench = read_library(), "PneumaticMuscle.Benches.Isotonic"
+    both = compose(tree, bench, ["PressureOffset", "PressureLag"])
+    assert both is not None and both.parameters["PressureLag"] == ("channel_p.tau",)
+    assert compose(tree, bench, ["PositionOffset", "PositionCeiling"]) is None
+    assert compose(tree, bench, ["ForceOffset"]) is None  # no force is read there
+
+
 NAMED: dict[tuple[Fault, ...], str] = {
     (Offset("x", 1.5e-3),): "position_sensor",
     (OffsetAndGain("x", 1e-3, 1.04),): "position_sensor",
