@@ -78,7 +78,7 @@ def _detent(rng: Random, muscle: MuscleParameters) -> At:
 
 
 def _slow_reel(rng: Random, muscle: MuscleParameters) -> At:
-    return lambda s: blind.none_of_these.SlowReel(0.04 / s)
+    return lambda s: blind.none_of_these.SlowReel(0.03 / s)
 
 
 FORMS: tuple[Form, ...] = (

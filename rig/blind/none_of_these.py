@@ -129,7 +129,7 @@ class SlowReel(Strange):
         return (rest.x,)
 
     def rates(self, q: State, now: Now) -> tuple[float, ...]:
-        gap = (now.x - q[0]) / _QUICK
+        gap = (now.x - q[0]) / 1e-3
         return (gap if gap > 0 else gap / sqrt(1 + (gap / self.fastest) ** 2),)
 
     def position_shown(self, q: State, x: float) -> float:
