@@ -133,7 +133,7 @@ class Chain:
 
     def gas(self, y: Sequence[float]) -> tuple[float, float]:
         """Absolute pressure [Pa] and temperature [K]."""
-        pv = (GAMMA - 1) * y[0]
+        pv = max((GAMMA - 1) * y[0], 1e-6)  # a step that an integrator tries and rejects may go below nothing
         p = pv / (self.par.volume(y[1]) + self.dead_volume)
         temperature = T_ATM * (p / P_ATM) ** ((self.par.n_g - 1) / self.par.n_g)
         for effect, own in zip(self.effects, self.slices, strict=True):

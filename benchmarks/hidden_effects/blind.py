@@ -72,6 +72,11 @@ def _smaller(kind: type[Effect], parameter: str, unit: float) -> Make:
     return lambda rng, muscle: lambda s: kind(**{parameter: unit / s**0.5})
 
 
+def _crank(rng: Random, muscle: MuscleParameters) -> At:
+    radius, a = muscle.length * spread(rng, 0.3, 0.6), muscle.length * spread(rng, 0.05, 0.12)
+    return lambda s: blind.moving_mass.Crank(1.5 * s, radius, a)
+
+
 def _detent(rng: Random, muscle: MuscleParameters) -> At:
     x_1, width = muscle.length * rng.uniform(0.04, 0.12), spread(rng, 8e-4, 3e-3)
     return lambda s: blind.none_of_these.Detent(10.0 * s, x_1, width)
@@ -106,8 +111,7 @@ FORMS: tuple[Form, ...] = (
     Form("end_shape", "bridging_bladder", S, False,
          _braided(blind.end_shape.BridgingBladder, "c", 0.4, p_0=(5e4, 2e5)), high=4.0),
     Form("moving_mass", "own_wall", S, False, _braided(blind.moving_mass.OwnWall, "m", 0.4, True)),
-    Form("moving_mass", "crank", S, False,
-         plain(blind.moving_mass.Crank, "m", 1.5, radius=(0.07, 0.15), a=(0.012, 0.03))),
+    Form("moving_mass", "crank", S, False, _crank),
     Form("moving_mass", "freewheel", S, False,
          plain(blind.moving_mass.Freewheel, "m", 4.0, tau=(0.01, 0.04), coast=(0.3, 2.0))),
     Form("valve_dynamics", "pressed_plunger", S, False,

@@ -193,6 +193,10 @@ class DrippingLoad(Clocked):
     form = "dripping_load"
     rate: float = 0.02  # kg/s
 
+    def resting_mass(self) -> float:
+        """Nothing but the load rests at the start; a rig without one does not drip."""
+        return 0.0
+
     def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
         return -self.rate * q[0] * G
 

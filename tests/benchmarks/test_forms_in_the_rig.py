@@ -10,9 +10,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from benchmarks.hidden_effects import table
+from benchmarks.hidden_effects import many, table
 from benchmarks.hidden_effects.cases import _draw_bench, _fitting_noise
 from benchmarks.hidden_effects.noise import draw_sensors
+from benchmarks.hidden_effects.setups import SIGNALS, Design, draw
 from benchmarks.hidden_effects.sizes import Ruler, calibrated
 from rig.effect import Effect
 from rig.muscle import MuscleParameters
@@ -85,6 +86,20 @@ def test_the_rig_runs_at_the_bounds_of_a_strength(form):
         assert type(effect).pressure_shown is not Effect.pressure_shown or run["p"].min() > -2e4
         assert run["x"].max() < 0.5 * bench.muscle.length
         assert 180.0 < run["T"].min() <= run["T"].max() < 480.0
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("bench", SIGNALS)
+def test_new_forms_run_on_each_bench_that_takes_them(bench):
+    signals = SIGNALS[bench][0][0]
+    setup = draw(np.random.default_rng(3), Design(bench, signals, 50.0, 1)).driven()
+    base = setup.simulate()[0]
+    taken = [form for form in NEW if setup.design.rig.takes(many._sample(form), signals)]
+    assert len({form.family for form in taken}) >= 3
+    for form in taken:
+        run = setup.simulate([form.make(np.random.default_rng(9), setup.muscle)(1.0)])[0]
+        assert all(np.isfinite(run[name]).all() for name in signals), form.name
+        assert any(not np.array_equal(run[name], base[name]) for name in signals), form.name
 
 
 @pytest.mark.parametrize("form", NEW[::6], ids=_name)
