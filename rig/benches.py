@@ -47,6 +47,7 @@ class RigBench:
         has: hooks of `Effect`, and fields of `Now`, that act on this bench, each with the signals of which at least
             one has to be measured for it to be seen.
         simulation: (values, trial, times, effects, rtol) -> signals.
+        itself: forms (family:form) that its model has, with parameters that are free; hiding them hides nothing.
     """
 
     name: str
@@ -56,6 +57,7 @@ class RigBench:
     course: str | None
     has: Mapping[str, frozenset[str]]
     simulation: Simulation
+    itself: frozenset[str] = frozenset()
 
     def simulate(
         self, values: Values, trial: Trial, hidden: Sequence[Effect | Fault] = (), rtol: float = 1e-6
@@ -91,6 +93,8 @@ class RigBench:
         if isinstance(hidden, Fault):
             return getattr(hidden, "signal", measured[0]) in measured
         needed = hooks(hidden)
+        if f"{hidden.family}:{hidden.form}" in self.itself:
+            return False
         return all(hook in self.has and self.has[hook] & set(measured) for hook in needed)
 
 
@@ -242,7 +246,7 @@ BENCHES: dict[str, RigBench] = {
         RigBench(
             "VerticalLoad", f"{_PACKAGE}Examples.ConstantFrictionLoad", ("x",), ("p",), "p",
             _seen({"x": f"force {_MASSES} position_shown in_run in_truth now.x now.v now.p_gauge now.temperature"}),
-            _vertical,
+            _vertical, frozenset({"rate_friction:viscous", "dry_friction:coulomb"}),
         ),
         RigBench(
             "TankFilling", f"{_PACKAGE}Benches.TankFilling", ("p", "T"), ("u_in", "u_out", "p_supply"), None,

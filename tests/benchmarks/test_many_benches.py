@@ -23,7 +23,7 @@ from benchmarks.hidden_effects.setups import SHARES, Design, draw, draw_design
 from pam_cosim.catalogue import compose
 from rig.benches import BENCHES, hooks
 from rig.catalogue.elasticity import LinearSpring
-from rig.catalogue.rate_friction import LoadFrequency
+from rig.catalogue.rate_friction import LoadFrequency, Viscous
 from rig.catalogue.thermocouple_lag import ThermocoupleLag
 from rig.instruments import Quantisation
 from rig.schedule import SampledSchedule
@@ -84,6 +84,7 @@ def test_what_can_be_hidden_follows_from_the_hooks_of_an_effect() -> None:
     assert not BENCHES["VesselOrifice"].takes(ThermocoupleLag(), ["p"])
     assert BENCHES["VerticalLoad"].takes(LoadFrequency(), ["x"])
     assert not BENCHES["Isotonic"].takes(LoadFrequency(), ["p", "x", "T"])
+    assert not BENCHES["VerticalLoad"].takes(Viscous(), ["x"])  # its model has that, with a free coefficient
     assert not BENCHES["TankFilling"].takes(PulledCrimp(), ["p"])  # it reads a contraction
     assert BENCHES["SwitchedMuscle"].takes(Quantisation("p"), ["p"])
     assert not BENCHES["SwitchedMuscle"].takes(Quantisation("T"), ["p"])
@@ -239,7 +240,7 @@ def test_report_of_many_benches(tmp_path: Path, probability: dict[str, float]) -
     file.write_text("\n".join(json.dumps(line) for line in lines) + "\n")
     assert report_main([str(file), "--out", str(tmp_path / "out")]) == 0
     text = (tmp_path / "out" / "report.md").read_text()
-    assert "| three effects: all found | 75 % | 100 % (21 to 100; 1 of 1) | yes |" in text
+    assert "3 standard deviations each: all found | 75 % | 100 % (21 to 100; 1 of 1) | yes |" in text
     assert "| time of a diagnosis, longest | 60 s | 80 s | no |" in text
     assert "| memory, most | 1000 MB | 300 MB | yes |" in text
     assert "newest_family" in text and "| TankFilling |" in text and "| 20 Hz |" in text
