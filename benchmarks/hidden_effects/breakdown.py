@@ -79,17 +79,20 @@ def breakdown_table(results: Sequence[Result], by: str) -> list[str]:
 def time_table(results: Sequence[Result], groups: dict[str, str]) -> list[str]:
     """Markdown: seconds and megabytes of a diagnosis by group."""
     lines = [
-        "| hidden | cases | median [s] | 95 % [s] | longest [s] | memory in the middle [MB] | most [MB] |",
-        "|---|---|---|---|---|---|---|",
+        "| hidden | cases | median [s] | 95 % [s] | longest [s] | processor time in the middle [s] | "
+        "memory in the middle [MB] | most [MB] |",
+        "|---|---|---|---|---|---|---|---|",
     ]
     for group, text in [*groups.items(), ("", "all")]:
         chosen = [r for r in results if not group or r["case"].get("group") == group]
         times = [float(r["seconds"]) for r in chosen if "seconds" in r]
         memory = [float(r["megabytes"]) for r in chosen if "megabytes" in r]
+        busy = [float(r["processor_seconds"]) for r in chosen if "processor_seconds" in r]
         if times:
+            processor = f"{np.median(busy):.3g}" if busy else ""
             spent = f"{np.median(times):.3g} | {np.quantile(times, 0.95):.3g} | {max(times):.3g}"
             used = f"{np.median(memory):.0f} | {max(memory):.0f}" if memory else " | "
-            lines.append(f"| {text} | {len(chosen)} | {spent} | {used} |")
+            lines.append(f"| {text} | {len(chosen)} | {spent} | {processor} | {used} |")
     return lines
 
 

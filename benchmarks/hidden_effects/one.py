@@ -35,13 +35,20 @@ def solve(which: str, number: int, folder: Path, workers: int) -> dict[str, Any]
     except Exception:
         return result | {"error": {"where": "generator", "text": traceback.format_exc()}}
     result["generation_seconds"] = round(time.perf_counter() - start, 2)
-    before, start = memory(), time.perf_counter()
+    before, start, spent = memory(), time.perf_counter(), processor_seconds()
     try:
         result["diagnosis"] = _diagnosis(folder, made.description, workers)
     except Exception:
         result["error"] = {"where": "diagnosis", "text": traceback.format_exc()}
     result["seconds"] = round(time.perf_counter() - start, 2)
-    return result | {"megabytes": memory(), "megabytes_before": before}
+    used = {"processor_seconds": round(processor_seconds() - spent, 2)}
+    return result | used | {"megabytes": memory(), "megabytes_before": before}
+
+
+def processor_seconds() -> float:
+    """Processor time of this process, and of those that it started and saw end, so far [s]."""
+    use = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    return sum(one.ru_utime + one.ru_stime for one in use)
 
 
 def memory() -> float:

@@ -4,7 +4,7 @@
 
 Results are added to OUT (default build/hidden-effects-SET.jsonl) as they come; a second call goes on where the first
 was stopped. A case that crashes or takes longer than --time-limit has that as its result; --again tries those anew.
-Each case runs in a process of its own with one worker. `report.py` makes the tables and figures.
+Each case runs in a process of its own with --workers. `report.py` makes the tables and figures.
 """
 
 from __future__ import annotations
@@ -47,10 +47,11 @@ def read_results(file: Path) -> dict[int, Result]:
     return results
 
 
-def run_case(which: str, number: int, limit: float) -> Result:
+def run_case(which: str, number: int, limit: float, workers: int = 0) -> Result:
     """One case in a process of its own, with all that it starts ended after `limit` seconds."""
     start = time.perf_counter()
     command = [sys.executable, "-m", "benchmarks.hidden_effects.one", "--set", which, "--number", str(number)]
+    command += ["--workers", str(workers)]
     environment = os.environ | {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
     process = subprocess.Popen(
         command,
@@ -97,6 +98,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--cases", type=int, default=300, help="how many, from --first on")
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--workers", type=int, default=0, help="processes of one diagnosis; times: 2, with --jobs 1")
     parser.add_argument("--time-limit", type=float, default=900.0, help="seconds for one case")
     parser.add_argument("--out", type=Path)
     parser.add_argument("--again", action="store_true", help="repeat cases that ended with an error")
@@ -114,7 +116,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     with ThreadPoolExecutor(options.jobs) as pool, file.open("a") as out:
         if out.tell() and not file.read_text().endswith("\n"):
             out.write("\n")  # the last run was stopped within a line
-        waiting = [pool.submit(run_case, options.which, n, options.time_limit) for n in numbers]
+        waiting = [pool.submit(run_case, options.which, n, options.time_limit, options.workers) for n in numbers]
         try:
             for count, future in enumerate(as_completed(waiting), start=1):
                 result = future.result()
