@@ -17,12 +17,16 @@ model ReviewedValves "Inlet and exhaust valve with a place for the law of flow"
     annotation (choicesAllMatching=true);
   replaceable model Opening = Laws.Valves.ImmediateOpening constrainedby Interfaces.ValveOpening
     "Dynamics of the openings" annotation (choicesAllMatching=true);
-  Area area(u={u_in, u_out}, p_a={supply.p, port.p}, p_b={port.p, exhaust.p}, C_A=C_A) "From current to effective area";
+  replaceable model Feed = Laws.Lines.DirectFeed constrainedby Interfaces.Feed "What lies before the inlet valve"
+    annotation (choicesAllMatching=true);
+  Feed feed "What lies before the inlet valve";
+  Area area(u={u_in, u_out}, p_a={feed.port_b.p, port.p}, p_b={port.p, exhaust.p}, C_A=C_A) "From current to effective area";
   Opening opening(A_set=area.A) "From that to the area that the gas finds";
   Flow inlet(A=opening.A[1]) "Inlet valve";
   Flow outlet(A=opening.A[2]) "Exhaust valve";
 equation
-  connect(supply, inlet.port_a);
+  connect(supply, feed.port_a);
+  connect(feed.port_b, inlet.port_a);
   connect(inlet.port_b, port);
   connect(port, outlet.port_a);
   connect(outlet.port_b, exhaust);

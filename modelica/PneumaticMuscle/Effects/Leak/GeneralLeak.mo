@@ -1,5 +1,5 @@
 within PneumaticMuscle.Effects.Leak;
-model GeneralLeak "Gas escapes by any smooth law of gauge pressure and contraction"
+model GeneralLeak "Gas escapes by any smooth law of gauge pressure, contraction and temperature, or above a threshold"
   extends Interfaces.MuscleTerminals;
   extends FamilyMember(final general=true, final absent="G=0");
   parameter Real G(unit="kg/(s.Pa)", min=0, max=1e-9, nominal=1e-11) = 1e-11 "Conductance at 100 kPa and full length"
@@ -14,18 +14,28 @@ model GeneralLeak "Gas escapes by any smooth law of gauge pressure and contracti
     annotation (Dialog(group="Effect"));
   parameter Real bend(unit="1", min=-0.5, max=0.5, nominal=0.1) = 0 "Half of what that gains there"
     annotation (Dialog(group="Effect"));
+  parameter Types.GaugePressure p_open(min=0, max=2e5, nominal=5e4) = 5e3 "Gauge pressure above which it opens"
+    annotation (Dialog(group="Effect"));
+  parameter Real n_T(unit="1", min=-6, max=6, nominal=2) = 0 "Exponent of the temperature of the gas"
+    annotation (Dialog(group="Effect"));
 protected
   constant Types.Pressure p_reference = 1e5 "Pressure at which the law equals G p";
   Real q(unit="1") = (port.p - ambient.p)/p_reference "Gauge pressure by the reference";
+  constant Real q_smooth(unit="1") = 0.03 "Pressure by the reference over which it opens";
+  Real o(unit="1") = p_open/p_reference "Pressure at which it opens, by the reference";
+  Real over(unit="1") = q + 0.5*(sqrt((q - o)^2 + q_smooth^2) - sqrt((q + o)^2 + q_smooth^2)) "What q is beyond that";
   Real s(unit="1") = 8*(1 - (flange_b.s - flange_a.s)/L0) "Contraction by an eighth of the length";
 equation
-  port.m_flow = G*p_reference*Functions.curvedPower(q, a, b, 0.01)*exp(g*(q - 1) + s*(growth + bend*s));
+  port.m_flow = G*p_reference*Functions.curvedPower(over, a, b, 0.01)*exp(g*(q - 1) + s*(growth + bend*s)
+    + n_T*log(max(port.T, 1.0)/ambient.T));
   port.H_flow = port.m_flow*Constants.cp*Functions.upstreamTemperature(port.p, ambient.p, port.T, ambient.T);
   flange_a.f = 0;
   flange_b.f = 0;
   annotation (defaultComponentName="leak", Documentation(info="<html>
-<p>m_flow = G p_gauge |q|^(a + b ln|q|) exp(g (q - 1) + growth s + bend s^2), q = p_gauge/100 kPa, s = 8 x/L0: as
-FlexibleLeak, times exponentials of the pressure and of the contraction. Source: first terms of the expansion of the
+<p>m_flow = G 100 kPa r |r|^(a + b ln|r|) exp(g (q - 1) + growth s + bend s^2) (T/T_atm)^n_T, q = p_gauge/100 kPa, r = q -
+p_open/100 kPa beyond p_open and 0 below, rounded over 3 kPa, s = 8 x/L0: as FlexibleLeak from a threshold on, times
+exponentials of the pressure and of the contraction and a power of the temperature. A relief valve or a lip opens at a
+pressure; viscosity and density of the gas go with its temperature. Source: first terms of the expansion of the
 logarithm of the conductance; lips are pressed shut or open by the pressure, pores and end fittings open as the bladder
 is stretched. What
 pressure presses shut, p exp(-p/p_0), and what opens with the exponential of the contraction are met exactly, one that

@@ -1,0 +1,15 @@
+within PneumaticMuscle.Effects.ValveArea;
+model LeakingSeat "The inlet valve does not shut fully"
+  extends Interfaces.ValveArea;
+  extends FamilyMember(final absent="A_seat=0");
+  parameter Types.Area A_seat(min=0, max=2.5e-7, nominal=5e-9) = 5e-9 "Effective area that stays open"
+    annotation (Dialog(group="Effect"));
+equation
+  A[1] = C_A*Functions.openingArea(u[1]) + A_seat;
+  A[2] = C_A*Functions.openingArea(u[2]);
+  annotation (Documentation(info="<html>
+<p>A_in = A(u_in) + A_seat. Source: the seat leakage that data sheets of valves state; a notch, or dirt on the seat, is an orifice
+beside it, DP (40)-(42). That of the exhaust valve is OrificeLeak. Typical 1e-10 to 1e-8 m2.</p>
+<p>Fingerprint: the pressure rises while both valves are shut, towards the supply, and venting ends above ambient pressure.</p>
+</html>"));
+end LeakingSeat;

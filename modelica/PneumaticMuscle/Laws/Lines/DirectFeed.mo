@@ -1,0 +1,9 @@
+within PneumaticMuscle.Laws.Lines;
+model DirectFeed "The inlet valve sits on the supply"
+  extends Interfaces.Feed;
+equation
+  connect(port_a, port_b);
+  annotation (Documentation(info="<html>
+<p>The two ends are one place: DP take the pressure of the supply for that before the valve.</p>
+</html>"));
+end DirectFeed;
