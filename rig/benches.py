@@ -18,7 +18,7 @@ from rig.effect import Effect, LineEffect, Now
 from rig.flow import P_ATM
 from rig.held import simulate_held, switched
 from rig.instruments import Fault, disturbed
-from rig.integrate import PATIENCE, Array
+from rig.integrate import Array
 from rig.muscle import MuscleParameters, simulate_muscle
 from rig.pair import PulleyParameters, simulate_pair
 from rig.schedule import Schedule
@@ -156,7 +156,7 @@ def _muscle(values: Values, muscle: str = "muscle", valve: str = "valve") -> Mus
 
 def _isotonic(values: Values, trial: Trial, times: Array, effects: Sequence[Effect], rtol: float) -> Signals:
     (schedule,) = trial.schedules
-    t = simulate_muscle(_muscle(values), values["p_supply"], schedule, times, effects, rtol, "LSODA", PATIENCE)
+    t = simulate_muscle(_muscle(values), values["p_supply"], schedule, times, effects, rtol, "BDF")
     return {"p": t.p, "x": t.x, "T": t.temperature}
 
 

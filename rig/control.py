@@ -90,7 +90,7 @@ def _run(
         read = chain.reading(y.tolist())[place] + loop.noise * rng.standard_normal()
         told.append(answer(loop.wanted[k] - read))
         piece = (k * loop.step, (k + 1) * loop.step)
-        solution = solve_ivp(rates, piece, y, method="LSODA", rtol=_RTOL, atol=atol)
+        solution = solve_ivp(rates, piece, y, method="BDF", rtol=_RTOL, atol=atol)
         if not solution.success:
             raise RuntimeError(f"the closed loop stopped at {piece[0]} s: {solution.message}")
         y = solution.y[:, -1]

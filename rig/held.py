@@ -75,7 +75,7 @@ def simulate_held(
     effects: Sequence[Effect] = (),
     lag: float = 5e-3,
     rtol: float = 1e-8,
-    method: str = "LSODA",
+    method: str = "BDF",
 ) -> HeldTrajectory:
     """Simulate one run from rest without contraction at times[0].
 

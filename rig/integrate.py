@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.integrate import solve_ivp
+from scipy.integrate import LSODA, solve_ivp
 
 from rig.schedule import Course, Joint, Schedule
 
@@ -18,6 +18,8 @@ Rates = Callable[[Sequence[float], Any], list[float]]
 
 PATIENCE = 20_000
 """Evaluations in one piece, some seconds of work; most pieces take a thousand."""
+_MORE = 5  # times as many for BDF
+_SAME = 1e-9  # s, between instants that are one
 
 
 def integrate(
@@ -35,9 +37,11 @@ def integrate(
     patience: evaluations in one piece after which BDF does it instead: LSODA now and then misses that it must switch
     to stiff steps, as where both sides of an open valve have the same pressure. None: never.
     Raises RuntimeError when the integrator gives up.
+
+    SciPy 1.17's LSODA hangs now and then within one step, without an evaluation, in runs of many short pieces; the same
+    run goes through when it is repeated. Where that was seen BDF is the method, which takes about twice the time.
     """
-    t_end = float(times[-1])
-    edges = sorted({float(times[0]), t_end, *(t for t in schedule.starts if times[0] < t < t_end)})
+    edges = _edges(schedule.starts, float(times[0]), float(times[-1]))
     states = np.empty((len(start), len(times)))
     states[:, 0] = start
     y = np.array(start, dtype=float)
@@ -47,16 +51,51 @@ def integrate(
         grid = np.append(np.minimum(times[wanted], right), right)
         options: dict[str, Any] = {"t_eval": np.unique(grid), "rtol": rtol, "atol": atol}
         function = partial(_flat, rates, told)
-        try:
-            patient = function if patience is None else _counted(function, patience)
-            solution = solve_ivp(patient, (left, right), y, method=method, **options)
-        except _Slow:
-            solution = solve_ivp(function, (left, right), y, method="BDF", **options)
+        if patience is None or method != "LSODA":
+            solution = solve_ivp(function, (left, right), y, method=method, **options)
+        else:
+            solution = solve_ivp(function, (left, right), y, method=_PatientLSODA, patience=patience, **options)
+            if not solution.success:
+                solution = _by_bdf(function, (left, right), y, options, _MORE * patience)
         if not solution.success:
             raise RuntimeError(f"integration stopped between {left} s and {right} s: {solution.message}")
         states[:, wanted] = solution.y[:, : len(wanted)]
         y = solution.y[:, -1]
     return states
+
+
+def _edges(switches: Sequence[float], begin: float, end: float) -> list[float]:
+    """Begin, switches and end in order; of two instants that rounding parts, one: LSODA hangs in between."""
+    edges = [begin]
+    for t in sorted(t for t in switches if begin < t < end - _SAME):
+        if t > edges[-1] + _SAME:
+            edges.append(t)
+    return [*edges, end]
+
+
+def _by_bdf(
+    function: Callable[[float, Array], list[float]], piece: tuple[float, float], y: Array, options: dict[str, Any],
+    most: int,
+) -> Any:  # fmt: skip
+    """What LSODA did not do. Raises RuntimeError where this is too slow as well."""
+    try:
+        return solve_ivp(_counted(function, most), piece, y, method="BDF", **options)
+    except _Slow:
+        raise RuntimeError(f"integration between {piece[0]} s and {piece[1]} s takes too many steps") from None
+
+
+class _PatientLSODA(LSODA):  # type: ignore[misc]
+    """Gives up between two steps: an exception within one would leave the Fortran of the next call in disorder."""
+
+    def __init__(self, *arguments: Any, patience: int, **options: Any) -> None:
+        super().__init__(*arguments, **options)
+        self.patience = patience
+
+    def _step_impl(self) -> tuple[bool, str | None]:
+        if self.nfev > self.patience:
+            return False, "too many evaluations"
+        success, message = super()._step_impl()
+        return bool(success), message
 
 
 class _Slow(Exception):

@@ -106,7 +106,7 @@ def simulate_pair(
     times: Array,
     effects: Sequence[Effect] = (),
     rtol: float = 1e-8,
-    method: str = "LSODA",
+    method: str = "BDF",
 ) -> PairTrajectory:
     """Simulate one run from rest in the middle at times[0], with a schedule of currents for each muscle.
 

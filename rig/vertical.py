@@ -109,7 +109,7 @@ def simulate_vertical(
     times: Array,
     effects: Sequence[Effect] = (),
     rtol: float = 1e-8,
-    method: str = "LSODA",
+    method: str = "BDF",
 ) -> VerticalTrajectory:
     """Simulate one run from rest without pressure at times[0].
 
