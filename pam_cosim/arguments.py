@@ -104,7 +104,7 @@ def parse_point(words: Sequence[str], interface: Interface) -> Literal["rest"] |
     """
     if list(words) == ["rest"]:
         return "rest"
-    pairs = [_split(part, "NAME=VALUE, such as \"p=6 bar\", or rest") for word in words for part in _parts(word)]
+    pairs = [_split(part, 'NAME=VALUE, such as "p=6 bar", or rest') for word in words for part in _parts(word)]
     names = [name for name, _ in pairs]
     if set(names) == {"time"}:
         return [value_of(text, Variable("time", "s")) for _, text in pairs]

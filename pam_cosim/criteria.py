@@ -162,17 +162,17 @@ class EvidenceCriteria:
     """When one model is better than another, and good enough."""
 
     very_strong: float = decides(10.0, "1", "difference of the criterion that counts as very strong", BAYES)
-    cleared: float = decides(0.4, "of the excess", "an effect that counts leaves less, in fitted and other runs", BLIND)
-    step: float = decides(0.9, "of the squared error", "a step forward leaves less, be it not the last")
     least_samples: float = decides(2.0, "independent samples", "that the BIC penalty of a parameter is reckoned from")
-    as_good: float = decides(
-        1.25, "times the squared holdout error", "a model with fewer effects may leave",
-        "jumping robot: fewer effects fitted as well and predicted worse",
-    )  # fmt: skip
     beyond_doubt: float = decides(
         0.02, "of the excess", "the one family whose form nobody listed leaves no more", BLIND
     )
     apart: float = decides(3.0, "times that", "every other family must leave then", BLIND)
+    temperature: float = decides(
+        4.0, "1", "the evidence over this weighs rivals: samples, models and noise are not what the evidence assumes"
+    )
+    unlisted: float = decides(0.04, "1", "probability that it is something else though what remains is noise", BLIND)
+    unlisted_by_remainder: float = decides(0.2, "1", "the same of one family beyond doubt that leaves structure", BLIND)
+    unlisted_by_structure: float = decides(0.9, "1", "the same where what remains has structure", BLIND)
     refuted: float = decides(2.0, "times", "error of a rival on signals that nobody fitted; more refutes it")
 
 
@@ -180,30 +180,25 @@ class EvidenceCriteria:
 class SearchCriteria:
     """Which effects are tried, how long, and when the search is over."""
 
-    most_effects: int = decides(3, "effects", "in one explanation, at most")
-    first_effects: int = decides(2, "effects", "that the search for a second one starts from")
-    second_leaves: float = decides(
-        0.6, "of the excess", "that a second effect may leave after a few steps, beside one beyond doubt"
+    rows: int = decides(1000, "rows", "of a linearised model: noise of neighbours averages out in them")
+    first_tried: int = decides(12, "effects", "that promise most are tried by themselves first")
+    not_linear: float = decides(0.05, "of a reduction", "that slopes promise is lost: models are not linear")
+    probed_at: tuple[float, ...] = decides(
+        (0.3, 3.0), "1", "factors on an effect's parameters, where it is looked at besides: half a decade bends little"
     )
-    better_form: float = decides(0.2, "of the excess", "that may be left to a better form of the same effect")
-    most_refits: int = decides(12, "effects", "fitted to the end in one round, at most: a matter of time")
-    fewest_refits: int = decides(4, "effects", "fitted to the end in one round, however far the best is ahead")
-    within_reach: float = decides(5.0, "times the excess of the best", "that further steps may still take away")
-    reach_at_noise: float = decides(0.02, "noise variances", "on top of that, so that a best at the noise has rivals")
-    leading_families: int = decides(3, "families", "whose other members are fitted too")
-    further_families: int = decides(5, "families", "whose richer members are tried where none reached the noise")
-    last_resorts: int = decides(6, "effects", "general members fitted to the end where nothing helps")
-    simple: int = decides(2, "parameters", "effects with no more are tried first")
-    screened_starts: int = decides(8, "starts", "of a general member that make a few steps")
-    general_evaluations: int = decides(40, "evaluations", "of each descent of a general member: its valleys are long")
-    general_precision: float = decides(1e-4, "of chi-square", "at which they end: creeping further leads nowhere")
+    together: int = decides(4, "models", "fitted before the next are chosen")
+    leading_families: int = decides(3, "families", "whose members are all tried where no effect leaves noise")
+    rounds: int = decides(8, "rounds", "of fits of models with one effect, with two and with three, at most")
+    starts: int = decides(12, "models", "that further effects are reckoned on top of, and effects combined to two")
+    step: float = decides(0.6, "of the excess", "that a further effect is expected to leave at most, to be tried")
+    most_effects: int = decides(3, "effects", "in one explanation, at most")
     at_noise: float = decides(0.1, "noise variances", "excess that needs no further effect tried")
+    evaluations: int = decides(40, "evaluations", "of each descent of a candidate: some valleys are long")
+    precision: float = decides(1e-4, "of chi-square", "at which they end: creeping further leads nowhere")
     screening_evaluations: int = decides(6, "evaluations", "tell a promising effect from a hopeless one")
     screening_tolerance: float = decides(1e-5, "1", "of the solver then")
-    screening_precision: float = decides(1e-4, "of chi-square", "at which a descent ends then")
     combined_parameters: int = decides(2, "parameters", "started in all combinations of orders of magnitude")
     decades: int = decides(1, "decades", "that the start of an effect's parameter is varied by, up and down")
-    general_decades: int = decides(2, "decades", "the same for a general member")
     pruning_evaluations: int = decides(20, "evaluations", "of the fit without a coefficient, from where it stood")
     pruning_excess: float = decides(0.5, "noise variances", "a model that leaves more is not the last one anyway")
 

@@ -230,12 +230,15 @@ def diagnose(
     say: Callable[[Message], None] = lambda message: None,
     workers: int | None = None,
     explain: bool = True,
+    time_limit: Setting | None = None,
 ) -> Diagnosis:
     """Finds the effect that ``model`` (default: the bench of the data set) lacks; see ``diagnosis.diagnose``.
 
     ``say`` is told each step and each result as a line of text (``print`` will do) that knows which of them it is.
+    ``time_limit`` ([s], or with a unit) ends the search with the best verdict so far, which says what was not tried.
     """
-    return _diagnose(data, model, files=_paths(files), say=say, workers=workers, explain=explain)
+    limit, files = _seconds(time_limit, "time limit"), _paths(files)
+    return _diagnose(data, model, files=files, say=say, workers=workers, explain=explain, time_limit=limit)
 
 
 def draw(product: Product, path: Path | str) -> None:

@@ -147,5 +147,3 @@ def _measured(
     settled = bool(np.abs(last - before).max() <= _SETTLED * swing)
     rms, peak = float(np.sqrt(np.mean(off**2))), float(np.abs(off).max())
     return complex(fundamental / (-1j * swing)), rms, peak, settled, last, acts
-
-

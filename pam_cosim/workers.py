@@ -12,6 +12,7 @@ from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager, suppress
 from functools import partial
+from importlib import import_module
 from multiprocessing import active_children
 from multiprocessing.process import BaseProcess
 from typing import Any, TypeVar
@@ -27,6 +28,7 @@ from pam_cosim.processes import deaf, interruptible
 _IDLE = 60.0  # [s] after which a process without work ends
 _GRACE = 2.0  # [s] for tasks that are interrupted to clean up
 _BETWEEN = 0.05  # [s] between two interrupts
+_ALONE = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # a process for each processor is enough
 _LOOK = 0.5  # [s] between two looks whether the parent is still there
 
 _running: set[Future[Any]] = set()
@@ -57,7 +59,7 @@ threading.Thread(target=watch, daemon=True).start()
 
 def _pool(count: int) -> ProcessPoolExecutor:
     known = {"parent": os.getpid(), "pause": _LOOK}
-    return get_reusable_executor(count, timeout=_IDLE, initializer=exec, initargs=(_END_WITH_PARENT, known))
+    return get_reusable_executor(count, timeout=_IDLE, env=_ALONE, initializer=exec, initargs=(_END_WITH_PARENT, known))
 
 
 def _start_helpers() -> None:
@@ -122,8 +124,8 @@ def running_tasks(futures: Iterable[Future[Any]]) -> None:
     _running.update(futures)
 
 
-def wake(workers: int | None = None) -> None:
-    """Starts the processes, so that they have loaded what they need when the first tasks come."""
+def wake(workers: int | None = None, module: str = __name__) -> None:
+    """Starts the processes and lets them load a module, so that they are ready when the first tasks come."""
     if workers == 0:
         return
     count = workers or processors()
@@ -131,7 +133,7 @@ def wake(workers: int | None = None) -> None:
     with deaf():
         pool = _pool(count)
         for _ in range(count):
-            pool.submit(processors)
+            pool.submit(import_module, module)
 
 
 def run_tasks(

@@ -30,6 +30,8 @@ DECIDE_NOTHING = {
     "_SPEEDS": "forms on the shelf",
     "_GROWTHS": "forms on the shelf",
     "_WAVES": "forms on the shelf",
+    "_NOTHING_NEW": "rank of a matrix, far from what noise leaves",
+    "_WEAK": "the same",
     "_SAME": "digits in which two values of a run are one condition of a table",
 }
 BY_NAME = {c.name: c for c in every_criterion()}

@@ -72,5 +72,3 @@ def linear_model(
         tuple(model.states), tuple(inputs), tuple(chosen),
         {name: model.unit(name) for name in [*columns, *chosen]}, point, method, tuple(notes),
     )  # fmt: skip
-
-

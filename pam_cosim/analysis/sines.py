@@ -206,4 +206,3 @@ def _collected(
         np.array([a.settled for a in answers]),
         linear,
     )
-

@@ -41,6 +41,9 @@ def diagnose(
     ] = None,
     files: FilesOption = None,
     workers: Annotated[int | None, typer.Option(help="Processes; default: all processors.")] = None,
+    time_limit: Annotated[
+        str | None, typer.Option(help="End the search after so long ('30 s') with the best verdict so far.")
+    ] = None,
 ) -> None:
     """Find the physical effect that the model lacks."""
     check_results(json, report, following, learned, sources=[model, *(files or [])])
@@ -49,7 +52,7 @@ def diagnose(
     read = read_data(data, model, files)
     with console.status("refitting the base model") as status:
         say = _teller(status)
-        diagnosis = study.diagnose(read, model, files=files or [], say=say, workers=workers)
+        diagnosis = study.diagnose(read, model, files=files or [], say=say, workers=workers, time_limit=time_limit)
     typer.echo(diagnosis_text(diagnosis))
     if json:
         write_json(json, diagnosis.as_dict())

@@ -106,8 +106,17 @@ def compare(
     data: DataSet,
     parameters: Mapping[str, float] | None = None,
     tolerance: float | None = None,
+    *,
+    rules: bool = True,
 ) -> Comparison:
     """Simulates every run of ``data`` and scores the differences.
+
+    Args:
+        simulator: the model.
+        data: the measurement.
+        parameters: by name [SI].
+        tolerance: relative, of the solver.
+        rules: whether to say where the error sits.
 
     Raises:
         SimulationFailure: a run did not reach its end.
@@ -119,8 +128,8 @@ def compare(
     scores = {role: score(chosen, data.signals) for role, chosen in by_role.items()}
     scores["all"] = score(runs, data.signals)
     outputs = simulator.interface.outputs
-    rules = where(runs, data.signals, outputs, data.domain)
+    sits = where(runs, data.signals, outputs, data.domain) if rules else []
     settable = simulator.interface.settable
     named = dict.fromkeys([*known, *(name for run in data.runs for name in run.parameters)])
     units = {name: settable[name].unit for name in named if name in settable}
-    return Comparison(simulator.interface.model, data, known, runs, scores, tuple(rules), units)
+    return Comparison(simulator.interface.model, data, known, runs, scores, tuple(sits), units)

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.fft import irfft, next_fast_len, rfft
 from scipy.optimize import nnls
 
 from pam_cosim.arrays import Array
@@ -139,12 +140,18 @@ def _correlation_time(series: Sequence[Array]) -> float:
         own = float(np.sum(e**2))
         if len(e) < 3 or own <= 0:
             continue
-        time = 1.0
-        for lag in range(1, max(2, int(CRITERIA.residuals.longest_memory * len(e)))):
-            r = float(np.sum(e[lag:] * e[:-lag])) / own
-            if r <= CRITERIA.residuals.memory_gone / np.sqrt(len(e)):
-                break
-            time += 2 * r
+        most = max(2, int(CRITERIA.residuals.longest_memory * len(e)))
+        r = _autocorrelation(e, most)[1:]
+        gone = np.flatnonzero(r <= CRITERIA.residuals.memory_gone / np.sqrt(len(e)))
+        time = 1 + 2 * float(np.sum(r[: gone[0]] if len(gone) else r))
         total += own * time
         power += own
     return max(1.0, total / power) if power else 1.0
+
+
+def _autocorrelation(e: Array, lags: int) -> Array:
+    """(lags,) about zero, over the sum of squares."""
+    size = next_fast_len(len(e) + lags, real=True)
+    products: Array = np.asarray(irfft(np.abs(rfft(e, size)) ** 2, size)[:lags])
+    correlation: Array = products / products[0]
+    return correlation

@@ -17,7 +17,7 @@ are refused with an error. An ``assert`` that does not hold ends a run of the FM
 from pam_cosim.compiler.class_tree import ClassTree, read_library
 from pam_cosim.compiler.compile import compile_model
 from pam_cosim.compiler.elementwise import elementwise
-from pam_cosim.compiler.hashing import flat_hash
+from pam_cosim.compiler.hashing import flat_hash, library_hash
 from pam_cosim.compiler.ode import Delay, Ode
 from pam_cosim.compiler.part import Part
 from pam_cosim.compiler.sensitivities import smooth_parameters, with_sensitivities
@@ -33,6 +33,7 @@ __all__ = [
     "compile_model",
     "elementwise",
     "flat_hash",
+    "library_hash",
     "read_library",
     "read_structure",
     "smooth_parameters",

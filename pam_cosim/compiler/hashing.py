@@ -13,21 +13,24 @@ from pam_cosim.names import is_modelica
 from pam_cosim.resources import modelica_root
 
 
-def flat_hash(model: str, *, files: Sequence[Path] = (), root: Path | None = None) -> str:
+def flat_hash(model: str, *, files: Sequence[Path] = (), root: Path | None = None, library: str = "") -> str:
     """SHA-256, in hexadecimal, of model name, Modelica sources, this compiler and CasADi's version.
 
     Arguments as for :func:`pam_cosim.compiler.compile_model`. Where the files lie makes no difference.
+
+    Args:
+        model: as there.
+        files: as there.
+        root: as there.
+        library: ``library_hash`` of the same library, where somebody asked for it already.
     """
     digest = hashlib.sha256()
-    base = modelica_root() if root is None else root
     files = list(files)
     if is_modelica(model):
         files.append(Path(model))
         model = Path(model).name
     _add(digest, model.encode())
-    for file in modelica_files(base):
-        _add(digest, file.relative_to(base).as_posix().encode())
-        _add(digest, file.read_bytes())
+    _add(digest, (library or library_hash(root)).encode())
     for file in files:
         if not file.exists():
             raise ModelError("there is no such file", file)
@@ -38,6 +41,16 @@ def flat_hash(model: str, *, files: Sequence[Path] = (), root: Path | None = Non
         for part in modelica_files(folder):
             _add(digest, part.relative_to(folder).as_posix().encode())
             _add(digest, part.read_bytes())
+    return digest.hexdigest()
+
+
+def library_hash(root: Path | None = None) -> str:
+    """SHA-256, in hexadecimal, of the library's sources, this compiler and CasADi's version."""
+    digest = hashlib.sha256()
+    base = modelica_root() if root is None else root
+    for file in modelica_files(base):
+        _add(digest, file.relative_to(base).as_posix().encode())
+        _add(digest, file.read_bytes())
     for file in sorted(Path(__file__).parent.glob("*.py")):
         _add(digest, file.read_bytes())
     for package in ("casadi", "pam-cosim"):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -9,6 +11,7 @@ from pathlib import Path
 from pam_cosim.catalogue import domain_of, effect_classes, origins, qualified
 from pam_cosim.comparison import without_outliers
 from pam_cosim.compiler import read_library, read_structure
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial, role_summary
 from pam_cosim.diagnosis.evidence import incomplete, rank
 from pam_cosim.diagnosis.explanation import LearnedModel, learned_term, ledger_of
@@ -17,9 +20,10 @@ from pam_cosim.diagnosis.missing_term import MissingTerm, missing_term
 from pam_cosim.diagnosis.next_experiment import NextExperiment, Plan, told_apart
 from pam_cosim.diagnosis.search import Search, describe_fit
 from pam_cosim.diagnosis.selection import select_effects
-from pam_cosim.diagnosis.verdict import Verdict, explained, judge, rivals
+from pam_cosim.diagnosis.trial import run_trial
+from pam_cosim.diagnosis.verdict import Verdict, confidence, explained, judge, rivals
 from pam_cosim.errors import InputError
-from pam_cosim.fitting import Fit, fit
+from pam_cosim.fitting import Fit, FitOptions, fit
 from pam_cosim.fmu import build_model
 from pam_cosim.ledger import Ledger
 from pam_cosim.measurement import ROLES, DataSet, complete_noise
@@ -48,6 +52,7 @@ class Diagnosis(Printed):
         missing_term: for a verdict that leaves structure, a description of it.
         ledger: which balances of the base model fail, with the missing terms as signals; None where nothing does.
         learned: likewise, a formula for what is missing and the model with it: a description, no cause.
+        untried: effects of the models that promised to be better when the time limit ended the search.
     """
 
     data: DataSet
@@ -63,6 +68,7 @@ class Diagnosis(Printed):
     missing_term: MissingTerm | None = None
     ledger: Ledger | None = None
     learned: LearnedModel | None = None
+    untried: tuple[tuple[str, ...], ...] = ()
 
     @property
     def final(self) -> Fit:
@@ -84,6 +90,7 @@ class Diagnosis(Printed):
             "outliers": self.outliers,
             "next_experiment": self.next_experiment.as_dict() if self.next_experiment else None,
             "missing_term": self._missing(),
+            "untried": [list(names) for names in self.untried],
             "ledger": self.ledger.as_dict(courses=False) if self.ledger else None,
         }
 
@@ -95,7 +102,8 @@ class Diagnosis(Printed):
     def __str__(self) -> str:
         v = self.verdict
         what = f": {' and '.join(v.families)} ({', '.join(v.effects)})" if v.families else ""
-        lines = [f"Verdict: {v.kind}{what}", f"  {v.reason}"]
+        sure = "" if math.isnan(v.probability) else f", probability {100 * v.probability:.0f} %"
+        lines = [f"Verdict: {v.kind}{what}{sure}", f"  {v.reason}"]
         for role in ROLES:
             for name, before in self.base.comparison.scores[role].items():
                 after = self.final.comparison.scores[role][name]
@@ -106,6 +114,9 @@ class Diagnosis(Printed):
                     f"{format_quantity(after.rmse, unit)} (noise {noise})"
                 )
         lines += [f"  {n} = {e}" for n, e in self.final.parameters.items()]
+        if self.untried:
+            more = ", ".join(" + ".join(names) for names in self.untried)
+            lines.append(f"  The time limit ended the search; what would have been tried next: {more}")
         if self.learned is not None:
             residuals = self.learned.model.fit.residuals
             left = residuals["holdout" if residuals["holdout"].samples else "fit"]
@@ -122,6 +133,7 @@ def diagnose(
     say: Callable[[Message], None] = lambda message: None,
     workers: int | None = None,
     explain: bool = True,
+    time_limit: float | None = None,
 ) -> Diagnosis:
     """Refits the base model, tries every effect that fits it, adds what pays, and judges.
 
@@ -132,28 +144,31 @@ def diagnose(
         say: told what happens, line by line: texts that know whether they are a headline or a result (``Message``).
         workers: number of processes; 0: this one alone.
         explain: whether to keep a ledger and to describe what no effect explains; the verdict is the same.
+        time_limit: [s] after which the search ends with the best verdict so far; the ledger comes on top.
 
     Raises:
         InputError: the model cannot be compiled, or lacks a parameter that is to be fitted.
         SimulationFailure: the base model cannot be simulated at all.
     """
-    name = model or data.model
+    began, name = time.monotonic(), model or data.model
     if is_fmu(name):
         raise InputError("effects can be added to a Modelica model only; an FMU can be compared and fitted", name)
-    wake(workers)
+    wake(workers, run_trial.__module__)
     sources = tuple([*files, Path(name)] if is_modelica(name) else files)
     tree = read_library(files=sources)
     data = replace(data, domain=domain_of(tree, name))
     data, base, outliers = _base(complete_noise(data), name, files, say)
     shelf = effect_classes(tree, origins(read_structure(qualified(tree, name), files=sources).parts))
     search = Search(tree, name, shelf, data, sources, say, workers)
-    selected, tried = select_effects(search, base)
+    selection = select_effects(search, base, began + (math.inf if time_limit is None else time_limit))
+    selected, tried = list(selection.path), list(selection.tried)
     others: list[Plan] = []
     if selected:
-        last = [c for c in tried if c.effects[:-1] == selected[-1].effects[:-1]]
-        others = _others(data, selected[-1], rivals(selected[-1], last), sources)
+        others = _others(data, selected[-1], rivals(base, selected[-1], tried, search.family), sources)
     verdict = judge(base, selected, [c for c, _ in others], tried)
-    present = selected[-1].fit if selected else base
+    last = selected[-1] if selected else None
+    verdict = replace(verdict, probability=confidence(base, last, tried, search.family, verdict))
+    present = last.fit if last else base
     added = [c.effect for c in selected]
     ledger = ledger_of(search, (), base) if explain and verdict.kind != "none_missing" else None
     learned, unexplained = None, verdict.kind == "unknown" or verdict.remainder
@@ -174,6 +189,7 @@ def diagnose(
         missing_term=missing_term(present, balance) if unexplained else None,
         ledger=ledger,
         learned=learned,
+        untried=selection.untried,
     )
 
 
@@ -194,7 +210,7 @@ def _base(
         if outliers:
             counts = ", ".join(f"{count} of {name}" for name, count in outliers.items())
             say(Message(f"single samples far off their neighbours are set aside: {counts}"))
-            base = fit(simulator, data)
+        base = fit(simulator, data, options=FitOptions(rows=CRITERIA.search.rows))
     say(Message(f"base model refitted: {describe_fit(base)}"))
     return data, base, outliers
 

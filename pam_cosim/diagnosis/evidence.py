@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 from pam_cosim.comparison import Reproducibility, ResidualStatistics, reproducibility
 from pam_cosim.criteria import CRITERIA
@@ -82,11 +83,43 @@ def _comes_again(s: ResidualStatistics, repeated: Reproducibility | None) -> boo
     )
 
 
-def scale(fits: Sequence[Fit]) -> tuple[float, float]:
+class Scale(NamedTuple):
+    """Noise variance and samples per independent sample, both as the best model leaves them."""
+
+    variance: float
+    time: float
+
+    @property
+    def divisor(self) -> float:
+        """What a sum of squares is divided by to count as evidence."""
+        return self.variance * self.time
+
+    def penalty(self, fit: Fit) -> float:
+        """What a parameter costs."""
+        return bic_penalty(fit, self.time)
+
+    def prior(self, count: int, of: int) -> float:
+        """Twice the logarithm of the number of sets of so many effects (extended criterion, Chen and Chen 2008)."""
+        return 2 * math.log(math.comb(of, min(count, of)))
+
+
+def scale(fits: Sequence[Fit]) -> Scale:
     """Noise variance and samples per independent sample, both as the best model leaves them."""
     best = min((f.residuals["fit"] for f in fits), key=lambda s: s.chi2)
     time = best.correlation_time if _correlated(best) else 1.0
-    return max(1.0, best.chi2_reduced), time
+    return Scale(max(1.0, best.chi2_reduced), time)
+
+
+def evidence(fit: Fit, at: Scale, effects: int, of: int, candidate: Candidate | None = None) -> float:
+    """How much the data speak against a model: minus twice the logarithm of its probability, but for a constant.
+
+    The fitted runs by the Bayesian information criterion, which pays for every parameter that the effects brought; the
+    others, which paid for nothing, by their squared error; and how many sets of so many effects there are.
+    """
+    held = fit.residuals["holdout"]
+    lost = _lost(candidate) if candidate else 0
+    known = bic(fit, *at) + at.penalty(fit) * lost + at.prior(effects, of)
+    return known + (held.chi2 / at.divisor if held.samples else 0.0)
 
 
 def bic(fit: Fit, variance: float, time: float) -> float:
@@ -117,46 +150,13 @@ def rank(base: Fit, candidates: Sequence[Candidate]) -> list[Candidate]:
     return ranked
 
 
-def degenerate(candidate: Candidate) -> bool:
-    """Whether the data do not determine every parameter of the tried effect.
-
-    What is left is a limit of the effect's law, which is as a rule another, simpler effect: creep that takes for
-    ever is a spring.
-    """
-    return _lost(candidate) > 0
-
-
 def _lost(candidate: Candidate) -> int:
     return sum(not e.determined for e in candidate.parameters.values())
-
-
-def leading(ranked: Sequence[Candidate]) -> Candidate:
-    """The best candidate; of those that the evidence hardly tells from it, the first that is not degenerate."""
-    close = [c for c in ranked if c.delta_bic - ranked[0].delta_bic <= CRITERIA.evidence.very_strong]
-    return next((c for c in close if not degenerate(c)), ranked[0])
 
 
 def convincing(base: Fit, candidate: Candidate) -> bool:
     """Whether a candidate is better beyond chance, on runs that were fitted and on runs that were not."""
     return candidate.delta_bic < -CRITERIA.evidence.very_strong and _better(base, candidate.fit)
-
-
-def as_good(fewer: Fit, full: Candidate) -> bool:
-    """Whether a model with fewer effects does as well as a fuller one: by the evidence, and on runs not fitted."""
-    a, b = fewer.residuals["holdout"], full.fit.residuals["holdout"]
-    worse = bool(b.samples) and a.chi2 > CRITERIA.evidence.as_good * b.chi2
-    return not worse and not convincing(fewer, rank(fewer, [full])[0])
-
-
-def clears(base: Fit, fit: Fit) -> bool:
-    """Whether a model takes away most of what exceeds the noise, in the runs that were fitted and in the others.
-
-    A small excess that does not come again in other runs may be a drift, which no effect takes away in all of them.
-    """
-    roles = [r for r in ROLES if base.residuals[r].samples]
-    before = sum(base.residuals[r].excess * base.residuals[r].samples for r in roles)
-    after = sum(fit.residuals[r].excess * fit.residuals[r].samples for r in roles)
-    return after < CRITERIA.evidence.cleared * before and _better(base, fit)
 
 
 def dominant_effect(base: Fit, tried: Sequence[Candidate]) -> Candidate | None:
@@ -183,14 +183,6 @@ def dominant_effect(base: Fit, tried: Sequence[Candidate]) -> Candidate | None:
 def _carries(base: Fit, fit: Fit) -> bool:
     both = [(base.residuals[r], fit.residuals[r]) for r in ROLES if base.residuals[r].samples]
     return all(after.excess <= CRITERIA.evidence.beyond_doubt * before.excess for before, after in both)
-
-
-def promising(base: Fit, candidate: Candidate) -> bool:
-    """Whether a candidate is a step forward, be it not the last: what it leaves may be another effect's."""
-    before, after = base.residuals["fit"], candidate.fit.residuals["fit"]
-    return (
-        candidate.delta_bic < 0 and after.chi2 < CRITERIA.evidence.step * before.chi2 and _better(base, candidate.fit)
-    )
 
 
 def _better(base: Fit, fit: Fit) -> bool:

@@ -1,243 +1,334 @@
-"""Selection of the effects that a model needs: added one after another, the superfluous ones removed (stepwise)."""
+"""Which effects a model needs: the models that promise most are fitted, until none is left that may be better.
+
+One number orders all models: the evidence (``diagnosis.evidence``), of a model that was fitted as it is, of one that
+was not, or not to the end, as far as linear algebra tells (``diagnosis.expectation``). Whoever may still beat the best
+is fitted next: single effects first; where the best of them leaves structure, pairs; then triples. As few effects as
+leave noise are enough, and among models with as many the evidence decides.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.evidence import (
-    as_good,
-    clears,
+    Scale,
     coherent,
-    convincing,
     dominant_effect,
+    evidence,
     foretold,
-    leading,
-    promising,
     rank,
+    scale,
     structured,
 )
+from pam_cosim.diagnosis.expectation import Additions, Beside, Expected, addition, reduction
 from pam_cosim.diagnosis.message import Message
-from pam_cosim.diagnosis.search import Search, at_noise, describe_fit
+from pam_cosim.diagnosis.search import Search
+from pam_cosim.diagnosis.trial import Probe
+from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Fit
 
 
-def select_effects(search: Search, base: Fit) -> tuple[list[Candidate], list[Candidate]]:
-    """The effects that are needed, in the order in which they were found, and all that were tried."""
-    missing = any(coherent(s) for s in base.residuals.values())
-    tried = search.round((), base, below=math.inf if missing else 0.0)
-    first = _steps(base, tried) if missing else []
-    if missing and (not first or (_unsolved(first[0]) and _nearly(base, first[0]))):
-        first = _generalized(search, base, first, tried)
-    elif first and not _unsolved(first[0]) and not at_noise(first[0].fit):
-        first = _outdone(search, base, first, tried)
-    selected = [first[0]] if first else []
-    if first and _unsolved(first[0]):
-        selected = _second(search, base, first, tried)
-        if len(selected) == 1 and not _nearly(base, first[0]):
-            selected = _generalized(search, base, first, tried)[:1]
-        selected = _dominant(search, base, selected, tried)
-    while 1 < len(selected) < CRITERIA.search.most_effects and _unsolved(selected[-1]):
-        selected = _enriched(search, base, selected, tried)
-        last = selected[-1]
-        if not _unsolved(last):
-            break
-        candidates = search.round(last.effects, last.fit, tried)
-        tried += candidates
-        steps = _steps(last.fit, candidates)
-        if not steps:
-            break
-        selected.append(steps[0])
-        search.say(Message(f"added {_told(steps[0])}"))
-    selected = _merged(search, base, _needed(search, base, selected, tried), tried)
-    return (selected, tried) if selected and convincing(base, rank(base, [selected[-1]])[0]) else ([], tried)
+@dataclass(frozen=True)
+class Selection:
+    """What a search came to.
 
-
-def _nearly(base: Fit, c: Candidate) -> bool:
-    """Whether an effect takes away so much that a better form of it may do the rest, rather than a second effect."""
-    before, after = base.residuals["fit"], c.fit.residuals["fit"]
-    return after.excess < CRITERIA.search.better_form * before.excess
-
-
-def _generalized(search: Search, base: Fit, first: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
-    """The first effects, or general members of families where one of them leaves nothing.
-
-    Those of the leading families are fitted; where no effect helps at all, those of all others too.
+    Attributes:
+        path: the models that add the effects that are needed one after another; none where none is needed.
+        tried: all models that were fitted.
+        untried: effects of the models that promised to be better when the time was over, the most promising first.
     """
-    candidates = rank(base, search.general(base, tried))
-    if not first and not any(not _unsolved(c) for c in candidates):
-        candidates = rank(base, [*candidates, *search.last_resort(base, [*tried, *candidates])])
-    tried += candidates
-    solved = [c for c in _steps(base, candidates) if not _unsolved(c)]
-    if not solved:
-        return list(first)
-    search.say(Message(f"in general form: {_told(solved[0])}"))
-    return solved
+
+    path: tuple[Candidate, ...] = ()
+    tried: tuple[Candidate, ...] = ()
+    untried: tuple[tuple[str, ...], ...] = ()
 
 
-def _outdone(search: Search, base: Fit, first: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
-    """The first effects, led by the general member of a family where that is better beyond chance.
+def select_effects(search: Search, base: Fit, deadline: float = math.inf) -> Selection:
+    """The effects that are needed.
 
-    For a remainder above the noise that does not come again in other runs: a drift as a rule, but not always.
+    Args:
+        search: tries effects.
+        base: the model without them, fitted, with its linear model.
+        deadline: of ``time.monotonic``, after which no more models are fitted, but those that the answer needs.
+
+    Raises:
+        SimulationFailure: no effect could be tried at all.
     """
-    present = first[0].fit
-    candidates = rank(base, search.general(base, tried))
-    tried += candidates
-    better = {c.effects for c in rank(present, candidates) if convincing(present, c)}
-    return [*(c for c in candidates if c.effects in better), *first]
-
-
-def _second(search: Search, base: Fit, first: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
-    """The best first effect with the best second one: of two that are missing, neither need be the best alone.
-
-    One that is beyond doubt by itself is the only first one, and need not leave much undone then.
-    """
-    singles = list(tried)
-    dominant = dominant_effect(base, singles)
-    starts = [_plain(dominant, singles)] if dominant else first[: CRITERIA.search.first_effects]
-    pairs: list[Candidate] = []
-    for start in starts:
-        search.say(Message(f"with {_told(start)}"))
-        below = CRITERIA.search.second_leaves * start.fit.residuals["fit"].excess if dominant else math.inf
-        candidates = search.round(start.effects, start.fit, singles, below=below)
-        tried += candidates
-        pairs += _steps(start.fit, candidates)[:1]
-        if pairs and not _unsolved(pairs[-1]):
+    if not any(coherent(s) for s in base.residuals.values()):
+        search.say(Message("what remains is noise: no effect is tried"))
+        return Selection()
+    models = _Models(search, base, deadline)
+    models.probe()
+    models.try_single(CRITERIA.search.first_tried)
+    for count in range(1, CRITERIA.search.most_effects + 1):
+        models.improve(count)
+        if count == 1 and models.unsolved():
+            models.try_forms()
+            models.improve(count)
+        if not models.unsolved():
             break
-    if not pairs:
-        return [starts[0]]
-    best = rank(base, pairs)[0]
-    chosen = next(p for p in pairs if p.effects == best.effects)
-    search.say(Message(f"added {_told(chosen)}"))
-    return [next(c for c in starts if c.effects == chosen.effects[:1]), chosen]
+    path = models.path()
+    return Selection(tuple(path), tuple(models.tried), tuple(models.untried))
 
 
-def _plain(one: Candidate, singles: Sequence[Candidate]) -> Candidate:
-    """The best law of the same family, where a general member does not take away most of what that leaves."""
-    laws = [c for c in singles if c.family == one.family and not c.general]
-    law = min(laws, key=lambda c: c.fit.residuals["fit"].excess, default=one)
-    return law if one.general and not _nearly(law.fit, one) else one
+class _Models:
+    """All models so far, by their effects."""
 
+    def __init__(self, search: Search, base: Fit, deadline: float) -> None:
+        self.search, self.base, self.deadline = search, base, deadline
+        self.untried: list[tuple[str, ...]] = []
+        self.known: dict[tuple[str, ...], Candidate] = {}
+        self.probes: list[Probe] = []
+        self._added: tuple[tuple[int, ...], Additions] = ((), Additions([]))
+        self._measured = (0, scale([base]))
+        self._left: dict[tuple[str, ...], tuple[Fit, bool]] = {}
 
-def _dominant(search: Search, base: Fit, selected: list[Candidate], tried: Sequence[Candidate]) -> list[Candidate]:
-    """The selection, or the one effect beyond doubt where a second one does not take away most of what that leaves."""
-    last, dominant = selected[-1], dominant_effect(base, tried)
-    if dominant is None or not _unsolved(last) or (len(selected) > 1 and _nearly(selected[0].fit, last)):
-        return selected
-    search.say(Message(f"no second effect explains what is left by {_told(dominant)}"))
-    return [dominant]
+    @property
+    def tried(self) -> list[Candidate]:
+        """All models, without what only the search needs."""
+        return [replace(c, fit=replace(c.fit, linear=None)) for c in self.known.values()]
 
+    def probe(self) -> None:
+        """What each effect does beside the base model."""
+        self.probes = self.search.probed(self.base)
+        if self.search.failed and not self.probes:
+            failed = self.search.failed[-1]
+            raise SimulationFailure(f"no effect could be tried; {failed.effect}: {failed.failure}")
 
-def _steps(present: Fit, candidates: Sequence[Candidate]) -> list[Candidate]:
-    """Effects worth adding, the leading one first, one of each family."""
-    order = [leading(candidates), *candidates] if any(c.fit for c in candidates) else []
-    best: dict[str, Candidate] = {}
-    repeats = _structured(present)
-    for c in order:
-        if _step(present, c, repeats):
-            best.setdefault(c.family, c)
-    return list(best.values())
+    def try_single(self, count: int) -> None:
+        """So many of the effects that promise most by themselves, a few steps."""
+        assert self.base.linear is not None
+        noise, beside = self._noise(), Beside((), self.base.linear, self.search.family, self._additions())
+        hopes = sorted((self._hoped(self.base, None, e, noise), e.effects) for e in beside.with_one())
+        self._keep(self.search.briefly([(names, self.base.values) for _, names in hopes[:count]]))
 
+    def _additions(self) -> Additions:
+        """What the effects can add, as far as probes and fits tell by now."""
+        assert self.base.linear is not None
+        fitted = [self.known.get((p.effect,)) for p in self.probes]
+        key = tuple(id(c.fit) if c else 0 for c in fitted)
+        if key != self._added[0]:
+            made = [addition(self.base.linear, p, c) for p, c in zip(self.probes, fitted, strict=True)]
+            self._added = (key, Additions([a for a in made if a is not None]))
+        return self._added[1]
 
-def _unsolved(c: Candidate) -> bool:
-    return _structured(c.fit)
+    def _seen(self) -> set[tuple[str, ...]]:
+        return {*self.known, *(c.effects for c in self.search.failed)}
 
-
-def _told(c: Candidate) -> str:
-    return f"{' + '.join(c.effects)} ({c.family}): {describe_fit(c.fit)}"
-
-
-def _step(present: Fit, best: Candidate, repeats: bool) -> bool:
-    """Whether an effect is worth adding: what is left ``repeats`` in other runs, or it takes away all there is."""
-    if convincing(present, best) and clears(present, best.fit):
+    def _late(self, chosen: Sequence[tuple[str, ...]]) -> bool:
+        """Whether the time is over; then what would have come next is noted."""
+        if time.monotonic() < self.deadline:
+            return False
+        self.untried += [names for names in chosen if names not in self.untried]
         return True
-    return repeats and promising(present, best)
+
+    def unsolved(self) -> bool:
+        """Whether the best model leaves structure, or there is none."""
+        best = self._best()
+        return best is None or self._leaves_structure(best)
+
+    def try_forms(self) -> None:
+        """The other members of the families that came farthest: slopes do not tell what a much richer law can do."""
+        single = sorted((self._evidence(c), c.effects) for c in self.known.values() if len(c.effects) == 1)
+        best: dict[str, tuple[str, ...]] = {}
+        for _, names in single:
+            best.setdefault(self.search.family[names[0]], names)
+        leading = dict(list(best.items())[: CRITERIA.search.leading_families])
+        others = [
+            ((e.name,), self.known[leading[e.family]].fit.values)
+            for e in self.search.shelf
+            if e.family in leading and (e.name,) not in self._seen()
+        ]
+        if not self._late([names for names, _ in others]):
+            self._keep(self.search.briefly(others))
+
+    def improve(self, count: int) -> None:
+        """Fits models with so many effects, as long as some may be better than the best, or as good.
+
+        A few steps those that nobody tried, and to the end those that still promise it then.
+        """
+        for _ in range(CRITERIA.search.rounds):
+            brief = self._brief()
+            chosen = self._promising(count)
+            if not (brief or chosen) or self._late([*(c.effects for c in brief), *(e.effects for e in chosen)]):
+                break
+            self._keep(self.search.to_the_end(brief, self.base))
+            for c in brief:  # whatever came of it, it is not brief any more
+                self.known[c.effects] = replace(self.known[c.effects], brief=False)
+            if not brief:
+                self._keep(self.search.briefly([(e.effects, self._values(e)) for e in chosen]))
+
+    def _brief(self) -> list[Candidate]:
+        """Models that were fitted briefly and may be better than the best, or as good; the most promising ones."""
+        limit = self._best_evidence() + self._tolerance()
+        hopes = sorted((self._hope(c), c.effects) for c in self.known.values() if c.brief)
+        return [self.known[names] for hope, names in hopes if hope < limit][: CRITERIA.search.together]
+
+    def _tolerance(self) -> float:
+        """By how much the evidence of a model may be worse for it to be of interest: as a rival of the answer."""
+        return 0.0 if self.unsolved() else CRITERIA.evidence.very_strong
+
+    def _answer(self) -> Candidate | None:
+        """The best model; where it leaves structure, one effect that is beyond doubt all the same goes first."""
+        best = self._best()
+        if best is not None and self._leaves_structure(best):
+            return dominant_effect(self.base, [c for c in self.known.values() if not c.brief]) or best
+        return best
+
+    def path(self) -> list[Candidate]:
+        """The best model's effects, added one after another; none if the best is no better than the base model."""
+        best = self._answer()
+        if best is None:
+            return []
+        models: list[Candidate] = []
+        for k in range(1, len(best.effects) + 1):
+            names = best.effects[:k]
+            own = self.known.get(names)
+            if own is None or own.brief or (own.general and k == len(best.effects)):
+                finished = self.search.finished(names, best.fit.values)
+                if finished is None:
+                    continue
+                own = finished
+                self.known[names] = own
+            before = models[-1].fit if models else self.base
+            models.append(rank(before, [own])[0])
+        return [replace(c, fit=replace(c.fit, linear=None)) for c in models]
+
+    # ---- order ------------------------------------------------------------------------------------------------
+
+    @property
+    def _fits(self) -> list[Fit]:
+        return [self.base, *(c.fit for c in self.known.values())]
+
+    @property
+    def _scale(self) -> Scale:
+        if self._measured[0] != len(self.known):
+            self._measured = (len(self.known), scale(self._fits))
+        return self._measured[1]
+
+    def _evidence(self, c: Candidate) -> float:
+        return evidence(c.fit, self._scale, len(c.effects), len(self.search.shelf), c)
+
+    def _best(self) -> Candidate | None:
+        """Of those that leave noise, the best with the fewest effects; else the best; None: none beats the base."""
+        beaten = self._base_evidence() - CRITERIA.evidence.very_strong
+        done = [c for c in self.known.values() if not c.brief and self._evidence(c) < beaten]
+        order = {c.effects: (self._leaves_structure(c), self._evidence(c), c.effects) for c in done}
+        enough = [len(names) for names, (left, _, _) in order.items() if not left]
+        done = [c for c in done if not enough or len(c.effects) == min(enough)]
+        return min(done, key=lambda c: order[c.effects], default=None)
+
+    def _leaves_structure(self, c: Candidate) -> bool:
+        if c.effects not in self._left or self._left[c.effects][0] is not c.fit:
+            self._left[c.effects] = (c.fit, _structured(c.fit))
+        return self._left[c.effects][1]
+
+    def _best_evidence(self) -> float:
+        best = self._best()
+        return self._evidence(best) if best else self._base_evidence()
+
+    def _base_evidence(self) -> float:
+        return evidence(self.base, self._scale, 0, len(self.search.shelf))
+
+    def _hope(self, c: Candidate) -> float:
+        """The evidence of a candidate that was fitted briefly, if all goes as its slopes say."""
+        gain = reduction(c.fit.linear) if c.fit.linear is not None else 0.0
+        return self._evidence(c) - self._worth(gain, c.fit, self._noise())
+
+    def _worth(self, reduction: float, fit: Fit, noise: float, lost: float = CRITERIA.search.not_linear) -> float:
+        """What a reduction of the squared error counts: some of it is lost on the way, as models are not linear.
+
+        The error of the other runs is expected to fall as that of the fitted ones does; neither falls below the noise.
+        """
+        fitted, held = fit.residuals["fit"], fit.residuals["holdout"]
+        left = 1 - (1 - lost) * reduction / max(fitted.chi2, 1e-300)
+        gain = sum(max(s.chi2 - max(left * s.chi2, noise * s.samples), 0.0) for s in (fitted, held) if s.samples)
+        return gain / self._scale.divisor
+
+    def _noise(self) -> float:
+        """Mean square of the noise, as low as a model leaves it."""
+        return min(f.residuals["fit"].noise_floor for f in self._fits)
+
+    def _promising(self, count: int) -> list[Expected]:
+        """Untried models of so many effects that may be better than the best, the best of each set of families."""
+        noise, tried = self._noise(), {frozenset(n) for n in self._seen()}
+        limit = self._best_evidence() + self._tolerance()
+        by_families: dict[frozenset[str], tuple[float, Expected]] = {}
+        for fit, lost, e in self._expected(count):
+            if frozenset(e.effects) in tried or not self._worthwhile(fit, e, noise):
+                continue
+            if self._hoped(fit, lost, e, noise, 0.0) > limit:
+                continue
+            hope = self._hoped(fit, lost, e, noise)
+            families = frozenset(self.search.family[n] for n in e.effects)
+            if families not in by_families or hope < by_families[families][0]:
+                by_families[families] = (hope, e)
+        ordered = sorted(by_families.values(), key=lambda entry: (entry[0], entry[1].effects))
+        return [e for _, e in ordered[: CRITERIA.search.together]]
+
+    def _expected(self, count: int) -> Iterator[tuple[Fit, Candidate | None, Expected]]:
+        """Models of so many effects from those that were fitted: their fit, what they are, what is expected."""
+        additions, family, first = self._additions(), self.search.family, CRITERIA.search.starts
+        unsolved = self.unsolved()
+        models = sorted(self.known.values(), key=lambda c: (self._evidence(c), c.effects))
+        starts: list[Candidate | None] = [None, *[c for c in models if len(c.effects) <= count][:first]]
+        for c in starts:
+            fit, effects = (c.fit, c.effects) if c else (self.base, ())
+            if fit.linear is None or len(effects) + 2 < count:
+                continue
+            beside = Beside(effects, fit.linear, family, additions)
+            more = count - len(effects)
+            if more == 0 and unsolved:
+                every = beside.with_another_form()
+            elif more == 1 and (count == 1 or unsolved):
+                every = beside.with_one()
+            elif more == 2 and unsolved and effects:
+                every = beside.with_two(first)
+            else:
+                continue
+            yield from ((fit, c, e) for e in every)
+
+    def _worthwhile(self, fit: Fit, e: Expected, noise: float) -> bool:
+        """Whether a model is expected to leave much less than the best one does, where that leaves structure."""
+        best = self._best()
+        if best is None or not self._leaves_structure(best):
+            return True
+        now, own = best.fit.residuals["fit"], fit.residuals["fit"]
+        excess = now.chi2 - noise * now.samples
+        if len(e.effects) > len(best.effects) and excess < CRITERIA.search.at_noise * noise * now.samples:
+            return False  # the fitted runs have nothing left to tell a further effect by
+        return own.chi2 - e.reduction - noise * own.samples < CRITERIA.search.step * excess
+
+    def _hoped(
+        self, fit: Fit, start: Candidate | None, e: Expected, noise: float, lost: float = CRITERIA.search.not_linear
+    ) -> float:
+        """The evidence that a model which nobody fitted is expected to have, from one that was fitted."""
+        s, every = self._scale, len(self.search.shelf)
+        more = sum(a.cost for a in e.added) - (self.search.cost[e.exchanged] if e.exchanged else 0)
+        known = evidence(fit, s, len(e.effects), every, start)
+        return known + more * s.penalty(fit) - self._worth(e.reduction, fit, noise, lost)
+
+    def _values(self, e: Expected) -> dict[str, float]:
+        """Where a combined model starts: the fitted model, and the added effects as they were by themselves."""
+        values: dict[str, float] = {}
+        for a in e.added:
+            if (a.effect,) in self.known:
+                values |= self.known[(a.effect,)].fit.values
+        start = self.known[e.start].fit.values if e.start else self.base.values
+        return values | start
+
+    def _keep(self, candidates: Sequence[Candidate]) -> None:
+        for c in candidates:
+            old = self.known.get(c.effects)
+            if old is None or c.fit.residuals["fit"].chi2 <= old.fit.residuals["fit"].chi2:
+                self.known[c.effects] = c
 
 
 def _structured(fit: Fit) -> bool:
     repeated = foretold(fit)
     return any(structured(s, repeated) for s in fit.residuals.values())
-
-
-def _needed(search: Search, base: Fit, selected: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
-    """The selection without effects that those added later made superfluous."""
-    selected = list(selected)
-    for i in reversed(range(len(selected) - 1)):
-        rest = [*selected[:i], *selected[i + 1 :]]
-        without = _refitted(search, [c.effect for c in rest], selected[-1].fit, base, tried, again=True)
-        if without and as_good(without[-1].fit, selected[-1]):
-            search.say(Message(f"{selected[i].effect} is not needed any more"))
-            selected = without
-    return selected
-
-
-def _enriched(search: Search, base: Fit, selected: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
-    """The selection with one of its effects in another form, where that is better beyond chance; general ones last."""
-    selected = list(selected)
-    for general in (False, True):
-        last = selected[-1]
-        if not _unsolved(last):
-            break
-        candidates = search.exchanged([c.effect for c in selected], last.fit.values, general)
-        tried += candidates
-        better = [c for c in rank(last.fit, candidates) if convincing(last.fit, c)]
-        if better:
-            search.say(Message(f"in another form: {_told(better[0])}"))
-            selected = _refitted(search, better[0].effects, better[0].fit, base, tried) or selected
-    return selected
-
-
-def _merged(search: Search, base: Fit, selected: Sequence[Candidate], tried: list[Candidate]) -> list[Candidate]:
-    """The selection with fewer effects, where a richer member of one's family does what two of them did."""
-    selected = list(selected)
-    while len(selected) > 1:
-        full = selected[-1]
-        candidates = search.fewer(
-            [c.effect for c in selected], full.fit.values, CRITERIA.search.better_form * base.residuals["fit"].excess
-        )
-        tried += candidates
-        enough = [c for c in candidates if as_good(c.fit, full)]
-        if not enough:
-            break
-        best = rank(base, enough)[0]
-        search.say(Message(f"fewer effects do as well: {_told(best)}"))
-        fewer = _refitted(search, best.effects, best.fit, base, tried)
-        if not fewer:
-            break
-        selected = fewer
-    return selected
-
-
-def _refitted(
-    search: Search, effects: Sequence[str], full: Fit, base: Fit, tried: list[Candidate], again: bool = False
-) -> list[Candidate]:
-    """The models that add these effects one after another, fitted from the values of a fuller model.
-
-    Models that were fitted before are taken as they are; the last one is fitted ``again``, since it may have stopped
-    short of its best. Nothing where one of them cannot be fitted.
-    """
-    models: list[Candidate] = []
-    for k in range(1, len(effects) + 1):
-        names = tuple(effects[:k])
-        before = models[-1].fit if models else base
-        known = next((c for c in tried if c.effects == names and not c.brief), None)
-        if known is None or (again and k == len(effects)):
-            fresh = search.with_effects(names, full.values)
-            known = _lower(tried, known, rank(before, [fresh])[0]) if fresh else known
-        if known is None:
-            return []
-        models.append(known)
-    return models
-
-
-def _lower(tried: list[Candidate], known: Candidate | None, fresh: Candidate) -> Candidate:
-    """That of two fits of the same model which is nearer to the data; the other one leaves ``tried``."""
-    if known is None:
-        tried.append(fresh)
-        return fresh
-    if fresh.fit.residuals["fit"].chi2 >= known.fit.residuals["fit"].chi2:
-        return known
-    tried[tried.index(known)] = fresh
-    return fresh

@@ -8,12 +8,16 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
+from pam_cosim.arrays import Array
 from pam_cosim.catalogue import Composition, EffectClass
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Attempt, Candidate, FailedTrial
 from pam_cosim.diagnosis.pruning import pruned
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.fitting import Fit, FitOptions, Free, base_parameters, fit
+from pam_cosim.fitting import Fit, FitOptions, Free, Linear, base_parameters, fit, linearised, residual_rows
+from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_source
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet
@@ -32,7 +36,10 @@ class Trial:
         start: values to start from, by name [SI].
         files: further Modelica files.
         options: how it is fitted.
-        further_start: values to start from besides, such as those where screening ended.
+        further_start: values to start from besides, such as those where a briefer trial ended.
+        brief: a few steps only.
+        prune: whether what a general member does not need is held at zero.
+        library: ``compiler.library_hash()``.
     """
 
     effect: EffectClass
@@ -43,22 +50,23 @@ class Trial:
     files: tuple[Path, ...] = ()
     options: FitOptions = FitOptions()
     further_start: Mapping[str, float] = field(default_factory=dict)
+    brief: bool = False
+    prune: bool = False
+    library: str = ""
 
     def screening(self) -> Trial:
         """A few steps of the same from one start: enough to tell a promising effect from a hopeless one."""
         numbers = CRITERIA.search
-        return self.fitted_with(
-            evaluations=numbers.screening_evaluations,
-            descents=1,
-            screened_starts=0,
-            tolerance=numbers.screening_tolerance,
-            precision=numbers.screening_precision,
+        return replace(
+            self.fitted_with(
+                evaluations=numbers.screening_evaluations,
+                descents=1,
+                tolerance=numbers.screening_tolerance,
+                precision=numbers.precision,
+                rules=False,
+            ),
+            brief=True,
         )
-
-    @property
-    def is_screening(self) -> bool:
-        """Whether it makes a few steps only: a screening."""
-        return self.options.evaluations <= CRITERIA.search.screening_evaluations
 
     def fitted_with(self, **changes: Any) -> Trial:
         """The same trial with other ``options``."""
@@ -77,10 +85,28 @@ class Trial:
             effects=self.effects,
             own_parameters=tuple(self.composition.parameters[self.effect.name]),
             equations=self.composition.text,
-            brief=self.is_screening,
+            brief=self.brief,
             general=self.effect.general,
             fit=fit,
         )
+
+
+@dataclass(frozen=True)
+class Probe:
+    """What an effect does to the samples where it starts.
+
+    Attributes:
+        effect, family: as its class declares them.
+        own_parameters: names of the parameters that it brought.
+        linear: the model with it about the fitted base model and the effect's own stated values.
+        further: (m,) each, the residual where its own parameters are some times as large, and as small.
+    """
+
+    effect: str
+    family: str
+    own_parameters: tuple[str, ...]
+    linear: Linear
+    further: tuple[Array, ...] = ()
 
 
 def crashed(trial: Trial) -> Attempt:
@@ -88,22 +114,18 @@ def crashed(trial: Trial) -> Attempt:
     return trial.failed("the simulation crashed its process")
 
 
+def crashed_probe(trial: Trial) -> Probe | FailedTrial:
+    """The same of a probe."""
+    return trial.failed("the simulation crashed its process")
+
+
 def run_trial(trial: Trial) -> Attempt:
     """Builds the model and fits the free base parameters together with those of the effects."""
     try:
-        own = [name for names in trial.composition.parameters.values() for name in names]
-        free = tuple(dict.fromkeys([*trial.data.free_names, *own]))
-        fmu = build_source(trial.composition.name, trial.composition.text, trial.files, sensitivities=free)
-        with Simulator(fmu) as simulator:
+        with _simulator(trial) as simulator:
             moved, starts = free_parameters(trial, simulator.interface)
-            best = fit(
-                simulator,
-                trial.data,
-                moved,
-                starts=starts,
-                options=trial.options,
-            )
-            if trial.effect.general and not trial.is_screening:
+            best = fit(simulator, trial.data, moved, starts=starts, options=trial.options)
+            if trial.effect.general and trial.prune:
                 names = trial.composition.parameters[trial.effect.name]
                 best = pruned(simulator, trial.data, moved, names, best, trial.options.precision)
             return trial.candidate(best)
@@ -113,12 +135,44 @@ def run_trial(trial: Trial) -> Attempt:
         return trial.failed(f"{type(defect).__name__}: {defect}")
 
 
+def run_probe(trial: Trial) -> Probe | FailedTrial:
+    """Builds the model and linearises it about the values that it starts from, for what its effect can add."""
+    try:
+        with _simulator(trial) as simulator:
+            moved, _ = free_parameters(trial, simulator.interface)
+            objective = Objective(simulator, trial.data, trial.data.fit_runs, moved, None, trial.options.tolerance)
+            linear = linearised(objective, np.array([f.to_z(f.start) for f in moved]), CRITERIA.search.rows)
+            if linear is None:
+                return trial.failed(objective.first_failure)
+            own = tuple(trial.composition.parameters[trial.effect.name])
+            scaled = [_scaled(moved, own, factor) for factor in CRITERIA.search.probed_at]
+            rows = [residual_rows(objective, z, CRITERIA.search.rows) for z in scaled]
+            further = tuple(r for r in rows if r is not None)
+            return Probe(trial.effect.name, trial.effect.family, own, linear, further)
+    except (SimulationFailure, InputError) as problem:
+        return trial.failed(str(problem))
+    except Exception as defect:
+        return trial.failed(f"{type(defect).__name__}: {defect}")
+
+
+def _scaled(moved: Sequence[Free], own: Sequence[str], factor: float) -> Array:
+    """Search coordinates of the starts, with own parameters times a factor."""
+    values = [f.start * (factor if f.name in own else 1.0) for f in moved]
+    return np.array([f.to_z(min(max(v, f.low), f.high)) for f, v in zip(moved, values, strict=True)])
+
+
+def _simulator(trial: Trial) -> Simulator:
+    own = [name for names in trial.composition.parameters.values() for name in names]
+    free = tuple(dict.fromkeys([*trial.data.free_names, *own]))
+    source, name = trial.composition.text, trial.composition.name
+    return Simulator(build_source(name, source, trial.files, sensitivities=free, library=trial.library))
+
+
 def free_parameters(trial: Trial, interface: Interface) -> tuple[tuple[Free, ...], list[dict[str, float]]]:
     """Base parameters and those of the effects, and further points to start from.
 
     The strength of an unknown effect is uncertain by orders of magnitude: each parameter of the tried effect is
-    started at its stated value, and at ten times more and less; in all combinations where they are few. An effect that
-    says whatever its family can has many valleys: it is started in combinations of two, and a hundred times off.
+    started at its stated value, and at ten times more and less; in all combinations where they are few.
     """
     free = list(base_parameters(trial.data, interface))
     known = {f.name for f in free}
@@ -132,27 +186,20 @@ def free_parameters(trial: Trial, interface: Interface) -> tuple[tuple[Free, ...
             parameter = Free(name, v.min, v.max, v.start, v.unit, v.nominal)
             free.append(parameter)
             if effect == trial.effect.name:
-                spread.append([(name, s) for s in _orders(parameter, trial.effect.general)])
+                spread.append([(name, s) for s in _orders(parameter)])
     moved = [_from(f, trial.start) for f in free]
-    return tuple(moved), [dict(trial.further_start)] * bool(trial.further_start) + _combined(
-        spread, trial.effect.general
-    )
+    return tuple(moved), [dict(trial.further_start)] * bool(trial.further_start) + _combined(spread)
 
 
-def _combined(spread: Sequence[Sequence[tuple[str, float]]], pairs: bool) -> list[dict[str, float]]:
-    """All combinations of a few parameters' values, or one at a time of many, or two."""
-    if not pairs and len(spread) <= CRITERIA.search.combined_parameters:
+def _combined(spread: Sequence[Sequence[tuple[str, float]]]) -> list[dict[str, float]]:
+    """All combinations of a few parameters' values, or one at a time of many."""
+    if len(spread) <= CRITERIA.search.combined_parameters:
         return [dict(point) for point in itertools.product(*spread)] if spread else []
-    single = [{name: value} for values in spread for name, value in values]
-    if not pairs:
-        return single
-    some = [dict(two) for a, b in itertools.combinations(spread, 2) for two in itertools.product(a[1:3], b[1:3])]
-    return single + some
+    return [{name: value} for values in spread for name, value in values]
 
 
-def _orders(free: Free, general: bool) -> Sequence[float]:
-    decades = CRITERIA.search.general_decades if general else CRITERIA.search.decades
-    values = [free.start * 10.0**k for n in range(decades + 1) for k in (-n, n)]
+def _orders(free: Free) -> Sequence[float]:
+    values = [free.start * 10.0**k for n in range(CRITERIA.search.decades + 1) for k in (-n, n)]
     return list(dict.fromkeys(min(max(v, free.low), free.high) for v in values))
 
 

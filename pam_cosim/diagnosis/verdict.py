@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import prod
+from math import exp, inf, isnan, prod
 from typing import Literal
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.evidence import dominant_effect, foretold, incomplete, structured
+from pam_cosim.diagnosis.evidence import dominant_effect, evidence, foretold, incomplete, scale, structured
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import ROLES
 
@@ -27,6 +27,7 @@ class Verdict:
         effects: the effect classes, likewise.
         reason: the verdict in a sentence or two.
         remainder: a family is identified, and still what remains has structure: its form is not listed.
+        probability: that these families, and no others, are what is missing (``confidence``).
     """
 
     kind: Kind
@@ -34,6 +35,7 @@ class Verdict:
     effects: tuple[str, ...]
     reason: str
     remainder: bool = False
+    probability: float = float("nan")
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON."""
@@ -43,6 +45,7 @@ class Verdict:
             "effects": list(self.effects),
             "reason": self.reason,
             "remainder": self.remainder,
+            "probability": None if isnan(self.probability) else self.probability,
         }
 
 
@@ -52,27 +55,67 @@ _REST = (
 )
 
 
-def rivals(best: Candidate, ranked: Sequence[Candidate]) -> list[Candidate]:
-    """Candidates of other families that the data hardly distinguish from the best, one of each family.
+def rivals(base: Fit, best: Candidate, tried: Sequence[Candidate], family: Mapping[str, str]) -> list[Candidate]:
+    """Models with other families that the data hardly distinguish from the best, one of each set of families.
 
-    Neither the evidence of the fitted samples, nor the holdout runs, nor signals that were compared but not fitted
-    may tell them apart. What says whatever its family can is a rival only of its like, not of a law.
+    Neither the evidence nor signals that were compared but not fitted may tell them apart. What says whatever its
+    family can is a rival only of its like, not of a law.
+
+    Args:
+        base: the model without effects, fitted.
+        best: the model with all that was selected.
+        tried: all models.
+        family: of every effect there is.
     """
-    by_family: dict[str, Candidate] = {}
-    for c in ranked:
-        if c.family == best.family or c.delta_bic - best.delta_bic > CRITERIA.evidence.very_strong:
+    at, of = scale([base, *(c.fit for c in tried)]), len(family)
+    own = {family[e] for e in best.effects}
+    limit = evidence(best.fit, at, len(best.effects), of, best) + CRITERIA.evidence.very_strong
+    near: dict[frozenset[str], tuple[float, Candidate]] = {}
+    for c in tried:
+        theirs = frozenset(family[e] for e in c.effects)
+        if theirs == own or (c.general and not best.general) or _refuted(c.fit, best.fit):
             continue
-        if c.general and not best.general:
-            continue
-        if not _refuted(c.fit, best.fit):
-            by_family.setdefault(c.family, c)
-    return list(by_family.values())
+        score = evidence(c.fit, at, len(c.effects), of, c)
+        if score < limit and (theirs not in near or score < near[theirs][0]):
+            near[theirs] = (score, c)
+    return [c for _, c in sorted(near.values(), key=lambda entry: (entry[0], entry[1].effects))]
+
+
+def confidence(
+    base: Fit, best: Candidate | None, tried: Sequence[Candidate], family: Mapping[str, str], verdict: Verdict
+) -> float:
+    """Probability that what the verdict says is missing is what is missing.
+
+    Of the models that were fitted each has the weight that its evidence gives it, tempered: data are not as independent
+    as the evidence assumes. That it is none of them has a weight of its own, which is large where structure is left.
+
+    Args:
+        base: the model without effects, fitted.
+        best: the model with all that was selected; None: nothing was.
+        tried: all models.
+        family: of every effect there is.
+        verdict: what is said.
+    """
+    numbers = CRITERIA.evidence
+    if best is None:
+        return 1 - (numbers.unlisted if verdict.kind == "none_missing" else numbers.unlisted_by_structure)
+    at, of = scale([base, *(c.fit for c in tried)]), len(family)
+    own = frozenset(family[e] for e in best.effects)
+    lowest: dict[frozenset[str], float] = {}
+    for c in tried:
+        theirs = frozenset(family[e] for e in c.effects)
+        if not c.brief and (len(c.effects) <= len(best.effects)):
+            lowest[theirs] = min(lowest.get(theirs, inf), evidence(c.fit, at, len(c.effects), of, c))
+    first = evidence(best.fit, at, len(best.effects), of, best)
+    weights = {f: exp(min((first - e) / (2 * numbers.temperature), 0.0)) for f, e in lowest.items()} | {own: 1.0}
+    told = {f for f in weights if f == own or (verdict.kind == "ambiguous" and f <= set(verdict.families))}
+    left = numbers.unlisted
+    if incomplete(best.fit):
+        left = numbers.unlisted_by_remainder if verdict.remainder else numbers.unlisted_by_structure
+    return (1 - left) * sum(weights[f] for f in told) / sum(weights.values())
 
 
 def _refuted(rival: Fit, best: Fit) -> bool:
-    a, b = rival.residuals["holdout"], best.residuals["holdout"]
-    if a.samples and (a.chi2 - b.chi2) / max(1.0, b.chi2_reduced) > CRITERIA.evidence.very_strong:
-        return True
     signals = best.comparison.data.signals
     ratios = [
         score.rmse / other.rmse

@@ -22,6 +22,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.fitting.combinations import Combination, combinations
 from pam_cosim.fitting.estimate import Estimate, describe, estimates
 from pam_cosim.fitting.free import Free, base_parameters
+from pam_cosim.fitting.linear import Linear, linearised
 from pam_cosim.fitting.methods import METHODS, Record
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fitting.options import FitOptions
@@ -50,6 +51,7 @@ class Fit(Printed):
         search: what that method did on its own way, where that is worth telling.
         convergence: how the chi-square came down.
         correlation: (k, k) matrix of the estimates, in the order of ``parameters``; empty: not known.
+        linear: the model about the optimum, where the options ask for it.
     """
 
     model: str
@@ -63,6 +65,7 @@ class Fit(Printed):
     search: Record | None = None
     convergence: Convergence = field(default_factory=Convergence)
     correlation: Array = field(default_factory=lambda: np.zeros((0, 0)))
+    linear: Linear | None = None
 
     @property
     def values(self) -> dict[str, float]:
@@ -164,7 +167,8 @@ def fit(
         finally:
             log.write()
     end = solution.end
-    comparison = compare(simulator, data, objective.values(end.z), objective.tolerance)
+    linear = linearised(objective, end.z, options.rows) if options.rows else None
+    comparison = compare(simulator, data, objective.values(end.z), objective.tolerance, rules=options.rules)
     by_role = statistics_by_role(comparison)
     spread = _spread(by_role["fit"])
     parameters = estimates(chosen, end.z, end.jacobian, objective.bounds, spread)
@@ -180,6 +184,7 @@ def fit(
         solution.record,
         tracker.convergence,
         correlations(end.jacobian),
+        linear,
     )
 
 

@@ -22,7 +22,7 @@ class Objective:
 
     Attributes:
         free: the parameters that are searched.
-        size: number of samples.
+        size: number of samples, and ``series`` how many of each run and signal, in the order of the rows.
         tracker: is told of every point.
         evaluations: simulations of the whole set so far.
         failures: the first message of each kind of breakdown.
@@ -57,6 +57,7 @@ class Objective:
         self.tolerance = chosen if tolerance is None else tolerance
         counts = [sum(run.sample_count(s) for s in names) for run, names in zip(self.runs, self._signals, strict=True)]
         self.size = sum(counts)
+        self.series = [run.sample_count(s) for run, names in zip(self.runs, self._signals, strict=True) for s in names]
         self._ends = np.cumsum([0, *counts])  # rows of each run
 
     @property
@@ -157,6 +158,11 @@ class Objective:
         residuals = self._with_priors(z, self._without_slopes(z, range(len(self.runs))))
         self._saw(residuals)
         return float(residuals @ residuals) if np.all(np.isfinite(residuals)) else np.inf
+
+    def plain_residuals(self, z: Array) -> Array:
+        """As ``residuals``, simulated without slopes."""
+        self.evaluations += 1
+        return self._with_priors(z, self._without_slopes(z, range(len(self.runs))))
 
     def glance(self, z: Array) -> float:
         """The squared residuals of the first and the last run, which cost little and tell a good start from a bad one.

@@ -22,6 +22,8 @@ class FitOptions:
             promise most, until the noise is reached.
         tolerance: relative, of the solver; None: tight enough for the noise and for finite differences.
         precision: a descent ends where a step takes away less than this part of the chi-square.
+        rows: of the linearised model about the optimum that the fit keeps; 0: none is kept.
+        rules: whether to say where the error sits.
     """
 
     method: str = "least-squares"
@@ -31,3 +33,5 @@ class FitOptions:
     starts: int = 0
     tolerance: float | None = None
     precision: float = CRITERIA.fit.precision
+    rows: int = 0
+    rules: bool = True

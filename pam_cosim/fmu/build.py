@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import zipfile
 from collections.abc import Callable, Sequence
+from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
@@ -124,6 +125,7 @@ def _tool() -> str:
         return TOOL
 
 
+@cache
 def _packaging_key() -> str:
     """Changes with this room's own code."""
     return digest(_tool(), version("casadi"), *(f.read_bytes() for f in sorted(Path(__file__).parent.glob("*.py"))))

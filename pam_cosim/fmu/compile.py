@@ -110,7 +110,12 @@ def _shipped(names: tuple[str, ...]) -> tuple[str, ...]:
 
 def source_key(shipped: Sequence[str]) -> str:
     """Changes whenever the shipped sources, the FMI headers, the flags or the compiler change."""
-    return digest(*_shipped(tuple(shipped)), " ".join(_FLAGS), version("ziglang"))
+    return _source_key(tuple(shipped))
+
+
+@cache
+def _source_key(shipped: tuple[str, ...]) -> str:
+    return digest(*_shipped(shipped), " ".join(_FLAGS), version("ziglang"))
 
 
 def compile_library(shipped: Sequence[str], generated: Mapping[str, str], platform_name: str) -> Path:

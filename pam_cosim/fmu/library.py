@@ -54,17 +54,20 @@ def _build(
     sensitivities: Sequence[str],
     where_smooth: bool,
     fmi: str = "2.0",
+    library: str = "",
 ) -> Path:
     def make() -> Ode:
         ode = compile_model(model, files=files)
         known = smooth_parameters(ode) if where_smooth else sensitivities
         return with_sensitivities(ode, [name for name in sensitivities if name in known])
 
-    key = digest(flat_hash(model, files=files), str(where_smooth), *sensitivities)
+    key = digest(flat_hash(model, files=files, library=library), str(where_smooth), *sensitivities)
     return cached_fmu(key, make, platforms=platforms, fmi=fmi)
 
 
-def build_source(model: str, text: str, files: Sequence[Path] = (), *, sensitivities: Sequence[str] = ()) -> Path:
+def build_source(
+    model: str, text: str, files: Sequence[Path] = (), *, sensitivities: Sequence[str] = (), library: str = ""
+) -> Path:
     """The FMU of a model whose Modelica source is at hand as text.
 
     Args:
@@ -72,9 +75,10 @@ def build_source(model: str, text: str, files: Sequence[Path] = (), *, sensitivi
         text: Modelica source.
         files: further ``.mo`` files that it may use.
         sensitivities: as in ``build_model``, where the solution is smooth.
+        library: ``compiler.library_hash()``, where somebody asked for it already.
 
     Raises:
         ModelError: the model cannot be compiled.
     """
     source = cached("sources", digest(text), ".mo", text.encode)
-    return _build(model, [*files, source], ("native",), sensitivities, where_smooth=True)
+    return _build(model, [*files, source], ("native",), sensitivities, where_smooth=True, library=library)

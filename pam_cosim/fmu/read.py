@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +11,8 @@ from fmpy.model_description import ModelDescription, ValidationError
 
 from pam_cosim.errors import InputError
 from pam_cosim.interface import Interface, Variable, sensitivity_name
+
+_KEPT = 128  # descriptions: a diagnosis comes back to those of the catalogue's effects
 
 
 def read_description(path: Path) -> ModelDescription:
@@ -56,6 +59,13 @@ def has_exchange(path: Path) -> bool:
 def _description(path: Path) -> ModelDescription:
     if not Path(path).exists():
         raise InputError("there is no such file", path)
+    file = Path(path).stat()
+    return _read(Path(path), file.st_mtime_ns, file.st_size)
+
+
+@lru_cache(maxsize=_KEPT)
+def _read(path: Path, changed: int, size: int) -> ModelDescription:
+    """The description of a file as it was at an instant; nobody writes into it."""
     try:
         return fmpy.read_model_description(str(path), validate=False)
     except ValidationError as error:

@@ -18,7 +18,14 @@ from pam_cosim.reporting.figures.residual_map import residual_map
 from pam_cosim.reporting.figures.residuals import residual_pictures
 from pam_cosim.reporting.learned_part import learned_part
 from pam_cosim.reporting.ledger_part import ledger_part
-from pam_cosim.reporting.meaning import compared_sentence, error_sentence, headline, kind_name, meaning
+from pam_cosim.reporting.meaning import (
+    compared_sentence,
+    error_sentence,
+    headline,
+    kind_name,
+    meaning,
+    probability_sentence,
+)
 from pam_cosim.reporting.next_run import next_run
 from pam_cosim.reporting.page import provenance, render, score_rows, signal_rows
 from pam_cosim.reporting.style import Picture, balance_colours
@@ -59,6 +66,7 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
         error=error_sentence(diagnosis),
         compared=compared_sentence(diagnosis),
         reason=diagnosis.verdict.reason,
+        probability=probability_sentence(diagnosis.verdict),
         meaning=meaning(diagnosis.verdict, diagnosis.data.domain),
         summary=_summary(diagnosis),
         ladder=ladder_picture(rungs_of(diagnosis), signals),

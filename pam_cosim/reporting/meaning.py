@@ -118,6 +118,12 @@ def error_sentence(diagnosis: Diagnosis) -> str:
     return f"On {runs} the rms error of {name} {course}; {noise}."
 
 
+def probability_sentence(verdict: Verdict) -> str:
+    """How sure the verdict is; "" where it does not say."""
+    p = verdict.probability
+    return "" if p != p else f"Probability that this, and nothing else, is missing: {100 * p:.0f} %."
+
+
 def compared_sentence(diagnosis: Diagnosis) -> str:
     """The error of the signals that the verdict does not rest on; "" where there are none."""
     role = "holdout" if diagnosis.base.comparison.scores["holdout"] else "fit"

@@ -32,7 +32,7 @@ def load_instance(path: Path, description: ModelDescription, directory: str, *, 
     Raises:
         InputError: there is no binary for this machine, or it cannot be loaded.
     """
-    fmpy.extract(str(path), unzipdir=directory)
+    fmpy.extract(str(path), unzipdir=directory, include=_needed)
     identifier = (description.modelExchange if exchange else description.coSimulation).modelIdentifier
     arguments = {
         "guid": description.guid,
@@ -49,6 +49,11 @@ def load_instance(path: Path, description: ModelDescription, directory: str, *, 
         raise InputError(f"the FMU cannot be loaded on this machine: {error}", path) from error
     finally:
         os.chdir(folder)  # FMPy goes to the library's folder and stays there when loading fails
+
+
+def _needed(name: str) -> bool:
+    """Sources and documentation are not for running."""
+    return not name.startswith(("sources/", "documentation/"))
 
 
 def own_library(directory: str, identifier: str) -> str | None:

@@ -140,5 +140,3 @@ def read_unit(text: str, difference: bool) -> Any:
         return _Parser(text, difference).parse()
     except (pint.PintError, OverflowError, ZeroDivisionError):
         raise UnitError(f"unit {shown(text)} cannot be read") from None
-
-

@@ -7,17 +7,14 @@ import math
 import pytest
 
 from pam_cosim.diagnosis.evidence import (
-    as_good,
+    Scale,
     bic,
     convincing,
-    degenerate,
-    leading,
-    leaves_structure,
+    evidence,
     rank,
-    structured,
 )
 from pam_cosim.fitting import Estimate
-from tests.diagnosis.synthetic import EMPTY, KNOWN, LOST, candidate, fitted, statistics
+from tests.diagnosis.synthetic import LOST, candidate, fitted
 
 LOG = math.log(1000)
 
@@ -78,56 +75,14 @@ def test_convincing_needs_evidence_and_the_holdout_runs() -> None:
     assert convincing(fitted(2.0), no_holdout)
 
 
-def test_a_law_at_its_limit_pays_for_the_parameter_and_does_not_lead() -> None:
-    """Creep without end fits as well as a spring, which is what it then is."""
-    spring = candidate("Spring", fitted(1.0, own={"k": KNOWN}), "elasticity", {"k": KNOWN})
-    creep = candidate("Creep", fitted(0.9999, own={"k": KNOWN, "tau": LOST}), "creep", {"k": KNOWN, "tau": LOST})
-    ranked = rank(fitted(5.0), [creep, spring])
-    assert [c.effect for c in ranked] == ["Spring", "Creep"]
-    assert ranked[1].delta_bic - ranked[0].delta_bic == pytest.approx(LOG - 0.1, abs=0.05)
-    lucky = candidate("Creep", fitted(0.992, own={"k": KNOWN, "tau": LOST}), "creep", {"k": KNOWN, "tau": LOST})
-    ranked = rank(fitted(5.0), [lucky, spring])
-    assert ranked[0].effect == "Creep"
-    assert leading(ranked).effect == "Spring"
-    better = candidate("Creep", fitted(0.9, own={"k": KNOWN, "tau": LOST}), "creep", {"k": KNOWN, "tau": LOST})
-    assert leading(rank(fitted(5.0), [better, spring])).effect == "Creep"
-    assert degenerate(creep) and not degenerate(spring)
+def test_evidence_of_all_runs_and_what_it_pays_for() -> None:
+    """Chi-square of both roles, a parameter's logarithm, and the number of sets of two among ten effects."""
+    fit = fitted(1.0, holdout=1.5, parameters=3)
+    assert evidence(fit, Scale(1.0, 1.0), 2, 10) == pytest.approx(1000 + 3 * LOG + 1500 + 2 * math.log(45))
+    assert evidence(fit, Scale(2.0, 5.0), 0, 10) == pytest.approx(100 + 3 * math.log(200) + 150)
 
 
-def test_base_parameters_that_an_effect_makes_idle_do_not_count_against_it() -> None:
-    """The polytropic exponent has no say beside an energy balance: that is no fault of the effect."""
-    idle = Estimate(1.2, 1.0, 1.4, determined=False)
-    assert not degenerate(candidate("Gas", fitted(1.0, own={"n": idle, "h": KNOWN}), "gas", {"h": KNOWN}))
-
-
-@pytest.mark.parametrize(
-    ("chi2", "score", "samples", "expected"),
-    [
-        (1.0, 0.0, 1000, False),
-        (1.2, 5.0, 1000, True),
-        (1.2, 3.0, 1000, False),  # chance
-        (1.04, 8.0, 1000, False),  # too small to be worth a name
-        (3.0, 0.0, 1000, False),  # louder than stated, but white
-        (3.0, 0.0, 15, True),  # few samples show it by their level: 1 + 4 sqrt(2/15) = 2.46
-        (2.3, 0.0, 15, False),
-    ],
-)
-def test_structured(chi2: float, score: float, samples: int, expected: bool) -> None:
-    assert structured(statistics(chi2, score, samples=samples)) is expected
-
-
-def test_nothing_measured_has_no_structure() -> None:
-    assert not structured(EMPTY) and not leaves_structure(EMPTY)
-
-
-def test_leftovers_count_from_a_fifth_of_the_noise() -> None:
-    assert leaves_structure(statistics(1.3, 10.0))
-    assert not leaves_structure(statistics(1.15, 10.0))
-    assert not leaves_structure(statistics(1.3, 3.0))
-
-
-def test_fewer_effects_do_as_well_only_where_held_out_runs_agree() -> None:
-    full = candidate("Two", fitted(1.0, holdout=1.0, parameters=4))
-    assert as_good(fitted(1.001, holdout=1.1), full)
-    assert not as_good(fitted(1.001, holdout=1.5), full)
-    assert not as_good(fitted(1.5, holdout=1.1), full)
+def test_evidence_pays_for_a_parameter_that_the_data_do_not_determine() -> None:
+    limit = candidate("a", fitted(1.0, parameters=2, own={"tau": LOST}), own={"tau": LOST})
+    at = Scale(1.0, 1.0)
+    assert evidence(limit.fit, at, 1, 10, limit) == pytest.approx(evidence(limit.fit, at, 1, 10) + LOG)

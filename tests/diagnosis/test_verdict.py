@@ -121,7 +121,11 @@ def test_share_explained_is_of_the_error_beyond_the_noise_of_the_holdout_runs() 
 def _rivals(*others):  # type: ignore[no-untyped-def]  # noqa: ANN002, ANN202
     ranked = rank(BASE, [GOOD, *others])
     assert ranked[0].effect == "Leak"
-    return [c.effect for c in rivals(ranked[0], ranked)]
+    return [c.effect for c in rivals(BASE, ranked[0], ranked, _families(ranked))]
+
+
+def _families(candidates):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+    return {c.effect: c.family for c in candidates}
 
 
 def test_rivals_are_close_and_of_other_families() -> None:
@@ -134,8 +138,9 @@ def test_rivals_are_close_and_of_other_families() -> None:
 def test_a_general_member_is_no_rival_of_a_law() -> None:
     ranked = rank(BASE, [GOOD, replace(candidate("Any", fitted(1.0, holdout=1.0), "line"), general=True)])
     anything, law = sorted(ranked, key=lambda c: not c.general)
-    assert rivals(law, ranked) == []
-    assert rivals(anything, ranked) == [law]
+    family = _families(ranked)
+    assert rivals(BASE, law, ranked, family) == []
+    assert [c.effect for c in rivals(BASE, anything, ranked, family)] == [law.effect]
 
 
 def test_one_rival_of_a_family() -> None:
@@ -153,4 +158,5 @@ def test_signals_that_were_not_fitted_refute_a_rival() -> None:
     for rms, expected in ((80.0, []), (20.0, ["Offset"])):
         other = candidate("Offset", fitted(1.001, shown={"T": rms}), "offset")
         ranked = rank(BASE, [best, other])
-        assert [c.effect for c in rivals(ranked[0], ranked)] == expected
+        others = rivals(BASE, ranked[0], ranked, _families(ranked))
+        assert [c.effect for c in others] == expected

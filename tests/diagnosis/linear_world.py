@@ -1,0 +1,118 @@
+"""A world in which models are linear, so that every fit is a matter of linear algebra and the truth is known."""
+
+from __future__ import annotations
+
+import zlib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.catalogue import EffectClass, effect_classes
+from pam_cosim.compiler import read_library
+from pam_cosim.diagnosis import Candidate
+from pam_cosim.diagnosis.search import Search
+from pam_cosim.diagnosis.trial import Probe
+from pam_cosim.fitting import Estimate, Fit, Linear
+from tests.diagnosis.synthetic import statistics
+
+TREE = read_library()
+SHELF = tuple(effect_classes(TREE))
+ROWS = 400
+KNOWN = {e.name: e for e in SHELF}
+
+
+def moves(name: str, role: str) -> Array:
+    """(ROWS, 1) what an effect of unit strength does to the samples of the runs of a role, per noise deviation.
+
+    Members of a family are alike, but not the same.
+    """
+    rng = np.random.default_rng(zlib.crc32(f"{KNOWN[name].family} {role}".encode()))
+    own = np.random.default_rng(zlib.crc32(f"{name} {role}".encode()))
+    return np.asarray(rng.standard_normal((ROWS, 1)) + 0.3 * own.standard_normal((ROWS, 1)))
+
+
+def base_moves(role: str) -> Array:
+    """(ROWS, 2) what two free parameters of the base model do."""
+    return np.asarray(np.random.default_rng(zlib.crc32(role.encode())).standard_normal((ROWS, 2)))
+
+
+@dataclass(frozen=True)
+class LinearWorld(Search):
+    """A search whose data hide some effects, of these strengths.
+
+    Attributes:
+        hidden: strengths by name.
+        strange: of a course that no effect has.
+        tried: the models that were fitted to the end.
+    """
+
+    hidden: Mapping[str, float] = field(default_factory=dict)
+    strange: float = 0.0
+    tried: list[tuple[str, ...]] = field(default_factory=list)
+
+    def samples(self, role: str) -> Array:
+        """(ROWS,) what is left of the samples by the base model at zero."""
+        rng = np.random.default_rng(zlib.crc32(f"noise {role}".encode()))
+        seen = rng.standard_normal(ROWS) + base_moves(role) @ [0.5, -0.5]
+        seen += self.strange * rng.standard_normal(ROWS)
+        return np.asarray(seen + sum((s * moves(n, role)[:, 0] for n, s in self.hidden.items()), np.zeros(ROWS)))
+
+    def fitted(self, effects: Sequence[str]) -> Fit:
+        """The model with these effects."""
+        columns = {r: np.hstack([base_moves(r), *(moves(e, r) for e in effects)]) for r in ("fit", "holdout")}
+        values = np.linalg.lstsq(columns["fit"], self.samples("fit"), rcond=None)[0]
+        left = {r: self.samples(r) - columns[r] @ values for r in columns}
+        names = ("base.0", "base.1", *(f"{e}.strength" for e in effects))
+        estimates = {n: Estimate(float(v), float(v) - 0.1, float(v) + 0.1) for n, v in zip(names, values, strict=True)}
+        chi2 = {r: float(v @ v) / ROWS for r, v in left.items()}
+        numbers = {r: statistics(c, 30.0 if c > 1.3 else 0.0, samples=ROWS) for r, c in chi2.items()}
+        limits = np.full(len(names), 1e3)
+        linear = Linear(names, values, -limits, limits, left["fit"], columns["fit"])
+        return Fit("Test", estimates, _NOTHING, numbers, 1, linear=linear)
+
+    def probed(self, base: Fit) -> list[Probe]:
+        assert base.linear is not None
+        probes = []
+        for e in self.shelf:
+            slopes = np.hstack([base.linear.slopes, moves(e.name, "fit")])
+            names, values = (*base.linear.names, f"{e.name}.strength"), np.append(base.linear.values, 0.5)
+            limits = np.full(len(names), 1e3)
+            left = base.linear.residual - 0.5 * moves(e.name, "fit")[:, 0]
+            linear = Linear(names, values, -limits, limits, left, slopes)
+            probes.append(Probe(e.name, e.family, (f"{e.name}.strength",), linear))
+        return probes
+
+    def briefly(self, models: Sequence[tuple[tuple[str, ...], Mapping[str, float]]]) -> list[Candidate]:
+        return [replace(self.candidate(names), brief=True) for names, _ in models]
+
+    def to_the_end(self, candidates: Sequence[Candidate], base: Fit) -> list[Candidate]:
+        self.tried.extend(c.effects for c in candidates)
+        return [self.candidate(c.effects) for c in candidates]
+
+    def finished(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate | None:
+        return self.candidate(tuple(effects))
+
+    def candidate(self, names: tuple[str, ...]) -> Candidate:
+        """The model with these effects, fitted."""
+        last: EffectClass = KNOWN[names[-1]]
+        own = (f"{last.name}.strength",)
+        return Candidate(last.name, last.family, last.balance, names, own, self.fitted(names), general=last.general)
+
+
+def world(hidden: Mapping[str, float], strange: float = 0.0) -> LinearWorld:
+    """A world with these effects hidden."""
+    return LinearWorld(TREE, "Test", SHELF, None, hidden=hidden, strange=strange)  # type: ignore[arg-type]
+
+
+class _Nothing:
+    """The comparison of a fit that was written down."""
+
+    runs = ()
+
+    class data:  # noqa: N801
+        signals: dict[str, object] = {}
+
+
+_NOTHING = _Nothing()  # type: ignore[var-annotated]

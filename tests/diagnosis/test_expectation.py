@@ -1,0 +1,75 @@
+"""What linear algebra expects of models, against fits of linear models, which it must meet exactly."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pam_cosim.diagnosis.expectation import Additions, Beside, addition, reduction
+from pam_cosim.fitting import Linear
+from tests.diagnosis.linear_world import ROWS, SHELF, world
+
+WORLD = world({"LinearBladder": 5.0, "ThermocoupleLag": 3.0})
+BASE = WORLD.fitted(())
+FAMILY = {e.name: e.family for e in SHELF}
+NAMES = {"LinearBladder", "ThermocoupleLag", "OrificeLeak"}
+
+
+def additions() -> Additions:
+    assert BASE.linear is not None
+    made = [addition(BASE.linear, p) for p in WORLD.probed(BASE) if p.effect in NAMES]
+    return Additions([a for a in made if a is not None])
+
+
+def test_one_and_two_further_effects() -> None:
+    assert BASE.linear is not None
+    beside = Beside((), BASE.linear, FAMILY, additions())
+    results = [*beside.with_one(), *beside.with_two(3)]
+    assert len(results) == 3 + 3
+    for e in results:
+        taken = BASE.residuals["fit"].chi2 - WORLD.fitted(e.effects).residuals["fit"].chi2
+        assert e.reduction == pytest.approx(taken, rel=1e-3)
+
+
+def test_effects_on_top_of_one_that_was_fitted() -> None:
+    one = WORLD.fitted(("LinearBladder",))
+    assert one.linear is not None
+    results = Beside(("LinearBladder",), one.linear, FAMILY, additions()).with_one()
+    assert {e.effects for e in results} == {("LinearBladder", n) for n in NAMES - {"LinearBladder"}}
+    for e in results:
+        taken = one.residuals["fit"].chi2 - WORLD.fitted(e.effects).residuals["fit"].chi2
+        assert e.reduction == pytest.approx(taken, rel=1e-3, abs=0.1)
+
+
+def test_another_form_of_an_effect_is_expected_to_do_what_the_first_one_does_and_more() -> None:
+    likely = world({"YoungBladder": 5.0})
+    base, one = likely.fitted(()), likely.fitted(("LinearBladder",))
+    assert base.linear is not None and one.linear is not None
+    made = [addition(base.linear, p) for p in likely.probed(base) if p.effect in {"YoungBladder", "OrificeLeak"}]
+    every = Additions([a for a in made if a is not None])
+    (other,) = Beside(("LinearBladder",), one.linear, FAMILY, every).with_another_form()
+    assert (other.effects, other.exchanged) == (("YoungBladder",), "LinearBladder")
+    left = one.residuals["fit"].chi2 - other.reduction
+    assert left <= likely.fitted(("YoungBladder",)).residuals["fit"].chi2
+
+
+def test_a_reduction_ends_at_a_bound() -> None:
+    slopes = np.ones((ROWS, 1))
+    free, bounded = (
+        Linear(("k",), np.array([0.0]), np.array([0.0]), np.array([high]), np.full(ROWS, 2.0), slopes)
+        for high in (10.0, 1.0)
+    )
+    assert reduction(free) == pytest.approx(4.0 * ROWS)
+    assert reduction(bounded) == pytest.approx(3.0 * ROWS)  # 2 goes to 1 everywhere
+    wrong_way = Linear(("k",), np.array([0.0]), np.array([-1.0]), np.array([0.0]), np.full(ROWS, 2.0), slopes)
+    assert reduction(wrong_way) == pytest.approx(0.0, abs=1e-6)
+
+
+def test_what_moves_nothing_adds_nothing() -> None:
+    assert BASE.linear is not None
+    (probe,) = [p for p in WORLD.probed(BASE) if p.effect == "OrificeLeak"]
+    still = np.hstack([BASE.linear.slopes, np.zeros((ROWS, 1))])
+    idle = Linear(
+        probe.linear.names, probe.linear.values, probe.linear.low, probe.linear.high, BASE.linear.residual, still
+    )
+    assert addition(BASE.linear, type(probe)(probe.effect, probe.family, probe.own_parameters, idle)) is None
