@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
@@ -20,14 +21,17 @@ EFFECTS = sorted(p.stem for p in (HERE / "isotonic-with-effect").glob("*.csv"))
 ADDED_UP = 500
 OURS = 1e-9
 
+# Parts of laws that came after these trajectories were made, switched off: the rest is held against them.
+LATER = {"GeneralLeak": {"leak.p_open": 0.0}, "GeneralLine": {"line.UA": 0.0}}
 
-def differences(fmu: Path, file: Path) -> dict[str, float]:
+
+def differences(fmu: Path, file: Path, parameters: Mapping[str, float] | None = None) -> dict[str, float]:
     """The largest difference of each output, of its range over the run."""
     names = file.read_text().split("\n", 1)[0].split(",")
     time, *columns = np.loadtxt(file, delimiter=",", skiprows=1).T
     with Simulator(fmu) as simulator:
         assert set(simulator.interface.outputs) == set(names[1:])
-        run = simulator.run(time, tolerance=OURS)
+        run = simulator.run(time, parameters=parameters, tolerance=OURS)
     return {
         name: float(np.abs(run[name] - theirs).max() / (np.ptp(theirs) or np.abs(theirs).max()))
         for name, theirs in zip(names[1:], columns, strict=True)
@@ -46,5 +50,5 @@ def test_class(name: str) -> None:
 
 @pytest.mark.parametrize("effect", EFFECTS)
 def test_effect(effect: str) -> None:
-    apart = differences(built(BENCH, effect), HERE / "isotonic-with-effect" / f"{effect}.csv")
+    apart = differences(built(BENCH, effect), HERE / "isotonic-with-effect" / f"{effect}.csv", LATER.get(effect))
     assert max(apart.values()) < ADDED_UP * 1e-8, apart
