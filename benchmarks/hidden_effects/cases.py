@@ -1,6 +1,6 @@
 """Case number and set -> a data set and what is hidden in it.
 
-    python -m benchmarks.hidden_effects.cases FOLDER --set tuning --number 7
+    python -m benchmarks.hidden_effects.sets FOLDER --set tuning --number 7
 
 The composition repeats every 60 cases: 30 with one form of the catalogue, 12 with one form that it lacks, 6 pairs, 7
 with nothing hidden, 5 with an effect in no family; mixed, so that the first cases already are a fair sample.
@@ -8,10 +8,7 @@ with nothing hidden, 5 with an effect in no family; mixed, so that the first cas
 
 from __future__ import annotations
 
-import argparse
-import json
-import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -71,13 +68,13 @@ class Made:
     description: dict[str, object]
 
 
-def _order() -> tuple[str, ...]:
-    """The groups of one period, each spread evenly over it."""
-    slots = [((k + 0.5) / count, group) for group, count in GROUPS.items() for k in range(count)]
-    return tuple(group for _, group in sorted(slots))
+def spread(shares: Mapping[str, int]) -> tuple[str, ...]:
+    """Names by their shares, each spread evenly over one period."""
+    slots = [((k + 0.5) / count, name) for name, count in shares.items() for k in range(count)]
+    return tuple(name for _, name in sorted(slots))
 
 
-_ORDER = _order()
+_ORDER = spread(GROUPS)
 _MIXED = tuple(table.FAMILIES[7 * k % 16] for k in range(16))  # neighbours belong to different balances
 
 
@@ -260,20 +257,3 @@ def _known(bench: Bench) -> dict[str, str]:
 def _with_unit(value: float, of: FreeParameter) -> str:
     unit = _PARAMETER_UNITS.get(of.name)
     return f'"{value:.9g} {unit}"' if unit else f"{value:.9g}"
-
-
-def main(arguments: Sequence[str] | None = None) -> int:
-    """Command line: writes one case, prints what is hidden in it."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder", type=Path)
-    parser.add_argument("--set", dest="which", choices=SEEDS, default="tuning")
-    parser.add_argument("--number", type=int, default=0)
-    options = parser.parse_args(arguments)
-    made = make(case_of(options.which, options.number))
-    write(made, options.folder)
-    print(json.dumps(made.description, indent=1))
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

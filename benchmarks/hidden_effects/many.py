@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks.hidden_effects import table
-from benchmarks.hidden_effects.cases import CLASSES, _fitting_noise, _negative, _within
+from benchmarks.hidden_effects.cases import CLASSES, _fitting_noise, _negative, _within, spread
 from benchmarks.hidden_effects.faults import FAULTS, ON_SOME_BENCH, FaultForm, Scene
 from benchmarks.hidden_effects.noise import Sensors, disturb, draw_sensors
 from benchmarks.hidden_effects.setups import SHARES, Design, Setup, draw, draw_design
@@ -78,13 +78,7 @@ class Made:
     description: dict[str, Any]
 
 
-def _spread(shares: Mapping[str, int]) -> tuple[str, ...]:
-    """Names by their shares, each spread evenly over one period."""
-    slots = [((k + 0.5) / count, name) for name, count in shares.items() for k in range(count)]
-    return tuple(name for _, name in sorted(slots))
-
-
-_GROUP_ORDER, _BENCH_ORDER = _spread(GROUPS), _spread(SHARES)
+_GROUP_ORDER, _BENCH_ORDER = spread(GROUPS), spread(SHARES)
 
 
 @cache

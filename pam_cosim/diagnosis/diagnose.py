@@ -205,12 +205,13 @@ def _base(
 ) -> tuple[DataSet, Fit, dict[str, int]]:
     """The base model fitted to the data without outliers, these data, and how many samples were set aside."""
     with Simulator(build_model(model, files, sensitivities=data.free_names, where_smooth=True)) as simulator:
-        base = fit(simulator, data)
+        options = FitOptions(rows=CRITERIA.search.rows)
+        base = fit(simulator, data, options=options)
         data, outliers = without_outliers(data, base.comparison.runs)
         if outliers:
             counts = ", ".join(f"{count} of {name}" for name, count in outliers.items())
             say(Message(f"single samples far off their neighbours are set aside: {counts}"))
-        base = fit(simulator, data, options=FitOptions(rows=CRITERIA.search.rows))
+            base = fit(simulator, data, options=options)
     say(Message(f"base model refitted: {describe_fit(base)}"))
     return data, base, outliers
 

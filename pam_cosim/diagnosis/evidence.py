@@ -47,6 +47,12 @@ def structured(s: ResidualStatistics, repeated: Reproducibility | None = None) -
     return visible or s.chi2_reduced > 1 + CRITERIA.residuals.level_of_few * math.sqrt(2 / s.samples)
 
 
+def unexplained(fit: Fit) -> bool:
+    """Whether a model leaves structure in runs that were fitted or in others."""
+    repeated = foretold(fit)
+    return any(structured(s, repeated) for s in fit.residuals.values())
+
+
 def coherent(s: ResidualStatistics) -> bool:
     """Whether residuals are correlated and larger than noise, if ever so slightly, be it a drift of the instruments."""
     return structured(s) or (

@@ -13,7 +13,7 @@ from pam_cosim.compiler import ClassTree, Structure, library_hash, read_structur
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
 from pam_cosim.diagnosis.message import Message
-from pam_cosim.diagnosis.trial import Probe, Trial, crashed, crashed_probe, run_probe, run_trial
+from pam_cosim.diagnosis.trial import Probe, Trial, crashed, run_probe, run_trial
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import DataSet
 from pam_cosim.units import format_quantity
@@ -68,7 +68,7 @@ class Search:
         """What each effect does to the samples beside the fitted base model."""
         trials = [t.screening() for t in self._trials([((e.name,), base.values) for e in self.shelf])]
         self.say(Message(f"looking at what each of {len(trials)} effects would change"))
-        results = run_tasks(run_probe, trials, crashed_probe, lambda _: None, self.workers)
+        results = run_tasks(run_probe, trials, crashed, lambda _: None, self.workers)
         self.failed.extend(c for c in results if isinstance(c, FailedTrial))
         return [c for c in results if isinstance(c, Probe)]
 

@@ -16,14 +16,12 @@ from dataclasses import dataclass, replace
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.evidence import (
-    Scale,
     coherent,
     dominant_effect,
     evidence,
-    foretold,
     rank,
     scale,
-    structured,
+    unexplained,
 )
 from pam_cosim.diagnosis.expectation import Additions, Beside, Expected, addition, reduction
 from pam_cosim.diagnosis.message import Message
@@ -85,7 +83,7 @@ class _Models:
         self.known: dict[tuple[str, ...], Candidate] = {}
         self.probes: list[Probe] = []
         self._added: tuple[tuple[int, ...], Additions] = ((), Additions([]))
-        self._measured = (0, scale([base]))
+        self._scale = scale([base])
         self._left: dict[tuple[str, ...], tuple[Fit, bool]] = {}
 
     @property
@@ -205,12 +203,6 @@ class _Models:
     def _fits(self) -> list[Fit]:
         return [self.base, *(c.fit for c in self.known.values())]
 
-    @property
-    def _scale(self) -> Scale:
-        if self._measured[0] != len(self.known):
-            self._measured = (len(self.known), scale(self._fits))
-        return self._measured[1]
-
     def _evidence(self, c: Candidate) -> float:
         return evidence(c.fit, self._scale, len(c.effects), len(self.search.shelf), c)
 
@@ -225,7 +217,7 @@ class _Models:
 
     def _leaves_structure(self, c: Candidate) -> bool:
         if c.effects not in self._left or self._left[c.effects][0] is not c.fit:
-            self._left[c.effects] = (c.fit, _structured(c.fit))
+            self._left[c.effects] = (c.fit, unexplained(c.fit))
         return self._left[c.effects][1]
 
     def _best_evidence(self) -> float:
@@ -256,11 +248,12 @@ class _Models:
 
     def _promising(self, count: int) -> list[Expected]:
         """Untried models of so many effects that may be better than the best, the best of each set of families."""
-        noise, tried = self._noise(), {frozenset(n) for n in self._seen()}
+        noise, tried, best = self._noise(), {frozenset(n) for n in self._seen()}, self._best()
+        left = best if best is not None and self._leaves_structure(best) else None
         limit = self._best_evidence() + self._tolerance()
         by_families: dict[frozenset[str], tuple[float, Expected]] = {}
         for fit, lost, e in self._expected(count):
-            if frozenset(e.effects) in tried or not self._worthwhile(fit, e, noise):
+            if frozenset(e.effects) in tried or not (left is None or self._goes_on(left, fit, e, noise)):
                 continue
             if self._hoped(fit, lost, e, noise, 0.0) > limit:
                 continue
@@ -293,11 +286,8 @@ class _Models:
                 continue
             yield from ((fit, c, e) for e in every)
 
-    def _worthwhile(self, fit: Fit, e: Expected, noise: float) -> bool:
-        """Whether a model is expected to leave much less than the best one does, where that leaves structure."""
-        best = self._best()
-        if best is None or not self._leaves_structure(best):
-            return True
+    def _goes_on(self, best: Candidate, fit: Fit, e: Expected, noise: float) -> bool:
+        """Whether a model is expected to leave much less than the best one does, which leaves structure."""
         now, own = best.fit.residuals["fit"], fit.residuals["fit"]
         excess = now.chi2 - noise * now.samples
         if len(e.effects) > len(best.effects) and excess < CRITERIA.search.at_noise * noise * now.samples:
@@ -327,8 +317,4 @@ class _Models:
             old = self.known.get(c.effects)
             if old is None or c.fit.residuals["fit"].chi2 <= old.fit.residuals["fit"].chi2:
                 self.known[c.effects] = c
-
-
-def _structured(fit: Fit) -> bool:
-    repeated = foretold(fit)
-    return any(structured(s, repeated) for s in fit.residuals.values())
+        self._scale = scale(self._fits)

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -22,6 +22,8 @@ from pam_cosim.fmu import build_source
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet
 from pam_cosim.simulation import Simulator
+
+Result = TypeVar("Result")
 
 
 @dataclass(frozen=True)
@@ -109,63 +111,62 @@ class Probe:
     further: tuple[Array, ...] = ()
 
 
-def crashed(trial: Trial) -> Attempt:
-    """The result of a trial whose process died."""
-    return trial.failed("the simulation crashed its process")
-
-
-def crashed_probe(trial: Trial) -> Probe | FailedTrial:
-    """The same of a probe."""
+def crashed(trial: Trial) -> FailedTrial:
+    """The result of a trial, or of a probe, whose process died."""
     return trial.failed("the simulation crashed its process")
 
 
 def run_trial(trial: Trial) -> Attempt:
     """Builds the model and fits the free base parameters together with those of the effects."""
+    return _attempted(trial, _fitted)
+
+
+def run_probe(trial: Trial) -> Probe | FailedTrial:
+    """Builds the model and linearises it about the values that it starts from, for what its effect can add."""
+    return _attempted(trial, _probed)
+
+
+def _attempted(trial: Trial, work: Callable[[Trial, Simulator], Result]) -> Result | FailedTrial:
+    """What comes of some work on the model of a trial; a failure is a result too."""
+    own = [name for names in trial.composition.parameters.values() for name in names]
+    free = tuple(dict.fromkeys([*trial.data.free_names, *own]))
+    source, name = trial.composition.text, trial.composition.name
     try:
-        with _simulator(trial) as simulator:
-            moved, starts = free_parameters(trial, simulator.interface)
-            best = fit(simulator, trial.data, moved, starts=starts, options=trial.options)
-            if trial.effect.general and trial.prune:
-                names = trial.composition.parameters[trial.effect.name]
-                best = pruned(simulator, trial.data, moved, names, best, trial.options.precision)
-            return trial.candidate(best)
+        fmu = build_source(name, source, trial.files, sensitivities=free, library=trial.library)
+        with Simulator(fmu) as simulator:
+            return work(trial, simulator)
     except (SimulationFailure, InputError) as problem:
         return trial.failed(str(problem))
     except Exception as defect:  # whatever one effect runs into must not end the study of the others
         return trial.failed(f"{type(defect).__name__}: {defect}")
 
 
-def run_probe(trial: Trial) -> Probe | FailedTrial:
-    """Builds the model and linearises it about the values that it starts from, for what its effect can add."""
-    try:
-        with _simulator(trial) as simulator:
-            moved, _ = free_parameters(trial, simulator.interface)
-            objective = Objective(simulator, trial.data, trial.data.fit_runs, moved, None, trial.options.tolerance)
-            linear = linearised(objective, np.array([f.to_z(f.start) for f in moved]), CRITERIA.search.rows)
-            if linear is None:
-                return trial.failed(objective.first_failure)
-            own = tuple(trial.composition.parameters[trial.effect.name])
-            scaled = [_scaled(moved, own, factor) for factor in CRITERIA.search.probed_at]
-            rows = [residual_rows(objective, z, CRITERIA.search.rows) for z in scaled]
-            further = tuple(r for r in rows if r is not None)
-            return Probe(trial.effect.name, trial.effect.family, own, linear, further)
-    except (SimulationFailure, InputError) as problem:
-        return trial.failed(str(problem))
-    except Exception as defect:
-        return trial.failed(f"{type(defect).__name__}: {defect}")
+def _fitted(trial: Trial, simulator: Simulator) -> Candidate:
+    moved, starts = free_parameters(trial, simulator.interface)
+    best = fit(simulator, trial.data, moved, starts=starts, options=trial.options)
+    if trial.effect.general and trial.prune:
+        names = trial.composition.parameters[trial.effect.name]
+        best = pruned(simulator, trial.data, moved, names, best, trial.options.precision)
+    return trial.candidate(best)
+
+
+def _probed(trial: Trial, simulator: Simulator) -> Probe:
+    moved, _ = free_parameters(trial, simulator.interface)
+    objective = Objective(simulator, trial.data, trial.data.fit_runs, moved, None, trial.options.tolerance)
+    linear = linearised(objective, np.array([f.to_z(f.start) for f in moved]), CRITERIA.search.rows)
+    if linear is None:
+        raise SimulationFailure(objective.first_failure)
+    own = tuple(trial.composition.parameters[trial.effect.name])
+    scaled = [_scaled(moved, own, factor) for factor in CRITERIA.search.probed_at]
+    rows = [residual_rows(objective, z, CRITERIA.search.rows) for z in scaled]
+    further = tuple(r for r in rows if r is not None)
+    return Probe(trial.effect.name, trial.effect.family, own, linear, further)
 
 
 def _scaled(moved: Sequence[Free], own: Sequence[str], factor: float) -> Array:
     """Search coordinates of the starts, with own parameters times a factor."""
     values = [f.start * (factor if f.name in own else 1.0) for f in moved]
     return np.array([f.to_z(min(max(v, f.low), f.high)) for f, v in zip(moved, values, strict=True)])
-
-
-def _simulator(trial: Trial) -> Simulator:
-    own = [name for names in trial.composition.parameters.values() for name in names]
-    free = tuple(dict.fromkeys([*trial.data.free_names, *own]))
-    source, name = trial.composition.text, trial.composition.name
-    return Simulator(build_source(name, source, trial.files, sensitivities=free, library=trial.library))
 
 
 def free_parameters(trial: Trial, interface: Interface) -> tuple[tuple[Free, ...], list[dict[str, float]]]:

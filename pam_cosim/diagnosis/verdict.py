@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import exp, inf, isnan, prod
+from math import exp, isnan, prod
 from typing import Literal
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.evidence import dominant_effect, evidence, foretold, incomplete, scale, structured
+from pam_cosim.diagnosis.evidence import Scale, dominant_effect, evidence, incomplete, scale, unexplained
 from pam_cosim.fitting import Fit
-from pam_cosim.measurement import ROLES
 
 Kind = Literal["none_missing", "identified", "ambiguous", "unknown"]
 
@@ -67,18 +66,27 @@ def rivals(base: Fit, best: Candidate, tried: Sequence[Candidate], family: Mappi
         tried: all models.
         family: of every effect there is.
     """
-    at, of = scale([base, *(c.fit for c in tried)]), len(family)
-    own = {family[e] for e in best.effects}
-    limit = evidence(best.fit, at, len(best.effects), of, best) + CRITERIA.evidence.very_strong
-    near: dict[frozenset[str], tuple[float, Candidate]] = {}
-    for c in tried:
-        theirs = frozenset(family[e] for e in c.effects)
-        if theirs == own or (c.general and not best.general) or _refuted(c.fit, best.fit):
-            continue
-        score = evidence(c.fit, at, len(c.effects), of, c)
-        if score < limit and (theirs not in near or score < near[theirs][0]):
-            near[theirs] = (score, c)
-    return [c for _, c in sorted(near.values(), key=lambda entry: (entry[0], entry[1].effects))]
+    at = scale([base, *(c.fit for c in tried)])
+    own = frozenset(family[e] for e in best.effects)
+    limit = evidence(best.fit, at, len(best.effects), len(family), best) + CRITERIA.evidence.very_strong
+    alike = [c for c in tried if (best.general or not c.general) and not _refuted(c.fit, best.fit)]
+    near = [
+        (score, c) for theirs, (score, c) in _best_of_each(alike, at, family).items() if theirs != own and score < limit
+    ]
+    return [c for _, c in sorted(near, key=lambda entry: (entry[0], entry[1].effects))]
+
+
+def _best_of_each(
+    candidates: Sequence[Candidate], at: Scale, family: Mapping[str, str]
+) -> dict[frozenset[str], tuple[float, Candidate]]:
+    """The best model with each set of families, with its evidence."""
+    best: dict[frozenset[str], tuple[float, Candidate]] = {}
+    for c in candidates:
+        families = frozenset(family[e] for e in c.effects)
+        score = evidence(c.fit, at, len(c.effects), len(family), c)
+        if families not in best or score < best[families][0]:
+            best[families] = (score, c)
+    return best
 
 
 def confidence(
@@ -99,15 +107,12 @@ def confidence(
     numbers = CRITERIA.evidence
     if best is None:
         return 1 - (numbers.unlisted if verdict.kind == "none_missing" else numbers.unlisted_by_structure)
-    at, of = scale([base, *(c.fit for c in tried)]), len(family)
+    at = scale([base, *(c.fit for c in tried)])
     own = frozenset(family[e] for e in best.effects)
-    lowest: dict[frozenset[str], float] = {}
-    for c in tried:
-        theirs = frozenset(family[e] for e in c.effects)
-        if not c.brief and (len(c.effects) <= len(best.effects)):
-            lowest[theirs] = min(lowest.get(theirs, inf), evidence(c.fit, at, len(c.effects), of, c))
-    first = evidence(best.fit, at, len(best.effects), of, best)
-    weights = {f: exp(min((first - e) / (2 * numbers.temperature), 0.0)) for f, e in lowest.items()} | {own: 1.0}
+    fitted = [c for c in tried if not c.brief and len(c.effects) <= len(best.effects)]
+    first = evidence(best.fit, at, len(best.effects), len(family), best)
+    each = _best_of_each(fitted, at, family).items()
+    weights = {f: exp(min((first - e) / (2 * numbers.temperature), 0.0)) for f, (e, _) in each} | {own: 1.0}
     told = {f for f in weights if f == own or (verdict.kind == "ambiguous" and f <= set(verdict.families))}
     left = numbers.unlisted
     if incomplete(best.fit):
@@ -134,8 +139,7 @@ def judge(
     answer.
     """
     if not selected:
-        repeated = foretold(base)
-        if any(structured(base.residuals[r], repeated) for r in ROLES):
+        if unexplained(base):
             return Verdict("unknown", (), (), "The residual has structure, and no listed effect explains it.")
         return Verdict("none_missing", (), (), "The residual is noise: nothing is missing that these data could show.")
     last = selected[-1]
