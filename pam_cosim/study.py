@@ -238,6 +238,8 @@ def diagnose(
     ``time_limit`` ([s], or with a unit) ends the search with the best verdict so far, which says what was not tried.
     """
     limit, files = _seconds(time_limit, "time limit"), _paths(files)
+    if limit is not None and not limit > 0:
+        raise InputError(f"the time limit must be longer than nothing: {time_limit}")
     return _diagnose(data, model, files=files, say=say, workers=workers, explain=explain, time_limit=limit)
 
 
