@@ -11,17 +11,18 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager, suppress
-from functools import partial
+from functools import partial, wraps
 from importlib import import_module
 from multiprocessing import active_children
 from multiprocessing.process import BaseProcess
-from typing import Any, TypeVar
+from typing import Any, ParamSpec, TypeVar
 
 from loky import (
     ProcessPoolExecutor,
     get_reusable_executor,
 )  # its processes do not run the user's script again, as the standard ones do
 from loky.backend import resource_tracker as loky_tracker
+from threadpoolctl import threadpool_limits
 
 from pam_cosim.processes import deaf, interruptible
 
@@ -35,11 +36,26 @@ _running: set[Future[Any]] = set()
 
 Task = TypeVar("Task")
 Result = TypeVar("Result")
+Arguments = ParamSpec("Arguments")
 
 
 def processors() -> int:
     """How many processors this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def on_one_thread(function: Callable[Arguments, Result]) -> Callable[Arguments, Result]:
+    """A function whose linear algebra is of many small matrices, beside other processes at work.
+
+    On more threads than one it would spend most of the time waiting for them, and take that from the others.
+    """
+
+    @wraps(function)
+    def alone(*arguments: Arguments.args, **options: Arguments.kwargs) -> Result:
+        with threadpool_limits(limits=1):
+            return function(*arguments, **options)
+
+    return alone
 
 
 # Ends a process when its parent ends, which may be killed; where an orphan does not tell, idleness does it. A text, so

@@ -31,7 +31,7 @@ from pam_cosim.names import is_fmu, is_modelica
 from pam_cosim.simulation import Simulator
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed
-from pam_cosim.workers import wake
+from pam_cosim.workers import on_one_thread, wake
 
 
 @dataclass(frozen=True)
@@ -125,6 +125,7 @@ class Diagnosis(Printed):
         return "\n".join(lines)
 
 
+@on_one_thread
 def diagnose(
     data: DataSet,
     model: str | None = None,

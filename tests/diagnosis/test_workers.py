@@ -10,8 +10,9 @@ import time
 from pathlib import Path
 
 import pytest
+from threadpoolctl import threadpool_info, threadpool_limits
 
-from pam_cosim.workers import run_tasks
+from pam_cosim.workers import on_one_thread, run_tasks
 from tests.diagnosis.tasks import process_beside_another, slow_square, square_or_die
 
 
@@ -117,3 +118,13 @@ def test_interrupted_tasks_clean_up_and_large_ones_in_the_queue_hold_nothing_up(
         process.kill()
     assert (process.returncode, out, err) == (0, "stopped\n", "")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_linear_algebra_keeps_to_one_thread_and_is_given_back_the_others() -> None:
+    def threads() -> list[int]:
+        return [pool["num_threads"] for pool in threadpool_info()]
+
+    with threadpool_limits(limits=2):
+        before = threads()
+        assert set(on_one_thread(threads)()) == {1}
+        assert threads() == before
