@@ -28,6 +28,7 @@ pam_status pam_get_output_derivatives(pam_instance *c, const unsigned vr[], size
     if (!pam_arrays(c, "derivatives of outputs", n, vr, order)
         || !pam_arrays(c, "derivatives of outputs", n, vr, value))
         return PAM_ERROR;
+    if (!m->jvp) return pam_log(c, PAM_ERROR, "this model does not provide derivatives of outputs");
     memset(c->seed, 0, sizeof(double) * (size_t)(m->nx + m->nu + m->np + 1));
     if (m->nx) memcpy(c->seed, pam_derivatives(c), sizeof(double) * (size_t)m->nx);
     if (m->nu) memcpy(c->seed + m->nx, c->du, sizeof(double) * (size_t)m->nu);

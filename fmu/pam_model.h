@@ -44,7 +44,7 @@ typedef struct {
     pam_function core_rhs;            /* (t, x, u, d, p) -> dx */
     pam_function lin;                 /* (t, x, u, d, du, dd, p) -> (dx, d dx/dx, d dx/dt + d dx/du du + d dx/dd dd) */
     pam_function variation;           /* (t, x, u, d, p) -> (d dx/dx, transposed d dx/ds by the ns parameters s) */
-    /* of all */
+    /* of all; this and init_jvp are NULL in a model that provides no directional derivatives */
     pam_function jvp;                 /* (t, x, u, d, p, st, sx, su, sd, sp) -> (dx, y, w) along the seed s */
     pam_function init;                /* (p) -> x0 */
     pam_function init_jvp;            /* (p, sp) -> x0 along the seed sp */

@@ -93,6 +93,7 @@ static void clear_seed(pam_instance *c) {
 pam_status pam_directional_derivative(pam_instance *c, const unsigned unknown[], size_t n_unknown,
                                       const unsigned known[], size_t n_known, const double seed[],
                                       double sensitivity[]) {
+    if (!c->model->jvp) return pam_log(c, PAM_ERROR, "this model does not provide directional derivatives");
     if (!pam_arrays(c, "directional derivative", n_known, known, seed)) return PAM_ERROR;
     if (!pam_arrays(c, "directional derivative", n_unknown, unknown, sensitivity)) return PAM_ERROR;
     clear_seed(c);
@@ -111,6 +112,7 @@ pam_status pam_directional_derivative(pam_instance *c, const unsigned unknown[],
 pam_status pam_adjoint_derivative(pam_instance *c, const unsigned unknown[], size_t n_unknown,
                                   const unsigned known[], size_t n_known, const double seed[],
                                   double sensitivity[]) {
+    if (!c->model->jvp) return pam_log(c, PAM_ERROR, "this model does not provide adjoint derivatives");
     if (!pam_arrays(c, "adjoint derivative", n_unknown, unknown, seed)) return PAM_ERROR;
     if (!pam_arrays(c, "adjoint derivative", n_known, known, sensitivity)) return PAM_ERROR;
     for (size_t j = 0; j < n_known; j++) {

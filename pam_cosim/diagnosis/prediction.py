@@ -32,7 +32,7 @@ class Hypothesis:
         self.free = [n for n, e in candidate.fit.parameters.items() if not e.at_bound and not e.run]
         self.sigma = {n: s.sigma for n, s in data.signals.items() if s.fitted and s.sigma}
         self._simulator = Simulator(
-            build_source(candidate.equations.split()[1], candidate.equations, files, sensitivities=self.free)
+            build_source(candidate.equations.split()[1], candidate.equations, files, sensitivities=self.free, lean=True)
         )
         self._held: Array | None = None
 

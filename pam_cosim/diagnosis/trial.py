@@ -132,7 +132,7 @@ def _attempted(trial: Trial, work: Callable[[Trial, Simulator], Result]) -> Resu
     free = tuple(dict.fromkeys([*trial.data.free_names, *own]))
     source, name = trial.composition.text, trial.composition.name
     try:
-        fmu = build_source(name, source, trial.files, sensitivities=free, library=trial.library)
+        fmu = build_source(name, source, trial.files, sensitivities=free, library=trial.library, lean=True)
         with Simulator(fmu) as simulator:
             return work(trial, simulator)
     except (SimulationFailure, InputError) as problem:

@@ -5,16 +5,19 @@ from __future__ import annotations
 import io
 import zipfile
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
+
+import casadi as ca
 
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import InputError
 from pam_cosim.files import make_folder, write_bytes
 from pam_cosim.fmu import description2, description3
 from pam_cosim.fmu.c_text import c_string
-from pam_cosim.fmu.cache import cached, digest
+from pam_cosim.fmu.cache import cached, cached_folder, digest
 from pam_cosim.fmu.compile import (
     PLATFORMS,
     binary_folder,
@@ -38,6 +41,7 @@ _CORE = (
 _SHELLS = {"2.0": "pam_fmi2.c", "3.0": "pam_fmi3.c"}
 
 _MODEL = "model.c"
+_DESCRIPTION = "modelDescription.xml"
 _NO_GUID = "{00000000-0000-0000-0000-000000000000}"
 _DATE = (1980, 1, 1, 0, 0, 0)
 
@@ -83,6 +87,26 @@ def cached_fmu(
     names = _platform_names(platforms)
     full = digest(key, source_key(runtime(_version(fmi))), _packaging_key(), fmi, *names)
     return cached("fmus", full, ".fmu", lambda: fmu_bytes(make_ode(), names, fmi))
+
+
+def cached_lean_model(key: str, make_ode: Callable[[], Ode]) -> Path:
+    """A model for fits, in a folder of the cache that has the layout of an unpacked FMU 2.0 for this machine.
+
+    It holds what simulations and their sensitivities need, and is made and loaded in a fraction of the time: no other
+    local variables than states, no directional derivatives, no dependencies, no sources.
+
+    Args:
+        key: as in ``cached_fmu``.
+        make_ode: compiles the model.
+    """
+    full = digest(key, source_key(runtime()), _packaging_key(), "lean", native_platform())
+
+    def make() -> dict[str, bytes]:
+        ode = make_ode()
+        bare = replace(ode, locals=ca.SX(0, 1), interface=replace(ode.interface, locals={}))
+        return _contents(bare, [native_platform()], "2.0", lean=True)
+
+    return cached_folder("models", full, _DESCRIPTION, make)
 
 
 def fmu_bytes(ode: Ode, names: Sequence[str], fmi: str = "2.0") -> bytes:
@@ -131,23 +155,26 @@ def _packaging_key() -> str:
     return digest(_tool(), version("casadi"), *(f.read_bytes() for f in sorted(Path(__file__).parent.glob("*.py"))))
 
 
-def _contents(ode: Ode, names: Sequence[str], fmi: str) -> dict[str, bytes]:
+def _contents(ode: Ode, names: Sequence[str], fmi: str, lean: bool = False) -> dict[str, bytes]:
     """Files of the archive by name. The GUID stands for the description and the equations."""
-    draft, source = _descriptions(ode, _NO_GUID, fmi), model_source(ode, _NO_GUID)
-    sha = digest(draft["modelDescription.xml"], source, source_key(runtime(fmi)))
+    draft, source = _descriptions(ode, _NO_GUID, fmi, lean), model_source(ode, _NO_GUID, lean)
+    sha = digest(draft[_DESCRIPTION], source, source_key(runtime(fmi)))
     guid = f"{{{sha[:8]}-{sha[8:12]}-{sha[12:16]}-{sha[16:20]}-{sha[20:32]}}}"
     # The first place is the right one: both files begin with it.
     source = source.replace(c_string(_NO_GUID), c_string(guid), 1)
     described = {name: text.replace(_NO_GUID.encode(), guid.encode(), 1) for name, text in draft.items()}
-    return described | _sources(source, fmi) | _binaries(ode, source, names, fmi)
+    shipped = {} if lean else _sources(source, fmi)
+    return described | shipped | _binaries(ode, source, names, fmi)
 
 
-def _descriptions(ode: Ode, guid: str, fmi: str) -> dict[str, bytes]:
+def _descriptions(ode: Ode, guid: str, fmi: str, lean: bool) -> dict[str, bytes]:
     entries, compiled = table(ode), (_MODEL, *runtime(fmi))
+    if lean:
+        return {_DESCRIPTION: description2.model_description(ode, entries, guid, _tool(), (), lean=True)}
     if fmi == "2.0":
-        return {"modelDescription.xml": description2.model_description(ode, entries, guid, _tool(), compiled)}
+        return {_DESCRIPTION: description2.model_description(ode, entries, guid, _tool(), compiled)}
     return {
-        "modelDescription.xml": description3.model_description(ode, entries, guid, _tool()),
+        _DESCRIPTION: description3.model_description(ode, entries, guid, _tool()),
         "sources/buildDescription.xml": description3.build_description(ode, compiled),
     }
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import platformdirs
@@ -26,6 +26,17 @@ def digest(*parts: str | bytes) -> str:
         sha.update(f"{len(data)}:".encode())
         sha.update(data)
     return sha.hexdigest()
+
+
+def cached_folder(kind: str, key: str, last: str, make: Callable[[], Mapping[str, bytes]]) -> Path:
+    """As ``cached``, for a folder of files by name; the one that is named ``last`` says that all are there."""
+    path = cache_dir() / kind / key
+    if not (path / last).exists():
+        files = dict(make())
+        for name in sorted(files, key=lambda name: name == last):
+            make_folder((path / name).parent)
+            write_bytes(path / name, files[name])
+    return path
 
 
 def cached(kind: str, key: str, suffix: str, make: Callable[[], bytes]) -> Path:

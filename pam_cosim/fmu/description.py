@@ -153,7 +153,7 @@ def _number(name: str, attribute: str, value: float | None) -> str:
 
 @dataclass(frozen=True)
 class ModelStructure:
-    """Unknown variables, by index from 1 in the table of entries, and what they depend on."""
+    """Unknown variables, by index from 1 in the table of entries, and what they depend on, as far as that is told."""
 
     outputs: list[int]
     derivatives: list[int]
@@ -162,7 +162,7 @@ class ModelStructure:
     starting: Dependencies
 
 
-def model_structure(ode: Ode, entries: Sequence[Entry]) -> ModelStructure:
+def model_structure(ode: Ode, entries: Sequence[Entry], *, dependencies: bool = True) -> ModelStructure:
     """Outputs, derivatives in the order of the states, and initial unknowns."""
     numbered = list(enumerate(entries, 1))
     outputs = [i for i, e in numbered if e.causality == "output"]
@@ -173,6 +173,8 @@ def model_structure(ode: Ode, entries: Sequence[Entry]) -> ModelStructure:
         | {i for i in derivatives if entries[i - 1].initial == "calculated"}
         | {i for i, e in numbered if e.kind is Kind.STATE and e.initial == "calculated"}
     )
+    if not dependencies:
+        return ModelStructure(outputs, derivatives, initial, {}, {})
     return ModelStructure(
         outputs, derivatives, initial, continuous_dependencies(ode, entries), initial_dependencies(ode, entries)
     )
@@ -182,8 +184,10 @@ def unknown(
     parent: Xml.Element, tag: str, key: str, index: int, dependencies: Dependencies, numbers: Mapping[int, int]
 ) -> None:
     """One unknown; ``numbers`` turns an index into what this version of FMI refers to variables by."""
-    known = dependencies[index]
-    attributes = {key: str(numbers[index]), "dependencies": " ".join(str(numbers[d.position]) for d in known)}
+    known = dependencies.get(index)
+    attributes = {key: str(numbers[index])}
+    if known is not None:
+        attributes["dependencies"] = " ".join(str(numbers[d.position]) for d in known)
     if known:
         attributes["dependenciesKind"] = " ".join(d.kind for d in known)
     Xml.SubElement(parent, tag, attributes)

@@ -9,16 +9,16 @@ from pam_cosim.compiler.ode import Ode
 from pam_cosim.fmu import description as shared
 from pam_cosim.fmu.table import Entry, Kind
 
-_SHARED = {"canGetAndSetFMUstate": "true", "canSerializeFMUstate": "true", "providesDirectionalDerivative": "true"}
-_CO_SIMULATION = {
-    "canHandleVariableCommunicationStepSize": "true",
-    "canInterpolateInputs": "true",
-    "maxOutputDerivativeOrder": "1",
-}
+_SHARED = {"canGetAndSetFMUstate": "true", "canSerializeFMUstate": "true"}
+_CO_SIMULATION = {"canHandleVariableCommunicationStepSize": "true", "canInterpolateInputs": "true"}
 
 
-def model_description(ode: Ode, entries: Sequence[Entry], guid: str, tool: str, sources: Sequence[str]) -> bytes:
+def model_description(
+    ode: Ode, entries: Sequence[Entry], guid: str, tool: str, sources: Sequence[str], *, lean: bool = False
+) -> bytes:
     """The complete file; ``sources`` are the C files to compile.
+
+    ``lean``: without directional derivatives, and without the dependencies in the structure of the model.
 
     Raises:
         ModelError: a unit that cannot be read, or a limit that is not a number.
@@ -37,9 +37,11 @@ def model_description(ode: Ode, entries: Sequence[Entry], guid: str, tool: str, 
         },
     )
     identifier = {"modelIdentifier": shared.model_identifier(interface.model)}
+    both = _SHARED | {"providesDirectionalDerivative": str(not lean).lower()}
     if not ode.delays:  # nobody tells an FMU for model exchange what its inputs were between two evaluations
-        _source_files(Xml.SubElement(root, "ModelExchange", {**identifier, **_SHARED}), sources)
-    _source_files(Xml.SubElement(root, "CoSimulation", {**identifier, **_CO_SIMULATION, **_SHARED}), sources)
+        _source_files(Xml.SubElement(root, "ModelExchange", {**identifier, **both}), sources)
+    order = {"maxOutputDerivativeOrder": str(int(not lean))}
+    _source_files(Xml.SubElement(root, "CoSimulation", {**identifier, **_CO_SIMULATION, **order, **both}), sources)
     shared.units(root, [entry.variable for entry in entries])
     shared.log_categories(root)
     shared.default_experiment(root, ode)
@@ -54,19 +56,21 @@ def model_description(ode: Ode, entries: Sequence[Entry], guid: str, tool: str, 
             real["derivative"] = str(positions[entry.derivative_of])
         element = Xml.SubElement(variables, "ScalarVariable", shared.scalar_attributes(entry))
         Xml.SubElement(element, "Real", real)
-    _structure(root, ode, entries)
+    _structure(root, ode, entries, lean)
     return shared.document(root)
 
 
 def _source_files(kind: Xml.Element, sources: Sequence[str]) -> None:
+    if not sources:
+        return
     files = Xml.SubElement(kind, "SourceFiles")
     for name in sources:
         Xml.SubElement(files, "File", {"name": name})
 
 
-def _structure(root: Xml.Element, ode: Ode, entries: Sequence[Entry]) -> None:
+def _structure(root: Xml.Element, ode: Ode, entries: Sequence[Entry], lean: bool) -> None:
     structure = Xml.SubElement(root, "ModelStructure")
-    unknowns = shared.model_structure(ode, entries)
+    unknowns = shared.model_structure(ode, entries, dependencies=not lean)
     same = {i: i for i in range(1, len(entries) + 1)}
     for part, indices, dependencies in (
         ("Outputs", unknowns.outputs, unknowns.running),

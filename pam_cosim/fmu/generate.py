@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 
 import casadi as ca
 
@@ -17,10 +17,11 @@ from pam_cosim.fmu.table import table
 _STEPS_OF_TIMED_MODEL = 100
 
 
-def model_functions(ode: Ode) -> list[ca.Function]:
+def model_functions(ode: Ode, lean: bool = False) -> list[ca.Function]:
     """The functions the runtime calls, with the inputs and outputs listed in ``pam_model.h``.
 
-    The last, ``pam_check``, is there only where the model states something of itself.
+    ``pam_check`` is there only where the model states something of itself; directional derivatives are not there in
+    a ``lean`` model.
 
     Raises:
         ModelError: an expression holds a symbol that is neither time, state, input, delayed input nor parameter.
@@ -37,7 +38,6 @@ def model_functions(ode: Ode) -> list[ca.Function]:
     core, own = f[: ode.core], x[: ode.core]
     chosen = ca.vertcat(ca.SX(0, 1), *[p[list(ode.interface.parameters).index(n)] for n in ode.sensitivities])
     total = ca.jtimes(core, ca.vertcat(t, u, d), ca.vertcat(ca.SX(1), du, dd))
-    along = [ca.jtimes(e, ca.vertcat(*known), ca.vertcat(*seed)) for e in (f, y, w)]
     conditions = ca.vertcat(ca.SX(0, 1), *[ca.SX(s.condition) for s in ode.statements])
     shown = ca.vertcat(ca.SX(0, 1), *[ca.SX(value) for s in ode.statements for value, _ in s.values])
     check = [_function("pam_check", known, [conditions, shown])] if ode.statements else []
@@ -48,11 +48,19 @@ def model_functions(ode: Ode) -> list[ca.Function]:
         _function("pam_core_rhs", [t, own, u, d, p], [core]),
         _function("pam_lin", [t, own, u, d, du, dd, p], [core, ca.jacobian(core, own), total]),
         _function("pam_variation", [t, own, u, d, p], [ca.jacobian(core, own), ca.jacobian(core, chosen).T]),
-        _function("pam_jvp", [*known, *seed], along),
         _function("pam_init", [p], [x0]),
-        _function("pam_init_jvp", [p, sp], [ca.jtimes(x0, p, sp)]),
         _function("pam_delay", [p, sp], [delays, ca.jtimes(delays, p, sp)]),
         *check,
+        *([] if lean else _directional(known, seed, (f, y, w), x0)),
+    ]
+
+
+def _directional(known: Sequence[ca.SX], seed: Sequence[ca.SX], of: Sequence[ca.SX], start: ca.SX) -> list[ca.Function]:
+    """Derivatives along a seed, of what is computed of everything known, and of the initial states."""
+    along = [ca.jtimes(e, ca.vertcat(*known), ca.vertcat(*seed)) for e in of]
+    return [
+        _function("pam_jvp", [*known, *seed], along),
+        _function("pam_init_jvp", [known[-1], seed[-1]], [ca.jtimes(start, known[-1], seed[-1])]),
     ]
 
 
@@ -66,9 +74,12 @@ def _function(name: str, inputs: Sequence[ca.SX], outputs: Sequence[ca.SX]) -> c
     return ca.Function(name, list(inputs), dense)
 
 
-def model_source(ode: Ode, guid: str) -> str:
-    """One C file, complete but for ``pam_model.h``; it is the same for the same model and GUID."""
-    functions = model_functions(ode)
+def model_source(ode: Ode, guid: str, lean: bool = False) -> str:
+    """One C file, complete but for ``pam_model.h``; it is the same for the same model and GUID.
+
+    ``lean``: without directional derivatives.
+    """
+    functions = model_functions(ode, lean)
     generator = ca.CodeGenerator("model", {"with_header": False})
     for function in functions:
         generator.add(function)
@@ -95,11 +106,20 @@ def model_source(ode: Ode, guid: str) -> str:
         f"    guid, {', '.join(str(n) for n in sizes + work)},",
         f"    {_double(interface.tolerance)}, {_double(max_step)},",
         "    state_names, state_nominals, input_starts, parameter_starts, delayed_inputs, direct_inputs,",
-        f"    {', '.join(f.name() for f in functions)}{'' if ode.statements else ', 0'},",
+        f"    {', '.join(_slots({f.name() for f in functions}))},",
         "    statements,",
         "};\n",
     ]
     return "\n".join(parts)
+
+
+# In the order of ``pam_model``.
+_FUNCTIONS = ("pam_rhs", "pam_out", "pam_loc", "pam_core_rhs", "pam_lin", "pam_variation", "pam_jvp", "pam_init",
+              "pam_init_jvp", "pam_delay", "pam_check")  # fmt: skip
+
+
+def _slots(there: Set[str]) -> list[str]:
+    return [name if name in there else "0" for name in _FUNCTIONS]
 
 
 def _statements(ode: Ode) -> list[str]:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from pam_cosim.catalogue import full_name
 from pam_cosim.compiler import Ode, compile_model, flat_hash, smooth_parameters, with_sensitivities
 from pam_cosim.errors import InputError
-from pam_cosim.fmu.build import cached_fmu
+from pam_cosim.fmu.build import cached_fmu, cached_lean_model
 from pam_cosim.fmu.cache import cached, digest
 from pam_cosim.names import is_fmu
 
@@ -44,29 +44,31 @@ def build_model(
         if not Path(model).exists():
             raise InputError("there is no such file", model)
         return Path(model)
-    return _build(full_name(model, files), files, platforms, sensitivities, where_smooth, fmi)
+    key, make = _recipe(full_name(model, files), files, sensitivities, where_smooth)
+    return cached_fmu(key, make, platforms=platforms, fmi=fmi)
 
 
-def _build(
-    model: str,
-    files: Sequence[Path],
-    platforms: Sequence[str],
-    sensitivities: Sequence[str],
-    where_smooth: bool,
-    fmi: str = "2.0",
-    library: str = "",
-) -> Path:
+def _recipe(
+    model: str, files: Sequence[Path], sensitivities: Sequence[str], where_smooth: bool, library: str = ""
+) -> tuple[str, Callable[[], Ode]]:
+    """What determines a model, and how it is compiled."""
+
     def make() -> Ode:
         ode = compile_model(model, files=files)
         known = smooth_parameters(ode) if where_smooth else sensitivities
         return with_sensitivities(ode, [name for name in sensitivities if name in known])
 
-    key = digest(flat_hash(model, files=files, library=library), str(where_smooth), *sensitivities)
-    return cached_fmu(key, make, platforms=platforms, fmi=fmi)
+    return digest(flat_hash(model, files=files, library=library), str(where_smooth), *sensitivities), make
 
 
 def build_source(
-    model: str, text: str, files: Sequence[Path] = (), *, sensitivities: Sequence[str] = (), library: str = ""
+    model: str,
+    text: str,
+    files: Sequence[Path] = (),
+    *,
+    sensitivities: Sequence[str] = (),
+    library: str = "",
+    lean: bool = False,
 ) -> Path:
     """The FMU of a model whose Modelica source is at hand as text.
 
@@ -76,9 +78,11 @@ def build_source(
         files: further ``.mo`` files that it may use.
         sensitivities: as in ``build_model``, where the solution is smooth.
         library: ``compiler.library_hash()``, where somebody asked for it already.
+        lean: only what fits ask for, unpacked: a folder; see ``cached_lean_model``.
 
     Raises:
         ModelError: the model cannot be compiled.
     """
     source = cached("sources", digest(text), ".mo", text.encode)
-    return _build(model, [*files, source], ("native",), sensitivities, where_smooth=True, library=library)
+    key, make = _recipe(model, [*files, source], sensitivities, where_smooth=True, library=library)
+    return cached_lean_model(key, make) if lean else cached_fmu(key, make)

@@ -20,19 +20,24 @@ from pam_cosim.simulation.failure import RunFailure
 Instance: TypeAlias = Any  # FMU2Slave | FMU3Slave | FMU2Model | FMU3Model, of a package without types
 
 
-def load_instance(path: Path, description: ModelDescription, directory: str, *, exchange: bool = False) -> Instance:
+def load_instance(
+    path: Path, description: ModelDescription, directory: str | None, *, exchange: bool = False
+) -> Instance:
     """Unpacks an FMU and loads its binary; no instance yet.
 
     Args:
-        path: of the FMU.
+        path: of the FMU, or of the folder that holds its files.
         description: of its model.
-        directory: where it is unpacked.
+        directory: where it is unpacked; None: it is.
         exchange: for model exchange, not co-simulation.
 
     Raises:
         InputError: there is no binary for this machine, or it cannot be loaded.
     """
-    fmpy.extract(str(path), unzipdir=directory, include=_needed)
+    if directory is None:
+        directory = os.path.abspath(path)
+    else:
+        fmpy.extract(str(path), unzipdir=directory, include=_needed)
     identifier = (description.modelExchange if exchange else description.coSimulation).modelIdentifier
     arguments = {
         "guid": description.guid,

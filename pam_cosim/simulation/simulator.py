@@ -51,7 +51,7 @@ class Simulator:
     """An FMU ready to run, any number of times; a context manager.
 
     Args:
-        path: a co-simulation FMU of FMI 2.0 or 3.0, of any origin.
+        path: a co-simulation FMU of FMI 2.0 or 3.0, of any origin; or the folder that one was unpacked to.
 
     Raises:
         InputError: not such an FMU, or none for this platform.
@@ -67,7 +67,7 @@ class Simulator:
         self._units = {name: variable.unit for name, variable in self.interface.variables.items()}
         self._instance: Instance | None = None
         self._stepper: Stepper | None = None
-        self._directory = tempfile.mkdtemp(prefix="pam-cosim-fmu-")
+        self._directory = None if self.path.is_dir() else tempfile.mkdtemp(prefix="pam-cosim-fmu-")
         try:
             self._load()
         except BaseException:
@@ -111,7 +111,8 @@ class Simulator:
         instance, self._instance = self._instance, None
         if instance is not None:
             instance.freeInstance()
-        shutil.rmtree(self._directory, ignore_errors=True)
+        if self._directory is not None:
+            shutil.rmtree(self._directory, ignore_errors=True)
 
     def run(
         self,

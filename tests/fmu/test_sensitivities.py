@@ -8,12 +8,13 @@ import casadi as ca
 import fmpy
 import numpy as np
 import pytest
+from fmpy.fmi1 import FMICallException
 from fmpy.validation import validate_fmu
 
 from pam_cosim.compiler import smooth_parameters, with_sensitivities
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import InputError
-from pam_cosim.fmu import build_fmu, build_model
+from pam_cosim.fmu import build_fmu, build_model, build_source
 from pam_cosim.simulation import Inputs, Simulator
 from tests.fmu import models
 
@@ -134,3 +135,34 @@ def test_delays_and_wrong_names_are_refused() -> None:
         with_sensitivities(_decay(), ["nothing"])
     with pytest.raises(InputError, match="named twice"):
         with_sensitivities(_decay(), ["a", "a"])
+
+
+_FALLING = """model Falling
+  parameter Real k(min = 0.1, max = 10) = 2 "Rate";
+  input Real u = 0;
+  output Real y;
+  Real x(start = 1, fixed = true);
+  Real half;
+equation
+  der(x) = u - k * x;
+  half = x / 2;
+  y = half + 1;
+end Falling;
+"""
+
+
+def test_lean_model_simulates_as_the_whole_one_and_refuses_what_it_has_not() -> None:
+    lean = build_source("Falling", _FALLING, sensitivities=["k"], lean=True)
+    times = np.linspace(0.0, 2.0, 41)
+    with Simulator(lean) as small, Simulator(build_source("Falling", _FALLING, sensitivities=["k"])) as whole:
+        assert "half" in whole.interface.locals and "half" not in small.interface.locals
+        assert small.interface.settable.keys() == whole.interface.settable.keys()
+        one, other = (s.run(times, parameters={"k": 3.0}).values for s in (small, whole))
+        assert {n: v.tobytes() for n, v in one.items()} == {n: v.tobytes() for n, v in other.items()}
+        assert one["y"] == pytest.approx(1 + np.exp(-3 * times) / 2, abs=1e-5)
+        instance = small._instance
+        with pytest.raises(FMICallException):
+            instance.getDirectionalDerivative([0], [0], [1.0])
+    assert lean.is_dir() and validate_fmu(str(lean)) == []
+    with Simulator(lean) as again:  # closing it has left the files where they were
+        assert again.run(times).time.size == times.size
