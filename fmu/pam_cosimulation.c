@@ -86,6 +86,11 @@ pam_status pam_do_step(pam_instance *c, double now, double step) {
     return (pam_status)core->last_step;
 }
 
+/* Beside FMI, before initialization ends: whether the sensitivities are integrated in this run, as they are where nobody
+ * says otherwise. Those that are not are no numbers.
+ */
+PAM_EXPORT void pam_follow_sensitivities(void *instance, int on) { ((pam_instance *)instance)->core.plain = !on; }
+
 /* Beside FMI: steps, rejected steps, evaluations of f, Jacobians and restarts since initialization. */
 PAM_EXPORT void pam_get_statistics(const void *instance, long long values[5]) {
     const pam_instance *c = instance;

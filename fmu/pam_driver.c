@@ -52,6 +52,8 @@ typedef struct {
     int32_t version; /* of FMI: 2 or 3; the latter has no function for setup */
     int32_t must_reset, tolerance_defined;
     double tolerance, max_seconds; /* max_seconds: of processor time; 0: no limit */
+    void (*follow)(void *instance, int on); /* pam_follow_sensitivities of our own FMUs, or null */
+    int32_t plain; /* whether nobody asks for sensitivities */
     size_t n_parameters;
     const uint32_t *parameters;
     const double *parameter_values;
@@ -145,6 +147,7 @@ static int set_inputs(driver_run *r, int64_t knot) {
 
 static void initialise(driver_run *r) {
     if (r->must_reset) CALL(RESET, call(r, r->reset));
+    if (r->follow) r->follow(r->instance, !r->plain);
     if (r->n_parameters) CALL(SET_REAL, set_real(r, r->parameters, r->n_parameters, r->parameter_values));
     if (r->version == 2) {
         fmi2SetupExperimentTYPE *setup = (fmi2SetupExperimentTYPE *)r->setup;

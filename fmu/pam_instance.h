@@ -51,6 +51,7 @@ typedef struct {
     int last_step;      /* pam_status of the last step */
     int stop_defined;
     int warned;         /* the model has warned since the last call that could say so */
+    int plain;          /* co-simulation: the sensitivities are not followed in this run */
     double time, start_time, stop_time, tolerance;
     double holds_until; /* what the model states of itself is known to hold up to this time */
     pam_solver_scalars solver;

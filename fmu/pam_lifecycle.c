@@ -139,6 +139,7 @@ pam_status pam_exit_initialization(pam_instance *c) {
         c->core.phase = FAILED;
         return pam_log(c, PAM_ERROR, "%s", c->solver.message);
     }
+    if (c->core.plain) pam_solver_leave_sensitivities(&c->solver);
     pam_forget(c);
     c->core.state_changed = 0;
     c->core.phase = STEP;

@@ -144,6 +144,16 @@ int pam_solver_begin(pam_solver *v, double t, const double *u, const double *du,
     return begin_past(v, t);
 }
 
+static void no_numbers(const pam_model *m, double *x) {
+    for (int i = m->nc; i < m->nx; i++) x[i] = NAN;
+}
+
+void pam_solver_leave_sensitivities(pam_solver *v) {
+    v->s->plain = 1;
+    no_numbers(v->model, v->x);
+    no_numbers(v->model, v->x1);
+}
+
 void pam_solver_core_state(const pam_solver *v, double t, double *x) {
     int n = v->model->nc;
     double s = v->s->h > 0.0 ? (t - v->s->t) / v->s->h : 0.0;
@@ -158,7 +168,8 @@ void pam_solver_core_state(const pam_solver *v, double t, double *x) {
 
 void pam_solver_state(const pam_solver *v, double t, double *x) {
     pam_solver_core_state(v, t, x);
-    if (v->model->ns) pam_sensitivity_state(v, t, x + v->model->nc);
+    if (v->s->plain) no_numbers(v->model, x);
+    else if (v->model->ns) pam_sensitivity_state(v, t, x + v->model->nc);
 }
 
 /* Drops what the pending step says about times after t. */
@@ -388,7 +399,7 @@ static int take_step(pam_solver *v, double target, int *budget) {
             s->h_next = ends_at_change ? fmax(wished, h * factor) : h * factor;
             s->statistics.steps++;
             dense_output(v);
-            return v->model->ns ? pam_sensitivity_step(v) : 0;
+            return v->model->ns && !s->plain ? pam_sensitivity_step(v) : 0;
         }
         rejected = 1;
         s->statistics.rejected++;

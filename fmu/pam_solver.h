@@ -34,6 +34,7 @@ typedef struct {
     double rtol;
     int estimate;          /* 1: the next step begins with a jump, its length must be checked */
     int truncated;         /* 1: the pending step may not be used to its end */
+    int plain;             /* 1: the sensitivities are not followed; they are no numbers then */
     pam_statistics statistics;
 } pam_solver_scalars;
 
@@ -75,6 +76,9 @@ void pam_solver_bind(pam_solver *v, const pam_model *m, pam_solver_scalars *s, d
  * Returns 0, or 1 with a message.
  */
 int pam_solver_begin(pam_solver *v, double t, const double *u, const double *du, double rtol);
+
+/* Leaves the sensitivities out of the run that has begun. */
+void pam_solver_leave_sensitivities(pam_solver *v);
 
 /* Tells the solver the inputs from time t on; drops the pending step where they are not as assumed.
  * Returns 0, or 1 with a message.

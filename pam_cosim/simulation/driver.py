@@ -65,6 +65,8 @@ class _Run(ctypes.Structure):
         ("tolerance_defined", ctypes.c_int32),
         ("tolerance", ctypes.c_double),
         ("max_seconds", ctypes.c_double),
+        ("follow", ctypes.c_void_p),
+        ("plain", ctypes.c_int32),
         ("n_parameters", ctypes.c_size_t),
         ("parameters", ctypes.c_void_p),
         ("parameter_values", ctypes.c_void_p),
@@ -176,6 +178,7 @@ class Driver:
         names = dict(zip(_SLOTS, FUNCTIONS[version], strict=True))
         self._names = [name or "" for name in names.values()]
         self._addresses = {slot: _address(library, name) for slot, name in names.items()}
+        self._follow = _address(library, "pam_follow_sensitivities")
         self._instance, self._slopes, self._version = instance, slopes, version
         self._running: _Run | None = None
 
@@ -194,8 +197,9 @@ class Driver:
         tolerance: float | None,
         must_reset: bool,
         max_seconds: float | None,
+        plain: bool = False,
     ) -> Outcome:
-        """One simulation; variables are given by value reference."""
+        """One simulation; variables are given by value reference. ``plain``: none of the outputs is a sensitivity."""
         references = [np.array(r, dtype=np.uint32) for r in (parameters[0], inputs, outputs)]
         values = np.array(parameters[1], dtype=np.float64)
         orders = np.ones(len(inputs), dtype=np.int32)
@@ -208,6 +212,8 @@ class Driver:
             tolerance_defined=tolerance is not None,
             tolerance=tolerance or 0.0,
             max_seconds=max_seconds or 0.0,
+            follow=self._follow,
+            plain=plain,
             n_parameters=values.size,
             parameters=references[0].ctypes.data,
             parameter_values=values.ctypes.data,

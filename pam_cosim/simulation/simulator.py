@@ -163,11 +163,12 @@ class Simulator:
         output_references = self._lookup(names, self._references, "output")
         self._callbacks.take_messages()
         parameter_values = list(own.values())
+        plain = all(name in self.interface.outputs for name in names)  # sensitivities stand elsewhere
 
         def drive() -> Outcome:
             return self._driver.run(
                 layout, (parameter_references, parameter_values), input_references, output_references,
-                tolerance, self._used, max_seconds,
+                tolerance, self._used, max_seconds, plain,
             )  # fmt: skip
 
         self._end_steps()

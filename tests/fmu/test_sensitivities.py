@@ -166,3 +166,16 @@ def test_lean_model_simulates_as_the_whole_one_and_refuses_what_it_has_not() -> 
     assert lean.is_dir() and validate_fmu(str(lean)) == []
     with Simulator(lean) as again:  # closing it has left the files where they were
         assert again.run(times).time.size == times.size
+
+
+def test_run_without_sensitivities_leaves_the_outputs_as_they_are_and_the_next_run_has_them() -> None:
+    outputs = ("p", "x")
+    with Simulator(build_model("Isotonic", sensitivities=_CHOSEN)) as simulator:
+        slopes = list(simulator.interface.sensitivities)
+        with_slopes = simulator.run(_TIMES, inputs=_INPUTS, outputs=[*outputs, *slopes]).values
+        alone = simulator.run(_TIMES, inputs=_INPUTS, outputs=outputs).values
+        again = simulator.run(_TIMES, inputs=_INPUTS, outputs=[*outputs, *slopes]).values
+    for name in outputs:
+        assert alone[name].tobytes() == with_slopes[name].tobytes()
+    for name in slopes:
+        assert again[name].tobytes() == with_slopes[name].tobytes()
