@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import casadi as ca
 
@@ -13,8 +13,15 @@ from pam_cosim.errors import ModelError
 _LARGEST_BY_MINORS = 4
 
 
-def solve(residuals: Sequence[Residual], unknowns: Sequence[str], symbols: Mapping[str, ca.SX]) -> dict[str, ca.SX]:
+def solve(
+    residuals: Sequence[Residual],
+    unknowns: Sequence[str],
+    symbols: Mapping[str, ca.SX],
+    wanted: Iterable[str] | None = None,
+) -> dict[str, ca.SX]:
     """Every unknown as an expression of states, inputs, parameters and time.
+
+    ``wanted``: names of those that are asked for; default all. Only what they depend on is solved for besides.
 
     Raises:
         ModelError: the system is structurally singular, or a block of it is nonlinear.
@@ -27,25 +34,57 @@ def solve(residuals: Sequence[Residual], unknowns: Sequence[str], symbols: Mappi
     count, rows, columns, row_blocks, column_blocks, *_ = structure.btf()
     if len(residuals) != len(unknowns) or ca.sprank(structure) < len(unknowns):
         raise ModelError(_singular(residuals, unknowns, structure))
+    blocks: list[_Block] = [
+        (rows[row_blocks[b] : row_blocks[b + 1]], columns[column_blocks[b] : column_blocks[b + 1]])
+        for b in range(count)
+    ]
+    held = _columns_of_rows(structure)
+    if wanted is not None:
+        places = {name: j for j, name in enumerate(unknowns)}
+        blocks = _needed(blocks, held, [places[name] for name in wanted])
     solved: dict[str, ca.SX] = {}
-    for block in range(count):
-        equations = [residuals[i] for i in rows[row_blocks[block] : row_blocks[block + 1]]]
-        names = [unknowns[j] for j in columns[column_blocks[block] : column_blocks[block + 1]]]
-        _solve_block(equations, names, symbols, solved)
+    for own_rows, own_columns in blocks:
+        names = [unknowns[j] for j in own_columns]
+        known = [unknowns[j] for j in sorted({j for i in own_rows for j in held[i]}) if unknowns[j] in solved]
+        _solve_block([residuals[i] for i in own_rows], names, known, symbols, solved)
     return solved
 
 
+_Block = tuple[Sequence[int], Sequence[int]]  # rows and columns
+
+
+def _columns_of_rows(structure: ca.Sparsity) -> list[list[int]]:
+    held: list[list[int]] = [[] for _ in range(structure.size1())]
+    for row, column in zip(*structure.get_triplet(), strict=True):
+        held[row].append(column)
+    return held
+
+
+def _needed(blocks: Sequence[_Block], held: Sequence[Sequence[int]], wanted: Sequence[int]) -> list[_Block]:
+    """The blocks that determine the wanted columns and all that these depend on, in their order."""
+    owner = {column: b for b, (_, columns) in enumerate(blocks) for column in columns}
+    waiting, chosen = {owner[j] for j in wanted}, set[int]()
+    while waiting:
+        block = waiting.pop()
+        chosen.add(block)
+        waiting |= {owner[j] for i in blocks[block][0] for j in held[i]} - chosen
+    return [blocks[b] for b in sorted(chosen)]
+
+
 def _solve_block(
-    equations: Sequence[Residual], names: Sequence[str], symbols: Mapping[str, ca.SX], solved: dict[str, ca.SX]
+    equations: Sequence[Residual],
+    names: Sequence[str],
+    known: Sequence[str],
+    symbols: Mapping[str, ca.SX],
+    solved: dict[str, ca.SX],
 ) -> None:
-    """Solve one block for its unknowns; what earlier blocks gave is put in first."""
+    """Solve one block for its unknowns; what earlier blocks gave for the ``known`` ones in it is put in first."""
     system = _column([equation.expression for equation in equations])
-    known = [name for symbol in ca.symvar(system) if (name := symbol.name()) in solved]
     if known:
         system = ca.substitute(system, _column([symbols[n] for n in known]), _column([solved[n] for n in known]))
     variables = _column([symbols[name] for name in names])
     matrix = ca.jacobian(system, variables)
-    if ca.depends_on(matrix, variables):
+    if not matrix.is_constant() and ca.depends_on(matrix, variables):
         raise ModelError(_nonlinear(equations, names))
     if matrix.is_zero():
         raise ModelError(f"{names[0]!r} drops out of the equation that should determine it: {equations[0].place}")

@@ -68,8 +68,9 @@ def initial_values(
         incidence.pop()
         if number < len(fixed) + len(equations):
             superfluous.append(equation)
+    wanted = dict.fromkeys([*states, *late, *(name for r in superfluous for name in _names(r, unknown))])
     try:
-        solved = solve([_at_start(r, system, late) for r in chosen], list(unknown), unknown)
+        solved = solve([_at_start(r, system, late) for r in chosen], list(unknown), unknown, wanted)
     except ModelError as error:
         raise ModelError(f"initial values: {error.message}") from None
     _check_superfluous(superfluous, solved, unknown, defaults)
@@ -83,7 +84,8 @@ def initial_values(
 
 def _at_start(residual: Residual, system: System, late: Mapping[str, ca.SX]) -> Residual:
     """The equation at time zero; one that determines a parameter keeps the time, which is that of the start."""
-    if _names(residual, late):
+    names = {symbol.name() for symbol in ca.symvar(residual.expression)}
+    if names & late.keys() or system.time.name() not in names:
         return residual
     return Residual(ca.substitute(residual.expression, system.time, ca.SX(0)), residual.place)
 

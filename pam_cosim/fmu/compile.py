@@ -24,9 +24,9 @@ from pam_cosim.fmu.cache import cache_dir, cached, digest
 from pam_cosim.processes import run_tool
 from pam_cosim.resources import fmu_runtime
 
-_FLAGS = ("-std=c99", "-O2", "-shared", "-s", "-w", "-fvisibility=hidden", "-fno-math-errno", "-ffp-contract=off",
-          "-fno-sanitize=undefined",
-          "-fno-trigraphs")  # fmt: skip
+# To look for vectors in a model's long straight equations takes a fifth of the compiler's time and finds next to none.
+_FLAGS = ("-std=c99", "-O2", "-fno-slp-vectorize", "-shared", "-s", "-w", "-fvisibility=hidden", "-fno-math-errno",
+          "-ffp-contract=off", "-fno-sanitize=undefined", "-fno-trigraphs")  # fmt: skip
 
 
 _STALE = 3600.0  # [s]
