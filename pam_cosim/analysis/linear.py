@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 from scipy.linalg import expm
-from scipy.signal import StateSpace
 
 from pam_cosim.analysis.operating_point import OperatingPoint
 from pam_cosim.arrays import Array
@@ -191,6 +190,8 @@ class LinearModel:
         """
         if not self.states:
             raise InputError(f"{self.model} has no states; its matrix D is all there is")
+        from scipy.signal import StateSpace  # a fifth of a second, which few need
+
         return StateSpace(self.A, self.B, self.C, self.D)
 
     def to_control(self) -> Any:

@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from scipy.stats import chi2, norm
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
@@ -83,6 +82,8 @@ class Observation:
         count = float(self.sizes[:, 1].sum())
         if not count:
             return float("nan"), float("nan")
+        from scipy.stats import chi2  # half a second, which few need
+
         low, high = chi2.ppf([(1 - LEVEL) / 2, (1 + LEVEL) / 2], count)
         return float(low / count), float(high / count)
 
@@ -121,6 +122,8 @@ class Observation:
         return {name: self._error(name, self.time >= self.time[0] + since) for name in self.truth}
 
     def _error(self, name: str, chosen: Array) -> Error:
+        from scipy.stats import norm
+
         off = (self.values[name] - self.truth[name])[chosen]
         size = self.deviations[name][chosen]
         return Error(

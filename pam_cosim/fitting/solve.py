@@ -7,7 +7,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.stats import qmc
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
@@ -58,6 +57,8 @@ def spread_starts(free: Sequence[Free], count: int = CRITERIA.fit.spread_starts)
     """Start values spread evenly over the bounds by a Sobol sequence; the same ones every time."""
     if not free:
         return []
+    from scipy.stats import qmc  # half a second, which few need
+
     points = qmc.Sobol(len(free), seed=0).random_base2(max(count - 1, 0).bit_length())[:count]
     ends = [(f.to_z(f.low), f.to_z(f.high)) for f in free]
     return [
@@ -97,6 +98,8 @@ def _rescue(objective: Objective) -> Array:
     """The first of a fixed sequence of points within the bounds at which the model runs."""
     low, high = objective.bounds
     if len(low):
+        from scipy.stats import qmc
+
         for u in qmc.Sobol(len(low), seed=0).random(CRITERIA.fit.rescue_starts):
             z: Array = low + u * (high - low)
             if np.isfinite(objective.squares(z)):
