@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import multiprocessing.resource_tracker
 import os
 import signal
@@ -149,7 +150,12 @@ def wake(workers: int | None = None, module: str = __name__) -> None:
     with deaf():
         pool = _pool(count)
         for _ in range(count):
-            pool.submit(import_module, module)
+            pool.submit(_load, module)
+
+
+def _load(module: str) -> None:
+    import_module(module)
+    gc.freeze()  # what is loaded stays: nobody need look through it for waste
 
 
 def run_tasks(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeAlias
@@ -107,6 +107,30 @@ class ClassInfo:
     line: int
 
 
+class _WhenAskedFor(Mapping[str, ClassInfo]):
+    """What is known of each class; worked out when somebody asks, for few ask for all."""
+
+    def __init__(
+        self, definitions: Mapping[str, ClassDefinition], make: Callable[[ClassDefinition], ClassInfo]
+    ) -> None:
+        self._definitions, self._make = definitions, make
+        self._known: dict[str, ClassInfo] = {}
+
+    def __getitem__(self, name: str) -> ClassInfo:
+        if name not in self._known:
+            self._known[name] = self._make(self._definitions[name])
+        return self._known[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._definitions)
+
+    def __len__(self) -> int:
+        return len(self._definitions)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._definitions
+
+
 class ClassTree:
     """All classes by full name, parents before their children, in order of files."""
 
@@ -114,7 +138,7 @@ class ClassTree:
         self._library = library
         self._lookup = Lookup(library)
         self._definitions = {node.qualified_name: node for node in library.walk()}
-        self.classes: dict[str, ClassInfo] = {name: self._info(node) for name, node in self._definitions.items()}
+        self.classes: Mapping[str, ClassInfo] = _WhenAskedFor(self._definitions, self._info)
 
     # ---- questions ----------------------------------------------------------------------------------------
 

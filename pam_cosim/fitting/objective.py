@@ -52,6 +52,10 @@ class Objective:
         self._outputs = [
             [*names, *self._slopes(run, names)] for run, names in zip(self.runs, self._signals, strict=True)
         ]
+        self._told = [
+            {name: self._told_slopes(run, name) for name in names}
+            for run, names in zip(self.runs, self._signals, strict=True)
+        ]
         self._exact = self._told_parameters()
         chosen = CRITERIA.fit.tolerance if all(self._exact) else CRITERIA.fit.difference_tolerance
         self.tolerance = chosen if tolerance is None else tolerance
@@ -89,6 +93,12 @@ class Objective:
         known = self.simulator.interface.sensitivities
         moved = [f.parameter for f in self.free if self._moves(f, run)]
         return [n for s in signals for f in moved if (n := sensitivity_name(s, f)) in known]
+
+    def _told_slopes(self, run: Run, signal: str) -> list[tuple[int, str]]:
+        """Number of each free parameter that moves a run, and the model's sensitivity of a signal to it, where told."""
+        known = self.simulator.interface.sensitivities
+        told = [(i, sensitivity_name(signal, f.parameter)) for i, f in enumerate(self.free) if self._moves(f, run)]
+        return [(i, name) for i, name in told if name in known]
 
     def _told_parameters(self) -> list[bool]:
         """For each free parameter, whether the model tells its sensitivities."""
@@ -202,17 +212,16 @@ class Objective:
     def _exact_jacobian(self, z: Array, runs: Sequence[RunComparison]) -> Array:
         """(size + priors, parameters); columns of parameters whose sensitivities the model does not tell are zero."""
         jacobian = np.zeros((self.size + len(self._priors), len(self.free)))
+        by_z = [free.slope(float(c)) for free, c in zip(self.free, z, strict=True)]
         row = 0
-        for run, names in zip(runs, self._signals, strict=True):
-            for name in names:
+        for run, told in zip(runs, self._told, strict=True):
+            for name, slopes in told.items():
                 sigma = self.data.signals[name].sigma
                 assert sigma is not None
                 kept = np.isfinite(run.run.measurements[name])
                 count = int(kept.sum())
-                for i, free in enumerate(self.free):
-                    slope = run.model.get(sensitivity_name(name, free.parameter))
-                    if slope is not None and self._moves(free, run.run):
-                        jacobian[row : row + count, i] = -slope[kept] * free.slope(float(z[i])) / sigma
+                for i, slope in slopes:
+                    jacobian[row : row + count, i] = -run.model[slope][kept] * by_z[i] / sigma
                 row += count
         for k, (i, prior) in enumerate(self._priors):
             jacobian[self.size + k, i] = -self.free[i].slope(float(z[i])) / prior.sd

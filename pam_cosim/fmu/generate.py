@@ -84,6 +84,10 @@ def model_source(ode: Ode, guid: str, lean: bool = False) -> str:
     for function in functions:
         generator.add(function)
     generated = _unguarded(_without_helpers(generator.dump()))
+    if lean:
+        generated = _seldom("pam_rhs", generated)  # the solver asks for the model's own rates
+    elif ode.sensitivities:
+        generated = _seldom("pam_jvp", generated)
     interface = ode.interface
     timed = ca.jacobian_sparsity(ode.derivatives, ode.t).nnz() > 0 if ode.states else False
     max_step = interface.stop_time / _STEPS_OF_TIMED_MODEL if timed else 0.0
@@ -94,7 +98,7 @@ def model_source(ode: Ode, guid: str, lean: bool = False) -> str:
     parts = [
         f"static const char guid[] = {c_string(guid)};",  # first: what a model calls itself may look like one
         '#include "pam_model.h"\n#define CASADI_SYMBOL_EXPORT static',
-        _seldom("pam_jvp", generated) if ode.sensitivities else generated,
+        generated,
         c_array("const char *const", "state_names", (c_string(s.name) for s in ode.states)),
         c_array("const double", "state_nominals", (_nominal(s.nominal) for s in ode.states)),
         c_array("const double", "input_starts", (_double(v) for v in inputs)),
