@@ -183,9 +183,11 @@ class SearchCriteria:
     rows: int = decides(1000, "rows", "of a linearised model: noise of neighbours averages out in them")
     first_tried: int = decides(12, "effects", "that promise most are tried by themselves first")
     not_linear: float = decides(0.05, "of a reduction", "that slopes promise is lost: models are not linear")
-    probed_at: tuple[float, ...] = decides(
-        (0.3, 3.0), "1", "factors on an effect's parameters, where it is looked at besides: half a decade bends little"
-    )
+    looks: int = decides(8, "strengths", "of an effect that are looked at beside the base model, at most")
+    weaker: float = decides(0.1, "1", "factor to the next strength where an effect acts the wrong way, or breaks down")
+    same_strength: float = decides(0.2, "of a strength", "that another differs by at least, to be looked at as well")
+    little: float = decides(0.1, "1", "of the sum of squares, or of what is in proportion: less is as good as nothing")
+    idle: float = decides(1e-6, "of the sum of squares", "an effect that moves less may have slopes that say nothing")
     together: int = decides(4, "models", "fitted before the next are chosen")
     leading_families: int = decides(3, "families", "whose members are all tried where no effect leaves noise")
     rounds: int = decides(8, "rounds", "of fits of models with one effect, with two and with three, at most")

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
 
@@ -28,6 +28,7 @@ class EffectClass:
         file: where it is written.
         general: it says whatever its family can, and waits until the others of the family leave something.
         library: the package whose effect it is.
+        absent: values of its parameters at which it vanishes; empty where there are none.
     """
 
     name: str
@@ -41,6 +42,7 @@ class EffectClass:
     file: Path
     general: bool = False
     library: str = ""
+    absent: Mapping[str, float] = field(default_factory=dict)
 
 
 def effect_classes(tree: ClassTree, of: Collection[str] | None = None) -> list[EffectClass]:
@@ -112,7 +114,20 @@ def _effect(tree: ClassTree, name: str, library: str) -> EffectClass:
         file=Path(info.file),
         general=bool(tree.constant(name, "general")),
         library=library,
+        absent=_absent(str(tree.constant(name, "absent") or ""), info.file, info.line),
     )
+
+
+def _absent(text: str, file: Path | str, line: int) -> dict[str, float]:
+    """Values by name, from a text such as "k=0, tau=1e-4"."""
+    values = {}
+    for part in filter(None, (part.strip() for part in text.split(","))):
+        name, _, value = part.partition("=")
+        try:
+            values[name.strip()] = float(value)
+        except ValueError:
+            raise ModelError(f"absent wants parameters with numbers, such as k=0, not {part!r}", file, line) from None
+    return values
 
 
 def _component_name(short: str, annotation: str) -> str:

@@ -10,13 +10,14 @@ from __future__ import annotations
 import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from scipy.optimize import lsq_linear
 
 from pam_cosim.arrays import Array
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.trial import Probe
+from pam_cosim.diagnosis.probing import Probe
 from pam_cosim.fitting import Linear
 
 _NOTHING_NEW = 1e-4  # of a column's length: what is left of it beside others, below which it says nothing new
@@ -31,12 +32,31 @@ class Addition:
         effect, family: its names.
         columns: (m, c) orthonormal directions in which it moves the samples.
         cost: number of its parameters.
+        shapes: what it does about some values of its parameters, where it was looked at and where it was fitted.
     """
 
     effect: str
     family: str
     columns: Array
     cost: int
+    shapes: tuple[Shape, ...] = ()
+
+
+@dataclass(frozen=True)
+class Shape:
+    """What an effect does to the samples about some values of its own k parameters.
+
+    Attributes:
+        names: of the parameters; ``values``, ``low`` and ``high`` (k,) [SI].
+        whole: (m,) what it does at these values. slopes: (m, k).
+    """
+
+    names: tuple[str, ...]
+    values: Array
+    low: Array
+    high: Array
+    whole: Array
+    slopes: Array
 
 
 class Additions:
@@ -48,6 +68,12 @@ class Additions:
         ends = np.cumsum([0, *(a.columns.shape[1] for a in every)]).tolist()
         self.at = [np.arange(a, b) for a, b in itertools.pairwise(ends)]
         self.gram = self.columns.T @ self.columns
+        shapes = [shape for a in every for shape in a.shapes]
+        parts = [np.column_stack([s.slopes, s.whole]) for s in shapes]
+        self.moves = np.column_stack(parts) if parts else np.zeros((0, 0))
+        self.gram_of_moves = self.moves.T @ self.moves
+        begin = np.cumsum([0, *(part.shape[1] for part in parts)]).tolist()
+        self.begin = {id(shape): at for shape, at in zip(shapes, begin[:-1], strict=True)}
 
 
 def addition(base: Linear, probe: Probe, fitted: Candidate | None = None) -> Addition | None:
@@ -56,21 +82,22 @@ def addition(base: Linear, probe: Probe, fitted: Candidate | None = None) -> Add
     Its directions are those of its parameters, and of the effect as a whole beside the base model, where it was probed
     and where a model with this effect alone was fitted.
     """
-    columns: list[Array] = []
-    for linear in (probe.linear, fitted.fit.linear if fitted else None):
-        if linear is not None:
-            columns += [linear.columns(probe.own_parameters), _whole(base, linear)[:, None]]
+    known = [linear for linear in (probe.linear, fitted.fit.linear if fitted else None) if linear is not None]
+    shapes = tuple(_shape(base, linear, probe.own_parameters) for linear in known)
+    columns = [part for shape in shapes for part in (shape.slopes, shape.whole[:, None])]
     columns += [(base.residual - r)[:, None] for r in probe.further]
     basis = _orthonormal(np.column_stack(columns))
-    return Addition(probe.effect, probe.family, basis, len(probe.own_parameters)) if basis.shape[1] else None
+    return Addition(probe.effect, probe.family, basis, len(probe.own_parameters), shapes) if basis.shape[1] else None
 
 
-def _whole(base: Linear, linear: Linear) -> Array:
-    """(m,) what the effect does to the samples: its model less the base model at the same base parameters."""
+def _shape(base: Linear, linear: Linear, own: Sequence[str]) -> Shape:
+    """What an effect does by itself: its model less the base model at the same base parameters."""
     values = dict(zip(linear.names, linear.values, strict=True))
     change = np.array([values.get(n, v) - v for n, v in zip(base.names, base.values, strict=True)])
-    moved: Array = base.residual - base.slopes @ change - linear.residual
-    return moved
+    whole: Array = base.residual - base.slopes @ change - linear.residual
+    at = [i for i, name in enumerate(linear.names) if name in own]
+    names = tuple(linear.names[i] for i in at)
+    return Shape(names, linear.values[at], linear.low[at], linear.high[at], whole, linear.slopes[:, at])
 
 
 def _orthonormal(columns: Array) -> Array:
@@ -83,18 +110,41 @@ def _orthonormal(columns: Array) -> Array:
 
 def reduction(linear: Linear) -> float:
     """By how much the sum of squares falls, to first order, when the parameters go where they like within bounds."""
+    return max(float(linear.residual @ linear.residual) - _optimum(linear)[1], 0.0)
+
+
+def _optimum(linear: Linear) -> tuple[Array, float]:
+    """Values within the bounds at which the linear model leaves least, and the sum of squares that it leaves there."""
+    values, before = linear.values.copy(), float(linear.residual @ linear.residual)
     size = np.linalg.norm(linear.slopes, axis=0)
     felt = size > 0
     if not felt.any():
-        return 0.0
+        return values, before
     rows = linear.slopes[:, felt] / size[felt]
     low = np.minimum((linear.low - linear.values)[felt] * size[felt], -1e-12)
     high = np.maximum((linear.high - linear.values)[felt] * size[felt], 1e-12)
     triangle: Array = np.asarray(np.linalg.qr(np.column_stack([rows, linear.residual]), mode="r"))
     n = rows.shape[1]
     solution = lsq_linear(triangle[:n, :n], triangle[:n, n], (low, high), method="bvls")
-    before = float(triangle[:n, n] @ triangle[:n, n])
-    return max(before - 2 * float(solution.cost), 0.0)
+    values[felt] += solution.x / size[felt]
+    seen = float(triangle[:n, n] @ triangle[:n, n])
+    return values, before - seen + 2 * float(solution.cost)
+
+
+def _boxed(square: Array, along: Array, low: Array, high: Array) -> Array:
+    """The step within a box that makes least of a quadratic form: what would leave the box stays at its side."""
+    size = np.sqrt(np.maximum(np.diag(square), 0.0))
+    free, step = size > 0, np.zeros(len(along))
+    while free.any():
+        at = np.flatnonzero(free)
+        scaled = square[np.ix_(at, at)] / np.outer(size[at], size[at]) + _NOTHING_NEW**2 * np.eye(len(at))
+        wanted = np.linalg.solve(scaled, (along[at] - square[np.ix_(at, ~free)] @ step[~free]) / size[at]) / size[at]
+        step[at] = np.clip(wanted, low[at], high[at])
+        out = step[at] != wanted
+        if not out.any():
+            break
+        free[at[out]] = False
+    return step
 
 
 @dataclass(frozen=True)
@@ -104,19 +154,29 @@ class Expected:
     Attributes:
         start: effects of the fitted model that it starts from.
         added: what is added.
-        reduction: of the sum of squares, beyond what that leaves.
+        reduction: of the sum of squares, beyond what that leaves, if effects were free to bend.
         exchanged: the effect of ``start`` that makes place; empty: none.
+        beside: the model that is started from.
     """
 
     start: tuple[str, ...]
     added: tuple[Addition, ...]
     reduction: float
     exchanged: str = ""
+    beside: Beside | None = None
 
     @property
     def effects(self) -> tuple[str, ...]:
         """All effects."""
         return (*(e for e in self.start if e != self.exchanged), *(a.effect for a in self.added))
+
+    @cached_property
+    def within_bounds(self) -> tuple[float, dict[str, float]]:
+        """The reduction when all parameters keep to their bounds, and the values that they have then [SI]."""
+        if self.beside is None or self.exchanged:
+            return self.reduction, {}
+        several = itertools.product(*(a.shapes for a in self.added))
+        return max((self.beside.within_bounds(shapes) for shapes in several), key=lambda known: known[0])
 
 
 class Beside:
@@ -133,6 +193,9 @@ class Beside:
         self, effects: tuple[str, ...], linear: Linear, family: Mapping[str, str], additions: Additions
     ) -> None:
         self.effects, self.family, self.additions = effects, family, additions
+        self._linear = linear
+        known = np.column_stack([linear.slopes, linear.residual])
+        self._known, self._cross = known.T @ known, known.T @ additions.moves
         own = _orthonormal(linear.slopes)
         left = linear.residual - own @ (own.T @ linear.residual)
         shared, self._along = own.T @ additions.columns, additions.columns.T @ left
@@ -140,6 +203,32 @@ class Beside:
 
     def _gain(self, at: Array) -> float:
         return float(self._along[at] @ np.linalg.solve(self._gram[np.ix_(at, at)], self._along[at]))
+
+    def within_bounds(self, shapes: Sequence[Shape]) -> tuple[float, dict[str, float]]:
+        """With effects of these shapes: the reduction when all parameters keep to their bounds, and their values then.
+
+        As if what each effect does were not changed by the others.
+        """
+        own, k = self._linear, len(self._linear.names)
+        begin = [self.additions.begin[id(s)] for s in shapes]
+        slopes = np.array([at + i for at, s in zip(begin, shapes, strict=True) for i in range(len(s.names))], int)
+        wholes = np.array([at + len(s.names) for at, s in zip(begin, shapes, strict=True)], int)
+        gram, cross = self.additions.gram_of_moves, self._cross
+        square = np.block(
+            [[self._known[:k, :k], cross[:k, slopes]], [cross[:k, slopes].T, gram[np.ix_(slopes, slopes)]]]
+        )
+        along = np.append(
+            self._known[:k, k] - cross[:k, wholes].sum(axis=1),
+            cross[k, slopes] - gram[np.ix_(slopes, wholes)].sum(axis=1),
+        )
+        values = np.concatenate([own.values, *(s.values for s in shapes)])
+        low = np.concatenate([own.low, *(s.low for s in shapes)]) - values
+        high = np.concatenate([own.high, *(s.high for s in shapes)]) - values
+        step = _boxed(square, along, low, high)
+        whole = 2 * float(cross[k, wholes].sum()) - float(gram[np.ix_(wholes, wholes)].sum())
+        gained = whole + float(step @ (2 * along - square @ step))
+        names = (*own.names, *(n for s in shapes for n in s.names))
+        return max(gained, 0.0), dict(zip(names, (values + step).tolist(), strict=True))
 
     def _single(self, own_family: bool) -> list[tuple[float, Addition, Array]]:
         taken = {self.family[e] for e in self.effects}
@@ -152,13 +241,13 @@ class Beside:
 
     def with_one(self) -> list[Expected]:
         """One further effect of another family."""
-        return [Expected(self.effects, (a,), gain) for gain, a, _ in self._single(False)]
+        return [Expected(self.effects, (a,), gain, beside=self) for gain, a, _ in self._single(False)]
 
     def with_two(self, first: int) -> list[Expected]:
         """Two further effects of other families, one of them among so many that do most by themselves."""
         best = sorted(self._single(False), key=lambda entry: (-entry[0], entry[1].effect))
         return [
-            Expected(self.effects, (a, b), self._gain(np.concatenate([at, bt])))
+            Expected(self.effects, (a, b), self._gain(np.concatenate([at, bt])), beside=self)
             for n, (_, a, at) in enumerate(best[:first])
             for _, b, bt in best[n + 1 :]
             if b.family != a.family

@@ -13,11 +13,26 @@ from pam_cosim.compiler import ClassTree, Structure, library_hash, read_structur
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
 from pam_cosim.diagnosis.message import Message
-from pam_cosim.diagnosis.trial import Probe, Trial, crashed, run_probe, run_trial
+from pam_cosim.diagnosis.probing import Probe
+from pam_cosim.diagnosis.trial import Trial, crashed, run_probe, run_trial
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import DataSet
 from pam_cosim.units import format_quantity
 from pam_cosim.workers import run_tasks
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """A model that is to be fitted.
+
+    Attributes:
+        effects: that it has.
+        start: values to start from [SI]. further: others.
+    """
+
+    effects: tuple[str, ...]
+    start: Mapping[str, float]
+    further: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -66,20 +81,21 @@ class Search:
 
     def probed(self, base: Fit) -> list[Probe]:
         """What each effect does to the samples beside the fitted base model."""
-        trials = [t.screening() for t in self._trials([((e.name,), base.values) for e in self.shelf])]
+        trials = [t.screening() for t in self._trials([Wanted((e.name,), base.values) for e in self.shelf])]
+        trials = [replace(t, beside=base.linear) for t in trials]
         self.say(Message(f"looking at what each of {len(trials)} effects would change"))
         results = run_tasks(run_probe, trials, crashed, lambda _: None, self.workers)
         self.failed.extend(c for c in results if isinstance(c, FailedTrial))
         return [c for c in results if isinstance(c, Probe)]
 
-    def briefly(self, models: Sequence[tuple[tuple[str, ...], Mapping[str, float]]]) -> list[Candidate]:
+    def briefly(self, models: Sequence[Wanted]) -> list[Candidate]:
         """Models with these effects, a few steps from these values: enough to tell whether they promise anything."""
         trials = [t.screening() for t in self._trials(models)]
         return self._run("in a few steps", [t.fitted_with(rows=CRITERIA.search.rows) for t in trials])
 
     def to_the_end(self, candidates: Sequence[Candidate], base: Fit) -> list[Candidate]:
         """Models that were fitted briefly, to the end: from where they stand, and from where they began."""
-        trials = self._trials([(c.effects, base.values) for c in candidates])
+        trials = self._trials([Wanted(c.effects, base.values) for c in candidates])
         values, numbers = {c.effects: c.fit.values for c in candidates}, CRITERIA.search
         options = {"rows": numbers.rows, "precision": numbers.precision, "evaluations": numbers.evaluations}
         own = [replace(t.fitted_with(**options), further_start=values[t.effects]) for t in trials]
@@ -87,7 +103,7 @@ class Search:
 
     def finished(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate | None:
         """The model with just these effects, the last of them without what it does not need; None: it breaks down."""
-        trials = [replace(t.fitted_with(descents=1), prune=True) for t in self._trials([(tuple(effects), start)])]
+        trials = [replace(t.fitted_with(descents=1), prune=True) for t in self._trials([Wanted(tuple(effects), start)])]
         return next(iter(self._run("to the end", trials)), None)
 
     def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:
@@ -97,15 +113,15 @@ class Search:
         self.failed.extend(c for c in results if isinstance(c, FailedTrial))
         return [c for c in results if isinstance(c, Candidate)]
 
-    def _trials(self, models: Sequence[tuple[tuple[str, ...], Mapping[str, float]]]) -> list[Trial]:
+    def _trials(self, models: Sequence[Wanted]) -> list[Trial]:
         """Trials of the last effect of each model, of those whose effects find a place."""
         own = {e.name: e for e in self.shelf}
         trials = []
-        for names, start in models:
-            composition = compose_on(self.tree, self.structure, names)
+        for m in models:
+            composition = compose_on(self.tree, self.structure, m.effects)
             if composition is not None:
-                trial = Trial(own[names[-1]], tuple(names), composition, self.data, start, self.files)
-                trials.append(replace(trial, library=self.library))
+                trial = Trial(own[m.effects[-1]], m.effects, composition, self.data, m.start, self.files)
+                trials.append(replace(trial, further_start=m.further, library=self.library))
         return trials
 
 

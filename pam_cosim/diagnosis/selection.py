@@ -25,8 +25,8 @@ from pam_cosim.diagnosis.evidence import (
 )
 from pam_cosim.diagnosis.expectation import Additions, Beside, Expected, addition, reduction
 from pam_cosim.diagnosis.message import Message
-from pam_cosim.diagnosis.search import Search
-from pam_cosim.diagnosis.trial import Probe
+from pam_cosim.diagnosis.probing import Probe
+from pam_cosim.diagnosis.search import Search, Wanted
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Fit
 
@@ -102,8 +102,8 @@ class _Models:
         """So many of the effects that promise most by themselves, a few steps."""
         assert self.base.linear is not None
         noise, beside = self._noise(), Beside((), self.base.linear, self.search.family, self._additions())
-        hopes = sorted((self._hoped(self.base, None, e, noise), e.effects) for e in beside.with_one())
-        self._keep(self.search.briefly([(names, self.base.values) for _, names in hopes[:count]]))
+        every = sorted(beside.with_one(), key=lambda e: (self._hoped(self.base, None, e, noise), e.effects))
+        self._keep(self.search.briefly([self._wanted(e) for e in every[:count]]))
 
     def _additions(self) -> Additions:
         """What the effects can add, as far as probes and fits tell by now."""
@@ -138,11 +138,11 @@ class _Models:
             best.setdefault(self.search.family[names[0]], names)
         leading = dict(list(best.items())[: CRITERIA.search.leading_families])
         others = [
-            ((e.name,), self.known[leading[e.family]].fit.values)
+            Wanted((e.name,), self.known[leading[e.family]].fit.values)
             for e in self.search.shelf
             if e.family in leading and (e.name,) not in self._seen()
         ]
-        if not self._late([names for names, _ in others]):
+        if not self._late([w.effects for w in others]):
             self._keep(self.search.briefly(others))
 
     def improve(self, count: int) -> None:
@@ -159,7 +159,7 @@ class _Models:
             for c in brief:  # whatever came of it, it is not brief any more
                 self.known[c.effects] = replace(self.known[c.effects], brief=False)
             if not brief:
-                self._keep(self.search.briefly([(e.effects, self._values(e)) for e in chosen]))
+                self._keep(self.search.briefly([self._wanted(e) for e in chosen]))
 
     def _brief(self) -> list[Candidate]:
         """Models that were fitted briefly and may be better than the best, or as good; the most promising ones."""
@@ -251,16 +251,22 @@ class _Models:
         noise, tried, best = self._noise(), {frozenset(n) for n in self._seen()}, self._best()
         left = best if best is not None and self._leaves_structure(best) else None
         limit = self._best_evidence() + self._tolerance()
+        possible = [
+            (hope, e.effects, n, fit, c, e)
+            for n, (fit, c, e) in enumerate(self._expected(count))
+            if frozenset(e.effects) not in tried
+            and (left is None or self._goes_on(left, fit, e, noise))
+            and (hope := self._hoped(fit, c, e, noise, e.reduction, 0.0)) <= limit
+        ]
         by_families: dict[frozenset[str], tuple[float, Expected]] = {}
-        for fit, lost, e in self._expected(count):
-            if frozenset(e.effects) in tried or not (left is None or self._goes_on(left, fit, e, noise)):
-                continue
-            if self._hoped(fit, lost, e, noise, 0.0) > limit:
-                continue
-            hope = self._hoped(fit, lost, e, noise)
+        for hope, _, _, fit, c, e in sorted(possible, key=lambda entry: entry[:3]):
+            first = sorted(h for h, _ in by_families.values())[: CRITERIA.search.together]
+            if len(first) == CRITERIA.search.together and hope > first[-1]:
+                break  # no further one can be as good as these
+            own = self._hoped(fit, c, e, noise)
             families = frozenset(self.search.family[n] for n in e.effects)
-            if families not in by_families or hope < by_families[families][0]:
-                by_families[families] = (hope, e)
+            if families not in by_families or own < by_families[families][0]:
+                by_families[families] = (own, e)
         ordered = sorted(by_families.values(), key=lambda entry: (entry[0], entry[1].effects))
         return [e for _, e in ordered[: CRITERIA.search.together]]
 
@@ -295,22 +301,32 @@ class _Models:
         return own.chi2 - e.reduction - noise * own.samples < CRITERIA.search.step * excess
 
     def _hoped(
-        self, fit: Fit, start: Candidate | None, e: Expected, noise: float, lost: float = CRITERIA.search.not_linear
+        self,
+        fit: Fit,
+        start: Candidate | None,
+        e: Expected,
+        noise: float,
+        reduction: float | None = None,
+        lost: float = CRITERIA.search.not_linear,
     ) -> float:
-        """The evidence that a model which nobody fitted is expected to have, from one that was fitted."""
+        """The evidence that a model which nobody fitted is expected to have, from one that was fitted.
+
+        With a reduction of the squared error that may be given; default: that within the bounds of all parameters.
+        """
+        reduction = e.within_bounds[0] if reduction is None else reduction
         s, every = self._scale, len(self.search.shelf)
         more = sum(a.cost for a in e.added) - (self.search.cost[e.exchanged] if e.exchanged else 0)
         known = evidence(fit, s, len(e.effects), every, start)
-        return known + more * s.penalty(fit) - self._worth(e.reduction, fit, noise, lost)
+        return known + more * s.penalty(fit) - self._worth(reduction, fit, noise, lost)
 
-    def _values(self, e: Expected) -> dict[str, float]:
-        """Where a combined model starts: the fitted model, and the added effects as they were by themselves."""
+    def _wanted(self, e: Expected) -> Wanted:
+        """A model to fit: from the fitted one, and the added effects as they were by themselves, or as expected."""
         values: dict[str, float] = {}
         for a in e.added:
             if (a.effect,) in self.known:
                 values |= self.known[(a.effect,)].fit.values
         start = self.known[e.start].fit.values if e.start else self.base.values
-        return values | start
+        return Wanted(e.effects, values | start, e.within_bounds[1])
 
     def _keep(self, candidates: Sequence[Candidate]) -> None:
         for c in candidates:

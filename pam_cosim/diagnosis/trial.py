@@ -8,15 +8,14 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, TypeVar
 
-import numpy as np
-
-from pam_cosim.arrays import Array
 from pam_cosim.catalogue import Composition, EffectClass
+from pam_cosim.compiler.names import last
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Attempt, Candidate, FailedTrial
+from pam_cosim.diagnosis.probing import Probe, probed
 from pam_cosim.diagnosis.pruning import pruned
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.fitting import Fit, FitOptions, Free, Linear, base_parameters, fit, linearised, residual_rows
+from pam_cosim.fitting import Fit, FitOptions, Free, Linear, base_parameters, fit
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_source
 from pam_cosim.interface import Interface
@@ -42,6 +41,7 @@ class Trial:
         brief: a few steps only.
         prune: whether what a general member does not need is held at zero.
         library: ``compiler.library_hash()``.
+        beside: the fitted base model, for a probe.
     """
 
     effect: EffectClass
@@ -55,6 +55,7 @@ class Trial:
     brief: bool = False
     prune: bool = False
     library: str = ""
+    beside: Linear | None = None
 
     def screening(self) -> Trial:
         """A few steps of the same from one start: enough to tell a promising effect from a hopeless one."""
@@ -91,24 +92,6 @@ class Trial:
             general=self.effect.general,
             fit=fit,
         )
-
-
-@dataclass(frozen=True)
-class Probe:
-    """What an effect does to the samples where it starts.
-
-    Attributes:
-        effect, family: as its class declares them.
-        own_parameters: names of the parameters that it brought.
-        linear: the model with it about the fitted base model and the effect's own stated values.
-        further: (m,) each, the residual where its own parameters are some times as large, and as small.
-    """
-
-    effect: str
-    family: str
-    own_parameters: tuple[str, ...]
-    linear: Linear
-    further: tuple[Array, ...] = ()
 
 
 def crashed(trial: Trial) -> FailedTrial:
@@ -151,22 +134,13 @@ def _fitted(trial: Trial, simulator: Simulator) -> Candidate:
 
 
 def _probed(trial: Trial, simulator: Simulator) -> Probe:
+    assert trial.beside is not None
     moved, _ = free_parameters(trial, simulator.interface)
     objective = Objective(simulator, trial.data, trial.data.fit_runs, moved, None, trial.options.tolerance)
-    linear = linearised(objective, np.array([f.to_z(f.start) for f in moved]), CRITERIA.search.rows)
-    if linear is None:
-        raise SimulationFailure(objective.first_failure)
-    own = tuple(trial.composition.parameters[trial.effect.name])
-    scaled = [_scaled(moved, own, factor) for factor in CRITERIA.search.probed_at]
-    rows = [residual_rows(objective, z, CRITERIA.search.rows) for z in scaled]
-    further = tuple(r for r in rows if r is not None)
-    return Probe(trial.effect.name, trial.effect.family, own, linear, further)
-
-
-def _scaled(moved: Sequence[Free], own: Sequence[str], factor: float) -> Array:
-    """Search coordinates of the starts, with own parameters times a factor."""
-    values = [f.start * (factor if f.name in own else 1.0) for f in moved]
-    return np.array([f.to_z(min(max(v, f.low), f.high)) for f, v in zip(moved, values, strict=True)])
+    names = trial.composition.parameters[trial.effect.name]
+    own = [f for f in moved if f.name in names]
+    absent = {n: trial.effect.absent[last(n)] for n in names if last(n) in trial.effect.absent}
+    return probed(trial.effect.name, trial.effect.family, objective, trial.beside, own, absent)
 
 
 def free_parameters(trial: Trial, interface: Interface) -> tuple[tuple[Free, ...], list[dict[str, float]]]:

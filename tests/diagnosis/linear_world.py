@@ -12,8 +12,8 @@ from pam_cosim.arrays import Array
 from pam_cosim.catalogue import EffectClass, effect_classes
 from pam_cosim.compiler import read_library
 from pam_cosim.diagnosis import Candidate
-from pam_cosim.diagnosis.search import Search
-from pam_cosim.diagnosis.trial import Probe
+from pam_cosim.diagnosis.probing import Probe
+from pam_cosim.diagnosis.search import Search, Wanted
 from pam_cosim.fitting import Estimate, Fit, Linear
 from tests.diagnosis.synthetic import statistics
 
@@ -84,8 +84,8 @@ class LinearWorld(Search):
             probes.append(Probe(e.name, e.family, (f"{e.name}.strength",), linear))
         return probes
 
-    def briefly(self, models: Sequence[tuple[tuple[str, ...], Mapping[str, float]]]) -> list[Candidate]:
-        return [replace(self.candidate(names), brief=True) for names, _ in models]
+    def briefly(self, models: Sequence[Wanted]) -> list[Candidate]:
+        return [replace(self.candidate(m.effects), brief=True) for m in models]
 
     def to_the_end(self, candidates: Sequence[Candidate], base: Fit) -> list[Candidate]:
         self.tried.extend(c.effects for c in candidates)

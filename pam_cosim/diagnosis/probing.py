@@ -1,0 +1,187 @@
+"""What one effect does to the samples beside the fitted base model, at the strength at which it does most good."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.errors import SimulationFailure
+from pam_cosim.fitting import Free, Linear, linearised, residual_rows
+from pam_cosim.fitting.objective import Objective
+
+
+@dataclass(frozen=True)
+class Probe:
+    """What an effect does to the samples.
+
+    Attributes:
+        effect, family: as its class declares them.
+        own_parameters: names of the parameters that it brought.
+        linear: the model with it about the fitted base model and the strength that does most good.
+        further: (m,) each, the residual at the other strengths that were looked at.
+    """
+
+    effect: str
+    family: str
+    own_parameters: tuple[str, ...]
+    linear: Linear
+    further: tuple[Array, ...] = ()
+
+
+@dataclass(frozen=True)
+class Strengths:
+    """How the own parameters of an effect follow its strength: 0, it vanishes; 1, its stated values.
+
+    A parameter that is larger where the effect is away, as a ceiling or a stiffness in series, is inverse to it.
+
+    Args:
+        own: the parameters, at their stated values.
+        absent: values at which the effect vanishes, by name; others stay as they are. Empty: every parameter is
+            multiplied by the strength.
+    """
+
+    own: tuple[Free, ...]
+    absent: Mapping[str, float]
+
+    def at(self, strength: float) -> dict[str, float]:
+        """The own parameters by name, within their bounds."""
+        return {f.name: min(max(self._value(f, strength), f.low), f.high) for f in self.own}
+
+    def _value(self, f: Free, strength: float) -> float:
+        if not self.absent:
+            return strength * f.start
+        away = self.absent.get(f.name)
+        if away is None or away == f.start:
+            return f.start
+        if abs(away) > abs(f.start) and away * f.start > 0:
+            inverse = 1 / away + strength * (1 / f.start - 1 / away)
+            return 1 / inverse if inverse * away > 0 else away
+        return away + strength * (f.start - away)
+
+    @property
+    def signed(self) -> bool:
+        """Whether there is anything at a negative strength."""
+        return bool(self.absent) and self.at(-1.0) != self.at(0.0)
+
+
+@dataclass(frozen=True)
+class _Look:
+    """The model at one strength: (m,) residuals, ``moved`` what the effect does that no base parameter could.
+
+    left: the sum of squares that the base parameters leave.
+    """
+
+    strength: float
+    residual: Array
+    moved: Array
+    left: float
+
+    @property
+    def size(self) -> float:
+        """Sum of squares of what the effect does."""
+        return float(self.moved @ self.moved)
+
+
+def probed(
+    effect: str, family: str, objective: Objective, base: Linear, own: Sequence[Free], absent: Mapping[str, float]
+) -> Probe:
+    """Looks at some strengths of an effect and linearises the model at the one that does most good.
+
+    Args:
+        effect, family: its names.
+        objective: the model with it, whose base parameters start where the base model was fitted.
+        base: the base model there.
+        own: the effect's own parameters, as the objective has them.
+        absent: values of them at which the effect vanishes.
+
+    Raises:
+        SimulationFailure: the model breaks down.
+    """
+    strengths = Strengths(tuple(own), absent)
+    rows = CRITERIA.search.rows
+
+    def place(strength: float) -> Array:
+        values = strengths.at(strength)
+        return np.array([f.to_z(values.get(f.name, f.start)) for f in objective.free])
+
+    looks = _looks(lambda strength: residual_rows(objective, place(strength), rows), base, strengths.signed)
+    linear = None
+    for look in sorted(looks, key=lambda look: (_idle(look, base), look.left)):
+        linear = linearised(objective, place(look.strength), rows)
+        if linear is not None:
+            break
+    if linear is None:
+        raise SimulationFailure(objective.first_failure)
+    further = tuple(other.residual for other in looks if other is not look)
+    return Probe(effect, family, tuple(f.name for f in own), linear, further)
+
+
+def _idle(look: _Look, base: Linear) -> bool:
+    """Whether an effect does next to nothing, so that its slopes may say nothing either."""
+    return look.size < CRITERIA.search.idle * float(base.residual @ base.residual)
+
+
+def _looks(residual: Callable[[float], Array | None], base: Linear, signed: bool) -> list[_Look]:
+    """Residuals at the stated strength, and where those so far say that it does most good."""
+    own = np.linalg.qr(base.slopes)[0] if base.slopes.shape[1] else np.zeros((len(base.residual), 0))
+    target = base.residual - own @ (own.T @ base.residual)
+    looks: list[_Look] = []
+
+    def look(strength: float) -> bool:
+        rows = residual(strength)
+        if rows is None:
+            return False
+        moved = base.residual - rows
+        moved = moved - own @ (own.T @ moved)
+        left = target - moved
+        looks.append(_Look(strength, rows, moved, float(left @ left)))
+        return True
+
+    strength = 1.0
+    for _ in range(CRITERIA.search.looks):
+        if look(strength):
+            following = _next(looks, target, signed)
+        else:  # the model breaks down
+            following = None if looks else strength * CRITERIA.search.weaker
+        if following is None:
+            break
+        strength = following
+    return looks
+
+
+def _next(looks: Sequence[_Look], target: Array, signed: bool) -> float | None:
+    """The strength to look at next; None: it is known where the effect does most good, as well as need be.
+
+    What an effect does is taken for proportional to its strength, from the look that leaves least. Where that is the
+    wrong way, weaker ones are looked at until it does little; and if it came to nothing sooner than in proportion, as
+    beyond a threshold, those between.
+    """
+    goal, best = float(target @ target), min(looks, key=lambda look: look.left)
+    tried = [look.strength for look in looks]
+    if best.size == 0.0 and len(looks) == 1:
+        return best.strength / CRITERIA.search.weaker
+    strength = best.strength * float(best.moved @ target) / max(best.size, 1e-300)
+    weakest = CRITERIA.search.weaker * min(abs(s) for s in tried)
+    does_good = best.left < goal and best.size > CRITERIA.search.idle * goal
+    if not does_good and (abs(strength) < weakest or best.left < goal or (strength < 0 and not signed)):
+        return _weaker(sorted(looks, key=lambda look: look.strength), goal)
+    known = any(abs(strength - s) < CRITERIA.search.same_strength * abs(s) for s in tried)
+    return None if known or (strength < 0 and not signed) else strength
+
+
+def _weaker(looks: Sequence[_Look], goal: float) -> float | None:
+    """The next strength of an effect that does harm where it does anything; the looks by strength."""
+    weakest = looks[0]
+    if weakest.size > CRITERIA.search.little * goal:
+        return weakest.strength * CRITERIA.search.weaker
+    for weak, strong in itertools.pairwise(looks):
+        in_proportion = strong.size * (weak.strength / strong.strength) ** 2
+        if weak.size < CRITERIA.search.little * in_proportion and strong.size > CRITERIA.search.little * goal:
+            return math.sqrt(weak.strength * strong.strength)
+    return None
