@@ -183,6 +183,9 @@ class SearchCriteria:
     rows: int = decides(1000, "rows", "of a linearised model: noise of neighbours averages out in them")
     first_tried: int = decides(12, "effects", "that promise most are tried by themselves first")
     not_linear: float = decides(0.05, "of a reduction", "that slopes promise is lost: models are not linear")
+    stated_ratio: tuple[float, float, float] = decides(
+        (0.5, 1.05, 2.0), "1", "of a parameter to what is stated of it: at least, where a search begins, at most"
+    )
     looks: int = decides(8, "strengths", "of an effect that are looked at beside the base model, at most")
     weaker: float = decides(0.1, "1", "factor to the next strength where an effect acts the wrong way, or breaks down")
     same_strength: float = decides(0.2, "of a strength", "that another differs by at least, to be looked at as well")

@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+WRONG_PARAMETER = "wrong_parameter"
+"""The family of what no library has a class for: a scale, a ruler or a gauge misled who described the rig."""
+
 
 @dataclass(frozen=True)
 class Domain:
@@ -34,7 +37,7 @@ class Domain:
 
     def faults(self, families: Sequence[str]) -> dict[str, str]:
         """What those families say of an instrument that are faults of one, by family."""
-        said = dict(self.instruments)
+        said = {WRONG_PARAMETER: "what the data set states of a parameter is not so", **dict(self.instruments)}
         return {family: said[family] for family in families if family in said}
 
     def place(self, balance: str) -> int:

@@ -1,4 +1,4 @@
-"""What a model's name says of it: a bench, a Modelica class, or a file by its ending in any case."""
+"""What a name says: of a model that it is a bench, a class or a file; of a parameter that it is a ratio."""
 
 from __future__ import annotations
 
@@ -16,3 +16,21 @@ def is_modelica(model: str) -> bool:
 def is_file(model: str) -> bool:
     """Whether it is a file, and not a name in a library."""
     return is_fmu(model) or is_modelica(model)
+
+
+_STATED = "/stated"
+
+
+def ratio_to_stated(parameter: str) -> str:
+    """The name of what a parameter is in truth over what is stated of it."""
+    return parameter + _STATED
+
+
+def is_ratio(name: str) -> bool:
+    """Whether a name is that of such a ratio."""
+    return name.endswith(_STATED)
+
+
+def parameter_of(name: str) -> str:
+    """The model's parameter that a ratio is of, and of other names the name itself."""
+    return name.removesuffix(_STATED)

@@ -26,7 +26,7 @@ from pam_cosim.fitting import profile as _profile
 from pam_cosim.fmu import build_model, read_interface
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet, complete_noise, read_data_set
-from pam_cosim.names import is_fmu, is_modelica
+from pam_cosim.names import is_fmu, is_modelica, is_ratio, parameter_of
 from pam_cosim.products import Product
 from pam_cosim.settings import Setting, resolve
 from pam_cosim.simulation import Inputs, IsolatedSimulator, Simulator, Trajectory
@@ -266,6 +266,9 @@ def add(names: Sequence[str], to: str, output: Path | str | None = None, *, file
         InputError: an unknown effect, or one that finds no place in the model.
     """
     extra = _paths(files) + ([Path(to)] if is_modelica(to) else [])
+    ratio = next((parameter_of(one) for one in names if is_ratio(one)), None)
+    if ratio is not None:
+        raise InputError(f"what is stated of {ratio} is no part of a model: correct it in the data set")
     tree = read_library(files=extra)
     name = Path(output).stem if output else None
     composition = compose(tree, to, names, name, files=extra)

@@ -19,6 +19,7 @@ from pam_cosim.catalogue.place import is_effect, origins, qualified
 from pam_cosim.compiler import ClassTree, Part, Slot, Structure, names, read_structure
 from pam_cosim.compiler.printing import string_text
 from pam_cosim.errors import InputError
+from pam_cosim.names import is_ratio, parameter_of
 
 
 @dataclass(frozen=True)
@@ -167,8 +168,15 @@ def compose(
 def compose_on(
     tree: ClassTree, structure: Structure, effects: Sequence[str], name: str | None = None
 ) -> Composition | None:
-    """As :func:`compose`, on a model whose structure is known already; who tries many effects reads it once."""
+    """As :func:`compose`, on a model whose structure is known already; who tries many effects reads it once.
+
+    A ratio of a parameter to what is stated of it (``names.ratio_to_stated``) changes nothing in the model: it is the
+    data that are in question.
+    """
     draft = _Draft(structure, tree)
+    ratios = [name for name in effects if is_ratio(name)]
+    draft.parameters |= {name: (name,) for name in ratios}
+    effects = [name for name in effects if not is_ratio(name)]
     own, every = origins(structure.parts), [*effect_classes(tree), *unknown_terms(tree)]
     known = {e.name: e for e in every if e.library in own} | {e.qualified_name: e for e in every}
     for wanted in effects:
@@ -179,9 +187,9 @@ def compose_on(
         if not draft.place(known[wanted]):
             return None
     base = names.unquoted(names.last(structure.model))
-    made = base + "With" + "And".join(names.unquoted(names.last(w)) for w in effects)
-    chosen = names.identifier(name or made)
-    return Composition(chosen, _text(chosen, structure, draft, [known[e] for e in effects]), draft.parameters)
+    made = "With" * bool(effects) + "And".join(names.unquoted(names.last(w)) for w in effects)
+    chosen = names.identifier(name or base + (made or "Alone"))
+    return Composition(chosen, _text(chosen, structure, draft, [known[e] for e in effects], ratios), draft.parameters)
 
 
 def _nested(redeclarations: Sequence[tuple[str, str]]) -> list[str]:
@@ -195,9 +203,10 @@ def _nested(redeclarations: Sequence[tuple[str, str]]) -> list[str]:
     return own + [f"{name}({', '.join(_nested(parts))})" for name, parts in inner.items()]
 
 
-def _text(name: str, structure: Structure, draft: _Draft, effects: Sequence[EffectClass]) -> str:
+def _text(name: str, structure: Structure, draft: _Draft, effects: Sequence[EffectClass], ratios: Sequence[str]) -> str:
     base = structure.model
-    says = f"{names.last(base)}, and: {'; '.join(e.description for e in effects)}"
+    said = [*(e.description for e in effects), *(f"{parameter_of(r)} is not as stated" for r in ratios)]
+    says = f"{names.last(base)}, and: {'; '.join(said)}"
     lines = [f"model {name} {string_text(says)}"]
     if draft.redeclarations:
         changes = ",\n    ".join(_nested(draft.redeclarations))

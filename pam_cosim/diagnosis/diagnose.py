@@ -20,11 +20,13 @@ from pam_cosim.diagnosis.missing_term import MissingTerm, missing_term
 from pam_cosim.diagnosis.next_experiment import NextExperiment, Plan, told_apart
 from pam_cosim.diagnosis.search import Search, describe_fit
 from pam_cosim.diagnosis.selection import select_effects
+from pam_cosim.diagnosis.stated import stated_parameters
 from pam_cosim.diagnosis.trial import run_trial
 from pam_cosim.diagnosis.verdict import Verdict, confidence, explained, judge, rivals
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit, FitOptions, fit
 from pam_cosim.fmu import build_model
+from pam_cosim.interface import Interface
 from pam_cosim.ledger import Ledger
 from pam_cosim.measurement import ROLES, DataSet, complete_noise
 from pam_cosim.names import is_fmu, is_modelica
@@ -158,8 +160,9 @@ def diagnose(
     sources = tuple([*files, Path(name)] if is_modelica(name) else files)
     tree = read_library(files=sources)
     data = replace(data, domain=domain_of(tree, name))
-    data, base, outliers = _base(complete_noise(data), name, files, say)
+    data, base, interface, outliers = _base(complete_noise(data), name, files, say)
     shelf = effect_classes(tree, origins(read_structure(qualified(tree, name), files=sources).parts))
+    shelf += stated_parameters(data, interface)
     search = Search(tree, name, shelf, data, sources, say, workers)
     selection = select_effects(search, base, began + (math.inf if time_limit is None else time_limit))
     selected, tried = list(selection.path), list(selection.tried)
@@ -203,8 +206,8 @@ def _others(data: DataSet, best: Candidate, near: Sequence[Candidate], files: Se
 
 def _base(
     data: DataSet, model: str, files: Sequence[Path], say: Callable[[Message], None]
-) -> tuple[DataSet, Fit, dict[str, int]]:
-    """The base model fitted to the data without outliers, these data, and how many samples were set aside."""
+) -> tuple[DataSet, Fit, Interface, dict[str, int]]:
+    """The data without outliers, the base model fitted to them, what it has, and how many samples were set aside."""
     with Simulator(build_model(model, files, sensitivities=data.free_names, where_smooth=True)) as simulator:
         options = FitOptions(rows=CRITERIA.search.rows)
         base = fit(simulator, data, options=options)
@@ -213,8 +216,9 @@ def _base(
             counts = ", ".join(f"{count} of {name}" for name, count in outliers.items())
             say(Message(f"single samples far off their neighbours are set aside: {counts}"))
             base = fit(simulator, data, options=options)
+        interface = simulator.interface
     say(Message(f"base model refitted: {describe_fit(base)}"))
-    return data, base, outliers
+    return data, base, interface, outliers
 
 
 def _balance(base: Fit, candidates: Sequence[Candidate]) -> dict[str, float]:

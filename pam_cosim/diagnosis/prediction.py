@@ -14,6 +14,7 @@ from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.fmu import build_source
 from pam_cosim.interface import Interface, sensitivity_name
 from pam_cosim.measurement import DataSet, Run
+from pam_cosim.names import is_ratio, parameter_of
 from pam_cosim.simulation import Simulator
 
 
@@ -31,9 +32,8 @@ class Hypothesis:
         self.values = candidate.fit.values
         self.free = [n for n, e in candidate.fit.parameters.items() if not e.at_bound and not e.run]
         self.sigma = {n: s.sigma for n, s in data.signals.items() if s.fitted and s.sigma}
-        self._simulator = Simulator(
-            build_source(candidate.equations.split()[1], candidate.equations, files, sensitivities=self.free, lean=True)
-        )
+        name, told = candidate.equations.split()[1], [parameter_of(n) for n in self.free]
+        self._simulator = Simulator(build_source(name, candidate.equations, files, sensitivities=told, lean=True))
         self._held: Array | None = None
 
     def __enter__(self) -> Hypothesis:
@@ -54,15 +54,18 @@ class Hypothesis:
             SimulationFailure: the run did not reach its end.
         """
         known = self._simulator.interface.sensitivities
-        slopes = {(s, p): n for s in self.sigma for p in self.free if (n := sensitivity_name(s, p)) in known}
+        slopes = {
+            (s, p): n for s in self.sigma for p in self.free if (n := sensitivity_name(s, parameter_of(p))) in known
+        }
         comparison = simulate_run(self._simulator, self.data, run, self.values, None, [*self.sigma, *slopes.values()])
         values = np.concatenate([comparison.model[s] / sigma for s, sigma in self.sigma.items()])
         columns = np.zeros((len(values), len(self.free)))
         for j, p in enumerate(self.free):
-            if p not in run.parameters:
+            size = run.parameters.get(parameter_of(p), 0.0) if is_ratio(p) else float(p not in run.parameters)
+            if size:
                 columns[:, j] = np.concatenate(
                     [
-                        comparison.model[slopes[s, p]] / sigma if (s, p) in slopes else np.zeros(len(run.time))
+                        size * comparison.model[slopes[s, p]] / sigma if (s, p) in slopes else np.zeros(len(run.time))
                         for s, sigma in self.sigma.items()
                     ]
                 )

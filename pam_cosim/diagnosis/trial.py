@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from pam_cosim.catalogue import Composition, EffectClass
-from pam_cosim.compiler.names import last
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Attempt, Candidate, FailedTrial
 from pam_cosim.diagnosis.probing import Probe, probed
@@ -20,6 +19,7 @@ from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_source
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet
+from pam_cosim.names import is_ratio, parameter_of
 from pam_cosim.simulation import Simulator
 
 Result = TypeVar("Result")
@@ -112,7 +112,7 @@ def run_probe(trial: Trial) -> Probe | FailedTrial:
 def _attempted(trial: Trial, work: Callable[[Trial, Simulator], Result]) -> Result | FailedTrial:
     """What comes of some work on the model of a trial; a failure is a result too."""
     own = [name for names in trial.composition.parameters.values() for name in names]
-    free = tuple(dict.fromkeys([*trial.data.free_names, *own]))
+    free = tuple(dict.fromkeys([*trial.data.free_names, *map(parameter_of, own)]))
     source, name = trial.composition.text, trial.composition.name
     try:
         fmu = build_source(name, source, trial.files, sensitivities=free, library=trial.library, lean=True)
@@ -139,7 +139,8 @@ def _probed(trial: Trial, simulator: Simulator) -> Probe:
     objective = Objective(simulator, trial.data, trial.data.fit_runs, moved, None, trial.options.tolerance)
     names = trial.composition.parameters[trial.effect.name]
     own = [f for f in moved if f.name in names]
-    absent = {n: trial.effect.absent[last(n)] for n in names if last(n) in trial.effect.absent}
+    short = itertools.cycle(trial.effect.parameters)  # several parts may have them
+    absent = {n: trial.effect.absent[one] for n, one in zip(names, short, strict=False) if one in trial.effect.absent}
     return probed(trial.effect.name, trial.effect.family, objective, trial.beside, own, absent)
 
 
@@ -156,14 +157,22 @@ def free_parameters(trial: Trial, interface: Interface) -> tuple[tuple[Free, ...
         for name in names:
             if name in known:
                 continue
-            v = interface.parameters[name]
-            assert v.min is not None and v.max is not None and v.start is not None
-            parameter = Free(name, v.min, v.max, v.start, v.unit, v.nominal)
+            parameter = _own(name, interface)
             free.append(parameter)
             if effect == trial.effect.name:
                 spread.append([(name, s) for s in _orders(parameter)])
     moved = [_from(f, trial.start) for f in free]
     return tuple(moved), [dict(trial.further_start)] * bool(trial.further_start) + _combined(spread)
+
+
+def _own(name: str, interface: Interface) -> Free:
+    """A parameter of an effect; or the ratio of one to what is stated of it, which is near one."""
+    if is_ratio(name):
+        low, start, high = CRITERIA.search.stated_ratio
+        return Free(name, low, high, start, "1", start - 1)
+    v = interface.parameters[name]
+    assert v.min is not None and v.max is not None and v.start is not None
+    return Free(name, v.min, v.max, v.start, v.unit, v.nominal)
 
 
 def _combined(spread: Sequence[Sequence[tuple[str, float]]]) -> list[dict[str, float]]:

@@ -8,7 +8,8 @@ from math import exp, log
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.interface import Interface, Variable
-from pam_cosim.measurement import DataSet, Prior, Transform
+from pam_cosim.measurement import DataSet, Prior, Run, Transform
+from pam_cosim.names import is_ratio, parameter_of
 
 
 @dataclass(frozen=True)
@@ -18,7 +19,8 @@ class Free:
     z is ln(value) or value/scale: a step of 1e-3 in z is a small but visible change of the parameter.
 
     Attributes:
-        name: the parameter of the model; where it is of one run alone, with "@" and the run's name after it.
+        name: the parameter of the model; where it is of one run alone, with "@" and the run's name after it; or the
+            ratio of a parameter to what is stated of it (``names.ratio_to_stated``).
         low, high: bounds [unit].
         start: first guess [unit].
         unit: SI unit.
@@ -41,7 +43,11 @@ class Free:
     @property
     def parameter(self) -> str:
         """Its name in the model."""
-        return self.name.removesuffix(f"@{self.run}") if self.run else self.name
+        return self.name.removesuffix(f"@{self.run}") if self.run else parameter_of(self.name)
+
+    def size_in(self, run: Run) -> float:
+        """By how much the model's parameter moves in a run where this moves by one."""
+        return run.parameters[self.parameter] if is_ratio(self.name) else 1.0
 
     @property
     def logarithmic(self) -> bool:

@@ -14,6 +14,7 @@ from pam_cosim.fitting.free import Free
 from pam_cosim.fitting.tracker import Tracker
 from pam_cosim.interface import sensitivity_name
 from pam_cosim.measurement import DataSet, Run
+from pam_cosim.names import is_ratio
 from pam_cosim.simulation import AnySimulator
 
 
@@ -85,6 +86,8 @@ class Objective:
         """Whether a parameter acts on a run: one that is known for it, or is the run's own, does not."""
         if free.run:
             return free.run == run.name
+        if is_ratio(free.name):
+            return free.parameter in run.parameters
         own = any(f.run == run.name and f.parameter == free.parameter for f in self.free)
         return free.parameter not in run.parameters and not own
 
@@ -221,7 +224,8 @@ class Objective:
                 kept = np.isfinite(run.run.measurements[name])
                 count = int(kept.sum())
                 for i, slope in slopes:
-                    jacobian[row : row + count, i] = -run.model[slope][kept] * by_z[i] / sigma
+                    moved = by_z[i] * self.free[i].size_in(run.run)
+                    jacobian[row : row + count, i] = -run.model[slope][kept] * moved / sigma
                 row += count
         for k, (i, prior) in enumerate(self._priors):
             jacobian[self.size + k, i] = -self.free[i].slope(float(z[i])) / prior.sd

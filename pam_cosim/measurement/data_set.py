@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from pam_cosim.domain import Domain
 from pam_cosim.measurement.experiment import FILE_NAME
+from pam_cosim.names import is_ratio, parameter_of
 from pam_cosim.simulation.inputs import Interpolation
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed
@@ -165,10 +166,16 @@ class DataSet(Printed):
     def parameters_of(self, run: Run, fitted: Mapping[str, float] | None = None) -> dict[str, float]:
         """What to simulate ``run`` with [SI]: stated start values, ``fitted``, what is known of it, its own ones.
 
-        A fitted value of one run alone has "@" and the run's name after that of the parameter.
+        A fitted value of one run alone has "@" and the run's name after that of the parameter; a ratio to what is
+        stated (``names.ratio_to_stated``) is multiplied by that.
         """
         start = {name: free.start for name, free in self.fit.items() if free.start is not None}
-        values = {**start, **(fitted or {})}
+        every = {**start, **(fitted or {})}
+        known = self._with_own(run, {name: value for name, value in every.items() if not is_ratio(name)})
+        ratios = {parameter_of(name): value for name, value in every.items() if is_ratio(name)}
+        return known | {name: ratio * known[name] for name, ratio in ratios.items() if name in known}
+
+    def _with_own(self, run: Run, values: Mapping[str, float]) -> dict[str, float]:
         if not any("@" in name for name in values):
             return {**values, **run.parameters}
         ends = tuple(f"@{other.name}" for other in self.runs)
