@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 from pam_cosim.comparison.condition_table import ConditionTable, condition_table
 from pam_cosim.comparison.residuals import RunComparison, simulate_run
@@ -41,6 +41,11 @@ class Comparison(Printed):
     def chi2_reduced(self, role: str = "all") -> float:
         """Mean square error in noise standard deviations over the fitted signals of the runs with ``role``."""
         return chi2_reduced({n: s for n, s in self.scores[role].items() if self.data.signals[n].fitted})
+
+    def against(self, data: DataSet) -> Comparison:
+        """The same simulations beside other samples: ``data`` has the same runs, some of their samples set aside."""
+        runs = tuple(replace(r, run=run) for r, run in zip(self.runs, data.runs, strict=True))
+        return replace(self, data=data, runs=runs, scores=_scores(data, runs))
 
     def table(self, rows: str, columns: str, signal: str | None = None) -> ConditionTable:
         """Correlation, rms error and chi-square by two parameters of the runs, such as load and frequency.
@@ -124,12 +129,15 @@ def compare(
     """
     known = dict(parameters or {})
     runs = tuple(simulate_run(simulator, data, run, known, tolerance) for run in data.runs)
-    by_role: dict[str, list[RunComparison]] = {role: [r for r in runs if r.run.role == role] for role in ROLES}
-    scores = {role: score(chosen, data.signals) for role, chosen in by_role.items()}
-    scores["all"] = score(runs, data.signals)
     outputs = simulator.interface.outputs
     sits = where(runs, data.signals, outputs, data.domain) if rules else []
     settable = simulator.interface.settable
     named = dict.fromkeys([*known, *(name for run in data.runs for name in run.parameters)])
     units = {name: settable[name].unit for name in named if name in settable}
-    return Comparison(simulator.interface.model, data, known, runs, scores, tuple(sits), units)
+    return Comparison(simulator.interface.model, data, known, runs, _scores(data, runs), tuple(sits), units)
+
+
+def _scores(data: DataSet, runs: Sequence[RunComparison]) -> dict[str, dict[str, SignalScore]]:
+    """Scores of the runs of each role, and of all."""
+    by_role = {role: [r for r in runs if r.run.role == role] for role in ROLES} | {"all": list(runs)}
+    return {role: score(chosen, data.signals) for role, chosen in by_role.items()}

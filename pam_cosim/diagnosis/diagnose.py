@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import time
+from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -165,6 +166,7 @@ def diagnose(
     shelf += stated_parameters(data, interface)
     search = Search(tree, name, shelf, data, sources, say, workers)
     selection = select_effects(search, base, began + (math.inf if time_limit is None else time_limit))
+    search, base, data = selection.search, selection.base, selection.search.data
     selected, tried = list(selection.path), list(selection.tried)
     others: list[Plan] = []
     if selected:
@@ -188,7 +190,7 @@ def diagnose(
         balance=balance,
         verdict=verdict,
         failed=tuple(search.failed),
-        outliers=outliers,
+        outliers=dict(Counter(outliers) + Counter(selection.outliers)),
         next_experiment=others[0][1] if others else None,
         missing_term=missing_term(present, balance) if unexplained else None,
         ledger=ledger,

@@ -9,6 +9,7 @@ from functools import cached_property
 from pathlib import Path
 
 from pam_cosim.catalogue import EffectClass, compose_on, qualified
+from pam_cosim.comparison import without_outliers
 from pam_cosim.compiler import ClassTree, Structure, library_hash, read_structure
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
@@ -87,6 +88,11 @@ class Search:
         results = run_tasks(run_probe, trials, crashed, lambda _: None, self.workers)
         self.failed.extend(c for c in results if isinstance(c, FailedTrial))
         return [c for c in results if isinstance(c, Probe)]
+
+    def without_outliers(self, fit: Fit) -> tuple[Search, dict[str, int]]:
+        """The search without samples that are outliers beside a fit, which shows more than worse ones; and how many."""
+        data, counts = without_outliers(self.data, fit.comparison.runs)
+        return (replace(self, data=data) if counts else self), counts
 
     def briefly(self, models: Sequence[Wanted]) -> list[Candidate]:
         """Models with these effects, a few steps from these values: enough to tell whether they promise anything."""

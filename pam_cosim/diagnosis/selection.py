@@ -10,8 +10,9 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
@@ -36,14 +37,19 @@ class Selection:
     """What a search came to.
 
     Attributes:
+        search, base: with the data that the models are judged by.
         path: the models that add the effects that are needed one after another; none where none is needed.
         tried: all models that were fitted.
         untried: effects of the models that promised to be better when the time was over, the most promising first.
+        outliers: how many single samples were set aside on the way, by signal.
     """
 
+    search: Search
+    base: Fit
     path: tuple[Candidate, ...] = ()
     tried: tuple[Candidate, ...] = ()
     untried: tuple[tuple[str, ...], ...] = ()
+    outliers: Mapping[str, int] = field(default_factory=dict)
 
 
 def select_effects(search: Search, base: Fit, deadline: float = math.inf) -> Selection:
@@ -59,7 +65,7 @@ def select_effects(search: Search, base: Fit, deadline: float = math.inf) -> Sel
     """
     if not any(coherent(s) for s in base.residuals.values()):
         search.say(Message("what remains is noise: no effect is tried"))
-        return Selection()
+        return Selection(search, base)
     models = _Models(search, base, deadline)
     models.probe()
     models.try_single(CRITERIA.search.first_tried)
@@ -68,10 +74,13 @@ def select_effects(search: Search, base: Fit, deadline: float = math.inf) -> Sel
         if count == 1 and models.unsolved():
             models.try_forms()
             models.improve(count)
+        models.set_outliers_aside()
         if not models.unsolved():
             break
     path = models.path()
-    return Selection(tuple(path), tuple(models.tried), tuple(models.untried))
+    return Selection(
+        models.search, models.base, tuple(path), tuple(models.tried), tuple(models.untried), models.outliers
+    )
 
 
 class _Models:
@@ -85,6 +94,7 @@ class _Models:
         self._added: tuple[tuple[int, ...], Additions] = ((), Additions([]))
         self._scale = scale([base])
         self._left: dict[tuple[str, ...], tuple[Fit, bool]] = {}
+        self.outliers: Counter[str] = Counter()
 
     @property
     def tried(self) -> list[Candidate]:
@@ -129,6 +139,19 @@ class _Models:
         """Whether the best model leaves structure, or there is none."""
         best = self._best()
         return best is None or self._leaves_structure(best)
+
+    def set_outliers_aside(self) -> None:
+        """Samples that the best model shows to be outliers, which worse ones hid: none is judged by them any more."""
+        best = self._best()
+        if best is None:
+            return
+        self.search, counts = self.search.without_outliers(best.fit)
+        if counts:
+            self.outliers.update(counts)
+            data = self.search.data
+            self.base = self.base.against(data)
+            self.known = {names: replace(c, fit=c.fit.against(data)) for names, c in self.known.items()}
+            self._scale = scale(self._fits)
 
     def try_forms(self) -> None:
         """The other members of the families that came farthest: slopes do not tell what a much richer law can do."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -81,6 +81,11 @@ class Fit(Printed):
     def chi2_priors(self) -> float:
         """What the priors add to the chi-square that was made small."""
         return sum(e.surprise**2 for e in self.parameters.values() if e.prior is not None)
+
+    def against(self, data: DataSet) -> Fit:
+        """The same parameters judged by other samples: ``data`` has the same runs, some of their samples set aside."""
+        comparison = self.comparison.against(data)
+        return replace(self, comparison=comparison, residuals=statistics_by_role(comparison))
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
 from pam_cosim.fitting.objective import Objective
@@ -45,7 +47,7 @@ def linearised(objective: Objective, z: Array, rows: int) -> Linear | None:
         return None
     by_z = objective.jacobian(z, residual)
     slope = np.array([f.slope(float(c)) for f, c in zip(objective.free, z, strict=True)])
-    both = _condensed(np.column_stack([residual, -by_z / slope])[: objective.size], objective.series, rows)
+    both = _condensed(np.column_stack([residual, -by_z / slope])[: objective.size], objective.kept, rows)
     return Linear(
         tuple(f.name for f in objective.free),
         np.array([f.to_value(float(c)) for f, c in zip(objective.free, z, strict=True)]),
@@ -61,19 +63,25 @@ def residual_rows(objective: Objective, z: Array, rows: int) -> Array | None:
     residual = objective.plain_residuals(z)
     if not np.all(np.isfinite(residual)):
         return None
-    return _condensed(residual[: objective.size, None], objective.series, rows)[:, 0]
+    return _condensed(residual[: objective.size, None], objective.kept, rows)[:, 0]
 
 
-def _condensed(matrix: Array, series: list[int], rows: int) -> Array:
-    """Means over blocks of each series of rows, times the root of their length."""
-    block = max(1, round(len(matrix) / rows))
+def _condensed(matrix: Array, kept: Sequence[NDArray[np.bool_]], rows: int) -> Array:
+    """Means over blocks of each series of rows, times the root of their length; a missing sample counts for nothing.
+
+    Which rows there are depends on the times of all samples, not on which of them are missing.
+    """
+    every = np.concatenate(kept) if kept else np.zeros(0, bool)
+    full = np.zeros((len(every), matrix.shape[1]))
+    full[every] = matrix
+    block = max(1, round(len(every) / rows))
     if block == 1:
-        return matrix
+        return full
     starts, at = [], 0
-    for count in series:
-        starts.append(np.arange(at, at + count, block))
-        at += count
+    for series in kept:
+        starts.append(np.arange(at, at + len(series), block))
+        at += len(series)
     begin = np.concatenate([s for s in starts if len(s)])
-    lengths = np.diff(np.append(begin, at))
-    sums: Array = np.add.reduceat(matrix, begin, axis=0)
-    return sums / np.sqrt(lengths)[:, None]
+    counts = np.add.reduceat(every.astype(float), begin)
+    sums: Array = np.add.reduceat(full, begin, axis=0)
+    return sums / np.sqrt(np.maximum(counts, 1.0))[:, None]

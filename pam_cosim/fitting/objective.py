@@ -23,7 +23,8 @@ class Objective:
 
     Attributes:
         free: the parameters that are searched.
-        size: number of samples, and ``series`` how many of each run and signal, in the order of the rows.
+        size: number of samples.
+        kept: which samples of each run and signal there are, in the order of the rows.
         tracker: is told of every point.
         evaluations: simulations of the whole set so far.
         failures: the first message of each kind of breakdown.
@@ -62,7 +63,8 @@ class Objective:
         self.tolerance = chosen if tolerance is None else tolerance
         counts = [sum(run.sample_count(s) for s in names) for run, names in zip(self.runs, self._signals, strict=True)]
         self.size = sum(counts)
-        self.series = [run.sample_count(s) for run, names in zip(self.runs, self._signals, strict=True) for s in names]
+        pairs = [(run, s) for run, names in zip(self.runs, self._signals, strict=True) for s in names]
+        self.kept = [np.isfinite(run.measurements[s]) for run, s in pairs]
         self._ends = np.cumsum([0, *counts])  # rows of each run
 
     @property

@@ -84,6 +84,9 @@ class LinearWorld(Search):
             probes.append(Probe(e.name, e.family, (f"{e.name}.strength",), linear))
         return probes
 
+    def without_outliers(self, fit: Fit) -> tuple[Search, dict[str, int]]:
+        return self, {}
+
     def briefly(self, models: Sequence[Wanted]) -> list[Candidate]:
         return [replace(self.candidate(m.effects), brief=True) for m in models]
 
