@@ -112,8 +112,7 @@ class Scale(NamedTuple):
 def scale(fits: Sequence[Fit]) -> Scale:
     """Noise variance and samples per independent sample, both as the best model leaves them."""
     best = min((f.residuals["fit"] for f in fits), key=lambda s: s.chi2)
-    time = best.correlation_time if _correlated(best) else 1.0
-    return Scale(max(1.0, best.chi2_reduced), time)
+    return Scale(max(1.0, best.chi2_reduced), best.correlation_time)
 
 
 def evidence(fit: Fit, at: Scale, effects: int, of: int, candidate: Candidate | None = None) -> float:
