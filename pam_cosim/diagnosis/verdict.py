@@ -95,7 +95,8 @@ def confidence(
     """Probability that what the verdict says is missing is what is missing.
 
     Of the models that were fitted each has the weight that its evidence gives it, tempered: data are not as independent
-    as the evidence assumes. That it is none of them has a weight of its own, which is large where structure is left.
+    as the evidence assumes. That it is none of them has a weight of its own, which is larger where nothing checks the
+    answer, no held-out run or a signal that was compared but not fitted and is off, and large where structure is left.
 
     Args:
         base: the model without effects, fitted.
@@ -105,8 +106,9 @@ def confidence(
         verdict: what is said.
     """
     numbers = CRITERIA.evidence
+    left = numbers.unlisted if _checked(best.fit if best else base) else numbers.unchecked
     if best is None:
-        return 1 - (numbers.unlisted if verdict.kind == "none_missing" else numbers.unlisted_by_structure)
+        return 1 - (left if verdict.kind == "none_missing" else numbers.unlisted_by_structure)
     at = scale([base, *(c.fit for c in tried)])
     own = frozenset(family[e] for e in best.effects)
     fitted = [c for c in tried if not c.brief and len(c.effects) <= len(best.effects)]
@@ -114,10 +116,17 @@ def confidence(
     each = _best_of_each(fitted, at, family).items()
     weights = {f: exp(min((first - e) / (2 * numbers.temperature), 0.0)) for f, (e, _) in each} | {own: 1.0}
     told = {f for f in weights if f == own or (verdict.kind == "ambiguous" and f <= set(verdict.families))}
-    left = numbers.unlisted
     if incomplete(best.fit):
         left = numbers.unlisted_by_remainder if verdict.remainder else numbers.unlisted_by_structure
     return (1 - left) * sum(weights[f] for f in told) / sum(weights.values())
+
+
+def _checked(fit: Fit) -> bool:
+    """Whether runs that were held out speak for a model, and no signal that was compared but not fitted against it."""
+    comparison = fit.comparison
+    unfitted = [s for n, s in comparison.scores["all"].items() if not comparison.data.signals[n].fitted]
+    off = any(s.rmse > CRITERIA.evidence.refuted * s.noise_rmse for s in unfitted)
+    return bool(fit.residuals["holdout"].samples) and not off
 
 
 def _refuted(rival: Fit, best: Fit) -> bool:
