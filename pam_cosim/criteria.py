@@ -52,6 +52,7 @@ class NoiseCriteria:
     )
     outlier_window: int = decides(7, "samples", "three neighbours on each side outvote a pair of outliers")
     outlier_far: float = decides(6.0, "sd", "Gaussian noise alone does this once in 5e8 samples", "normal distribution")
+    outliers_together: int = decides(2, "samples", "that may be off side by side, by chance, beside the best model")
     outlier_alone: float = decides(
         0.5, "of its size", "what a neighbour may be off too: a quick change of the signal takes its neighbours along"
     )

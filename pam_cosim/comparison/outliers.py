@@ -20,8 +20,12 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement import DataSet, Run
 
 
-def outliers(residual: Array) -> NDArray[np.bool_]:
-    """(n,) which samples are outliers; ``residual`` has NaN where a sample is missing."""
+def outliers(residual: Array, together: int = 1) -> NDArray[np.bool_]:
+    """(n,) which samples are outliers; ``residual`` has NaN where a sample is missing.
+
+    So many neighbours may be off together. A quick change of the signal takes its neighbours along, less and less;
+    beside a model that follows it, two outliers may be neighbours by chance.
+    """
     far_off = np.zeros(len(residual), dtype=bool)
     kept = np.flatnonzero(np.isfinite(residual))
     if len(kept) < CRITERIA.noise.outlier_fewest:
@@ -29,21 +33,31 @@ def outliers(residual: Array) -> NDArray[np.bool_]:
     e = residual[kept]
     off = e - median_filter(e, CRITERIA.noise.outlier_window, mode="nearest")
     far = np.abs(off) > CRITERIA.noise.outlier_far * CRITERIA.noise.median_to_sigma * float(np.median(np.abs(off)))
-    beside = np.maximum(np.abs(np.append(off[1:], 0.0)), np.abs(np.insert(off[:-1], 0, 0.0)))
-    far &= beside < CRITERIA.noise.outlier_alone * np.abs(
-        off
-    )  # a quick change of the signal takes its neighbours along
+    size = np.abs(np.concatenate([[0.0], off, [0.0]]))
+    for begin, end in _groups(far):
+        beside = max(size[begin], size[end + 1])
+        if end - begin > together or beside >= CRITERIA.noise.outlier_alone * size[begin + 1 : end + 1].min():
+            far[begin:end] = False
     if far.mean() <= CRITERIA.noise.outlier_most:
         far_off[kept[far]] = True
     return far_off
 
 
-def without_outliers(data: DataSet, compared: Sequence[RunComparison]) -> tuple[DataSet, dict[str, int]]:
+def _groups(flags: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Where neighbours that are true begin, and where they have ended."""
+    steps = np.diff(np.concatenate([[0], flags.astype(int), [0]]))
+    return list(zip(np.flatnonzero(steps > 0).tolist(), np.flatnonzero(steps < 0).tolist(), strict=True))
+
+
+def without_outliers(
+    data: DataSet, compared: Sequence[RunComparison], together: int = 1
+) -> tuple[DataSet, dict[str, int]]:
     """The data set with outliers marked as missing, and how many there were, by signal.
 
     Args:
         data: the measurement.
         compared: its runs beside a fitted model.
+        together: how many neighbours may be off together.
     """
     counts: dict[str, int] = {}
     runs: list[Run] = []
@@ -51,7 +65,7 @@ def without_outliers(data: DataSet, compared: Sequence[RunComparison]) -> tuple[
         measurements = dict(c.run.measurements)
         for name in data.signals:
             if name in measurements and c.run.sample_count(name):
-                far = outliers(c.residual(name))
+                far = outliers(c.residual(name), together)
                 if far.any():
                     measurements[name] = np.where(far, np.nan, measurements[name])
                     counts[name] = counts.get(name, 0) + int(far.sum())

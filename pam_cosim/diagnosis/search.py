@@ -91,7 +91,7 @@ class Search:
 
     def without_outliers(self, fit: Fit) -> tuple[Search, dict[str, int]]:
         """The search without samples that are outliers beside a fit, which shows more than worse ones; and how many."""
-        data, counts = without_outliers(self.data, fit.comparison.runs)
+        data, counts = without_outliers(self.data, fit.comparison.runs, CRITERIA.noise.outliers_together)
         return (replace(self, data=data) if counts else self), counts
 
     def briefly(self, models: Sequence[Wanted]) -> list[Candidate]:

@@ -48,3 +48,17 @@ def test_they_become_missing_samples() -> None:
     assert counts == {"p": 1}
     assert np.flatnonzero(np.isnan(data.runs[0].measurements["p"])).tolist() == [400]
     assert one.measurements["p"][400] == 50.0
+
+
+def test_two_neighbours_are_outliers_only_where_two_may_be() -> None:
+    e = _noise(3)
+    e[[300, 301]] += [18.0, -22.0]
+    e[[600, 601, 602]] += 20.0
+    assert not outliers(e).any()
+    assert np.flatnonzero(outliers(e, together=2)).tolist() == [300, 301]
+
+
+def test_a_fading_change_is_none_however_many_may_be_off_together() -> None:
+    e = _noise(4)
+    e[500:] += 30 * np.exp(-np.arange(501) / 4.0)
+    assert not outliers(e, together=2).any()

@@ -1,0 +1,66 @@
+"""At which strength an effect is looked at, in worlds whose answer is known."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from pam_cosim.diagnosis import probing
+from pam_cosim.diagnosis.probing import Strengths
+from pam_cosim.fitting import Free, Linear
+
+ROWS = 200
+RNG = np.random.default_rng(4)
+BASE, SHAPE = RNG.standard_normal((ROWS, 2)), RNG.standard_normal(ROWS)
+
+
+def looked(does: Callable[[float], np.ndarray], hidden: np.ndarray, signed: bool = False) -> list[tuple[float, float]]:
+    """Strengths that are looked at, and the share of the sum of squares that each leaves."""
+    left = hidden + 1e-5 * RNG.standard_normal(ROWS)
+    limits = np.full(2, 1e3)
+    base = Linear(("a", "b"), np.zeros(2), -limits, limits, left, BASE)
+    own = np.linalg.qr(BASE)[0]
+    goal = left - own @ (own.T @ left)
+    return [
+        (look.strength, look.left / float(goal @ goal))
+        for look in probing._looks(lambda s: left - does(s), base, signed)
+    ]
+
+
+@pytest.mark.parametrize("true", [0.003, 0.2, 1.0, 7.0, 300.0])
+def test_an_effect_in_proportion_is_looked_at_where_it_does_most_good(true: float) -> None:
+    looks = looked(lambda s: s * SHAPE, true * SHAPE)
+    assert len(looks) <= 4
+    strength, left = min(looks, key=lambda look: look[1])
+    assert strength == pytest.approx(true, rel=0.2)
+    assert left < 0.05
+
+
+def test_a_limit_is_found_between_where_it_does_harm_and_where_it_does_nothing() -> None:
+    course = 0.13 * np.abs(np.sin(np.linspace(0, 9, ROWS)))
+
+    def ceiling(strength: float) -> np.ndarray:
+        high = 0.005 / strength
+        return 100 * (np.minimum(course, high) - course)
+
+    looks = looked(ceiling, ceiling(0.005 / 0.12))
+    assert min(left for _, left in looks) < 0.5
+    assert len(looks) <= 8
+
+
+def test_what_acts_the_wrong_way_is_given_up_soon() -> None:
+    assert len(looked(lambda s: s * SHAPE, -SHAPE)) <= 3
+    strengths = [s for s, _ in looked(lambda s: s * SHAPE, -SHAPE, signed=True)]
+    assert min(strengths) == pytest.approx(-1.0, rel=0.2)
+
+
+def test_parameters_follow_the_strength() -> None:
+    stiffness, ceiling, scale = Free("k", 0.0, 1e3, 5.0), Free("high", -1.0, 1.0, 0.005), Free("v", 0.1, 10.0, 2.0)
+    strengths = Strengths((stiffness, ceiling, scale), {"k": 0.0, "high": 1.0})
+    assert strengths.at(1.0) == pytest.approx({"k": 5.0, "high": 0.005, "v": 2.0})
+    assert strengths.at(0.0) == pytest.approx({"k": 0.0, "high": 1.0, "v": 2.0})
+    assert strengths.at(0.1) == pytest.approx({"k": 0.5, "high": 0.0478469, "v": 2.0})
+    assert strengths.at(-1.0)["k"] == 0.0
+    assert Strengths((scale,), {}).at(3.0) == {"v": 6.0}
