@@ -76,6 +76,13 @@ def row(effects: tuple[str, ...], fit: Fit) -> list[str]:
     return [*cells, ", ".join(parts)]
 
 
+def errors(fit: Fit) -> str:
+    """Errors of pressure and thermometer in both runs, in words."""
+    of = {role: fit.comparison.scores[role] for role in ("fit", "holdout")}
+    texts = {role: f"{scores['p'].rmse / 1e3:.2f} kPa and {scores['T'].rmse:.1f} K" for role, scores in of.items()}
+    return f"{texts['fit']} in the discharge, {texts['holdout']} in the filling"
+
+
 def table(cases: dict[tuple[str, ...], Fit], *, holdout: bool) -> str:
     head = ["model", "p [kPa]", "T [K]", *(["p, filling [kPa]", "T, filling [K]"] if holdout else []), "parameters"]
     return markdown_table(head, [row(effects, fit) for effects, fit in cases.items()])
@@ -126,7 +133,10 @@ def main() -> None:
             nitrogen=table(nitrogen, holdout=False),
             verdict=diagnosis.verdict.kind,
             effects=", ".join(diagnosis.verdict.effects),
+            probability=f"{100 * diagnosis.verdict.probability:.0f} %",
             reason=diagnosis.verdict.reason,
+            diagnosed=errors(diagnosis.final),
+            named=", ".join(f"{name} = {value}" for name, value in diagnosis.final.parameters.items()),
         )
     )
     write_text(FOLDER / "report.md", text)
