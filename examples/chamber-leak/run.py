@@ -141,6 +141,7 @@ def report(chambers: list[Chamber], diagnosis: pam.Diagnosis, strokes: list[fric
             orifice=f"{orifice:.1f}",
             n=f"{n.value:.3f} ({n.low:.3f} to {n.high:.3f})",
             verdict=diagnosis.verdict.kind,
+            probability=f"{100 * diagnosis.verdict.probability:.0f} %",
             reason=diagnosis.verdict.reason,
             final=", ".join(f"{k} = {v}" for k, v in diagnosis.final.parameters.items()),
             friction=markdown_table(friction.HEAD, [s.row() for s in strokes]),
