@@ -186,6 +186,8 @@ def report(diagnosis: pam.Diagnosis, stages: Sequence[Fit], counter: Sequence[Fi
         .read_text(encoding="utf-8")
         .format(
             verdict=diagnosis.verdict.kind,
+            probability=f"{100 * diagnosis.verdict.probability:.0f} %",
+            named=", ".join(f"{name} = {value}" for name, value in diagnosis.final.parameters.items()),
             reason=diagnosis.verdict.reason,
             added=markdown_table(["added", "family", "fit [kPa]"], added),
             hold=rms(diagnosis.final, "holdout"),
