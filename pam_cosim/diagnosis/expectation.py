@@ -196,7 +196,7 @@ class Beside:
         self._linear = linear
         known = np.column_stack([linear.slopes, linear.residual])
         self._known, self._cross = known.T @ known, known.T @ additions.moves
-        own = _orthonormal(linear.slopes)
+        own = _orthonormal(linear.movable)
         left = linear.residual - own @ (own.T @ linear.residual)
         shared, self._along = own.T @ additions.columns, additions.columns.T @ left
         self._gram = additions.gram - shared.T @ shared + _NOTHING_NEW * np.eye(len(self._along))

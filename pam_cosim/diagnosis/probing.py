@@ -129,7 +129,7 @@ def _idle(look: _Look, base: Linear) -> bool:
 
 def _looks(residual: Callable[[float], Array | None], base: Linear, signed: bool) -> list[_Look]:
     """Residuals at the stated strength, and where those so far say that it does most good."""
-    own = np.linalg.qr(base.slopes)[0] if base.slopes.shape[1] else np.zeros((len(base.residual), 0))
+    own = np.linalg.qr(base.movable)[0]
     target = base.residual - own @ (own.T @ base.residual)
     looks: list[_Look] = []
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.fitting.objective import Objective
 
 
@@ -31,6 +32,14 @@ class Linear:
     high: Array
     residual: Array
     slopes: Array
+
+    @property
+    def movable(self) -> Array:
+        """(m, j) the slopes by the parameters that no bound keeps where they are."""
+        near = CRITERIA.fit.at_bound * (self.high - self.low)
+        wanted = self.slopes.T @ self.residual
+        low, high = self.values <= self.low + near, self.values >= self.high - near
+        return self.slopes[:, ~((low & (wanted < 0)) | (high & (wanted > 0)))]
 
     def columns(self, names: tuple[str, ...]) -> Array:
         """(m, j) the slopes by the named parameters; those that it does not have are left out."""
