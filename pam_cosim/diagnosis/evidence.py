@@ -54,9 +54,15 @@ def unexplained(fit: Fit) -> bool:
 
 
 def coherent(s: ResidualStatistics) -> bool:
-    """Whether residuals are correlated and larger than noise, if ever so slightly, be it a drift of the instruments."""
+    """Whether residuals are correlated and larger than noise, if ever so slightly, be it a drift of the instruments.
+
+    Or red noise: where nobody stated a level, residuals of any size may be that, and only a better model tells.
+    """
+    sure = min(s.noise_floor, max(1.0, s.white_variance))
     return structured(s) or (
-        s.samples >= CRITERIA.residuals.many_samples and _correlated(s) and s.excess > CRITERIA.residuals.slight_excess
+        s.samples >= CRITERIA.residuals.many_samples
+        and _correlated(s)
+        and s.chi2_reduced - sure > CRITERIA.residuals.slight_excess
     )
 
 
