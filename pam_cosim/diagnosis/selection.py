@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -94,6 +94,7 @@ class _Models:
         self._added: tuple[tuple[int, ...], Additions] = ((), Additions([]))
         self._scale = scale([base])
         self._left: dict[tuple[str, ...], tuple[Fit, bool]] = {}
+        self._came_true: defaultdict[int, list[float]] = defaultdict(list)
         self.outliers: Counter[str] = Counter()
 
     @property
@@ -183,6 +184,20 @@ class _Models:
                 self.known[c.effects] = replace(self.known[c.effects], brief=False)
             if not brief:
                 self._keep(self.search.briefly([self._wanted(e) for e in chosen]))
+                self._learn(chosen)
+
+    def _learn(self, tried: Sequence[Expected]) -> None:
+        """Notes how much of the expected reductions came true."""
+        for e in (e for e in tried if not e.exchanged):
+            start = self.known[e.start].fit if e.start else self.base
+            after = self.known[e.effects].fit if e.effects in self.known else start
+            gained = start.residuals["fit"].chi2 - after.residuals["fit"].chi2
+            self._came_true[len(e.effects)].append(max(gained, 0.0) / max(e.reduction, 1e-300))
+
+    def _trust(self, count: int) -> float:
+        """What part of an expected reduction may come true: the most that it did of late for as many effects."""
+        late = self._came_true[count][-CRITERIA.search.together :]
+        return min(max(late), 1.0) if len(late) == CRITERIA.search.together else 1.0
 
     def _brief(self) -> list[Candidate]:
         """Models that were fitted briefly and may be better than the best, or as good; the most promising ones."""
@@ -321,7 +336,8 @@ class _Models:
         excess = now.chi2 - noise * now.samples
         if len(e.effects) > len(best.effects) and excess < CRITERIA.search.at_noise * noise * now.samples:
             return False  # the fitted runs have nothing left to tell a further effect by
-        return own.chi2 - e.reduction - noise * own.samples < CRITERIA.search.step * excess
+        left = own.chi2 - self._trust(len(e.effects)) * e.reduction - noise * own.samples
+        return left < CRITERIA.search.step * excess
 
     def _hoped(
         self,
