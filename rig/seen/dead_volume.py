@@ -140,8 +140,8 @@ class OrificeChamber(Effect):
         return (P_ATM * self.volume / (R * T_ATM), P_ATM * self.volume / (GAMMA - 1))
 
     def exchange(self, q: State, p: float, temperature: float) -> tuple[float, float]:
-        t_side = q[1] / (CV * q[0])
-        flow = mass_flow(self.area, p, temperature, (GAMMA - 1) * q[1] / self.volume, t_side)
+        t_side = max(q[1] / (CV * max(q[0], 1e-15)), 1.0)  # a solver's trial steps go anywhere
+        flow = mass_flow(self.area, p, temperature, max((GAMMA - 1) * q[1] / self.volume, 1.0), t_side)
         return flow, CP * flow * (temperature if flow > 0 else t_side)
 
     def rates(self, q: State, now: Now) -> tuple[float, ...]:
