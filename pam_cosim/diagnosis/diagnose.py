@@ -121,10 +121,9 @@ class Diagnosis(Printed):
             more = ", ".join(" + ".join(names) for names in self.untried)
             lines.append(f"  The time limit ended the search; what would have been tried next: {more}")
         if self.learned is not None:
-            residuals = self.learned.model.fit.residuals
-            left = residuals["holdout" if residuals["holdout"].samples else "fit"]
+            beside = "".join(f" and {effect}" for effect in self.learned.model.effects[:-1])
             lines.append(f"  What is missing, described (not explained): {self.learned.term}")
-            lines.append(f"  with it the chi-square is {left.chi2_reduced:.3g}")
+            lines.append(f"  with it{beside} the chi-square is {_left_by(self.learned):.3g}")
         return "\n".join(lines)
 
 
@@ -179,7 +178,7 @@ def diagnose(
     ledger = ledger_of(search, (), base) if explain and verdict.kind != "none_missing" else None
     learned, unexplained = None, verdict.kind == "unknown" or verdict.remainder
     if explain and unexplained:
-        learned = learned_term(search, ledger_of(search, added, present) if added else ledger, added, present)
+        learned = _learned(search, ledger, base, added, present)
     balance = _balance(base, [c for c in tried if len(c.effects) == 1])
     return Diagnosis(
         data=data,
@@ -197,6 +196,25 @@ def diagnose(
         learned=learned,
         untried=selection.untried,
     )
+
+
+def _learned(
+    search: Search, ledger: Ledger | None, base: Fit, added: Sequence[str], present: Fit
+) -> LearnedModel | None:
+    """A formula for what is missing beside the effects that were added, or for all of it, if that describes it better.
+
+    Effects that leave structure may stand in for what is missing, and then hide its course.
+    """
+    every = [learned_term(search, ledger, (), base)]
+    if added:
+        every.append(learned_term(search, ledger_of(search, added, present), added, present))
+    return min((one for one in every if one is not None), key=_left_by, default=None)
+
+
+def _left_by(learned: LearnedModel) -> float:
+    """Chi-square of the model with the formula, in runs that were held out if there are any."""
+    residuals = learned.model.fit.residuals
+    return residuals["holdout" if residuals["holdout"].samples else "fit"].chi2_reduced
 
 
 def _others(data: DataSet, best: Candidate, near: Sequence[Candidate], files: Sequence[Path]) -> list[Plan]:

@@ -170,6 +170,17 @@ def convincing(base: Fit, candidate: Candidate) -> bool:
     return candidate.delta_bic < -CRITERIA.evidence.very_strong and _better(base, candidate.fit)
 
 
+def refuted(rival: Fit, best: Fit) -> bool:
+    """Whether signals that were compared but not fitted speak against a model, beside another one."""
+    signals = best.comparison.data.signals
+    ratios = [
+        score.rmse / other.rmse
+        for name, score in rival.comparison.scores["all"].items()
+        if not signals[name].fitted and (other := best.comparison.scores["all"][name]).rmse > 0
+    ]
+    return bool(ratios) and math.prod(ratios) ** (1 / len(ratios)) > CRITERIA.evidence.refuted
+
+
 def dominant_effect(base: Fit, tried: Sequence[Candidate]) -> Candidate | None:
     """The effect that takes away nearly all that exceeds the noise, where no other family comes near; else None.
 

@@ -21,6 +21,7 @@ from pam_cosim.diagnosis.evidence import (
     dominant_effect,
     evidence,
     rank,
+    refuted,
     scale,
     unexplained,
 )
@@ -245,13 +246,24 @@ class _Models:
         return evidence(c.fit, self._scale, len(c.effects), len(self.search.shelf), c)
 
     def _best(self) -> Candidate | None:
-        """Of those that leave noise, the best with the fewest effects; else the best; None: none beats the base."""
+        """Of those that leave noise, the best with the fewest effects; else the best; None: none beats the base.
+
+        Where the evidence does not tell them apart, signals that were compared but not fitted may.
+        """
         beaten = self._base_evidence() - CRITERIA.evidence.very_strong
         done = [c for c in self.known.values() if not c.brief and self._evidence(c) < beaten]
         order = {c.effects: (self._leaves_structure(c), self._evidence(c), c.effects) for c in done}
         enough = [len(names) for names, (left, _, _) in order.items() if not left]
         done = [c for c in done if not enough or len(c.effects) == min(enough)]
-        return min(done, key=lambda c: order[c.effects], default=None)
+        first = min(done, key=lambda c: order[c.effects], default=None)
+        if first is None:
+            return None
+        left, lowest, _ = order[first.effects]
+        near = [
+            c for c in done if (own := order[c.effects])[0] == left and own[1] < lowest + CRITERIA.evidence.very_strong
+        ]
+        sound = [c for c in near if not any(refuted(c.fit, other.fit) for other in near)]
+        return min(sound or near, key=lambda c: order[c.effects])
 
     def _leaves_structure(self, c: Candidate) -> bool:
         if c.effects not in self._left or self._left[c.effects][0] is not c.fit:

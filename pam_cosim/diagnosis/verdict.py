@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import exp, isnan, prod
+from math import exp, isnan
 from typing import Literal
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.evidence import Scale, dominant_effect, evidence, incomplete, scale, unexplained
+from pam_cosim.diagnosis.evidence import Scale, dominant_effect, evidence, incomplete, refuted, scale, unexplained
 from pam_cosim.fitting import Fit
 
 Kind = Literal["none_missing", "identified", "ambiguous", "unknown"]
@@ -57,8 +57,9 @@ _REST = (
 def rivals(base: Fit, best: Candidate, tried: Sequence[Candidate], family: Mapping[str, str]) -> list[Candidate]:
     """Models with other families that the data hardly distinguish from the best, one of each set of families.
 
-    Neither the evidence nor signals that were compared but not fitted may tell them apart. What says whatever its
-    family can is a rival only of its like, not of a law.
+    Neither the evidence nor signals that were compared but not fitted may tell them apart. The same families and one
+    more are no rival: as few as do are enough. What says whatever its family can is a rival only of its like, not of a
+    law.
 
     Args:
         base: the model without effects, fitted.
@@ -69,10 +70,9 @@ def rivals(base: Fit, best: Candidate, tried: Sequence[Candidate], family: Mappi
     at = scale([base, *(c.fit for c in tried)])
     own = frozenset(family[e] for e in best.effects)
     limit = evidence(best.fit, at, len(best.effects), len(family), best) + CRITERIA.evidence.very_strong
-    alike = [c for c in tried if (best.general or not c.general) and not _refuted(c.fit, best.fit)]
-    near = [
-        (score, c) for theirs, (score, c) in _best_of_each(alike, at, family).items() if theirs != own and score < limit
-    ]
+    alike = [c for c in tried if (best.general or not c.general) and not refuted(c.fit, best.fit)]
+    each = _best_of_each(alike, at, family).items()
+    near = [(score, c) for theirs, (score, c) in each if not theirs >= own and score < limit]
     return [c for _, c in sorted(near, key=lambda entry: (entry[0], entry[1].effects))]
 
 
@@ -111,7 +111,7 @@ def confidence(
         return 1 - (left if verdict.kind == "none_missing" else numbers.unlisted_by_structure)
     at = scale([base, *(c.fit for c in tried)])
     own = frozenset(family[e] for e in best.effects)
-    fitted = [c for c in tried if not c.brief and len(c.effects) <= len(best.effects)]
+    fitted = [c for c in tried if not c.brief and len(c.effects) <= len(best.effects) and not refuted(c.fit, best.fit)]
     first = evidence(best.fit, at, len(best.effects), len(family), best)
     each = _best_of_each(fitted, at, family).items()
     weights = {f: exp(min((first - e) / (2 * numbers.temperature), 0.0)) for f, (e, _) in each} | {own: 1.0}
@@ -127,16 +127,6 @@ def _checked(fit: Fit) -> bool:
     unfitted = [s for n, s in comparison.scores["all"].items() if not comparison.data.signals[n].fitted]
     off = any(s.rmse > CRITERIA.evidence.refuted * s.noise_rmse for s in unfitted)
     return bool(fit.residuals["holdout"].samples) and not off
-
-
-def _refuted(rival: Fit, best: Fit) -> bool:
-    signals = best.comparison.data.signals
-    ratios = [
-        score.rmse / other.rmse
-        for name, score in rival.comparison.scores["all"].items()
-        if not signals[name].fitted and (other := best.comparison.scores["all"][name]).rmse > 0
-    ]
-    return bool(ratios) and prod(ratios) ** (1 / len(ratios)) > CRITERIA.evidence.refuted
 
 
 def judge(

@@ -113,6 +113,7 @@ class _Nothing:
     """The comparison of a fit that was written down."""
 
     runs = ()
+    scores: dict[str, dict[str, object]] = {"all": {}}  # noqa: RUF012
 
     class data:  # noqa: N801
         signals: dict[str, object] = {}
