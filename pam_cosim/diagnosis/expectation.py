@@ -110,25 +110,18 @@ def _orthonormal(columns: Array) -> Array:
 
 def reduction(linear: Linear) -> float:
     """By how much the sum of squares falls, to first order, when the parameters go where they like within bounds."""
-    return max(float(linear.residual @ linear.residual) - _optimum(linear)[1], 0.0)
-
-
-def _optimum(linear: Linear) -> tuple[Array, float]:
-    """Values within the bounds at which the linear model leaves least, and the sum of squares that it leaves there."""
-    values, before = linear.values.copy(), float(linear.residual @ linear.residual)
     size = np.linalg.norm(linear.slopes, axis=0)
     felt = size > 0
     if not felt.any():
-        return values, before
+        return 0.0
     rows = linear.slopes[:, felt] / size[felt]
     low = np.minimum((linear.low - linear.values)[felt] * size[felt], -1e-12)
     high = np.maximum((linear.high - linear.values)[felt] * size[felt], 1e-12)
     triangle: Array = np.asarray(np.linalg.qr(np.column_stack([rows, linear.residual]), mode="r"))
     n = rows.shape[1]
     solution = lsq_linear(triangle[:n, :n], triangle[:n, n], (low, high), method="bvls")
-    values[felt] += solution.x / size[felt]
-    seen = float(triangle[:n, n] @ triangle[:n, n])
-    return values, before - seen + 2 * float(solution.cost)
+    before = float(triangle[:n, n] @ triangle[:n, n])
+    return max(before - 2 * float(solution.cost), 0.0)
 
 
 def _boxed(square: Array, along: Array, low: Array, high: Array) -> Array:

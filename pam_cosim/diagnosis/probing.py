@@ -170,13 +170,14 @@ def _next(looks: Sequence[_Look], target: Array, signed: bool) -> float | None:
     weakest = CRITERIA.search.weaker * min(abs(s) for s in tried)
     does_good = best.left < goal and best.size > CRITERIA.search.idle * goal
     if not does_good and (abs(strength) < weakest or best.left < goal or (strength < 0 and not signed)):
-        return _weaker(sorted(looks, key=lambda look: look.strength), goal)
+        positive = (look for look in looks if look.strength > 0)
+        return _weaker(sorted(positive, key=lambda look: look.strength), goal)
     known = any(abs(strength - s) < CRITERIA.search.same_strength * abs(s) for s in tried)
     return None if known or (strength < 0 and not signed) else strength
 
 
 def _weaker(looks: Sequence[_Look], goal: float) -> float | None:
-    """The next strength of an effect that does harm where it does anything; the looks by strength."""
+    """The next strength of an effect that does harm where it does anything; the looks by strength, all positive."""
     weakest = looks[0]
     if weakest.size > CRITERIA.search.little * goal:
         return weakest.strength * CRITERIA.search.weaker

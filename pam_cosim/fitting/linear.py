@@ -41,10 +41,6 @@ class Linear:
         low, high = self.values <= self.low + near, self.values >= self.high - near
         return self.slopes[:, ~((low & (wanted < 0)) | (high & (wanted > 0)))]
 
-    def columns(self, names: tuple[str, ...]) -> Array:
-        """(m, j) the slopes by the named parameters; those that it does not have are left out."""
-        return self.slopes[:, [self.names.index(n) for n in names if n in self.names]]
-
 
 def linearised(objective: Objective, z: Array, rows: int) -> Linear | None:
     """The objective about search coordinates ``z`` in about so many rows; None where it cannot be simulated.

@@ -51,13 +51,11 @@ class Objective:
         self._signals = [
             [s for s, signal in data.signals.items() if signal.fitted and run.sample_count(s)] for run in self.runs
         ]
-        self._outputs = [
-            [*names, *self._slopes(run, names)] for run, names in zip(self.runs, self._signals, strict=True)
-        ]
         self._told = [
             {name: self._told_slopes(run, name) for name in names}
             for run, names in zip(self.runs, self._signals, strict=True)
         ]
+        self._outputs = [[*told, *(name for slopes in told.values() for _, name in slopes)] for told in self._told]
         self._exact = self._told_parameters()
         chosen = CRITERIA.fit.tolerance if all(self._exact) else CRITERIA.fit.difference_tolerance
         self.tolerance = chosen if tolerance is None else tolerance
@@ -92,12 +90,6 @@ class Objective:
             return free.parameter in run.parameters
         own = any(f.run == run.name and f.parameter == free.parameter for f in self.free)
         return free.parameter not in run.parameters and not own
-
-    def _slopes(self, run: Run, signals: Sequence[str]) -> list[str]:
-        """The model's sensitivities of these signals to what moves the run."""
-        known = self.simulator.interface.sensitivities
-        moved = [f.parameter for f in self.free if self._moves(f, run)]
-        return [n for s in signals for f in moved if (n := sensitivity_name(s, f)) in known]
 
     def _told_slopes(self, run: Run, signal: str) -> list[tuple[int, str]]:
         """Number of each free parameter that moves a run, and the model's sensitivity of a signal to it, where told."""

@@ -64,3 +64,10 @@ def test_parameters_follow_the_strength() -> None:
     assert strengths.at(0.1) == pytest.approx({"k": 0.5, "high": 0.0478469, "v": 2.0})
     assert strengths.at(-1.0)["k"] == 0.0
     assert Strengths((scale,), {}).at(3.0) == {"v": 6.0}
+
+
+def test_nothing_is_sought_between_strengths_of_either_sign() -> None:
+    target, other = np.eye(2)
+    strong, weak = probing._Look(1.0, other, 2 * other, 5.0), probing._Look(-0.3, other, 1e-4 * other, 1.001)
+    following = probing._next([strong, weak], target, signed=True)
+    assert following is not None and 0 < following < 1

@@ -95,14 +95,6 @@ def _needs_rate_of_input(composition: Composition) -> bool:
     return False
 
 
-def absent(effect: EffectClass) -> dict[str, float]:
-    """The parameter values at which the effect says that it vanishes."""
-    text = tree().constant(effect.qualified_name, "absent")
-    assert isinstance(text, str)
-    pairs = (item.split("=") for item in text.split(",") if item.strip())
-    return {name.strip(): float(value) for name, value in pairs}
-
-
 def values(effect: EffectClass, composition: Composition, own: dict[str, float]) -> dict[str, float]:
     """Values of an effect's parameters by their full names in a composed model, at every place that it has there."""
     return {full: own[n] for full in composition.parameters[effect.name] if (n := full.rpartition(".")[2]) in own}

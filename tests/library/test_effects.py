@@ -12,7 +12,6 @@ from pam_cosim.catalogue import EffectClass
 from pam_cosim.compiler import Ode, compile_model
 from pam_cosim.fmu import read_interface
 from tests.library.shelf import (
-    absent,
     base,
     benches,
     built,
@@ -54,7 +53,7 @@ def test_declaration_is_complete(effect: EffectClass) -> None:
     assert effect.description and effect.parameters
     for name in effect.parameters:
         assert own[name].description
-    assert set(absent(effect)) <= set(effect.parameters)
+    assert set(effect.absent) <= set(effect.parameters)
 
 
 @every_effect
@@ -112,7 +111,7 @@ def _change(effect: EffectClass, bench: str) -> float:
 
 @every_effect
 def test_vanishes_where_it_says_so(effect: EffectClass) -> None:
-    if not absent(effect):
+    if not effect.absent:
         assert "gives the base law back" in " ".join(effect.documentation.split()), "does not say when it is absent"
         return
     _vanish(effect, law_bench(effect.name))
@@ -122,12 +121,12 @@ def test_vanishes_where_it_says_so(effect: EffectClass) -> None:
 @every_effect
 def test_vanishes_where_it_says_so_on_every_bench(effect: EffectClass) -> None:
     for bench, composition in homes(effect.name).items():
-        if absent(effect) and not (bench.endswith(OTHER_LAWS) and "redeclare" in composition.text):
+        if effect.absent and not (bench.endswith(OTHER_LAWS) and "redeclare" in composition.text):
             _vanish(effect, bench)
 
 
 def _vanish(effect: EffectClass, bench: str) -> None:
-    own = absent(effect)
+    own = effect.absent
     share = 1e-3 if set(own.values()) <= {0.0, 1.0} else 1.0  # exactly, or in the limit
     outputs, interface = run(built(bench, effect.name), values(effect, on_bench(effect.name, bench), own))
     without, _ = base(bench)
