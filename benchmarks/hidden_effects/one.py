@@ -1,4 +1,4 @@
-"""One case: generate it, diagnose it, print what came out as one line of JSON. `score` runs this in a process.
+"""One case: generate it, or take it as prepared; diagnose it; print what came out as a line of JSON, for `score`.
 
 python -m benchmarks.hidden_effects.one --set tuning --number 7 [--keep FOLDER] [--workers 2]
 """
@@ -18,26 +18,24 @@ from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
 
-from benchmarks.hidden_effects.sets import SETS, case_of, make, outline, write
+from benchmarks.hidden_effects.prepared import made_case
+from benchmarks.hidden_effects.sets import SETS, case_of, outline
 
 _RANKS = 5
 
 
 def solve(which: str, number: int, folder: Path, workers: int) -> dict[str, Any]:
     """The result of one case. An exception of the generator or of the software becomes `error` with its place."""
-    case = case_of(which, number)
-    result: dict[str, Any] = {"set": which, "number": number, "case": outline(case)}
+    result: dict[str, Any] = {"set": which, "number": number, "case": outline(case_of(which, number))}
     start = time.perf_counter()
     try:
-        made = make(case)
-        write(made, folder)
-        result["case"] = made.description
+        description = result["case"] = made_case(which, number, folder)
     except Exception:
         return result | {"error": {"where": "generator", "text": traceback.format_exc()}}
     result["generation_seconds"] = round(time.perf_counter() - start, 2)
     before, start, spent = memory(), time.perf_counter(), processor_seconds()
     try:
-        result["diagnosis"] = _diagnosis(folder, made.description, workers)
+        result["diagnosis"] = _diagnosis(folder, description, workers)
     except Exception:
         result["error"] = {"where": "diagnosis", "text": traceback.format_exc()}
     result["seconds"] = round(time.perf_counter() - start, 2)
