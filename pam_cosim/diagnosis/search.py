@@ -80,11 +80,18 @@ class Search:
         """Number of parameters of each effect."""
         return {e.name: len(e.parameters) for e in self.shelf}
 
-    def probed(self, base: Fit) -> list[Probe]:
-        """What each effect does to the samples beside the fitted base model."""
-        trials = [t.screening() for t in self._trials([Wanted((e.name,), base.values) for e in self.shelf])]
-        trials = [replace(t, beside=base.linear) for t in trials]
-        self.say(Message(f"looking at what each of {len(trials)} effects would change"))
+    @cached_property
+    def broadest(self) -> list[str]:
+        """The effects that stand for their families: the general members, and all of families without one."""
+        covered = {e.family for e in self.shelf if e.general}
+        return [e.name for e in self.shelf if e.general or e.family not in covered]
+
+    def probed(self, fitted: Fit, has: Sequence[str], effects: Sequence[str]) -> list[Probe]:
+        """What each of some effects does to the samples beside a fitted model, which has others."""
+        trials = [t.screening() for t in self._trials([Wanted((*has, name), fitted.values) for name in effects])]
+        trials = [replace(t, beside=fitted.linear) for t in trials]
+        beside = f" beside {' + '.join(has)}" * bool(has)
+        self.say(Message(f"looking at what each of {len(trials)} effects would change{beside}"))
         results = run_tasks(run_probe, trials, crashed, lambda _: None, self.workers)
         self.failed.extend(c for c in results if isinstance(c, FailedTrial))
         return [c for c in results if isinstance(c, Probe)]

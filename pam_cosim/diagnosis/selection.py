@@ -11,12 +11,13 @@ from __future__ import annotations
 import math
 import time
 from collections import Counter, defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.evidence import (
+    Scale,
     coherent,
     dominant_effect,
     evidence,
@@ -25,12 +26,12 @@ from pam_cosim.diagnosis.evidence import (
     scale,
     unexplained,
 )
-from pam_cosim.diagnosis.expectation import Additions, Beside, Expected, addition, reduction
+from pam_cosim.diagnosis.expectation import Addition, Additions, Beside, Expected, addition, reduction
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.probing import Probe
 from pam_cosim.diagnosis.search import Search, Wanted
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.fitting import Fit
+from pam_cosim.fitting import Fit, Linear
 
 
 @dataclass(frozen=True)
@@ -78,6 +79,8 @@ def select_effects(search: Search, base: Fit, deadline: float = math.inf) -> Sel
         models.set_outliers_aside()
         if not models.unsolved():
             break
+        if count > 1:
+            models.look_again()
     path = models.path()
     return Selection(
         models.search, models.base, tuple(path), tuple(models.tried), tuple(models.untried), models.outliers
@@ -92,7 +95,8 @@ class _Models:
         self.untried: list[tuple[str, ...]] = []
         self.known: dict[tuple[str, ...], Candidate] = {}
         self.probes: list[Probe] = []
-        self._added: tuple[tuple[int, ...], Additions] = ((), Additions([]))
+        self._again: dict[tuple[str, ...], list[Addition]] = {}
+        self._added: tuple[tuple[int, ...], list[Addition]] = ((), [])
         self._scale = scale([base])
         self._left: dict[tuple[str, ...], tuple[Fit, bool]] = {}
         self._came_true: defaultdict[int, list[float]] = defaultdict(list)
@@ -105,27 +109,51 @@ class _Models:
 
     def probe(self) -> None:
         """What each effect does beside the base model."""
-        self.probes = self.search.probed(self.base)
+        self.probes = self.search.probed(self.base, (), [e.name for e in self.search.shelf])
         if self.search.failed and not self.probes:
             failed = self.search.failed[-1]
             raise SimulationFailure(f"no effect could be tried; {failed.effect}: {failed.failure}")
 
+    def look_again(self) -> None:
+        """What further families do beside the best model, which leaves structure.
+
+        Beside the base model, which is far off then, the same parameters may do something else.
+        """
+        best = self._best()
+        if best is None or best.fit.linear is None or best.effects in self._again:
+            return
+        taken = {self.search.family[name] for name in best.effects}
+        others = [name for name in self.search.broadest if self.search.family[name] not in taken]
+        if not self._late([(*best.effects, name) for name in others]):
+            probes = self.search.probed(best.fit, best.effects, others)
+            made = [addition(best.fit.linear, p) for p in probes]
+            self._again[best.effects] = [a for a in made if a is not None]
+
     def try_single(self, count: int) -> None:
         """So many of the effects that promise most by themselves, a few steps."""
         assert self.base.linear is not None
-        noise, beside = self._noise(), Beside((), self.base.linear, self.search.family, self._additions())
-        every = sorted(beside.with_one(), key=lambda e: (self._hoped(self.base, None, e, noise), e.effects))
+        noise, beside = self._noise(), Beside((), self.base.linear, self.search.family, Additions(self._additions()))
+        every = sorted(
+            beside.with_one(), key=lambda e: (self._hoped(self.base, None, e, noise, self._scale), e.effects)
+        )
         self._keep(self.search.briefly([self._wanted(e) for e in every[:count]]))
 
-    def _additions(self) -> Additions:
-        """What the effects can add, as far as probes and fits tell by now."""
+    def _additions(self) -> list[Addition]:
+        """What the effects can add to the base model, as far as probes and fits tell by now."""
         assert self.base.linear is not None
         fitted = [self.known.get((p.effect,)) for p in self.probes]
         key = tuple(id(c.fit) if c else 0 for c in fitted)
         if key != self._added[0]:
             made = [addition(self.base.linear, p, c) for p, c in zip(self.probes, fitted, strict=True)]
-            self._added = (key, Additions([a for a in made if a is not None]))
+            self._added = (key, [a for a in made if a is not None])
         return self._added[1]
+
+    def _beside(self, effects: tuple[str, ...], linear: Linear, additions: Additions) -> Beside:
+        """What can be added to a fitted model: as looked at beside it, or else as by itself."""
+        if effects in self._again:
+            own = {a.effect: a for a in self._again[effects]}
+            additions = Additions([own.get(a.effect, a) for a in additions.every])
+        return Beside(effects, linear, self.search.family, additions)
 
     def _seen(self) -> set[tuple[str, ...]]:
         return {*self.known, *(c.effects for c in self.search.failed)}
@@ -202,13 +230,10 @@ class _Models:
 
     def _brief(self) -> list[Candidate]:
         """Models that were fitted briefly and may be better than the best, or as good; the most promising ones."""
-        limit = self._best_evidence() + self._tolerance()
-        hopes = sorted((self._hope(c), c.effects) for c in self.known.values() if c.brief)
+        at = self._at()
+        limit = self._limit(at)
+        hopes = sorted((self._hope(c, at), c.effects) for c in self.known.values() if c.brief)
         return [self.known[names] for hope, names in hopes if hope < limit][: CRITERIA.search.together]
-
-    def _tolerance(self) -> float:
-        """By how much the evidence of a model may be worse for it to be of interest: as a rival of the answer."""
-        return 0.0 if self.unsolved() else CRITERIA.evidence.very_strong
 
     def _answer(self) -> Candidate | None:
         """The best model; where it leaves structure, one effect that is beyond doubt all the same goes first."""
@@ -270,19 +295,30 @@ class _Models:
             self._left[c.effects] = (c.fit, unexplained(c.fit))
         return self._left[c.effects][1]
 
-    def _best_evidence(self) -> float:
+    def _limit(self, at: Scale) -> float:
+        """The evidence that a model may have at most to be of interest: the best one's; or a rival's of the answer."""
         best = self._best()
-        return self._evidence(best) if best else self._base_evidence()
+        if best is None:
+            return evidence(self.base, at, 0, len(self.search.shelf))
+        known = evidence(best.fit, at, len(best.effects), len(self.search.shelf), best)
+        return known if self._leaves_structure(best) else known + CRITERIA.evidence.very_strong
+
+    def _at(self) -> Scale:
+        """The scale of what is hoped for: plain noise as long as the best model leaves more, else what that leaves."""
+        return Scale(max(1.0, self._noise()), 1.0) if self.unsolved() else self._scale
 
     def _base_evidence(self) -> float:
         return evidence(self.base, self._scale, 0, len(self.search.shelf))
 
-    def _hope(self, c: Candidate) -> float:
+    def _hope(self, c: Candidate, at: Scale) -> float:
         """The evidence of a candidate that was fitted briefly, if all goes as its slopes say."""
         gain = reduction(c.fit.linear) if c.fit.linear is not None else 0.0
-        return self._evidence(c) - self._worth(gain, c.fit, self._noise())
+        known = evidence(c.fit, at, len(c.effects), len(self.search.shelf), c)
+        return known - self._worth(gain, c.fit, at, self._noise())
 
-    def _worth(self, reduction: float, fit: Fit, noise: float, lost: float = CRITERIA.search.not_linear) -> float:
+    def _worth(
+        self, reduction: float, fit: Fit, at: Scale, noise: float, lost: float = CRITERIA.search.not_linear
+    ) -> float:
         """What a reduction of the squared error counts: some of it is lost on the way, as models are not linear.
 
         The error of the other runs is expected to fall as that of the fitted ones does; neither falls below the noise.
@@ -290,7 +326,7 @@ class _Models:
         fitted, held = fit.residuals["fit"], fit.residuals["holdout"]
         left = 1 - (1 - lost) * reduction / max(fitted.chi2, 1e-300)
         gain = sum(max(s.chi2 - max(left * s.chi2, noise * s.samples), 0.0) for s in (fitted, held) if s.samples)
-        return gain / self._scale.divisor
+        return gain / at.divisor
 
     def _noise(self) -> float:
         """Mean square of the noise, as low as a model leaves it."""
@@ -298,22 +334,22 @@ class _Models:
 
     def _promising(self, count: int) -> list[Expected]:
         """Untried models of so many effects that may be better than the best, the best of each set of families."""
-        noise, tried, best = self._noise(), {frozenset(n) for n in self._seen()}, self._best()
+        noise, at, tried, best = self._noise(), self._at(), {frozenset(n) for n in self._seen()}, self._best()
         left = best if best is not None and self._leaves_structure(best) else None
-        limit = self._best_evidence() + self._tolerance()
+        limit = self._limit(at)
         possible = [
             (hope, e.effects, n, fit, c, e)
-            for n, (fit, c, e) in enumerate(self._expected(count))
+            for n, (fit, c, e) in enumerate(_nearest(self._expected(count)))
             if frozenset(e.effects) not in tried
             and (left is None or self._goes_on(left, fit, e, noise))
-            and (hope := self._hoped(fit, c, e, noise, e.reduction, 0.0)) <= limit
+            and (hope := self._hoped(fit, c, e, noise, at, e.reduction, 0.0)) <= limit
         ]
         by_families: dict[frozenset[str], tuple[float, Expected]] = {}
         for hope, _, _, fit, c, e in sorted(possible, key=lambda entry: entry[:3]):
             first = sorted(h for h, _ in by_families.values())[: CRITERIA.search.together]
             if len(first) == CRITERIA.search.together and hope > first[-1]:
                 break  # no further one can be as good as these
-            own = self._hoped(fit, c, e, noise)
+            own = self._hoped(fit, c, e, noise, at)
             families = frozenset(self.search.family[n] for n in e.effects)
             if families not in by_families or own < by_families[families][0]:
                 by_families[families] = (own, e)
@@ -322,7 +358,7 @@ class _Models:
 
     def _expected(self, count: int) -> Iterator[tuple[Fit, Candidate | None, Expected]]:
         """Models of so many effects from those that were fitted: their fit, what they are, what is expected."""
-        additions, family, first = self._additions(), self.search.family, CRITERIA.search.starts
+        additions, first = Additions(self._additions()), CRITERIA.search.starts
         unsolved = self.unsolved()
         models = sorted(self.known.values(), key=lambda c: (self._evidence(c), c.effects))
         starts: list[Candidate | None] = [None, *[c for c in models if len(c.effects) <= count][:first]]
@@ -330,7 +366,7 @@ class _Models:
             fit, effects = (c.fit, c.effects) if c else (self.base, ())
             if fit.linear is None or len(effects) + 2 < count:
                 continue
-            beside = Beside(effects, fit.linear, family, additions)
+            beside = self._beside(effects, fit.linear, additions)
             more = count - len(effects)
             if more == 0 and unsolved:
                 every = beside.with_another_form()
@@ -357,6 +393,7 @@ class _Models:
         start: Candidate | None,
         e: Expected,
         noise: float,
+        at: Scale,
         reduction: float | None = None,
         lost: float = CRITERIA.search.not_linear,
     ) -> float:
@@ -365,10 +402,10 @@ class _Models:
         With a reduction of the squared error that may be given; default: that within the bounds of all parameters.
         """
         reduction = e.within_bounds[0] if reduction is None else reduction
-        s, every = self._scale, len(self.search.shelf)
+        every = len(self.search.shelf)
         more = sum(a.cost for a in e.added) - (self.search.cost[e.exchanged] if e.exchanged else 0)
-        known = evidence(fit, s, len(e.effects), every, start)
-        return known + more * s.penalty(fit) - self._worth(reduction, fit, noise, lost)
+        known = evidence(fit, at, len(e.effects), every, start)
+        return known + more * at.penalty(fit) - self._worth(reduction, fit, at, noise, lost)
 
     def _wanted(self, e: Expected) -> Wanted:
         """A model to fit: from the fitted one, and the added effects as they were by themselves, or as expected."""
@@ -385,3 +422,15 @@ class _Models:
             if old is None or c.fit.residuals["fit"].chi2 <= old.fit.residuals["fit"].chi2:
                 self.known[c.effects] = c
         self._scale = scale(self._fits)
+
+
+def _nearest(
+    expected: Iterable[tuple[Fit, Candidate | None, Expected]],
+) -> list[tuple[Fit, Candidate | None, Expected]]:
+    """What is expected of each set of effects by the models that lack least of it: they know most of it."""
+    every = list(expected)
+    lack: dict[frozenset[str], int] = {}
+    for _, _, e in every:
+        names = frozenset(e.effects)
+        lack[names] = min(len(e.added), lack.get(names, len(e.added)))
+    return [entry for entry in every if len(entry[2].added) == lack[frozenset(entry[2].effects)]]
