@@ -230,10 +230,11 @@ class _Models:
 
     def _brief(self) -> list[Candidate]:
         """Models that were fitted briefly and may be better than the best, or as good; the most promising ones."""
-        at = self._at()
-        limit = self._limit(at)
-        hopes = sorted((self._hope(c, at), c.effects) for c in self.known.values() if c.brief)
-        return [self.known[names] for hope, names in hopes if hope < limit][: CRITERIA.search.together]
+        possibly = self._possibly()
+        limit = self._limit(possibly)
+        hopes = ((self._hope(c, self._scale), c) for c in self.known.values() if c.brief)
+        promising = [(hope, c.effects) for hope, c in hopes if self._hope(c, possibly) < limit]
+        return [self.known[names] for _, names in sorted(promising)[: CRITERIA.search.together]]
 
     def _answer(self) -> Candidate | None:
         """The best model; where it leaves structure, one effect that is beyond doubt all the same goes first."""
@@ -303,8 +304,8 @@ class _Models:
         known = evidence(best.fit, at, len(best.effects), len(self.search.shelf), best)
         return known if self._leaves_structure(best) else known + CRITERIA.evidence.very_strong
 
-    def _at(self) -> Scale:
-        """The scale of what is hoped for: plain noise as long as the best model leaves more, else what that leaves."""
+    def _possibly(self) -> Scale:
+        """The scale of what is possible: plain noise as long as the best model leaves more, else what that leaves."""
         return Scale(max(1.0, self._noise()), 1.0) if self.unsolved() else self._scale
 
     def _base_evidence(self) -> float:
@@ -334,15 +335,15 @@ class _Models:
 
     def _promising(self, count: int) -> list[Expected]:
         """Untried models of so many effects that may be better than the best, the best of each set of families."""
-        noise, at, tried, best = self._noise(), self._at(), {frozenset(n) for n in self._seen()}, self._best()
+        noise, possibly, at = self._noise(), self._possibly(), self._scale
+        tried, best, limit = {frozenset(n) for n in self._seen()}, self._best(), self._limit(possibly)
         left = best if best is not None and self._leaves_structure(best) else None
-        limit = self._limit(at)
         possible = [
-            (hope, e.effects, n, fit, c, e)
+            (self._hoped(fit, c, e, noise, at, e.reduction, 0.0), e.effects, n, fit, c, e)
             for n, (fit, c, e) in enumerate(_nearest(self._expected(count)))
             if frozenset(e.effects) not in tried
             and (left is None or self._goes_on(left, fit, e, noise))
-            and (hope := self._hoped(fit, c, e, noise, at, e.reduction, 0.0)) <= limit
+            and self._hoped(fit, c, e, noise, possibly, e.reduction, 0.0) <= limit
         ]
         by_families: dict[frozenset[str], tuple[float, Expected]] = {}
         for hope, _, _, fit, c, e in sorted(possible, key=lambda entry: entry[:3]):
