@@ -79,7 +79,7 @@ def select_effects(search: Search, base: Fit, deadline: float = math.inf) -> Sel
         models.set_outliers_aside()
         if not models.unsolved():
             break
-        if count > 1:
+        if 1 < count < CRITERIA.search.most_effects:
             models.look_again()
     path = models.path()
     return Selection(
@@ -226,7 +226,7 @@ class _Models:
     def _trust(self, count: int) -> float:
         """What part of an expected reduction may come true: the most that it did of late for as many effects."""
         late = self._came_true[count][-CRITERIA.search.together :]
-        return min(max(late), 1.0) if len(late) == CRITERIA.search.together else 1.0
+        return max(late) if len(late) == CRITERIA.search.together else 1.0
 
     def _brief(self) -> list[Candidate]:
         """Models that were fitted briefly and may be better than the best, or as good; the most promising ones."""
@@ -337,13 +337,13 @@ class _Models:
         """Untried models of so many effects that may be better than the best, the best of each set of families."""
         noise, possibly, at = self._noise(), self._possibly(), self._scale
         tried, best, limit = {frozenset(n) for n in self._seen()}, self._best(), self._limit(possibly)
-        left = best if best is not None and self._leaves_structure(best) else None
+        left, trust = best if best is not None and self._leaves_structure(best) else None, self._trust(count)
         possible = [
             (self._hoped(fit, c, e, noise, at, e.reduction, 0.0), e.effects, n, fit, c, e)
             for n, (fit, c, e) in enumerate(_nearest(self._expected(count)))
             if frozenset(e.effects) not in tried
             and (left is None or self._goes_on(left, fit, e, noise))
-            and self._hoped(fit, c, e, noise, possibly, e.reduction, 0.0) <= limit
+            and self._hoped(fit, c, e, noise, possibly, e.reduction, 1 - trust) <= limit
         ]
         by_families: dict[frozenset[str], tuple[float, Expected]] = {}
         for hope, _, _, fit, c, e in sorted(possible, key=lambda entry: entry[:3]):
