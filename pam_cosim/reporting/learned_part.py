@@ -6,7 +6,16 @@ from typing import Any
 
 from pam_cosim.diagnosis import Candidate, Diagnosis
 from pam_cosim.measurement import ROLES
-from pam_cosim.reporting.wording import NOTHING, estimate_texts, number, percent, quantity_text, remark, unit_text
+from pam_cosim.reporting.wording import (
+    NOTHING,
+    estimate_texts,
+    listed,
+    number,
+    percent,
+    quantity_text,
+    remark,
+    unit_text,
+)
 
 CAUTION = (
     "This is a description, not a cause: another formula may describe the same measurement as well, and beyond the "
@@ -29,6 +38,7 @@ def learned_part(diagnosis: Diagnosis) -> dict[str, Any] | None:
         )  # fmt: skip
     return {
         "formula": term.formula,
+        "beside": listed(candidate.effects[:-1]),
         "balance": term.balance,
         "score": percent(term.score),
         "fit_score": percent(term.fit_score),

@@ -125,7 +125,7 @@ def probability_sentence(verdict: Verdict) -> str:
 
 
 def compared_sentence(diagnosis: Diagnosis) -> str:
-    """The error of the signals that the verdict does not rest on; "" where there are none."""
+    """The error of the signals that decide only where the others do not; "" where there are none."""
     role = "holdout" if diagnosis.base.comparison.scores["holdout"] else "fit"
     before, after = (fit.comparison.scores[role] for fit in (diagnosis.base, diagnosis.final))
     parts = []
@@ -134,4 +134,5 @@ def compared_sentence(diagnosis: Diagnosis) -> str:
             continue
         old, new = (quantity_text(s[name].rmse, signal.unit) for s in (before, after))
         parts.append(f"{name}, with an rms error of {f'{old} before and {new} after' if diagnosis.path else old}")
-    return f"Compared but not fitted, so the verdict does not rest on it: {listed(parts)}." if parts else ""
+    role_of_it = "so that it decides only between explanations that are as good without it"
+    return f"Compared but not fitted, {role_of_it}: {listed(parts)}." if parts else ""

@@ -158,7 +158,7 @@ def test_a_run_that_lacks_a_signal_and_a_signal_whose_noise_nobody_knows():
     diagnosis = make_diagnosis("identified", data)
     text = checked(diagnosis_report(diagnosis)).text
     assert "the noise of T is not known" in text
-    assert "Compared but not fitted, so the verdict does not rest on it: T, with an rms error of" in text
+    assert "decides only between explanations that are as good without it: T, with an rms error of" in text
     assert "x 0.200 mm stated fitted 200 200" in text
 
 

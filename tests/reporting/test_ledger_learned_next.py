@@ -97,7 +97,11 @@ def test_a_learned_term_is_shown_with_its_source_and_its_limits():
     before = diagnosis.base.comparison.scores["holdout"]["p"].rmse / 1e3
     after = diagnosis.learned.model.fit.comparison.scores["holdout"]["p"].rmse / 1e3
     assert f"p holdout {before:.2f} kPa {after:.3f} kPa 0.500 kPa" in page.text
+    assert "stands beside" not in page.text
     assert "What is missing, described" not in checked(diagnosis_report(make_diagnosis("unknown"))).text
+    model = replace(diagnosis.learned.model, effects=("Leak", "LearnedForce"))
+    beside = replace(diagnosis, learned=replace(diagnosis.learned, model=model))
+    assert "It stands beside Leak: with these in the model" in checked(diagnosis_report(beside)).text
 
 
 @pytest.mark.full
