@@ -229,7 +229,7 @@ def _base(
 ) -> tuple[DataSet, Fit, Interface, dict[str, int]]:
     """The data without outliers, the base model fitted to them, what it has, and how many samples were set aside."""
     with Simulator(build_model(model, files, sensitivities=data.free_names, where_smooth=True)) as simulator:
-        options = FitOptions(rows=CRITERIA.search.rows)
+        options = FitOptions(rows=CRITERIA.search.rows, leeway=True)
         base = fit(simulator, data, options=options)
         data, outliers = without_outliers(data, base.comparison.runs)
         if outliers:

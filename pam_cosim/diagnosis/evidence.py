@@ -50,7 +50,7 @@ def structured(s: ResidualStatistics, repeated: Reproducibility | None = None) -
 def unexplained(fit: Fit) -> bool:
     """Whether a model leaves structure in runs that were fitted or in others."""
     repeated = foretold(fit)
-    return any(structured(s, repeated) for s in fit.residuals.values())
+    return any(structured(s, repeated) for s in fit.tested.values())
 
 
 def coherent(s: ResidualStatistics) -> bool:
@@ -79,7 +79,7 @@ def leaves_structure(s: ResidualStatistics, repeated: Reproducibility | None = N
 def incomplete(fit: Fit) -> bool:
     """Whether a model that explains much leaves structure all the same, in runs that were fitted or in others."""
     repeated = foretold(fit)
-    return any(leaves_structure(s, repeated) for s in fit.residuals.values())
+    return any(leaves_structure(s, repeated) for s in fit.tested.values())
 
 
 def _comes_again(s: ResidualStatistics, repeated: Reproducibility | None) -> bool:

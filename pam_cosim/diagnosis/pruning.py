@@ -33,7 +33,8 @@ def pruned(
         return full
     variance, time = scale([full])
     worth = variance * time * bic_penalty(full, time)  # chi-square that a parameter must take away
-    options = FitOptions(evaluations=CRITERIA.search.pruning_evaluations, descents=1, precision=precision)
+    few = CRITERIA.search.pruning_evaluations
+    options = FitOptions(evaluations=few, descents=1, precision=precision, leeway=True)
     held: dict[str, Estimate] = {}
     needed: set[str] = set()
     best = full

@@ -110,13 +110,21 @@ class Search:
         """Models that were fitted briefly, to the end: from where they stand, and from where they began."""
         trials = self._trials([Wanted(c.effects, base.values) for c in candidates])
         values, numbers = {c.effects: c.fit.values for c in candidates}, CRITERIA.search
-        options = {"rows": numbers.rows, "precision": numbers.precision, "evaluations": numbers.evaluations}
+        options = {
+            "rows": numbers.rows,
+            "precision": numbers.precision,
+            "evaluations": numbers.evaluations,
+            "leeway": True,
+        }
         own = [replace(t.fitted_with(**options), further_start=values[t.effects]) for t in trials]
         return self._run("to the end", [t if len(t.effects) == 1 else t.fitted_with(descents=1) for t in own])
 
     def finished(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate | None:
         """The model with just these effects, the last of them without what it does not need; None: it breaks down."""
-        trials = [replace(t.fitted_with(descents=1), prune=True) for t in self._trials([Wanted(tuple(effects), start)])]
+        trials = [
+            replace(t.fitted_with(descents=1, leeway=True), prune=True)
+            for t in self._trials([Wanted(tuple(effects), start)])
+        ]
         return next(iter(self._run("to the end", trials)), None)
 
     def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:

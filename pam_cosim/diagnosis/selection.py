@@ -65,7 +65,7 @@ def select_effects(search: Search, base: Fit, deadline: float = math.inf) -> Sel
     Raises:
         SimulationFailure: no effect could be tried at all.
     """
-    if not any(coherent(s) for s in base.residuals.values()):
+    if not any(coherent(s) for s in base.tested.values()):
         search.say(Message("what remains is noise: no effect is tried"))
         return Selection(search, base)
     models = _Models(search, base, deadline)

@@ -22,6 +22,8 @@ from pam_cosim.errors import InputError
 from pam_cosim.fitting.combinations import Combination, combinations
 from pam_cosim.fitting.estimate import Estimate, describe, estimates
 from pam_cosim.fitting.free import Free, base_parameters
+from pam_cosim.fitting.leeway import Leeway, leeway
+from pam_cosim.fitting.levenberg_marquardt import Minimum
 from pam_cosim.fitting.linear import Linear, linearised
 from pam_cosim.fitting.methods import METHODS, Record
 from pam_cosim.fitting.objective import Objective
@@ -52,6 +54,7 @@ class Fit(Printed):
         convergence: how the chi-square came down.
         correlation: (k, k) matrix of the estimates, in the order of ``parameters``; empty: not known.
         linear: the model about the optimum, where the options ask for it.
+        leeway: of the held-out runs, where the options ask for it.
     """
 
     model: str
@@ -66,6 +69,17 @@ class Fit(Printed):
     convergence: Convergence = field(default_factory=Convergence)
     correlation: Array = field(default_factory=lambda: np.zeros((0, 0)))
     linear: Linear | None = None
+    leeway: Leeway = field(default_factory=Leeway)
+
+    @property
+    def tested(self) -> dict[str, ResidualStatistics]:
+        """``residuals``, those of held-out runs but for what the parameters' uncertainty explains of them."""
+        if not self.leeway.shifts:
+            return self.residuals
+        moved = tuple(self.leeway.applied(run) for run in self.comparison.runs)
+        by_role = statistics_by_role(replace(self.comparison, runs=moved))
+        held = replace(by_role["holdout"], chi2=by_role["holdout"].chi2 + self.leeway.cost)
+        return {**self.residuals, "holdout": held}
 
     @property
     def values(self) -> dict[str, float]:
@@ -190,7 +204,22 @@ def fit(
         tracker.convergence,
         correlations(end.jacobian),
         linear,
+        _leeway(simulator, data, chosen, fixed, options, end, spread),
     )
+
+
+def _leeway(
+    simulator: AnySimulator,
+    data: DataSet,
+    free: Sequence[Free],
+    fixed: Mapping[str, float] | None,
+    options: FitOptions,
+    end: Minimum,
+    spread: float,
+) -> Leeway:
+    if not options.leeway or not data.holdout_runs:
+        return Leeway()
+    return leeway(Objective(simulator, data, data.holdout_runs, free, fixed, options.tolerance), end, spread)
 
 
 def profile(

@@ -24,7 +24,7 @@ class Objective:
     Attributes:
         free: the parameters that are searched.
         size: number of samples.
-        kept: which samples of each run and signal there are, in the order of the rows.
+        series: run and signal of each part of the rows, in their order; ``kept``: which samples of each there are.
         tracker: is told of every point.
         evaluations: simulations of the whole set so far.
         failures: the first message of each kind of breakdown.
@@ -61,8 +61,8 @@ class Objective:
         self.tolerance = chosen if tolerance is None else tolerance
         counts = [sum(run.sample_count(s) for s in names) for run, names in zip(self.runs, self._signals, strict=True)]
         self.size = sum(counts)
-        pairs = [(run, s) for run, names in zip(self.runs, self._signals, strict=True) for s in names]
-        self.kept = [np.isfinite(run.measurements[s]) for run, s in pairs]
+        self.series = [(run, s) for run, names in zip(self.runs, self._signals, strict=True) for s in names]
+        self.kept = [np.isfinite(run.measurements[s]) for run, s in self.series]
         self._ends = np.cumsum([0, *counts])  # rows of each run
 
     @property
