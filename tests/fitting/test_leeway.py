@@ -1,0 +1,60 @@
+"""What held-out runs leave is judged by what the fitted runs could know."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pam_cosim.fitting import Fit, FitOptions, fit
+from pam_cosim.measurement import DataSet
+from pam_cosim.simulation import Simulator
+from tests.fitting.models import TRUE_C_D, TRUE_N, discharge, vessel_data
+
+SIGMA = 2000.0
+
+
+def _both(short: float, c_d: float) -> DataSet:
+    """A run that ends early, to fit, and a whole one of an orifice with some coefficient, held out; white noise."""
+    whole = vessel_data(seed=1, sigma=SIGMA, clean=discharge(c_d)[0])
+    times = np.linspace(0.0, short, 13)
+    early = vessel_data(seed=2, sigma=SIGMA, clean=discharge(times=times)[0], times=times)
+    held = replace(whole.runs[0], name="whole", role="holdout")
+    return replace(early, runs=(early.runs[0], held))
+
+
+@pytest.fixture
+def fitted(bench: Callable[[str], Path]) -> Callable[[DataSet], Fit]:
+    def run(data: DataSet) -> Fit:
+        with Simulator(bench("VesselOrifice")) as simulator:
+            return fit(simulator, data, options=FitOptions(leeway=True))
+
+    return run
+
+
+def test_an_error_within_the_uncertainty_of_the_parameters_is_none(fitted: Callable[[DataSet], Fit]) -> None:
+    result = fitted(_both(5.0, TRUE_C_D))
+    raw, tested = result.residuals["holdout"], result.tested["holdout"]
+    assert abs(result.parameters["tank.n"].value - TRUE_N) > 0.02  # 5 s tell the exponent badly
+    assert raw.chi2_reduced > 2.0
+    assert tested.chi2_reduced < 1.5 and result.leeway.cost < 9.0
+    assert result.tested["fit"] == result.residuals["fit"]
+
+
+def test_an_error_that_the_fitted_run_does_not_allow_stays(fitted: Callable[[DataSet], Fit]) -> None:
+    result = fitted(_both(60.0, 0.93 * TRUE_C_D))
+    raw, tested = result.residuals["holdout"], result.tested["holdout"]
+    assert raw.chi2_reduced > 5.0
+    assert tested.chi2_reduced > 3.0
+
+
+def test_without_being_asked_or_without_held_out_runs_there_is_none(bench: Callable[[str], Path]) -> None:
+    data = _both(60.0, TRUE_C_D)
+    with Simulator(bench("VesselOrifice")) as simulator:
+        assert fit(simulator, data).leeway.shifts == {}
+        alone = replace(data, runs=data.runs[:1])
+        result = fit(simulator, alone, options=FitOptions(leeway=True))
+    assert result.leeway.shifts == {} and result.tested == result.residuals
