@@ -173,7 +173,7 @@ class EvidenceCriteria:
     )
     unlisted: float = decides(0.04, "1", "probability that it is something else though what remains is noise", BLIND)
     unchecked: float = decides(
-        0.3, "1", "the same without a held-out run (3 of 6 tuning cases right), or where a signal nobody fitted is off"
+        0.5, "1", "the same without a held-out run (4 of 8 tuning cases right), or where a signal nobody fitted is off"
     )
     unlisted_by_remainder: float = decides(0.2, "1", "the same of one family beyond doubt that leaves structure", BLIND)
     unlisted_by_structure: float = decides(0.9, "1", "the same where what remains has structure", BLIND)

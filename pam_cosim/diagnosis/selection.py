@@ -2,7 +2,8 @@
 
 One number orders all models: the evidence (``diagnosis.evidence``), of a model that was fitted as it is, of one that
 was not, or not to the end, as far as linear algebra tells (``diagnosis.expectation``). Whoever may still beat the best
-is fitted next: single effects first; where the best of them leaves structure, pairs; then triples. As few effects as
+is fitted next: single effects first; where the best of them leaves structure, pairs; then triples, beside the best pair looked
+at again. As few effects as
 leave noise are enough, and among models with as many the evidence decides.
 """
 

@@ -9,7 +9,16 @@ from typing import Literal
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.evidence import Scale, dominant_effect, evidence, incomplete, refuted, scale, unexplained
+from pam_cosim.diagnosis.evidence import (
+    Scale,
+    dominant_effect,
+    evidence,
+    incomplete,
+    refuted,
+    scale,
+    structured,
+    unexplained,
+)
 from pam_cosim.fitting import Fit
 
 Kind = Literal["none_missing", "identified", "ambiguous", "unknown"]
@@ -122,11 +131,15 @@ def confidence(
 
 
 def _checked(fit: Fit) -> bool:
-    """Whether runs that were held out speak for a model, and no signal that was compared but not fitted against it."""
+    """Whether runs that were held out speak for a model, and no signal that was compared but not fitted against it.
+
+    Held-out runs that only the uncertainty of the parameters excuses check little.
+    """
+    held = fit.residuals["holdout"]
     comparison = fit.comparison
     unfitted = [s for n, s in comparison.scores["all"].items() if not comparison.data.signals[n].fitted]
     off = any(s.rmse > CRITERIA.evidence.refuted * s.noise_rmse for s in unfitted)
-    return bool(fit.residuals["holdout"].samples) and not off
+    return bool(held.samples) and not structured(held) and not off
 
 
 def judge(
