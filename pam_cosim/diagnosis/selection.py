@@ -2,9 +2,9 @@
 
 One number orders all models: the evidence (``diagnosis.evidence``), of a model that was fitted as it is, of one that
 was not, or not to the end, as far as linear algebra tells (``diagnosis.expectation``). Whoever may still beat the best
-is fitted next: single effects first; where the best of them leaves structure, pairs; then triples, beside the best pair looked
-at again. As few effects as
-leave noise are enough, and among models with as many the evidence decides.
+is fitted next: single effects first; where the best of them leaves structure, pairs; then triples, for which effects
+are looked at again beside the best model. As few effects as leave noise are enough, and among models with as many the
+evidence decides.
 """
 
 from __future__ import annotations

@@ -45,12 +45,16 @@ class LinearWorld(Search):
     Attributes:
         hidden: strengths by name.
         strange: of a course that no effect has.
+        masked: a family that acts in another way beside the base model than beside a better one.
         tried: the models that were fitted to the end.
+        looks: what effects were looked at beside, and how many.
     """
 
     hidden: Mapping[str, float] = field(default_factory=dict)
     strange: float = 0.0
+    masked: str = ""
     tried: list[tuple[str, ...]] = field(default_factory=list)
+    looks: list[tuple[tuple[str, ...], int]] = field(default_factory=list)
 
     def samples(self, role: str) -> Array:
         """(ROWS,) what is left of the samples by the base model at zero."""
@@ -72,14 +76,16 @@ class LinearWorld(Search):
         linear = Linear(names, values, -limits, limits, left["fit"], columns["fit"])
         return Fit("Test", estimates, _NOTHING, numbers, 1, linear=linear)
 
-    def probed(self, base: Fit) -> list[Probe]:
-        assert base.linear is not None
+    def probed(self, fitted: Fit, has: Sequence[str], effects: Sequence[str]) -> list[Probe]:
+        assert fitted.linear is not None
+        self.looks.append((tuple(has), len(effects)))
         probes = []
-        for e in self.shelf:
-            slopes = np.hstack([base.linear.slopes, moves(e.name, "fit")])
-            names, values = (*base.linear.names, f"{e.name}.strength"), np.append(base.linear.values, 0.5)
+        for e in (KNOWN[name] for name in effects):
+            moved = moves(e.name if has or e.family != self.masked else "HangingMass", "fit")
+            slopes = np.hstack([fitted.linear.slopes, moved])
+            names, values = (*fitted.linear.names, f"{e.name}.strength"), np.append(fitted.linear.values, 0.5)
             limits = np.full(len(names), 1e3)
-            left = base.linear.residual - 0.5 * moves(e.name, "fit")[:, 0]
+            left = fitted.linear.residual - 0.5 * moved[:, 0]
             linear = Linear(names, values, -limits, limits, left, slopes)
             probes.append(Probe(e.name, e.family, (f"{e.name}.strength",), linear))
         return probes
@@ -104,9 +110,9 @@ class LinearWorld(Search):
         return Candidate(last.name, last.family, last.balance, names, own, self.fitted(names), general=last.general)
 
 
-def world(hidden: Mapping[str, float], strange: float = 0.0) -> LinearWorld:
+def world(hidden: Mapping[str, float], strange: float = 0.0, masked: str = "") -> LinearWorld:
     """A world with these effects hidden."""
-    return LinearWorld(TREE, "Test", SHELF, None, hidden=hidden, strange=strange)  # type: ignore[arg-type]
+    return LinearWorld(TREE, "Test", SHELF, None, hidden=hidden, strange=strange, masked=masked)  # type: ignore[arg-type]
 
 
 class _Nothing:

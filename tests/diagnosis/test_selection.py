@@ -7,7 +7,7 @@ import time
 import pytest
 
 from pam_cosim.diagnosis.selection import select_effects
-from tests.diagnosis.linear_world import SHELF, LinearWorld, world
+from tests.diagnosis.linear_world import KNOWN, SHELF, LinearWorld, world
 
 
 def families(searched: LinearWorld) -> set[str]:
@@ -43,6 +43,15 @@ def test_two_and_three_effects(hidden: dict[str, float]) -> None:
     path = select_effects(several, several.fitted(())).path
     assert set(path[-1].effects) == set(hidden)
     assert [len(c.effects) for c in path] == list(range(1, len(hidden) + 1))
+
+
+def test_a_third_effect_is_found_that_acts_in_another_way_beside_the_base_model() -> None:
+    hidden = {"LinearBladder": 20.0, "ThermocoupleLag": 20.0, "GeneralLeak": 3.0}
+    several = world(hidden, masked="leak")
+    assert families(several) == {KNOWN[name].family for name in hidden}
+    (first, every), (beside, some) = several.looks
+    assert (first, every) == ((), len(SHELF))
+    assert set(beside) == {"LinearBladder", "ThermocoupleLag"} and some < every / 2
 
 
 def test_two_effects_of_one_family_are_not_taken_for_one_of_another() -> None:
