@@ -97,7 +97,8 @@ class _Models:
         self.known: dict[tuple[str, ...], Candidate] = {}
         self.probes: list[Probe] = []
         self._again: dict[tuple[str, ...], list[Addition]] = {}
-        self._added: tuple[tuple[int, ...], list[Addition]] = ((), [])
+        self._added: tuple[tuple[int, ...], Additions] = ((), Additions([]))
+        self._merged: dict[tuple[str, ...], tuple[Additions, Additions]] = {}
         self._scale = scale([base])
         self._left: dict[tuple[str, ...], tuple[Fit, bool]] = {}
         self._came_true: defaultdict[int, list[float]] = defaultdict(list)
@@ -133,27 +134,30 @@ class _Models:
     def try_single(self, count: int) -> None:
         """So many of the effects that promise most by themselves, a few steps."""
         assert self.base.linear is not None
-        noise, beside = self._noise(), Beside((), self.base.linear, self.search.family, Additions(self._additions()))
+        noise, beside = self._noise(), self._beside((), self.base.linear)
         every = sorted(
             beside.with_one(), key=lambda e: (self._hoped(self.base, None, e, noise, self._scale), e.effects)
         )
         self._keep(self.search.briefly([self._wanted(e) for e in every[:count]]))
 
-    def _additions(self) -> list[Addition]:
+    def _additions(self) -> Additions:
         """What the effects can add to the base model, as far as probes and fits tell by now."""
         assert self.base.linear is not None
         fitted = [self.known.get((p.effect,)) for p in self.probes]
         key = tuple(id(c.fit) if c else 0 for c in fitted)
         if key != self._added[0]:
             made = [addition(self.base.linear, p, c) for p, c in zip(self.probes, fitted, strict=True)]
-            self._added = (key, [a for a in made if a is not None])
+            self._added = (key, Additions([a for a in made if a is not None]))
         return self._added[1]
 
-    def _beside(self, effects: tuple[str, ...], linear: Linear, additions: Additions) -> Beside:
+    def _beside(self, effects: tuple[str, ...], linear: Linear) -> Beside:
         """What can be added to a fitted model: as looked at beside it, or else as by itself."""
+        additions = self._additions()
         if effects in self._again:
-            own = {a.effect: a for a in self._again[effects]}
-            additions = Additions([own.get(a.effect, a) for a in additions.every])
+            if self._merged.get(effects, (None,))[0] is not additions:
+                own = {a.effect: a for a in self._again[effects]}
+                self._merged[effects] = (additions, Additions([own.get(a.effect, a) for a in additions.every]))
+            additions = self._merged[effects][1]
         return Beside(effects, linear, self.search.family, additions)
 
     def _seen(self) -> set[tuple[str, ...]]:
@@ -360,7 +364,7 @@ class _Models:
 
     def _expected(self, count: int) -> Iterator[tuple[Fit, Candidate | None, Expected]]:
         """Models of so many effects from those that were fitted: their fit, what they are, what is expected."""
-        additions, first = Additions(self._additions()), CRITERIA.search.starts
+        first = CRITERIA.search.starts
         unsolved = self.unsolved()
         models = sorted(self.known.values(), key=lambda c: (self._evidence(c), c.effects))
         starts: list[Candidate | None] = [None, *[c for c in models if len(c.effects) <= count][:first]]
@@ -368,7 +372,7 @@ class _Models:
             fit, effects = (c.fit, c.effects) if c else (self.base, ())
             if fit.linear is None or len(effects) + 2 < count:
                 continue
-            beside = self._beside(effects, fit.linear, additions)
+            beside = self._beside(effects, fit.linear)
             more = count - len(effects)
             if more == 0 and unsolved:
                 every = beside.with_another_form()
