@@ -190,9 +190,11 @@ def _open(selected: Sequence[Candidate]) -> str:
 
 
 def _caution(fit: Fit) -> str:
-    """What keeps an explanation from being beyond doubt: no run that checks it, or a fit that ends at a bound."""
-    checked = fit.residuals["holdout"].samples
-    text = "" if checked else " No run was held out: nothing but what was fitted speaks for it."
+    """What keeps an explanation from being beyond doubt: runs that do not check it, or a fit that ends at a bound."""
+    held = fit.residuals["holdout"]
+    text = "" if held.samples else " No run was held out: nothing but what was fitted speaks for it."
+    if structured(held) and not incomplete(fit):
+        text = " Held-out runs are met only as far as the fitted ones determine the parameters: they check little."
     names = [n for n, e in fit.parameters.items() if e.at_bound]
     if names:
         text += f" Caution: {', '.join(names)} ended at a bound; the model may stand in for something else."

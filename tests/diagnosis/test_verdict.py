@@ -6,9 +6,11 @@ from dataclasses import replace
 
 import pytest
 
+from pam_cosim.comparison import ResidualStatistics
 from pam_cosim.diagnosis.evidence import rank
-from pam_cosim.diagnosis.verdict import explained, judge, rivals
-from tests.diagnosis.synthetic import candidate, fitted
+from pam_cosim.diagnosis.verdict import confidence, explained, judge, rivals
+from pam_cosim.fitting import Fit
+from tests.diagnosis.synthetic import candidate, fitted, statistics
 
 BASE = fitted(10.0, holdout=9.0, score=50.0)
 LOUD = fitted(100.0, holdout=100.0, score=50.0)
@@ -160,3 +162,24 @@ def test_signals_that_were_not_fitted_refute_a_rival() -> None:
         ranked = rank(BASE, [best, other])
         others = rivals(BASE, ranked[0], ranked, _families(ranked))
         assert [c.effect for c in others] == expected
+
+
+class _Excused(Fit):
+    """A fit whose error on held-out runs is within the uncertainty of its parameters."""
+
+    @property
+    def tested(self) -> dict[str, ResidualStatistics]:
+        return {**self.residuals, "holdout": statistics(1.0)}
+
+
+def test_held_out_runs_that_uncertain_parameters_excuse_check_little() -> None:
+    fit = fitted(1.0, holdout=2.0, score=30.0)
+    fit = replace(fit, residuals={**fit.residuals, "fit": statistics(1.0)})
+    excused = _Excused(fit.model, fit.parameters, fit.comparison, fit.residuals, 1)
+    assert judge(LOUD, [candidate("Leak", fit, "leak")], []).kind == "unknown"
+    one = candidate("Leak", excused, "leak")
+    verdict = judge(LOUD, [one], [])
+    assert verdict.kind == "identified" and "they check little" in verdict.reason
+    assert "check little" not in judge(BASE, [GOOD], []).reason
+    sure, unsure = (confidence(LOUD, c, [c], {c.effect: c.family}, judge(LOUD, [c], [])) for c in (GOOD, one))
+    assert unsure < 0.6 < sure
