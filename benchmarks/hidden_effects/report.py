@@ -228,8 +228,8 @@ def draw_outcomes(results: Sequence[Result], file: Path) -> None:
     plt.close(figure)
 
 
-def report(results: Sequence[Result]) -> str:
-    """The page as Markdown."""
+def report(results: Sequence[Result], note: str = "") -> str:
+    """The page as Markdown, with a note at its top."""
     times = [float(r["seconds"]) for r in results if "seconds" in r]
     middle = f"{np.median(times):.0f} s in the middle, {max(times):.0f} s at most" if times else "not known"
     away = [e for r in results if (e := excess(r)) is not None and r["diagnosis"]["verdict"]["kind"] == "identified"]
@@ -248,6 +248,7 @@ def report(results: Sequence[Result]) -> str:
         "effects the smallest one. Right means: identified with exactly the hidden families, or with others that give "
         "the very same data.", "",
         f"Time of one diagnosis: {middle}. {spread}", "",
+        *([note, ""] if note else []),
         "## Goals", "", *goals_table(results), "",
         "## Outcomes", "", *outcome_table(results), "",
         "*Unknown* under \"nothing hidden\": the noise was taken for structure, but no effect was claimed.", "",
@@ -285,13 +286,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("results", type=Path, nargs="?", default=default_file("score"))
     parser.add_argument("--out", type=Path, default=None, help="folder; default: beside the results")
+    parser.add_argument("--note", default="", help="what else must be known, such as how times were measured")
     options = parser.parse_args(arguments)
     results = list(read_results(options.results).values())
     if not results:
         parser.error(f"{options.results} holds no results; run score.py first")
     out = options.out or options.results.with_suffix("")
     out.mkdir(parents=True, exist_ok=True)
-    (out / "report.md").write_text(report(results))
+    (out / "report.md").write_text(report(results, options.note))
     draw_hit_rate(results, out / "hit-rate.png")
     draw_confusion(results, out / "confusion.png")
     draw_outcomes(results, out / "outcomes.png")
