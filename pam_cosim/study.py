@@ -231,16 +231,21 @@ def diagnose(
     workers: int | None = None,
     explain: bool = True,
     time_limit: Setting | None = None,
+    exclude: Sequence[str] = (),
+    expect: Sequence[str] = (),
 ) -> Diagnosis:
     """Finds the effect that ``model`` (default: the bench of the data set) lacks; see ``diagnosis.diagnose``.
 
     ``say`` is told each step and each result as a line of text (``print`` will do) that knows which of them it is.
     ``time_limit`` ([s], or with a unit) ends the search with the best verdict so far, which says what was not tried.
+    ``exclude`` and ``expect`` name families or effects that are known not to be missing, or that are likely, with those
+    of the data set.
     """
     limit, files = _seconds(time_limit, "time limit"), _paths(files)
     if limit is not None and not limit > 0:
         raise InputError(f"the time limit must be longer than nothing: {time_limit}")
-    return _diagnose(data, model, files=files, say=say, workers=workers, explain=explain, time_limit=limit)
+    known = {"exclude": tuple(exclude), "expect": tuple(expect)}
+    return _diagnose(data, model, files=files, say=say, workers=workers, explain=explain, time_limit=limit, **known)
 
 
 def draw(product: Product, path: Path | str) -> None:

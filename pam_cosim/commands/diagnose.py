@@ -44,6 +44,10 @@ def diagnose(
     time_limit: Annotated[
         str | None, typer.Option(help="End the search after so long ('30 s') with the best verdict so far.")
     ] = None,
+    exclude: Annotated[
+        list[str] | None, typer.Option(help="A family or an effect that is known not to be missing; may be repeated.")
+    ] = None,
+    expect: Annotated[list[str] | None, typer.Option(help="One that is likely to be missing; may be repeated.")] = None,
 ) -> None:
     """Find the physical effect that the model lacks."""
     check_results(json, report, following, learned, sources=[model, *(files or [])])
@@ -52,7 +56,16 @@ def diagnose(
     read = read_data(data, model, files)
     with console.status("refitting the base model") as status:
         say = _teller(status)
-        diagnosis = study.diagnose(read, model, files=files or [], say=say, workers=workers, time_limit=time_limit)
+        diagnosis = study.diagnose(
+            read,
+            model,
+            files=files or [],
+            say=say,
+            workers=workers,
+            time_limit=time_limit,
+            exclude=exclude or [],
+            expect=expect or [],
+        )
     typer.echo(diagnosis_text(diagnosis))
     if json:
         write_json(json, diagnosis.as_dict())

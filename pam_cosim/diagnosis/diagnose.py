@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 import time
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 
-from pam_cosim.catalogue import domain_of, effect_classes, origins, qualified
+from pam_cosim.catalogue import EffectClass, domain_of, effect_classes, origins, qualified
 from pam_cosim.comparison import without_outliers
 from pam_cosim.compiler import read_library, read_structure
 from pam_cosim.criteria import CRITERIA
@@ -19,8 +20,9 @@ from pam_cosim.diagnosis.explanation import LearnedModel, learned_term, ledger_o
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.missing_term import MissingTerm, missing_term
 from pam_cosim.diagnosis.next_experiment import NextExperiment, Plan, told_apart
+from pam_cosim.diagnosis.prior import meant
 from pam_cosim.diagnosis.search import Search, describe_fit
-from pam_cosim.diagnosis.selection import select_effects
+from pam_cosim.diagnosis.selection import Selection, select_effects
 from pam_cosim.diagnosis.stated import stated_parameters
 from pam_cosim.diagnosis.trial import run_trial
 from pam_cosim.diagnosis.verdict import Verdict, confidence, explained, judge, rivals
@@ -29,11 +31,11 @@ from pam_cosim.fitting import Fit, FitOptions, fit
 from pam_cosim.fmu import build_model
 from pam_cosim.interface import Interface
 from pam_cosim.ledger import Ledger
-from pam_cosim.measurement import ROLES, DataSet, complete_noise
+from pam_cosim.measurement import ROLES, DataSet, complete_noise, error_in
 from pam_cosim.names import is_fmu, is_modelica
 from pam_cosim.simulation import Simulator
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import Printed
+from pam_cosim.wording import Printed, listed
 from pam_cosim.workers import on_one_thread, wake
 
 
@@ -56,6 +58,7 @@ class Diagnosis(Printed):
         ledger: which balances of the base model fail, with the missing terms as signals; None where nothing does.
         learned: likewise, a formula for what is missing and the model with it: a description, no cause.
         untried: effects of the models that promised to be better when the time limit ended the search.
+        not_tried: families that were not looked for, with the reason.
     """
 
     data: DataSet
@@ -72,6 +75,7 @@ class Diagnosis(Printed):
     ledger: Ledger | None = None
     learned: LearnedModel | None = None
     untried: tuple[tuple[str, ...], ...] = ()
+    not_tried: dict[str, str] = field(default_factory=dict)
 
     @property
     def final(self) -> Fit:
@@ -94,6 +98,7 @@ class Diagnosis(Printed):
             "next_experiment": self.next_experiment.as_dict() if self.next_experiment else None,
             "missing_term": self._missing(),
             "untried": [list(names) for names in self.untried],
+            "not_tried": self.not_tried,
             "ledger": self.ledger.as_dict(courses=False) if self.ledger else None,
         }
 
@@ -120,6 +125,7 @@ class Diagnosis(Printed):
         if self.untried:
             more = ", ".join(" + ".join(names) for names in self.untried)
             lines.append(f"  The time limit ended the search; what would have been tried next: {more}")
+        lines += [f"  not looked for: {listed(names)}: {why}" for why, names in _by_reason(self.not_tried).items()]
         if self.learned is not None:
             beside = "".join(f" and {effect}" for effect in self.learned.model.effects[:-1])
             lines.append(f"  What is missing, described (not explained): {self.learned.term}")
@@ -137,6 +143,8 @@ def diagnose(
     workers: int | None = None,
     explain: bool = True,
     time_limit: float | None = None,
+    exclude: Sequence[str] = (),
+    expect: Sequence[str] = (),
 ) -> Diagnosis:
     """Refits the base model, tries every effect that fits it, adds what pays, and judges.
 
@@ -148,9 +156,11 @@ def diagnose(
         workers: number of processes; 0: this one alone.
         explain: whether to keep a ledger and to describe what no effect explains; the verdict is the same.
         time_limit: [s] after which the search ends with the best verdict so far; the ledger comes on top.
+        exclude: families or effects that are known not to be missing, with those of the data set.
+        expect: likewise, that are likely: the evidence for one of them need not be as strong.
 
     Raises:
-        InputError: the model cannot be compiled, or lacks a parameter that is to be fitted.
+        InputError: the model cannot be compiled, or lacks a parameter that is to be fitted; an unknown family.
         SimulationFailure: the base model cannot be simulated at all.
     """
     began, name = time.monotonic(), model or data.model
@@ -163,16 +173,22 @@ def diagnose(
     data, base, interface, outliers = _base(complete_noise(data), name, files, say)
     shelf = effect_classes(tree, origins(read_structure(qualified(tree, name), files=sources).parts))
     shelf += stated_parameters(data, interface)
-    search = Search(tree, name, shelf, data, sources, say, workers)
+    excluded, expected = (
+        meant(shelf, stated, partial(_wrong_key, data, key)) | meant(shelf, asked, partial(_wrong_word, key))
+        for key, stated, asked in (("exclude", data.excluded, exclude), ("expect", data.expected, expect))
+    )
+    search = Search(
+        tree, name, [e for e in shelf if e.name not in excluded], data, sources, say, workers, expected=expected
+    )
     selection = select_effects(search, base, began + (math.inf if time_limit is None else time_limit))
     search, base, data = selection.search, selection.base, selection.search.data
     selected, tried = list(selection.path), list(selection.tried)
     others: list[Plan] = []
     if selected:
-        others = _others(data, selected[-1], rivals(base, selected[-1], tried, search.family), sources)
+        others = _others(data, selected[-1], rivals(base, selected[-1], tried, search.family, search.prior), sources)
     verdict = judge(base, selected, [c for c, _ in others], tried)
     last = selected[-1] if selected else None
-    verdict = replace(verdict, probability=confidence(base, last, tried, search.family, verdict))
+    verdict = replace(verdict, probability=confidence(base, last, tried, search.family, search.prior, verdict))
     present = last.fit if last else base
     added = [c.effect for c in selected]
     ledger = ledger_of(search, (), base) if explain and verdict.kind != "none_missing" else None
@@ -195,7 +211,44 @@ def diagnose(
         ledger=ledger,
         learned=learned,
         untried=selection.untried,
+        not_tried=_not_tried(shelf, excluded, search, selection),
     )
+
+
+def _wrong_key(data: DataSet, key: str, message: str) -> InputError:
+    return error_in(data.folder, f"{key}: {message}", "effects", key)
+
+
+def _wrong_word(key: str, message: str) -> InputError:
+    return InputError(f"{key}: {message}")
+
+
+def _not_tried(
+    shelf: Sequence[EffectClass], excluded: Collection[str], search: Search, selection: Selection
+) -> dict[str, str]:
+    """Families that were not looked for, with the reason; none where nothing had to be looked for."""
+    looked_at = {search.family[p.effect] for p in selection.probes}
+    if not looked_at:
+        return {}
+    shown = {search.family[p.effect] for p in selection.probes if not p.silent}
+    failed = {f.family for f in search.failed}
+    reasons = {}
+    for family in dict.fromkeys(e.family for e in shelf):
+        if all(e.name in excluded for e in shelf if e.family == family):
+            reasons[family] = "excluded"
+        elif family not in looked_at | failed:
+            reasons[family] = "the model has no place for them"
+        elif family in looked_at - shown:
+            reasons[family] = "nothing that was measured shows them"
+    return reasons
+
+
+def _by_reason(reasons: Mapping[str, str]) -> dict[str, list[str]]:
+    """Families by reason, in their order."""
+    families: dict[str, list[str]] = {}
+    for family, why in reasons.items():
+        families.setdefault(why, []).append(family)
+    return families
 
 
 def _learned(

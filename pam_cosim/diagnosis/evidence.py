@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
 from pam_cosim.comparison import Reproducibility, ResidualStatistics, reproducibility
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.diagnosis.prior import Prior
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import ROLES
 
@@ -110,10 +111,6 @@ class Scale(NamedTuple):
         """What a parameter costs."""
         return bic_penalty(fit, self.time)
 
-    def prior(self, count: int, of: int) -> float:
-        """Twice the logarithm of the number of sets of so many effects (extended criterion, Chen and Chen 2008)."""
-        return 2 * math.log(math.comb(of, min(count, of)))
-
 
 def scale(fits: Sequence[Fit]) -> Scale:
     """Noise variance and samples per independent sample, both as the best model leaves them."""
@@ -121,7 +118,7 @@ def scale(fits: Sequence[Fit]) -> Scale:
     return Scale(max(1.0, best.chi2_reduced), best.correlation_time)
 
 
-def evidence(fit: Fit, at: Scale, effects: int, of: int, candidate: Candidate | None = None) -> float:
+def evidence(fit: Fit, at: Scale, effects: Collection[str], prior: Prior, candidate: Candidate | None = None) -> float:
     """How much the data speak against a model: minus twice the logarithm of its probability, but for a constant.
 
     The fitted runs by the Bayesian information criterion, which pays for every parameter that the effects brought; the
@@ -129,7 +126,7 @@ def evidence(fit: Fit, at: Scale, effects: int, of: int, candidate: Candidate | 
     """
     held = fit.residuals["holdout"]
     lost = _lost(candidate) if candidate else 0
-    known = bic(fit, *at) + at.penalty(fit) * lost + at.prior(effects, of)
+    known = bic(fit, *at) + at.penalty(fit) * lost + prior.cost(effects)
     return known + (held.chi2 / at.divisor if held.samples else 0.0)
 
 

@@ -33,6 +33,15 @@ class Probe:
     linear: Linear
     further: tuple[Array, ...] = ()
 
+    @property
+    def silent(self) -> bool:
+        """Whether no sample depends on the effect: neither on its parameters, nor on how strong it is."""
+        own = [i for i, name in enumerate(self.linear.names) if name in self.own_parameters]
+        range_of = (self.linear.high - self.linear.low)[own]
+        moves = [*(self.linear.slopes[:, own] * range_of).T, *(self.linear.residual - other for other in self.further)]
+        little = CRITERIA.search.idle * float(self.linear.residual @ self.linear.residual)
+        return all(float(move @ move) < little for move in moves)
+
 
 @dataclass(frozen=True)
 class Strengths:

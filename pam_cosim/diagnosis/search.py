@@ -14,6 +14,7 @@ from pam_cosim.compiler import ClassTree, Structure, library_hash, read_structur
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
 from pam_cosim.diagnosis.message import Message
+from pam_cosim.diagnosis.prior import Prior
 from pam_cosim.diagnosis.probing import Probe
 from pam_cosim.diagnosis.trial import Trial, crashed, run_probe, run_trial
 from pam_cosim.fitting import Fit
@@ -49,6 +50,7 @@ class Search:
         say: told each step and each result, in a line.
         workers: number of processes; None: the processors at hand.
         failed: trials without a fit so far; this grows.
+        expected: names of effects that are likely.
     """
 
     tree: ClassTree
@@ -59,6 +61,7 @@ class Search:
     say: Callable[[Message], None] = lambda message: None
     workers: int | None = None
     failed: list[FailedTrial] = field(default_factory=list)
+    expected: frozenset[str] = frozenset()
 
     @cached_property
     def structure(self) -> Structure:
@@ -74,6 +77,11 @@ class Search:
     def family(self) -> dict[str, str]:
         """Family of each effect."""
         return {e.name: e.family for e in self.shelf}
+
+    @cached_property
+    def prior(self) -> Prior:
+        """What a choice among the effects costs."""
+        return Prior(len(self.shelf), self.expected & self.family.keys())
 
     @cached_property
     def cost(self) -> dict[str, int]:

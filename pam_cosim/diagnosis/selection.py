@@ -45,6 +45,7 @@ class Selection:
         tried: all models that were fitted.
         untried: effects of the models that promised to be better when the time was over, the most promising first.
         outliers: how many single samples were set aside on the way, by signal.
+        probes: what each effect does beside the base model; none where nothing had to be looked for.
     """
 
     search: Search
@@ -53,6 +54,7 @@ class Selection:
     tried: tuple[Candidate, ...] = ()
     untried: tuple[tuple[str, ...], ...] = ()
     outliers: Mapping[str, int] = field(default_factory=dict)
+    probes: tuple[Probe, ...] = ()
 
 
 def select_effects(search: Search, base: Fit, deadline: float = math.inf) -> Selection:
@@ -82,9 +84,14 @@ def select_effects(search: Search, base: Fit, deadline: float = math.inf) -> Sel
             break
         if 1 < count < CRITERIA.search.most_effects:
             models.look_again()
-    path = models.path()
     return Selection(
-        models.search, models.base, tuple(path), tuple(models.tried), tuple(models.untried), models.outliers
+        models.search,
+        models.base,
+        tuple(models.path()),
+        tuple(models.tried),
+        tuple(models.untried),
+        models.outliers,
+        tuple(models.probes),
     )
 
 
@@ -274,7 +281,7 @@ class _Models:
         return [self.base, *(c.fit for c in self.known.values())]
 
     def _evidence(self, c: Candidate) -> float:
-        return evidence(c.fit, self._scale, len(c.effects), len(self.search.shelf), c)
+        return evidence(c.fit, self._scale, c.effects, self.search.prior, c)
 
     def _best(self) -> Candidate | None:
         """Of those that leave noise, the best with the fewest effects; else the best; None: none beats the base.
@@ -305,8 +312,8 @@ class _Models:
         """The evidence that a model may have at most to be of interest: the best one's; or a rival's of the answer."""
         best = self._best()
         if best is None:
-            return evidence(self.base, at, 0, len(self.search.shelf))
-        known = evidence(best.fit, at, len(best.effects), len(self.search.shelf), best)
+            return evidence(self.base, at, (), self.search.prior)
+        known = evidence(best.fit, at, best.effects, self.search.prior, best)
         return known if self._leaves_structure(best) else known + CRITERIA.evidence.very_strong
 
     def _possibly(self) -> Scale:
@@ -314,12 +321,12 @@ class _Models:
         return Scale(max(1.0, self._noise()), 1.0) if self.unsolved() else self._scale
 
     def _base_evidence(self) -> float:
-        return evidence(self.base, self._scale, 0, len(self.search.shelf))
+        return evidence(self.base, self._scale, (), self.search.prior)
 
     def _hope(self, c: Candidate, at: Scale) -> float:
         """The evidence of a candidate that was fitted briefly, if all goes as its slopes say."""
         gain = reduction(c.fit.linear) if c.fit.linear is not None else 0.0
-        known = evidence(c.fit, at, len(c.effects), len(self.search.shelf), c)
+        known = evidence(c.fit, at, c.effects, self.search.prior, c)
         return known - self._worth(gain, c.fit, at, self._noise())
 
     def _worth(
@@ -408,9 +415,8 @@ class _Models:
         With a reduction of the squared error that may be given; default: that within the bounds of all parameters.
         """
         reduction = e.within_bounds[0] if reduction is None else reduction
-        every = len(self.search.shelf)
         more = sum(a.cost for a in e.added) - (self.search.cost[e.exchanged] if e.exchanged else 0)
-        known = evidence(fit, at, len(e.effects), every, start)
+        known = evidence(fit, at, e.effects, self.search.prior, start)
         return known + more * at.penalty(fit) - self._worth(reduction, fit, at, noise, lost)
 
     def _wanted(self, e: Expected) -> Wanted:

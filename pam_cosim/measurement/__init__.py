@@ -1,6 +1,7 @@
 """The measurement room: a folder with ``experiment.toml`` and CSV files becomes a ``DataSet``."""
 
 from pam_cosim.measurement.data_set import ROLES, DataSet, FreeParameter, Prior, Role, Run, Signal, Transform
+from pam_cosim.measurement.experiment import error_in
 from pam_cosim.measurement.noise import complete_noise, estimate_noise, record_step, with_noise
 from pam_cosim.measurement.read import read_data_set
 from pam_cosim.measurement.recording import Recording, read_recording
@@ -17,6 +18,7 @@ __all__ = [
     "Signal",
     "Transform",
     "complete_noise",
+    "error_in",
     "estimate_noise",
     "record_step",
     "read_data_set",

@@ -132,6 +132,7 @@ class DataSet(Printed):
         fit: free parameters.
         runs: in the order of the file.
         domain: how results are told in the field of the model.
+        excluded: families or names of effects that are known not to be missing. expected: those that are likely.
     """
 
     folder: Path
@@ -142,6 +143,8 @@ class DataSet(Printed):
     fit: dict[str, FreeParameter]
     runs: tuple[Run, ...] = field(default=())
     domain: Domain = Domain()
+    excluded: tuple[str, ...] = ()
+    expected: tuple[str, ...] = ()
 
     @property
     def files(self) -> tuple[Path, ...]:

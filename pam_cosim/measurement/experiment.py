@@ -89,6 +89,13 @@ class RunTable(_Table):
     fit: dict[str, FreeTable] = Field(default_factory=dict)
 
 
+class EffectsTable(_Table):
+    """``[effects]``: families or names of effects."""
+
+    exclude: list[Name] = Field(default_factory=list)
+    expect: list[Name] = Field(default_factory=list)
+
+
 class Experiment(_Table):
     """The whole file."""
 
@@ -98,6 +105,7 @@ class Experiment(_Table):
     signals: dict[str, SignalTable] = Field(default_factory=dict)
     parameters: dict[str, Value] = Field(default_factory=dict)
     fit: dict[str, FreeTable] = Field(default_factory=dict)
+    effects: EffectsTable = Field(default_factory=EffectsTable)
 
 
 @dataclass(frozen=True)
@@ -111,6 +119,12 @@ class ExperimentFile:
     def error(self, message: str, *path: str | int) -> InputError:
         """An error about the key at ``path``, with its line."""
         return InputError(message, self.file, line_of(self.text, path))
+
+
+def error_in(folder: Path, message: str, *path: str | int) -> InputError:
+    """An error about a key of the data set in a folder, with its line where the file is still there."""
+    file = folder / FILE_NAME
+    return InputError(message, file, line_of(read_text(file), path)) if file.is_file() else InputError(message, file)
 
 
 def read_experiment(file: Path) -> ExperimentFile:
@@ -182,6 +196,8 @@ def _unknown_key(path: KeyPath, value: Any) -> str:
             table = FreeTable
         case ("signals", _, _):
             table = SignalTable
+        case ("effects", _):
+            table = EffectsTable
         case _:
             table = Experiment
     return f"unknown key {shown(path[-1])}; {did_you_mean(str(path[-1]), table.model_fields)}"

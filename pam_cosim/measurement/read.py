@@ -56,6 +56,8 @@ def read_data_set(
         parameters=known,
         fit=free | {one.name: one for several in own for one in several},
         runs=runs,
+        excluded=tuple(content.effects.exclude),
+        expected=tuple(content.effects.expect),
     )
 
 

@@ -92,7 +92,7 @@ class _Writer:
         return "\n".join([header, *rows, ""])
 
     def experiment(self) -> str:
-        return "\n".join([*self._head(), *self._parameters(), *self._free(), *self._runs(), ""])
+        return "\n".join([*self._head(), *self._parameters(), *self._free(), *self._effects(), *self._runs(), ""])
 
     def _head(self) -> Iterator[str]:
         yield f"title = {_text(self.data_set.title)}"
@@ -125,6 +125,12 @@ class _Writer:
             mean, sd = self._quantity(name, free.prior.mean), self._quantity(name, free.prior.sd, difference=True)
             cells.append(f"prior = {{ mean = {mean}, sd = {sd} }}")
         return f"{_text(name)} = {{ {', '.join(cells)} }}"
+
+    def _effects(self) -> Iterator[str]:
+        known = {"exclude": self.data_set.excluded, "expect": self.data_set.expected}
+        if any(known.values()):
+            yield "\n[effects]"
+        yield from (f"{key} = [{', '.join(map(_text, names))}]" for key, names in known.items() if names)
 
     def _runs(self) -> Iterator[str]:
         known = self.data_set.parameters

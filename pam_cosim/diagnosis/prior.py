@@ -1,0 +1,52 @@
+"""What is known of a rig before it is measured: effects that cannot be missing, and those that are likely."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass
+
+from pam_cosim.catalogue import EffectClass
+from pam_cosim.domain import WRONG_PARAMETER
+from pam_cosim.errors import InputError
+from pam_cosim.wording import did_you_mean, shown
+
+
+@dataclass(frozen=True)
+class Prior:
+    """How many sets of effects there are to choose from, which is what a choice among them costs.
+
+    Attributes:
+        every: number of effects. expected: names of those that are likely: they are chosen from among themselves.
+    """
+
+    every: int
+    expected: frozenset[str] = frozenset()
+
+    def cost(self, effects: Collection[str]) -> float:
+        """Twice the logarithm of the number of such sets (extended criterion, Chen and Chen 2008)."""
+        likely = sum(name in self.expected for name in effects)
+        other = len(effects) - likely
+        sets = math.comb(len(self.expected), likely) * math.comb(self.every, min(other, self.every))
+        return 2 * math.log(sets)
+
+
+def meant(shelf: Sequence[EffectClass], names: Sequence[str], error: Callable[[str], InputError]) -> frozenset[str]:
+    """Names of the effects that are meant by names of families or effects.
+
+    Args:
+        shelf: all effects.
+        names: as somebody wrote them.
+        error: makes the error from its message.
+
+    Raises:
+        InputError: neither a family nor an effect.
+    """
+    chosen: set[str] = set()
+    for name in names:
+        own = {e.name for e in shelf if name in (e.name, e.family)}
+        if not own and name != WRONG_PARAMETER:  # a data set need not state one
+            known = dict.fromkeys([*(e.family for e in shelf), WRONG_PARAMETER, *(e.name for e in shelf)])
+            raise error(f"there is no family and no effect {shown(name)}; {did_you_mean(name, known)}")
+        chosen |= own
+    return frozenset(chosen)

@@ -1,0 +1,77 @@
+"""What is known beforehand of what may be missing."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from pam_cosim import study
+from pam_cosim.diagnosis.prior import Prior, meant
+from pam_cosim.errors import InputError
+from pam_cosim.measurement import write_data_set
+from pam_cosim.simulation import Simulator
+from rig.catalogue.leak import OrificeLeak
+from rig.short import write_light_data
+from tests.diagnosis.linear_world import KNOWN, SHELF
+
+
+def test_expected_effects_are_chosen_from_among_themselves() -> None:
+    prior = Prior(100, frozenset({"a", "b"}))
+    assert prior.cost(()) == 0.0
+    assert prior.cost(("c",)) == pytest.approx(2 * math.log(100))
+    assert prior.cost(("a",)) == pytest.approx(2 * math.log(2))
+    assert prior.cost(("a", "c")) == pytest.approx(2 * math.log(2 * 100))
+    assert Prior(10).cost(("x", "y")) == pytest.approx(2 * math.log(45))
+
+
+def test_a_family_or_an_effect_is_meant_by_its_name() -> None:
+    leaks = {e.name for e in SHELF if e.family == "leak"}
+    assert meant(SHELF, ["leak", "ThermocoupleLag"], InputError) == leaks | {"ThermocoupleLag"}
+    assert meant(SHELF, ["wrong_parameter"], InputError) == frozenset()
+    with pytest.raises(InputError, match=r"no effect 'leek'; did you mean 'leak'"):
+        meant(SHELF, ["leek"], InputError)
+
+
+def test_what_is_excluded_or_expected_is_read_and_written(tmp_path: Path, bench: Callable[[str], Path]) -> None:
+    write_light_data(tmp_path / "d", seed=3)
+    file = tmp_path / "d" / "experiment.toml"
+    text = file.read_text()
+    file.write_text(text + '\n[effects]\nexclude = ["creep", "OrificeLeak"]\nexpect = ["elasticity"]\n')
+    data = study.read(tmp_path / "d")
+    assert (data.excluded, data.expected) == (("creep", "OrificeLeak"), ("elasticity",))
+    with Simulator(bench("Isotonic")) as simulator:
+        again = write_data_set(tmp_path / "again", data, simulator.interface)
+    assert (again.excluded, again.expected) == (data.excluded, data.expected)
+
+
+def test_an_unknown_family_is_refused_where_it_stands(tmp_path: Path) -> None:
+    write_light_data(tmp_path / "d", seed=3)
+    file = tmp_path / "d" / "experiment.toml"
+    file.write_text(file.read_text() + '\n[effects]\nexclude = ["crepe"]\n')
+    with pytest.raises(InputError) as refused:
+        study.diagnose(study.read(tmp_path / "d"), workers=0)
+    assert "did you mean 'creep'" in str(refused.value)
+    assert (
+        refused.value.file == file
+        and refused.value.line == file.read_text().splitlines().index('exclude = ["crepe"]') + 1
+    )
+    with pytest.raises(InputError, match="expect: there is no family"):
+        study.diagnose(replace(study.read(tmp_path / "d"), excluded=()), workers=0, expect=["crepe"])
+
+
+def test_families_that_were_not_looked_for_are_named_with_the_reason(tmp_path: Path) -> None:
+    write_light_data(tmp_path / "d", [OrificeLeak(2e-4)], seed=3)
+    data = study.read(tmp_path / "d")
+    pressure = {name: signal for name, signal in data.signals.items() if name == "p"}
+    runs = tuple(replace(r, measurements={"p": r.measurements["p"]}) for r in data.runs)
+    diagnosis = study.diagnose(replace(data, signals=pressure, runs=runs), workers=0, explain=False, exclude=["creep"])
+    assert diagnosis.not_tried["creep"] == "excluded"
+    assert diagnosis.not_tried["force_sensor"] == "the model has no place for them"
+    assert diagnosis.not_tried["thermocouple_lag"] == "nothing that was measured shows them"
+    assert "leak" not in diagnosis.not_tried
+    assert "not looked for: creep: excluded" in str(diagnosis)
+    assert not any(KNOWN[n].family == "creep" for c in diagnosis.candidates for n in c.effects if n in KNOWN)
