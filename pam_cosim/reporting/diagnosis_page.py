@@ -24,6 +24,7 @@ from pam_cosim.reporting.meaning import (
     headline,
     kind_name,
     meaning,
+    not_tried_sentence,
     probability_sentence,
 )
 from pam_cosim.reporting.next_run import next_run
@@ -65,6 +66,7 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
         headline=headline(diagnosis),
         error=error_sentence(diagnosis),
         compared=compared_sentence(diagnosis),
+        not_tried=not_tried_sentence(diagnosis),
         reason=diagnosis.verdict.reason,
         probability=probability_sentence(diagnosis.verdict),
         meaning=meaning(diagnosis.verdict, diagnosis.data.domain),

@@ -124,6 +124,15 @@ def probability_sentence(verdict: Verdict) -> str:
     return "" if p != p else f"Probability that this, and nothing else, is missing: {100 * p:.0f} %."
 
 
+def not_tried_sentence(diagnosis: Diagnosis) -> str:
+    """Families that were not looked for, with the reason; "" where there are none."""
+    by_reason: dict[str, list[str]] = {}
+    for family, why in diagnosis.not_tried.items():
+        by_reason.setdefault(why, []).append(words(family))
+    parts = [f"{listed(families)} ({why})" for why, families in by_reason.items()]
+    return f"Not looked for, and perhaps missing all the same: {'; '.join(parts)}." if parts else ""
+
+
 def compared_sentence(diagnosis: Diagnosis) -> str:
     """The error of the signals that decide only where the others do not; "" where there are none."""
     role = "holdout" if diagnosis.base.comparison.scores["holdout"] else "fit"

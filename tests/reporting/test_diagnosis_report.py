@@ -47,9 +47,7 @@ def test_each_verdict_is_said_and_explained_in_its_own_words():
 def test_a_fault_of_an_instrument_is_not_called_physics():
     diagnosis = make_diagnosis("identified")
     families = {
-        (
-            "position_sensor",
-        ): "An instrument is at fault: the reading of the position is off, or comes late",
+        ("position_sensor",): "An instrument is at fault: the reading of the position is off, or comes late",
         ("elasticity", "clock_offset"): "The model lacks elasticity, and an instrument is at fault: the record of all",
         ("elasticity",): "The model lacks elasticity (StiffWall).",
     }
@@ -194,3 +192,13 @@ def test_a_family_whose_form_is_open_is_not_said_to_leave_noise() -> None:
     assert "what remains is noise" in checked(diagnosis_report(plain)).text
     text = checked(diagnosis_report(replace(plain, verdict=replace(plain.verdict, remainder=True)))).text
     assert "what remains is noise" not in text and "in a form that is open" in text
+
+
+def test_families_that_were_not_looked_for_are_named():
+    known = {"creep": "excluded", "leak": "excluded", "force_sensor": "the model has no place for them"}
+    text = checked(diagnosis_report(replace(make_diagnosis("identified"), not_tried=known))).text
+    assert (
+        "Not looked for, and perhaps missing all the same: creep and leak (excluded); force sensor (the model has"
+        in text
+    )
+    assert "Not looked for" not in checked(diagnosis_report(make_diagnosis("identified"))).text
