@@ -1,6 +1,7 @@
 within PneumaticMuscle.Interfaces;
 partial model RigMuscle "A muscle that a rig can be put together with"
   extends RigPart;
+  constant Boolean usual = false "It is meant where no muscle is named";
   parameter Types.Force F_start "Force that pulls at it at the start" annotation (Dialog(group="Start"));
   parameter Types.Length x_start "Contraction at which it carries that force without pressure"
     annotation (Dialog(group="Start"));

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Muscles;
 model Physical "Muscle of Doumit and Pardoel with what carries it at full extension"
   extends Components.Muscle;
-  extends Interfaces.RigMuscle(final x_start=-F_start/stop.k);
+  extends Interfaces.RigMuscle(final x_start=-F_start/stop.k, usual=true);
   Components.Stop stop(L0=L0) "Full extension";
   Components.Fixed frame(s0=L0) "Where the muscle is fixed";
 equation
