@@ -1,11 +1,10 @@
 """A rig put together from parts, as the Modelica text that a person would write.
 
-What joins what follows from the types alone. The mechanics have one flange for each muscle. Each muscle has
-pneumatics of its own at its gas port; the first connector of its class that has the type of the other side's is
-its end there. An instrument with one connector sits at that end, one with two lies between the muscle and the part. Inputs
-of the parts become inputs of the rig, outputs of the instruments its signals; with several muscles their number
-is appended. A parameter without a value takes that of the same name from another part. What the parts declare ``outer``
-says which of the frames that the library has is around them.
+What is joined follows from the types alone. The mechanics have one flange for each muscle, and each muscle has
+pneumatics of its own. A muscle's end for either is its first connector of that type. An instrument with one connector
+sits at that end, one with two lies between the muscle and the part. Inputs of the parts become inputs of the rig,
+outputs of the instruments its signals; with several muscles their number is appended. A parameter without a value takes
+that of the same name from another part. The frame around the parts is the least that declares what they look for there.
 """
 
 from __future__ import annotations
@@ -119,9 +118,11 @@ class _Composer:
             raise InputError(f"{feed.name}, {hold.name} and {held.name} are parts of different libraries")
         self.taken: set[str] = set()
         self.draft = _Draft()
-        self.ends = connectors(tree, hold.qualified_name)
-        if not self.ends:
-            raise ModelError(f"{hold.qualified_name} has no flange for a muscle", hold.file)
+        self.ends, outlets = connectors(tree, hold.qualified_name), connectors(tree, feed.qualified_name)
+        for part, ends in ((hold, self.ends), (feed, outlets)):
+            if not ends:
+                raise ModelError(f"{part.qualified_name} has no connector for a muscle", part.file)
+        self.outlet = outlets[0]
         self.numbers = [0] if len(self.ends) == 1 else list(range(1, len(self.ends) + 1))
         self.inputs = self._inputs()
         self.taken |= set(self.inputs)
@@ -175,13 +176,13 @@ class _Composer:
         name, other = wanted, 1
         while name in self.taken:
             other += 1
-            name = f"{wanted}_{chr(96 + other)}"
+            name = f"{wanted}_{other}"
         self.taken.add(name)
         return _Placed(part, name, number, corner)
 
     def rig(self, wanted: str | None) -> Rig:
         """All of it."""
-        tree, columns = self.tree, {n: 320 * i for i, n in enumerate(self.numbers)}
+        columns = {n: 320 * i for i, n in enumerate(self.numbers)}
         hold = self._place(self.hold, 0, (30 + 160 * (len(self.numbers) - 1), -160))
         feeds = {n: self._place(self.feed, n, (x - 110, -20)) for n, x in columns.items()}
         muscles = {n: self._place(self.held, n, (x + 30, -20)) for n, x in columns.items()}
@@ -196,10 +197,7 @@ class _Composer:
         for end, number in zip(self.ends, self.numbers, strict=True):
             between = [one for one in instruments if one.number == number]
             muscle, feed = muscles[number], feeds[number]
-            (gas, *_) = connectors(tree, feed.part.qualified_name) or [None]
-            if gas is None:
-                raise ModelError(f"{feed.part.qualified_name} has no gas port for a muscle", feed.part.file)
-            self._join(feed, gas, muscle, between)
+            self._join(feed, self.outlet, muscle, between)
             self._join(hold, end, muscle, between)
         for signal, number, part in self.measured:
             reader = next(one for one in instruments if one.part == part and one.number == number)
@@ -214,7 +212,7 @@ class _Composer:
     def _corner(self, part: RigPart, x: int, placed: Sequence[_Placed], number: int) -> tuple[int, int]:
         """Lower left of an instrument: between the parts, or beside the muscle."""
         (first, *others) = connectors(self.tree, part.qualified_name)
-        at_port = first.type == connectors(self.tree, self.feed.qualified_name)[0].type
+        at_port = first.type == self.outlet.type
         between = bool(others)
         corner = {(True, True): (x - 40, -20), (True, False): (x - 40, -90)}.get(
             (at_port, between), (x + 30, -90) if between else (x + 100, -90)
@@ -249,18 +247,17 @@ class _Composer:
     def _bindings(self, of: str, everything: Sequence[_Placed], one: _Placed | None = None) -> list[str]:
         """Values for the parameters of a class that have none, from the parts that have one of that name."""
         bindings = []
-        for parameter in open_parameters(self.tree, of):
-            donors = [
-                other
-                for other in everything
-                if other is not one and parameter in known_parameters(self.tree, other.part.qualified_name)
-            ]
+        for parameter in (c.name for c in open_parameters(self.tree, of)):
+            donors = [other for other in everything if other is not one and self._has(other, parameter)]
             if not donors:
                 raise ModelError(f"the parameter {parameter} of {of} has no value, and no other part of the rig has it")
             number = one.number if one is not None else 0
             donor = next((other for other in donors if other.number in (0, number)), donors[0])
             bindings.append(f"{parameter}={donor.name}.{parameter}")
         return bindings
+
+    def _has(self, one: _Placed, parameter: str) -> bool:
+        return any(c.name == parameter for c in known_parameters(self.tree, one.part.qualified_name))
 
     def _join(self, side: _Placed, end: ComponentInfo, muscle: _Placed, instruments: Sequence[_Placed]) -> None:
         """Connects a part with the end of the muscle that has its type, through what lies between."""
@@ -309,7 +306,7 @@ class _Composer:
 
     def _documentation(self) -> Iterator[str]:
         yield "<html>"
-        yield f"<p>{escape(self.feed.description)}. {escape(self.hold.description)}. {escape(self.held.description)}.</p>"
+        yield "".join(f"<p>{escape(part.description)}.</p>" for part in (self.feed, self.hold, self.held))
         yield "<ul>"
         for signal, (_, _, declared) in self.inputs.items():
             yield f"<li>input <code>{escape(signal)}</code>: {escape(declared.description)}</li>"

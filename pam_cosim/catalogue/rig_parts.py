@@ -1,15 +1,15 @@
 """The parts that a rig can be put together from: every class of the library and the user's files that is one.
 
-A library says which they are by its interfaces: ``Interfaces.Pneumatics`` feeds a muscle, ``Interfaces.Mechanics`` holds
-its load end, ``Interfaces.RigMuscle`` is one, ``Interfaces.Instrument`` reads a signal, and ``Interfaces.Rig`` stands
-around them. A part is chosen by the name of its class, in small letters with hyphens.
+A library says which they are by its interfaces: ``Interfaces.Pneumatics`` feeds a muscle, ``Interfaces.Mechanics``
+holds its load end, ``Interfaces.RigMuscle`` is one, ``Interfaces.Instrument`` reads a signal, and ``Interfaces.Rig``
+stands around them. A part is chosen by the name of its class, in small letters with hyphens.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from pam_cosim.catalogue.effects import component_name
@@ -38,7 +38,7 @@ class RigPart:
         description: one line.
         inputs: names of what is told from outside, which become inputs of the rig.
         signals: names of what it reads; of pneumatics and mechanics, what is usually read where they are used.
-        parameters: names of its public parameters that have a value.
+        parameters: names of its public parameters that have a value, a minimum and a maximum.
         component_name: name that its instance takes.
         library: the package whose interface it extends.
         usual: it is taken where none is named.
@@ -59,7 +59,15 @@ class RigPart:
 
 
 def rig_parts(tree: ClassTree) -> list[RigPart]:
-    """Every part of every library, by role; the order is that of the files."""
+    """Every part of every library, by role; the order is that of the files, the library's own first."""
+    parts: list[RigPart] = []
+    for part in _declared(tree):
+        first = part.usual and not any(p.usual for p in parts if (p.role, p.library) == (part.role, part.library))
+        parts.append(part if part.usual == first else replace(part, usual=False))
+    return parts
+
+
+def _declared(tree: ClassTree) -> list[RigPart]:
     return [
         _part(tree, name, role, library)
         for role, interface in ROLES.items()
@@ -85,7 +93,7 @@ def chosen(parts: Sequence[RigPart], role: str, name: str | None) -> RigPart:
     meant = [p for p in choices if name == p.qualified_name] or [p for p in choices if kebab(name) == p.name]
     if not meant:
         hint = did_you_mean(name, [part.name for part in choices])
-        raise InputError(f"there is no {_ONE[role]} '{name}'; {hint}")
+        raise InputError(f"there is no {role} '{name}'; {hint}")
     if len(meant) > 1:
         full = " or ".join(part.qualified_name for part in meant)
         raise InputError(f"'{name}' is the name of several parts: say {full}")
@@ -117,19 +125,16 @@ def read(tree: ClassTree, name: str) -> list[ComponentInfo]:
     return _public(tree, name, "output")
 
 
-def open_parameters(tree: ClassTree, name: str) -> list[str]:
+def open_parameters(tree: ClassTree, name: str) -> list[ComponentInfo]:
     """The parameters of a class that have no value."""
     bound = _bound(tree, name)
-    return [c.name for c in _public(tree, name, "parameter") if c.name not in bound]
+    return [c for c in _public(tree, name, "parameter") if c.name not in bound]
 
 
-def known_parameters(tree: ClassTree, name: str) -> list[str]:
+def known_parameters(tree: ClassTree, name: str) -> list[ComponentInfo]:
     """The parameters of a class that have a value."""
     bound = _bound(tree, name)
-    return [c.name for c in _public(tree, name, "parameter") if c.name in bound]
-
-
-_ONE = {"pneumatics": "pneumatics", "mechanics": "mechanics", "muscle": "muscle", "instrument": "instrument"}
+    return [c for c in _public(tree, name, "parameter") if c.name in bound]
 
 
 def _public(tree: ClassTree, name: str, prefix: str) -> list[ComponentInfo]:
@@ -154,7 +159,7 @@ def _part(tree: ClassTree, name: str, role: str, library: str) -> RigPart:
         description=info.description,
         inputs=tuple(c.name for c in told(tree, name)),
         signals=tuple(signals),
-        parameters=tuple(known_parameters(tree, name)),
+        parameters=tuple(c.name for c in known_parameters(tree, name) if {"min", "max"} <= c.modifications.keys()),
         component_name=component_name(short, info.annotations.get("defaultComponentName", "")),
         library=library,
         usual=bool(tree.constant(name, "usual")),
