@@ -8,7 +8,7 @@ stands around them. A part is chosen by the name of its class, in small letters 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -160,11 +160,16 @@ def _part(tree: ClassTree, name: str, role: str, library: str) -> RigPart:
         inputs=tuple(c.name for c in told(tree, name)),
         signals=tuple(signals),
         parameters=tuple(c.name for c in known_parameters(tree, name) if {"min", "max"} <= c.modifications.keys()),
-        component_name=component_name(short, info.annotations.get("defaultComponentName", "")),
+        component_name=component_name(short, next(filter(None, _stated_names(tree, name)), "")),
         library=library,
         usual=bool(tree.constant(name, "usual")),
         file=Path(info.file),
     )
+
+
+def _stated_names(tree: ClassTree, name: str) -> Iterator[str]:
+    """What a class and its bases say that their instances are called: a muscle of one's own is a muscle too."""
+    return (tree.classes[one].annotations.get("defaultComponentName", "") for one in (name, *tree.bases(name)))
 
 
 def split(listed: str) -> list[str]:
