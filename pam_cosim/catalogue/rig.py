@@ -60,6 +60,12 @@ class _Placed:
     corner: tuple[int, int]
 
 
+_End = tuple[_Placed, ComponentInfo]
+_Point = tuple[float, float]
+_HALF = 20  # of the width of a part in the diagram
+_CLEAR = 15  # below what stands side by side, for a line across
+
+
 @dataclass
 class _Draft:
     """The lines of a rig."""
@@ -214,9 +220,13 @@ class _Composer:
         (first, *others) = connectors(self.tree, part.qualified_name)
         at_port = first.type == self.outlet.type
         between = bool(others)
-        corner = {(True, True): (x - 40, -20), (True, False): (x - 40, -90)}.get(
-            (at_port, between), (x + 30, -90) if between else (x + 100, -90)
-        )
+        corners = {
+            (True, True): (x - 50, -20),
+            (True, False): (x - 10, -90),
+            (False, True): (x + 30, -90),
+            (False, False): (x + 100, -60),
+        }
+        corner = corners[at_port, between]
         while any(one.number == number and one.corner == corner for one in placed):
             corner = (corner[0], corner[1] - 60)
         return corner
@@ -240,7 +250,7 @@ class _Composer:
         bound += self._bindings(one.part.qualified_name, everything, one)
         modifier = f"({', '.join(bound)})" if bound else ""
         (x, y) = one.corner
-        place = f"annotation (Placement(transformation(extent={{{{{x},{y}}},{{{x + 40},{y + 40}}}}})))"
+        place = f"annotation (Placement(transformation(extent={{{{{x},{y}}},{{{x + 2 * _HALF},{y + 2 * _HALF}}}}})))"
         says = string_text(one.part.description)
         self.draft.components.append(f"{one.part.qualified_name} {one.name}{modifier} {says}\n    {place}")
 
@@ -264,20 +274,22 @@ class _Composer:
         ends = [c for c in connectors(self.tree, muscle.part.qualified_name) if c.type == end.type]
         if not ends:
             raise InputError(f"{muscle.part.name} and {side.part.name} do not fit together: nothing takes '{end.name}'")
-        last = muscle_end = f"{muscle.name}.{ends[0].name}"
+        last = muscle_end = (muscle, ends[0])
         for instrument in instruments:
             own = connectors(self.tree, instrument.part.qualified_name)
             if not own or own[0].type != end.type:
                 continue
             if len(own) == 1:
-                self._connect(muscle_end, f"{instrument.name}.{own[0].name}")
+                self._connect(muscle_end, (instrument, own[0]))
             else:
-                self._connect(last, f"{instrument.name}.{own[0].name}")
-                last = f"{instrument.name}.{own[1].name}"
-        self._connect(last, f"{side.name}.{end.name}")
+                self._connect(last, (instrument, own[0]))
+                last = (instrument, own[1])
+        self._connect(last, (side, end))
 
-    def _connect(self, one: str, other: str) -> None:
-        self.draft.equations.append(f"connect({one}, {other})")
+    def _connect(self, one: _End, other: _End) -> None:
+        joined = ", ".join(f"{placed.name}.{connector.name}" for placed, connector in (one, other))
+        points = ", ".join(f"{{{x:g},{y:g}}}" for x, y in _line(one, other))
+        self.draft.equations.append(f"connect({joined})\n    annotation (Line(points={{{points}}}))")
 
     def _signal(self, signal: str, reader: _Placed) -> None:
         declared = next(
@@ -316,6 +328,30 @@ class _Composer:
         used = ", ".join(f"<code>{escape(p.qualified_name)}</code>" for p in (self.feed, self.hold, self.held))
         yield f"<p>Equations and sources: {used}.</p>"
         yield "</html>"
+
+
+def _line(one: _End, other: _End) -> list[_Point]:
+    """Corners of a line between two connectors, level and upright, that leaves each away from its part."""
+    (a, a_up), (b, b_up) = _exit(one), _exit(other)
+    if a_up and b_up:
+        across = min(a[1], b[1]) + _CLEAR
+        points = [a, (a[0], across), (b[0], across), b]
+    elif a_up:
+        points = [a, (a[0], b[1]), b]
+    elif b_up:
+        points = [a, (b[0], a[1]), b]
+    else:
+        middle = (a[0] + b[0]) / 2
+        points = [a, (middle, a[1]), (middle, b[1]), b]
+    return [a, b] if a[0] == b[0] or a[1] == b[1] else points
+
+
+def _exit(end: _End) -> tuple[_Point, bool]:
+    """Where a connector stands in the diagram, and whether it is at the top or the bottom of its part."""
+    placed, connector = end
+    x, y = connector.position or (0.0, 0.0)
+    left, low = placed.corner
+    return (left + _HALF * (1 + x / 100), low + _HALF * (1 + y / 100)), abs(y) > abs(x)
 
 
 def _numbered(name: str, number: int) -> str:

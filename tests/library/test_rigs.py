@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from itertools import product
+from itertools import combinations, product
 
 import numpy as np
 import pytest
@@ -287,19 +287,28 @@ def test_parts_are_chosen_by_class_too() -> None:
     assert rig("PneumaticMuscle.Pneumatics.Regulator", "HangingLoad").text == by_name
 
 
-@pytest.mark.parametrize(
-    "combination", [("valves", "spring", None, "p,x,F,T"), ("regulator", "platform", None, "p,x,F")]
-)
-def test_everything_stands_in_a_place_of_its_own(combination: tuple[str, ...]) -> None:
-    placed = placements(rig(*combination).text)
-    assert len(placed) == len(set(placed)) > 6
-    for i, (x, y) in enumerate(placed):
-        assert all(abs(x - a) >= 40 or abs(y - b) >= 40 for a, b in placed[i + 1 :])
+@pytest.mark.parametrize("of", [("valves", "spring", None, "p,x,F,T"), ("regulator", "platform", None, "p,x,F")])
+def test_the_diagram_has_everything_in_its_place_and_lines_that_meet_connectors(of: tuple[str, ...]) -> None:
+    made = rig(*of)
+    declared = r"^  (PneumaticMuscle\.\S+) (\w+)(?:\(.*\))? \".*\"\n.*extent=\{\{(-?\d+),(-?\d+)\}"
+    parts = {name: (kind, (float(x), float(y))) for kind, name, x, y in re.findall(declared, made.text, re.MULTILINE)}
+    assert len(parts) > 6
+    for (_, (x, y)), (_, (a, b)) in combinations(parts.values(), 2):
+        assert abs(x - a) >= 40 or abs(y - b) >= 40
+    lines = re.findall(r"connect\((\w+)\.(\w+), (\w+)\.(\w+)\)\n.*points=\{(.*)\}\)\);", made.text)
+    assert len(lines) == made.text.count("connect(") > 4
+    for one, at_one, other, at_other, text in lines:
+        points = np.array([[float(v) for v in p.split(",")] for p in re.findall(r"\{(.*?)\}", text)])
+        ends = [place(*parts[one], at_one), place(*parts[other], at_other)]
+        assert points[[0, -1]] == pytest.approx(np.array(ends))
+        assert (np.diff(points, axis=0) == 0).any(axis=1).all()  # level or upright
 
 
-def placements(text: str) -> list[tuple[float, float]]:
-    corners = re.findall(r"Placement\(transformation\(extent=\{\{(-?\d+),(-?\d+)\}", text)
-    return [(float(x), float(y)) for x, y in corners]
+def place(of: str, corner: tuple[float, float], connector: str) -> tuple[float, float]:
+    """Where a connector of a part of 40 by 40 stands."""
+    (position,) = [c.position for c in tree().components(of) if c.name == connector]
+    assert position is not None
+    return corner[0] + 20 + position[0] / 5, corner[1] + 20 + position[1] / 5
 
 
 def test_the_parts_have_icons_with_their_connectors() -> None:

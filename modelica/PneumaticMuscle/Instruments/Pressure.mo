@@ -2,7 +2,7 @@ within PneumaticMuscle.Instruments;
 model Pressure "A pressure transducer at the muscle"
   extends Interfaces.Instrument;
   Interfaces.GasPort port "Pressure tap"
-    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
+    annotation (Placement(transformation(extent={{-10,90},{10,110}})));
   output Types.GaugePressure p "Gauge pressure in the muscle";
   replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"
     annotation (choicesAllMatching=true);
