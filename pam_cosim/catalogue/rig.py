@@ -302,7 +302,7 @@ class _Composer:
     def _text(self, name: str, frame: str, everything: Sequence[_Placed]) -> str:
         draft = self.draft
         draft.inputs = [_declaration("input", d, signal) for signal, (_, _, d) in self.inputs.items()]
-        says = f"{self.held.description}: {_lower(self.hold.description)}; {_lower(self.feed.description)}"
+        says = "; ".join([self.hold.description, *map(_lower, (self.feed.description, self.held.description))])
         bindings = self._bindings(frame, everything)
         lines = [f"model {name} {string_text(says)}"]
         lines.append(f"  extends {frame}({', '.join(bindings)});" if bindings else f"  extends {frame};")

@@ -54,7 +54,7 @@ def test_what_it_writes_is_simulated(command: Callable[..., Outcome], place: Pat
         == text
         == pam.bench("regulator", "spring", measure=["p", "x"], output=place / "Again.mo").replace("Again", "MyRig")
     )
-    assert text.startswith('model MyRig "') and "connect(muscle.port, regulator.port);" in text
+    assert text.startswith('model MyRig "') and "connect(muscle.port, regulator.port)\n" in text
     said = done(command("simulate", "MyRig.mo", "--set", "p_set=300 kPa", "--set", "spring.k=3 N/mm")).out
     assert re.search(r"x: from .* at the end 4\d\.\d mm", said)
     assert "LinearBladder" in done(command("add", "LinearBladder", "--to", "MyRig.mo", "-o", "Better.mo")).out
