@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from itertools import combinations, product
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 from pam_cosim.catalogue import compose_on, rig_parts
 from pam_cosim.compiler import compile_model, read_library, read_structure
@@ -152,6 +154,48 @@ def test_a_platform_is_level_under_equal_pressures_and_tilts_towards_the_stronge
     assert sum(end[f"F_{i}"] for i in (1, 2, 3)) == pytest.approx(6 * G, rel=1e-4)
     assert end["platform.a"] > 1e-3 and abs(end["platform.b"]) < 1e-9
     assert end["x_1"] - end["x_2"] == pytest.approx(0.15 * end["platform.a"], rel=1e-6)
+
+
+FRICTIONLESS = {"muscle.mu_d": 0.0, "muscle.mu_fb": 0.0}
+
+
+def pull(p: float, x: float, v: float) -> float:
+    """The cylinder's force, DP (1), and the braid that carries at full extension."""
+    fibre = 0.24**2 + (2 * np.pi * 0.02) ** 2
+    stop = max(0.0, -2e5 * x - 500 * v) if x < 0 else 0.0
+    return float(p * (3 * (0.24 - x) ** 2 - fibre) / (4 * np.pi * 2**2)) + stop
+
+
+def swing(acceleration: Callable[[float, float], float], start: float, times: np.ndarray) -> np.ndarray:
+    """Position over time [times], solved for apart from the library."""
+    solved = solve_ivp(
+        lambda t, y: [y[1], acceleration(*y)], times[[0, -1]], [start, 0.0], "Radau", times, rtol=1e-8, atol=1e-10
+    )
+    position: np.ndarray = solved.y[0]
+    return position
+
+
+def test_a_spring_swings_as_newton_has_it() -> None:
+    times, p, x_0 = np.linspace(0, 1, 201), 150e3, -5.0 / 2e5
+    made = run(rig("imposed-pressure", "spring", None, "x"), times, FRICTIONLESS, held(1.0, p=p)).values["x"]
+    expected = swing(lambda x, v: (pull(p, x, v) - 5 - 2000 * (x - x_0) - 5 * v) / 0.5, x_0, times)
+    assert np.ptp(expected) > 0.04 and (np.diff(np.sign(np.diff(expected))) != 0).sum() > 4
+    assert made == pytest.approx(expected, abs=2e-4)
+
+
+def test_a_lever_swings_as_newton_has_it() -> None:
+    times, p = np.linspace(0, 1, 201), 80e3
+    made = run(
+        rig("imposed-pressure", "lever", None, "x"), times, FRICTIONLESS | {"lever.m": 3.0}, held(1.0, p=p)
+    ).values["x"]
+
+    def acceleration(angle: float, rate: float) -> float:
+        force = pull(p, 0.15 * np.sin(angle), 0.15 * np.cos(angle) * rate)
+        return float(((0.15 * force - 0.3 * 3 * G) * np.cos(angle) - 0.1 * rate) / (1e-3 + 3 * 0.3**2))
+
+    expected = 0.15 * np.sin(swing(acceleration, np.arcsin(-6 * G / 2e5 / 0.15), times))
+    assert np.ptp(expected) > 0.03
+    assert made == pytest.approx(expected, abs=2e-4)
 
 
 def test_a_regulator_lags_and_droops() -> None:
