@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from pam_cosim.simulation import Inputs, Trajectory
     from pam_cosim.study import (
         add,
+        bench,
         benches,
         build,
         compare,
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
         fit,
         profile,
         read,
+        rig_parts,
         simulate,
         sweep,
     )
@@ -61,6 +63,7 @@ __all__ = [
     "Tracking",
     "Trajectory",
     "add",
+    "bench",
     "benches",
     "build",
     "compare",
@@ -79,6 +82,7 @@ __all__ = [
     "observe",
     "read",
     "read_system",
+    "rig_parts",
     "save",
     "simulate",
     "start",

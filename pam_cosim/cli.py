@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 
 from pam_cosim.commands.add import add
+from pam_cosim.commands.bench import bench
 from pam_cosim.commands.bode import bode
 from pam_cosim.commands.build import build
 from pam_cosim.commands.common import INTERRUPTED, interrupted, remarks, results
@@ -45,7 +46,7 @@ def version(
 
 
 _RUN = (build, describe, simulate, sweep, couple, linearise, bode, observe, track)
-_STUDY = (compare, fit, diagnose, add, effects)
+_STUDY = (compare, fit, diagnose, add, effects, bench)
 for _command in _RUN + _STUDY:
     app.command()(_command)
 

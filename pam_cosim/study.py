@@ -9,8 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from pam_cosim.catalogue import EffectClass, compose, domain_of, effect_classes
+from pam_cosim.catalogue import EffectClass, RigPart, compose, domain_of, effect_classes, put_together
 from pam_cosim.catalogue import benches as _benches
+from pam_cosim.catalogue import rig_parts as _rig_parts
 from pam_cosim.comparison import Comparison
 from pam_cosim.comparison import compare as _compare
 from pam_cosim.compiler import read_library
@@ -282,6 +283,47 @@ def add(names: Sequence[str], to: str, output: Path | str | None = None, *, file
     if output:
         write_text(Path(output), composition.text)
     return composition.text
+
+
+def rig_parts(files: Paths = ()) -> list[RigPart]:
+    """What a bench can be put together from: every part of the library and of ``files``."""
+    return list(_rig_parts(read_library(files=_paths(files))))
+
+
+def bench(
+    pneumatics: str,
+    mechanics: str,
+    muscle: str | None = None,
+    measure: str | Sequence[str] | None = None,
+    output: Path | str | None = None,
+    *,
+    files: Paths = (),
+) -> str:
+    """The Modelica text of a rig put together from parts; written to ``output`` if given.
+
+    ```python
+    pam.bench("regulator", "spring", measure="p, x", output="MyRig.mo")
+    run = pam.simulate("MyRig.mo", {"p_set": "300 kPa", "spring.k": "3 N/mm"})
+    ```
+
+    Args:
+        pneumatics: what feeds the muscle, by its name in ``rig_parts`` or the full name of its class.
+        mechanics: what holds its load end, likewise; it says how many muscles there are.
+        muscle: likewise; default: the usual one.
+        measure: the signals that are read: names, or one text with commas. With several muscles "x" is that of each
+            and "x_1" that of the first. Default: what is usual with these parts.
+        output: a file that ends in ``.mo``.
+        files: further Modelica files with parts of one's own.
+
+    Raises:
+        InputError: an unknown part or signal, a signal that is imposed, or parts that do not fit together.
+        ModelError: a part is not what its interface asks for.
+    """
+    name = Path(output).stem if output else None
+    rig = put_together(read_library(files=_paths(files)), pneumatics, mechanics, muscle, measure, name)
+    if output:
+        write_text(Path(output), rig.text)
+    return rig.text
 
 
 def simulate(

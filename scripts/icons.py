@@ -2,6 +2,7 @@
 
 python -m scripts.icons picture.png PneumaticMuscle.Benches.Isotonic     # the diagram of one class
 python -m scripts.icons picture.png PneumaticMuscle.Effects              # the icons of all classes of a package
+python -m scripts.icons picture.png MyRig.mo                             # the diagram of a model in a file
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -23,6 +25,7 @@ from pam_cosim.compiler.library import Library
 from pam_cosim.compiler.lookup import Lookup
 from pam_cosim.compiler.source import Source
 from pam_cosim.compiler.syntax import Array, Call, Connect, Expression, Literal, Modification, Reference, Unary
+from pam_cosim.names import is_modelica
 from pam_cosim.resources import modelica_root
 
 Shape = tuple[str, dict[str, Any]]
@@ -59,8 +62,8 @@ class Placed:
 class Pictures:
     """What the annotations of a library say of its looks."""
 
-    def __init__(self) -> None:
-        self.library = Library(modelica_root())
+    def __init__(self, files: Sequence[Path] = ()) -> None:
+        self.library = Library(modelica_root(), files)
         self.lookup = Lookup(self.library)
 
     def of(self, name: str) -> Class:
@@ -243,7 +246,8 @@ def _frame(axes: Axes, low: Sequence[float], high: Sequence[float]) -> Axes:
 def main() -> None:
     """Writes one picture."""
     file, *names = sys.argv[1:]
-    pictures = Pictures()
+    pictures = Pictures([Path(name) for name in names if is_modelica(name)])
+    names = [Path(name).stem if is_modelica(name) else name for name in names]
     kinds = [pictures.of(name).definition for name in names]
     if len(kinds) == 1 and kinds[0].kind == "package":
         names = [node.qualified_name for node in kinds[0].classes.values()]

@@ -2,6 +2,7 @@
 
 What makes a Modelica package a library is said in ``place``; ``effects`` reads what its effects say of themselves;
 ``compose`` puts them where their types say that they belong;
+``rig_parts`` finds what a bench can be put together from and ``rig`` does so;
 ``domain`` reads how results are told in the field of the library. No effect and no library has a name here.
 """
 
@@ -10,11 +11,15 @@ from pam_cosim.catalogue.domain import domain_of
 from pam_cosim.catalogue.effects import EffectClass, effect_classes, effects_in, unknown_terms
 from pam_cosim.catalogue.model import full_name
 from pam_cosim.catalogue.place import EFFECT, benches, library_of, origins, qualified
+from pam_cosim.catalogue.rig import Rig, put_together
+from pam_cosim.catalogue.rig_parts import RigPart, rig_parts
 
 __all__ = [
     "EFFECT",
     "Composition",
     "EffectClass",
+    "Rig",
+    "RigPart",
     "benches",
     "compose",
     "compose_on",
@@ -24,6 +29,8 @@ __all__ = [
     "full_name",
     "library_of",
     "origins",
+    "put_together",
     "qualified",
+    "rig_parts",
     "unknown_terms",
 ]

@@ -110,7 +110,7 @@ def _effect(tree: ClassTree, name: str, library: str) -> EffectClass:
         description=info.description,
         documentation=info.documentation,
         parameters=tuple(own),
-        component_name=_component_name(short, info.annotations.get("defaultComponentName", "")),
+        component_name=component_name(short, info.annotations.get("defaultComponentName", "")),
         file=Path(info.file),
         general=bool(tree.constant(name, "general")),
         library=library,
@@ -130,6 +130,7 @@ def _absent(text: str, file: Path | str, line: int) -> dict[str, float]:
     return values
 
 
-def _component_name(short: str, annotation: str) -> str:
+def component_name(short: str, annotation: str) -> str:
+    """The name that an instance of a class takes: what its annotation ``defaultComponentName`` says, or its own."""
     stated = annotation.partition("=")[2].strip().strip('"')
     return stated or short[0].lower() + short[1:]

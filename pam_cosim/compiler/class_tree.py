@@ -24,6 +24,7 @@ from pam_cosim.compiler.syntax import (
     Literal,
     Modification,
     TypeName,
+    Unary,
 )
 from pam_cosim.errors import ModelError
 from pam_cosim.resources import modelica_root
@@ -55,6 +56,7 @@ class ComponentInfo:
         condition: as text, empty if there is none.
         constraint: full name of the constraining class of a replaceable component, else empty.
         owner: full name of the class that declares it.
+        position: middle of its place in an icon or a diagram, None if it has none.
     """
 
     name: str
@@ -69,6 +71,7 @@ class ComponentInfo:
     constraint: str
     owner: str
     line: int
+    position: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True)
@@ -271,6 +274,7 @@ class ClassTree:
             else "",
             owner=node.qualified_name,
             line=line,
+            position=_position(component.annotation),
         )
 
     def _replaceable(self, node: ClassDefinition, nested: ClassDefinition) -> ReplaceableInfo:
@@ -299,6 +303,31 @@ def _literal(value: Expression | None) -> Constant | None:
         return None
     items = [_literal(item) for item in value.items]
     return None if None in items else tuple(item for item in items if item is not None)
+
+
+def _position(annotation: Modification) -> tuple[float, float] | None:
+    """The middle of ``Placement(transformation(origin, extent))`` (Modelica 3.6, section 18.6.4)."""
+    placement = annotation.argument("Placement")
+    transformation = None if placement is None else placement.modification.argument("transformation")
+    if transformation is None:
+        return None
+    extent, origin = (transformation.modification.argument(name) for name in ("extent", "origin"))
+    corners = _numbers(None if extent is None else extent.modification.value)
+    offset = _numbers(None if origin is None else origin.modification.value) or [0.0, 0.0]
+    if len(corners) != 4 or len(offset) != 2:
+        return None
+    return (corners[0] + corners[2]) / 2 + offset[0], (corners[1] + corners[3]) / 2 + offset[1]
+
+
+def _numbers(value: Expression | None) -> list[float]:
+    """The numbers in an array of arrays, in their order."""
+    if isinstance(value, Array):
+        return [number for item in value.items for number in _numbers(item)]
+    if isinstance(value, Unary) and isinstance(value.operand, Literal) and value.operator == "-":
+        return [-number for number in _numbers(value.operand)]
+    if isinstance(value, Literal) and isinstance(value.value, int | float):
+        return [float(value.value)]
+    return []
 
 
 def _modifications(modification: Modification, prefix: str = "") -> dict[str, str]:

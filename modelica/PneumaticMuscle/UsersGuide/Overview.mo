@@ -4,6 +4,8 @@ class Overview "What is where"
   annotation (Documentation(info="<html>
 <p>A <b>bench</b> (<code>Benches</code>) is a test rig: plain inputs are what is driven, plain outputs what instruments
 read. Pressures are absolute inside the components and gauge pressures in the signals of a bench.</p>
+<p>A bench of one's own is put together from parts by <code>pam-cosim bench</code>: one of <code>Pneumatics</code> that feeds the
+muscle, one of <code>Muscles</code>, one of <code>Mechanics</code> that it pulls, and <code>Instruments</code>.</p>
 <p>A bench is put together from <b>components</b>. Gas flows through <code>Interfaces.GasPort</code>: volumes and sources
 set pressure and temperature, resistances set mass and enthalpy flow; the two alternate. Muscles end in
 <code>Interfaces.Flange</code> as the Modelica Standard Library has it, positive in contraction.</p>

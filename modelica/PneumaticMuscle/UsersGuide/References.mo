@@ -20,6 +20,7 @@ year, written as here: one, two or three names, or the first <code>and others</c
 <li><b>Fung 1981</b>: Y. C. Fung, <i>Biomechanics: mechanical properties of living tissues</i>, Springer, New York 1981.</li>
 <li><b>Gaylord 1958</b>: R. H. Gaylord, <i>Fluid actuated motor system and stroking device</i>, US patent 2 844 126, 1958.</li>
 <li><b>ISO 6358</b>: <i>Pneumatic fluid power: determination of flow-rate characteristics of components using compressible fluids</i>, International Organization for Standardization.</li>
+<li><b>ISO 6953</b>: <i>Pneumatic fluid power: compressed air pressure regulators and filter-regulators</i>, International Organization for Standardization.</li>
 <li><b>Itto and Kogiso 2011</b>: T. Itto, K. Kogiso, <i>Hybrid modeling of McKibben pneumatic artificial muscle systems</i>, Proceedings of the IEEE International Conference on Industrial Technology, Auburn 2011, 65-70.</li>
 <li><b>Kang and others 2009</b>: B. S. Kang, C. S. Kothera, B. K. S. Woods, N. M. Wereley, <i>Dynamic modeling of McKibben pneumatic artificial muscles for antagonistic actuation</i>, Proceedings of the IEEE International Conference on Robotics and Automation, Kobe 2009, 182-187.</li>
 <li><b>Kerlin, Miller and Hashemian 1978</b>: T. W. Kerlin, L. F. Miller, H. M. Hashemian, <i>In-situ response time testing of platinum resistance thermometers</i>, ISA Transactions 17 (1978).</li>

@@ -1,0 +1,21 @@
+within PneumaticMuscle.Instruments;
+model Force "A load cell between the muscle and what it pulls"
+  extends Interfaces.Instrument;
+  Interfaces.Flange flange_a "Side of the muscle"
+    annotation (Placement(transformation(extent={{-10,90},{10,110}})));
+  Interfaces.Flange flange_b "Side of what it pulls"
+    annotation (Placement(transformation(extent={{-10,-110},{10,-90}})));
+  output Types.Force F "Pull of the muscle";
+  replaceable model ForceChannel = Sensors.DirectForce constrainedby Interfaces.ForceChannel
+    "Measuring channel of the force"
+    annotation (choicesAllMatching=true);
+  Sensors.Pull loadCell "Load cell";
+  ForceChannel channel(u=loadCell.F) "Measuring channel of the force";
+equation
+  connect(flange_a, loadCell.flange_a);
+  connect(loadCell.flange_b, flange_b);
+  F = channel.y;
+  annotation (Documentation(info="<html>
+<p>The force between the two flanges, positive in pull, as the channel passes it on.</p>
+</html>"));
+end Force;

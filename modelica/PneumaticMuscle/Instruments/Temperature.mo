@@ -1,0 +1,24 @@
+within PneumaticMuscle.Instruments;
+model Temperature "A thermometer in the gas of the muscle, at its port"
+  extends Interfaces.Instrument;
+  Interfaces.GasPort port_a "Side of the muscle"
+    annotation (Placement(transformation(extent={{90,-10},{110,10}})));
+  Interfaces.GasPort port_b "Side of what feeds it"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
+  output Types.Temperature T "Temperature reading in the muscle";
+  replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"
+    annotation (choicesAllMatching=true);
+  replaceable model TemperatureChannel = Sensors.DirectTemperature constrainedby Interfaces.TemperatureChannel
+    "Measuring channel of the temperature"
+    annotation (choicesAllMatching=true);
+  outer Components.Ambient ambient "Surroundings";
+  Thermometer thermometer(T_start=ambient.T, m_flow=port_b.m_flow) "Thermometer";
+  TemperatureChannel channel(u=thermometer.T) "Measuring channel of the temperature";
+equation
+  connect(port_b, port_a);
+  connect(port_a, thermometer.port);
+  T = channel.y;
+  annotation (Documentation(info="<html>
+<p>T = port_a.T, as the channel passes it on. What flows into the muscle flows past it.</p>
+</html>"));
+end Temperature;

@@ -1,0 +1,17 @@
+within PneumaticMuscle.Mechanics;
+model ImposedLength "A drive that imposes the contraction"
+  extends Interfaces.Mechanics(shows="F", final F_start=0);
+  extends Icons.Motion;
+  Interfaces.Flange flange "Load end of the muscle"
+    annotation (Placement(transformation(extent={{-10,90},{10,110}})));
+  input Types.Length s(start=0.02) "Imposed contraction";
+  parameter Types.Time tau(min=1e-4, max=1) = 5e-3 "Time constant of the filter" annotation (Dialog(group="Dynamics"));
+  parameter Types.Length s_start(min=-1, max=1) = 0 "Contraction at the start" annotation (Dialog(group="Start"));
+  Components.ImposedPosition position(s_wanted=s, tau=tau, s_start=s_start) "Drive";
+equation
+  connect(flange, position.flange);
+  annotation (defaultComponentName="drive", Documentation(info="<html>
+<p>tau^2 x_ddot + 2 tau x_dot + x = s, <code>Components.ImposedPosition</code>: the speed of the end enters the pressure, DP (59),
+so an imposed contraction must have a rate. It begins at s_start, whatever the input says.</p>
+</html>"));
+end ImposedLength;

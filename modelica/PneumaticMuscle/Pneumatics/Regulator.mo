@@ -1,0 +1,24 @@
+within PneumaticMuscle.Pneumatics;
+model Regulator "A proportional pressure regulator: its set point, its lag and its droop"
+  extends Interfaces.PneumaticsWithLine(shows="p");
+  extends Icons.GasSource;
+  input Types.GaugePressure p_set(start=200e3, min=-101e3) "Set point of the regulator, gauge";
+  parameter Types.Time tau(min=1e-4, max=10) = 0.05 "Time constant" annotation (Dialog(group="Dynamics"));
+  parameter Real droop(unit="Pa.s/kg", min=1e3, max=1e10, nominal=1e7) = 1e7 "Pressure lost per mass flow delivered"
+    annotation (Dialog(group="Flow"));
+  parameter Types.GaugePressure p_start(min=-1.01e5, max=1e7) = 0 "Gauge pressure at the start"
+    annotation (Dialog(group="Start"));
+  Types.GaugePressure p_still(start=p_start, fixed=true) "Gauge pressure that it would hold without flow";
+  Components.Supply supply(p_gauge=p_still) "Regulated pressure";
+  Components.Droop resistance(R=droop) "What the flow costs";
+equation
+  tau*der(p_still) = p_set - p_still;
+  connect(supply.port, resistance.port_a);
+  connect(resistance.port_b, line.port_a);
+  annotation (Documentation(info="<html>
+<p>tau p_dot = p_set - p, the regulator of AM (dynamic model), and behind it p - p_out = droop m_flow, the flow
+characteristic of ISO 6953 as a straight line, the same in relief. The droop at 10 MPa s/kg is 10 kPa per gram a
+second (some 50 litres a minute); lag and droop are for illustration, the maker's curves say them. The flow that it
+can give is not limited.</p>
+</html>"));
+end Regulator;

@@ -1,0 +1,24 @@
+within PneumaticMuscle.Pneumatics;
+model SwitchedValves "An inlet and an exhaust valve that are open or shut, from a supply whose pressure is known"
+  extends Interfaces.PneumaticsWithLine(shows="p, T");
+  extends Icons.Valve;
+  input Real u_in(unit="1", start=1) "Command of the inlet valve, 0 shut, 1 open";
+  input Real u_out(unit="1", start=0) "Command of the exhaust valve, 0 shut, 1 open";
+  input Types.GaugePressure p_supply(start=500e3, min=-101e3) "Gauge pressure of the supply";
+  parameter Real C_A(unit="1", min=0.01, max=3) = 0.2 "Effective area of an open valve by 10 mm2, both valves"
+    annotation (Dialog(group="Flow"));
+  Components.Supply supply(p_gauge=p_supply) "Air supply";
+  Components.Atmosphere atmosphere "Outlet";
+  Components.ValvePair pair(u_in=u_open*u_in, u_out=u_open*u_out, C_A=C_A) "Inlet and exhaust valve";
+protected
+  constant Types.Current u_open = (1e-5 + 2.61e-7)/1.80e-6 "Current at which DP (62) opens 10 mm2";
+equation
+  connect(supply.port, pair.supply);
+  connect(pair.exhaust, atmosphere.port);
+  connect(pair.port, line.port_a);
+  annotation (defaultComponentName="valve", Documentation(info="<html>
+<p>DP (40)-(42): a command of 1 opens 10 C_A mm2, as in <code>Benches.SwitchedMuscle</code>. Pulse width modulation is
+the command itself where it was recorded, 0 and 1; a duty cycle in its place is the mean area but for the
+threshold of DP (62), 2.5 % of the command.</p>
+</html>"));
+end SwitchedValves;

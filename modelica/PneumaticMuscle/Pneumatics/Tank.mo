@@ -1,0 +1,31 @@
+within PneumaticMuscle.Pneumatics;
+model Tank "Valves driven by currents, from a tank that droops and is refilled through a throttle"
+  extends Interfaces.PneumaticsWithLine(shows="p, T");
+  extends Icons.Valve;
+  input Types.Current u_in(start=0.35) "Current of the inlet valve";
+  input Types.Current u_out(start=0) "Current of the exhaust valve";
+  input Types.GaugePressure p_supply(start=207e3, min=-101e3) "Gauge pressure of what refills the tank";
+  parameter Real C_A(unit="1", min=0.1, max=3) = 0.699 "Calibration of the effective area, both valves"
+    annotation (Dialog(group="Flow"));
+  parameter Types.Volume V(min=1e-5, max=10) = 0.5e-3 "Volume of the tank" annotation (Dialog(group="Geometry"));
+  parameter Types.GaugePressure p_start(min=-1.01e5, max=1e8) = 207e3 "Gauge pressure in the tank at the start"
+    annotation (Dialog(group="Start"));
+  parameter Types.Length d(min=1e-6, max=0.1) = 0.3e-3 "Diameter of the throttle before the tank"
+    annotation (Dialog(group="Geometry"));
+  Components.Supply supply(p_gauge=p_supply) "What refills the tank";
+  Components.PlainOrifice throttle(d=d) "Throttle before the tank";
+  Components.Tank tank(V=V, p_start=p_start, startIsReference=true) "Tank";
+  Components.Atmosphere atmosphere "Outlet";
+  Components.ValvePair pair(u_in=u_in, u_out=u_out, C_A=C_A) "Inlet and exhaust valve";
+equation
+  connect(supply.port, throttle.port_a);
+  connect(throttle.port_b, tank.port);
+  connect(tank.port, pair.supply);
+  connect(pair.exhaust, atmosphere.port);
+  connect(pair.port, line.port_a);
+  annotation (defaultComponentName="valve", Documentation(info="<html>
+<p>DP (40)-(42), (62) and, for the tank, (63)-(66): its pressure falls with what the muscle takes, V p_dot = n R T
+(m_in - m_out). A throttle of the least diameter is a tank that nothing refills. Where the pressure before the valves was
+recorded, <code>Valves</code> needs no model of the tank. Size and throttle are for illustration.</p>
+</html>"));
+end Tank;

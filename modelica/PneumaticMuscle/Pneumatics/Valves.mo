@@ -1,0 +1,20 @@
+within PneumaticMuscle.Pneumatics;
+model Valves "An inlet and an exhaust valve driven by currents, from a supply whose pressure is known"
+  extends Interfaces.PneumaticsWithLine(shows="p, T");
+  extends Icons.Valve;
+  input Types.Current u_in(start=0.35) "Current of the inlet valve";
+  input Types.Current u_out(start=0) "Current of the exhaust valve";
+  input Types.GaugePressure p_supply(start=207e3, min=-101e3) "Gauge pressure of the supply";
+  parameter Real C_A(unit="1", min=0.1, max=3) = 0.699 "Calibration of the effective area, both valves"
+    annotation (Dialog(group="Flow"));
+  Components.Supply supply(p_gauge=p_supply) "Air supply";
+  Components.Atmosphere atmosphere "Outlet";
+  Components.ValvePair pair(u_in=u_in, u_out=u_out, C_A=C_A) "Inlet and exhaust valve";
+equation
+  connect(supply.port, pair.supply);
+  connect(pair.exhaust, atmosphere.port);
+  connect(pair.port, line.port_a);
+  annotation (defaultComponentName="valve", Documentation(info="<html>
+<p>DP (40)-(42) and (62), <code>Components.ValvePair</code>. The supply is as measured before the valves.</p>
+</html>"));
+end Valves;

@@ -1,0 +1,177 @@
+"""The parts that a rig can be put together from: every class of the library and the user's files that is one.
+
+A library says which they are by its interfaces: ``Interfaces.Pneumatics`` feeds a muscle, ``Interfaces.Mechanics``
+holds its load end, ``Interfaces.RigMuscle`` is one, ``Interfaces.Instrument`` reads a signal, and ``Interfaces.Rig``
+stands around them. A part is chosen by the name of its class, in small letters with hyphens.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from pam_cosim.catalogue.effects import component_name
+from pam_cosim.catalogue.place import libraries
+from pam_cosim.compiler import ClassTree, names
+from pam_cosim.compiler.class_tree import ComponentInfo
+from pam_cosim.errors import InputError
+from pam_cosim.wording import did_you_mean
+
+ROLES = {
+    "pneumatics": "Interfaces.Pneumatics",
+    "mechanics": "Interfaces.Mechanics",
+    "muscle": "Interfaces.RigMuscle",
+    "instrument": "Interfaces.Instrument",
+}
+FRAME = "Interfaces.Rig"
+
+
+@dataclass(frozen=True)
+class RigPart:
+    """One part, as its Modelica class declares it.
+
+    Attributes:
+        role: ``pneumatics``, ``mechanics``, ``muscle`` or ``instrument``.
+        name: by which it is chosen; ``qualified_name`` is that of its class.
+        description: one line.
+        inputs: names of what is told from outside, which become inputs of the rig.
+        signals: names of what it reads; of pneumatics and mechanics, what is usually read where they are used.
+        parameters: names of its public parameters that have a value, a minimum and a maximum.
+        component_name: name that its instance takes.
+        library: the package whose interface it extends.
+        usual: it is taken where none is named.
+        file: where it is written.
+    """
+
+    role: str
+    name: str
+    qualified_name: str
+    description: str
+    inputs: tuple[str, ...]
+    signals: tuple[str, ...]
+    parameters: tuple[str, ...]
+    component_name: str
+    library: str
+    usual: bool
+    file: Path
+
+
+def rig_parts(tree: ClassTree) -> list[RigPart]:
+    """Every part of every library, by role; the order is that of the files, the library's own first."""
+    parts: list[RigPart] = []
+    for part in _declared(tree):
+        first = part.usual and not any(p.usual for p in parts if (p.role, p.library) == (part.role, part.library))
+        parts.append(part if part.usual == first else replace(part, usual=False))
+    return parts
+
+
+def _declared(tree: ClassTree) -> list[RigPart]:
+    return [
+        _part(tree, name, role, library)
+        for role, interface in ROLES.items()
+        for library in libraries(tree)
+        if f"{library}.{interface}" in tree.classes
+        for name in tree.subtypes(f"{library}.{interface}")
+        if not tree.classes[name].partial and tree.classes[name].kind in ("model", "block", "class")
+    ]
+
+
+def chosen(parts: Sequence[RigPart], role: str, name: str | None) -> RigPart:
+    """The part of a role that a name means: that of its class, with or without packages; the usual one without a name.
+
+    Raises:
+        InputError: there is none, or there are several.
+    """
+    choices = [part for part in parts if part.role == role]
+    if name is None:
+        usual = [part for part in choices if part.usual]
+        if not usual:
+            raise InputError(f"name the {role}; known: {', '.join(part.name for part in choices) or 'none'}")
+        return usual[0]
+    meant = [p for p in choices if name == p.qualified_name] or [p for p in choices if kebab(name) == p.name]
+    if not meant:
+        hint = did_you_mean(name, [part.name for part in choices])
+        raise InputError(f"there is no {role} '{name}'; {hint}")
+    if len(meant) > 1:
+        full = " or ".join(part.qualified_name for part in meant)
+        raise InputError(f"'{name}' is the name of several parts: say {full}")
+    return meant[0]
+
+
+def kebab(name: str) -> str:
+    """``HangingLoad`` as ``hanging-load``."""
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "-", names.unquoted(name).replace("_", "-")).lower()
+
+
+def connectors(tree: ClassTree, name: str) -> list[ComponentInfo]:
+    """The public connectors of a class, in the order of their declaration."""
+    return [
+        c
+        for c in tree.components(name)
+        if "protected" not in c.prefixes and c.type in tree.classes and tree.classes[c.type].kind == "connector"
+    ]
+
+
+def told(tree: ClassTree, name: str) -> list[ComponentInfo]:
+    """The inputs of a class that nothing in it binds."""
+    bound = _bound(tree, name)
+    return [c for c in _public(tree, name, "input") if c.name not in bound]
+
+
+def read(tree: ClassTree, name: str) -> list[ComponentInfo]:
+    """The outputs of a class."""
+    return _public(tree, name, "output")
+
+
+def open_parameters(tree: ClassTree, name: str) -> list[ComponentInfo]:
+    """The parameters of a class that have no value."""
+    bound = _bound(tree, name)
+    return [c for c in _public(tree, name, "parameter") if c.name not in bound]
+
+
+def known_parameters(tree: ClassTree, name: str) -> list[ComponentInfo]:
+    """The parameters of a class that have a value."""
+    bound = _bound(tree, name)
+    return [c for c in _public(tree, name, "parameter") if c.name in bound]
+
+
+def _public(tree: ClassTree, name: str, prefix: str) -> list[ComponentInfo]:
+    return [c for c in tree.components(name) if prefix in c.prefixes and "protected" not in c.prefixes]
+
+
+def _bound(tree: ClassTree, name: str) -> set[str]:
+    """What has a value in a class, by itself or by a modification on the way to it."""
+    own = {c.name for c in tree.components(name) if c.value}
+    heirs = (tree.classes[one] for one in (name, *tree.bases(name)))
+    return own.union(*(clause.modifications for info in heirs for clause in info.extends))
+
+
+def _part(tree: ClassTree, name: str, role: str, library: str) -> RigPart:
+    info, short = tree.classes[name], names.last(name)
+    shows = str(tree.constant(name, "shows") or "")
+    signals = [c.name for c in read(tree, name)] if role == "instrument" else split(shows)
+    return RigPart(
+        role=role,
+        name=kebab(short),
+        qualified_name=name,
+        description=info.description,
+        inputs=tuple(c.name for c in told(tree, name)),
+        signals=tuple(signals),
+        parameters=tuple(c.name for c in known_parameters(tree, name) if {"min", "max"} <= c.modifications.keys()),
+        component_name=component_name(short, next(filter(None, _stated_names(tree, name)), "")),
+        library=library,
+        usual=bool(tree.constant(name, "usual")),
+        file=Path(info.file),
+    )
+
+
+def _stated_names(tree: ClassTree, name: str) -> Iterator[str]:
+    """What a class and its bases say that their instances are called: a muscle of one's own is a muscle too."""
+    return (tree.classes[one].annotations.get("defaultComponentName", "") for one in (name, *tree.bases(name)))
+
+
+def split(listed: str) -> list[str]:
+    """``"p, x"`` as names."""
+    return [one.strip() for one in listed.split(",") if one.strip()]
