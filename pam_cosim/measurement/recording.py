@@ -10,11 +10,10 @@ from numpy.typing import NDArray
 
 from pam_cosim.errors import InputError
 from pam_cosim.interface import Interface
-from pam_cosim.measurement.table import Table, read_table
+from pam_cosim.measurement.formats import read_table
+from pam_cosim.measurement.table import TIME, Table
 from pam_cosim.units import UnitError, convert
 from pam_cosim.wording import did_you_mean, shown
-
-TIME = "time"
 
 
 @dataclass(frozen=True)
