@@ -94,6 +94,7 @@ class Run:
         inputs: (n,) each [SI], without gaps.
         measurements: (n,) each [SI], NaN where a sample is missing.
         default_inputs: inputs that are neither recorded nor known; they keep the model's default.
+        notes: what a reader should know of how the file was read.
     """
 
     name: str
@@ -105,6 +106,7 @@ class Run:
     inputs: dict[str, NDArray[np.float64]]
     measurements: dict[str, NDArray[np.float64]]
     default_inputs: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
 
     def sample_count(self, signal: str) -> int:
         """How many samples of ``signal`` the run holds; 0 when it was not measured."""
@@ -194,6 +196,7 @@ class DataSet(Printed):
                 notes.append(f"{name} is compared but not fitted: it has no table [signals.{name}]")
         notes += self.steps()
         for run in self.runs:
+            notes += [f"{run.name}: {note}" for note in run.notes]
             if run.default_inputs:
                 notes.append(f"{run.name}: model defaults for the inputs {', '.join(run.default_inputs)}")
         return tuple(notes)

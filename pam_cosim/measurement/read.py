@@ -11,7 +11,7 @@ from pam_cosim.measurement.data_set import DataSet, FreeParameter, Run, Signal
 from pam_cosim.measurement.experiment import FILE_NAME, ExperimentFile, RunTable, read_experiment
 from pam_cosim.measurement.inside import file_inside
 from pam_cosim.measurement.parameters import free_parameter, known_values
-from pam_cosim.measurement.recording import read_recording
+from pam_cosim.measurement.read_run import read_run
 from pam_cosim.names import is_file
 from pam_cosim.units import UnitError, parse_quantity
 from pam_cosim.wording import did_you_mean, shown
@@ -170,7 +170,7 @@ def _run(
             raise document.error(message, *path, name)
     own = known_values(document, interface, table.parameters, *path)
     file = file_inside(document, table.file, "runs", index, "file")
-    recording = read_recording(file, interface)
+    recording = read_run(document, index, file, interface)
     values = {name: value for name, value in {**known, **own}.items() if name not in table.fit}
     for name in recording.inputs:
         if name in values:
@@ -185,6 +185,7 @@ def _run(
         time=recording.time,
         inputs=recording.inputs,
         measurements=recording.measurements,
+        notes=recording.notes,
         default_inputs=tuple(name for name in interface.inputs if name not in recording.inputs and name not in values),
     )
 

@@ -29,16 +29,25 @@ class Recording:
     time: NDArray[np.float64]
     inputs: dict[str, NDArray[np.float64]]
     measurements: dict[str, NDArray[np.float64]]
+    notes: tuple[str, ...] = ()
 
 
 def read_recording(file: Path, interface: Interface) -> Recording:
-    """Reads inputs and measured outputs of a bench.
+    """Reads inputs and measured outputs of a bench from a file whose columns are named as they are.
 
     Raises:
-        InputError: see ``read_table``; an unknown column, a unit that does not fit, a gap in time or an input,
-            time that goes back, fewer than two rows.
+        InputError: see ``read_table`` and ``recording_of``.
     """
-    table = read_table(file)
+    return recording_of(read_table(file), interface)
+
+
+def recording_of(table: Table, interface: Interface) -> Recording:
+    """Inputs and measured outputs of a bench.
+
+    Raises:
+        InputError: an unknown column, a unit that does not fit, a gap in time or an input, time that goes back,
+            fewer than two rows.
+    """
     for name in table.columns:
         if name != TIME and name not in interface.inputs and name not in interface.outputs:
             raise table.error(_unknown_column(name, interface), name)
@@ -49,14 +58,15 @@ def read_recording(file: Path, interface: Interface) -> Recording:
             inputs[name] = _without_gaps(table, name, interface.inputs[name].unit)
         elif name in interface.outputs:
             measurements[name] = _converted(table, name, interface.outputs[name].unit)
-    return Recording(time, inputs, measurements)
+    return Recording(time, inputs, measurements, table.notes)
 
 
 def _unknown_column(name: str, interface: Interface) -> str:
     if name in interface.parameters:
         return f"{shown(name)} is a parameter of {interface.model}; set it under [runs.parameters]"
     known = [TIME, *interface.inputs, *interface.outputs]
-    return f"{interface.model} has no input or output {shown(name)}; {did_you_mean(name, known)}"
+    hint = "state what it is under [columns], or leave it out: [recording] ignore = [...]"
+    return f"{interface.model} has no input or output {shown(name)}; {did_you_mean(name, known)}; {hint}"
 
 
 def _converted(table: Table, name: str, unit: str) -> NDArray[np.float64]:

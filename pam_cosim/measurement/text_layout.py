@@ -19,7 +19,8 @@ from pam_cosim.wording import shown
 
 SEPARATORS = {";": ";", "tab": "\t", ",": ",", "blank": " "}
 WORDS = {";": "semicolons", "\t": "tabs", ",": "commas", " ": "blanks"}
-_SAMPLE = 400  # Lines that are looked at; all are checked when they are read.
+_SAMPLE = 400  # Rows that are looked at; all are checked when they are read.
+_DEEPEST = 400  # Lines above the first row, below what is stated.
 _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?", re.ASCII)
 _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}(?:,\d{3})+|[+-]?[1-9]\d{0,2}(?:\.\d{3})+", re.ASCII)
 _COMMENT = re.compile(r"\s*(#|//|%(?!\s*[;,\t]))\s*")
@@ -163,7 +164,7 @@ def _cells(separator: str, lines: list[Line], after: int) -> tuple[list[_Row], i
         if start is None and number > after and _is_row(cells):
             start = len(rows)
         rows.append(_Row(index, number, line, cells))
-        if start is not None and len(rows) - start > _SAMPLE:
+        if len(rows) - start > _SAMPLE if start is not None else number > after + _DEEPEST:
             break
     return rows, start
 
@@ -271,6 +272,6 @@ def decimal_sign(cells: Iterable[tuple[int, str]], separator: str, file: Path) -
     if first is None:
         return "."
     sign = "," if "," in first[1] else "."
-    other = "," if sign == "." else "."
     message = f"{shown(first[1])} may have decimals or be grouped by thousands, and no other number tells"
-    raise InputError(f'{message}; state it under [recording], as decimal = "{sign}" or "{other}"', file, first[0])
+    hint = f'state decimal = "{sign}" under [recording], or write numbers without groups'
+    raise InputError(f"{message}; {hint}", file, first[0])

@@ -30,6 +30,7 @@ _BLOCK = 20_000  # Lines that are turned into numbers at once.
 _TALLEST = 8  # Lines of one quoted cell.
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 _NO_NUMBER = re.compile(r"[^0-9eE+\-.]")
+_PLAIN = frozenset("0123456789-+.,;")  # No comment begins so.
 _NOT_FINITE = ("nan", "inf", "infinity")
 
 
@@ -51,7 +52,7 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     layout = find_layout(lines, stated, file)
     names = _names(layout, file)
     keep = [i for i, (name, _) in enumerate(names) if stated.keeps(layout.headings[i][0], name)]
-    body = [line for line in lines[layout.start :] if not is_comment(line[1])]
+    body = [line for line in lines[layout.start :] if line[1][0] in _PLAIN or not is_comment(line[1])]
     reader = _Reader(layout, [name for name, _ in names], keep, file, ".")
     reader.decimal = stated.decimal or decimal_sign(reader.cells(body), layout.separator, file)
     columns = {
