@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import h5py
 import numpy as np
 
 from pam_cosim.errors import InputError
@@ -22,6 +21,8 @@ def read_hdf5(file: Path, stated: Layout) -> Table:
     Raises:
         InputError: not such a file, several groups, vectors of unlike length.
     """
+    import h5py
+
     try:
         with h5py.File(file, "r") as opened:
             place = _place(opened, stated.table, file)
@@ -31,6 +32,13 @@ def read_hdf5(file: Path, stated: Layout) -> Table:
     except (OSError, RuntimeError, KeyError, ValueError, TypeError) as error:
         raise InputError(f"this file cannot be read as HDF5: {error}", file) from None
     return Table(file, same_length(columns, file))
+
+
+def is_hdf5(file: Path) -> bool:
+    """Whether the file is of this format, whatever its ending."""
+    import h5py
+
+    return bool(h5py.is_hdf5(file))
 
 
 def _place(opened: Any, name: str | None, file: Path) -> Any:
@@ -52,24 +60,26 @@ def _groups(opened: Any) -> list[str]:
     groups = dict.fromkeys(["/"] if any(_is_vector(one) for one in opened.values()) else [])
 
     def look(name: str, one: Any) -> None:
-        if isinstance(one, h5py.Group) and any(_is_vector(inner) for inner in one.values()):
-            groups[name] = None
-        if isinstance(one, h5py.Dataset) and one.dtype.names:
+        if any(_is_vector(inner) for inner in one.values()) if _is_group(one) else one.dtype.names:
             groups[name] = None
 
     opened.visititems(look)
     return list(groups)
 
 
+def _is_group(one: Any) -> bool:
+    return hasattr(one, "values")
+
+
 def _is_vector(one: Any) -> bool:
-    """One dimension, or one of length one as MATLAB writes it."""
-    if not isinstance(one, h5py.Dataset) or one.dtype.kind not in "fiu":
+    """One dimension, or another of length one besides as MATLAB writes it."""
+    if _is_group(one) or one.dtype.kind not in "fiu":
         return False
     return len(one.shape) in (1, 2) and max(one.shape) > 1 and one.size == max(one.shape)
 
 
 def _columns(place: Any, stated: Layout, file: Path) -> Iterator[Column]:
-    if isinstance(place, h5py.Group):
+    if _is_group(place):
         for heading, one in place.items():
             if _is_vector(one):
                 unit = next((_text(one.attrs[key]) for key in _UNITS if key in one.attrs), "")

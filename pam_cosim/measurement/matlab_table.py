@@ -6,12 +6,10 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-import h5py
 import numpy as np
-import scipy.io
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.hdf5_table import read_hdf5
+from pam_cosim.measurement.hdf5_table import is_hdf5, read_hdf5
 from pam_cosim.measurement.table import Column, Layout, Table, check_names, headed, same_length
 from pam_cosim.wording import did_you_mean, listed, shown
 
@@ -22,12 +20,12 @@ def read_matlab(file: Path, stated: Layout) -> Table:
     Raises:
         InputError: not such a file, nothing that is a column, vectors of unlike length.
     """
+    import scipy.io
+
+    if file.is_file() and is_hdf5(file):
+        return read_hdf5(file, stated)
     try:
-        if h5py.is_hdf5(file):
-            return read_hdf5(file, stated)
         content = scipy.io.loadmat(str(file), squeeze_me=True, struct_as_record=True, chars_as_strings=True)
-    except InputError:
-        raise
     except FileNotFoundError:
         raise InputError("the file does not exist", file) from None
     except Exception as error:  # The reader lets out whatever a broken file makes of it.
@@ -73,6 +71,5 @@ def _columns(chosen: Any, stated: Layout, file: Path) -> Iterator[Column]:
         vectors = dict(chosen) if isinstance(chosen, Mapping) else _fields(chosen)
     for heading, values in vectors.items():
         name, unit = headed(heading, "", file)
-        values = values.item() if isinstance(values, np.ndarray) and values.dtype == object and not values.ndim else values
         if _is_vector(np.asarray(values)) and stated.keeps(heading, name):
             yield Column(name, unit, np.array(values, dtype=float), heading)

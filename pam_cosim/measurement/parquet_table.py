@@ -50,5 +50,5 @@ def _columns(table: Any, stated: Layout, file: Path) -> Iterator[Column]:
 
 
 def _seconds(column: Any) -> NDArray[np.float64]:
-    times = column.to_numpy().astype(f"{'m' if column.type.id == 18 else 'M'}8[ns]")
+    times = column.to_numpy()  # NaT where one is missing becomes NaN.
     return np.asarray((times - times[:1]) / np.timedelta64(1, "s"), dtype=float)

@@ -41,8 +41,7 @@ def _columns(channels: list[Any], stated: Layout, file: Path) -> Iterator[Column
     columns = [column for channel in channels if (column := _column(channel, stated, file)) is not None]
     increments = {float(c.properties.get("wf_increment", 0.0) or 0.0) for c in channels} - {0.0}
     if len(increments) == 1 and columns and all(column.name != TIME for column in columns):
-        if TIME in stated.asked or not stated.ignore:
-            yield Column(TIME, "s", increments.pop() * np.arange(len(columns[0].values), dtype=np.float64), TIME)
+        yield Column(TIME, "s", increments.pop() * np.arange(len(columns[0].values), dtype=np.float64), TIME)
     yield from columns
 
 
