@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from pam_cosim.domain import Domain
 from pam_cosim.measurement.experiment import FILE_NAME
+from pam_cosim.measurement.recording import Averaged
 from pam_cosim.names import is_ratio, parameter_of
 from pam_cosim.simulation.inputs import Interpolation
 from pam_cosim.units import format_quantity
@@ -95,6 +96,7 @@ class Run:
         measurements: (n,) each [SI], NaN where a sample is missing.
         default_inputs: inputs that are neither recorded nor known; they keep the model's default.
         notes: what a reader should know of how the file was read.
+        averaged: of signals whose samples are means of several.
     """
 
     name: str
@@ -107,6 +109,7 @@ class Run:
     measurements: dict[str, NDArray[np.float64]]
     default_inputs: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
+    averaged: dict[str, Averaged] = field(default_factory=dict)
 
     def sample_count(self, signal: str) -> int:
         """How many samples of ``signal`` the run holds; 0 when it was not measured."""

@@ -13,6 +13,7 @@ from pam_cosim.measurement.columns import Renaming, with_columns
 from pam_cosim.measurement.experiment import ExperimentFile, KeyPath, RecordingTable
 from pam_cosim.measurement.formats import read_table
 from pam_cosim.measurement.recording import Recording, recording_of
+from pam_cosim.measurement.resampling import resampled
 from pam_cosim.measurement.table import TIME, Column, Layout, Table
 from pam_cosim.units import UnitError, parse_quantity
 
@@ -28,9 +29,14 @@ def read_run(document: ExperimentFile, index: int, file: Path, interface: Interf
     stated = stated.model_copy(update=own.model_dump(exclude_unset=True))
     table = read_table(file, _layout(stated, renaming, interface))
     if stated.interval is not None:
-        place = ("runs", index, "recording") if "interval" in own.model_fields_set else ("recording",)
+        place: KeyPath = ("runs", index, "recording") if "interval" in own.model_fields_set else ("recording",)
         table = _with_time(table, _duration(document, stated.interval, *place, "interval"))
-    return recording_of(with_columns(table, renaming), interface)
+    recording = recording_of(with_columns(table, renaming), interface)
+    if stated.resample is None:
+        return recording
+    place = ("runs", index, "recording") if "resample" in own.model_fields_set else ("recording",)
+    interval = _duration(document, stated.resample, *place, "resample")
+    return resampled(recording, interval, document.content.runs[index].interpolation)
 
 
 def _renaming(document: ExperimentFile, index: int) -> Renaming:

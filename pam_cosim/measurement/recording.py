@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +17,14 @@ from pam_cosim.wording import did_you_mean, shown
 
 
 @dataclass(frozen=True)
+class Averaged:
+    """Samples that are means of ``samples`` others, which were recorded in steps of ``step`` (0: in none)."""
+
+    samples: int
+    step: float = 0.0
+
+
+@dataclass(frozen=True)
 class Recording:
     """Columns of one file, in the bench's units; all arrays are read-only.
 
@@ -24,12 +32,15 @@ class Recording:
         time: (n,) [s], not decreasing, at most two rows at one time.
         inputs: (n,) each, without gaps.
         measurements: (n,) each, NaN where a sample is missing.
+        notes: what a reader should know of how the file was read.
+        averaged: of signals whose samples are means.
     """
 
     time: NDArray[np.float64]
     inputs: dict[str, NDArray[np.float64]]
     measurements: dict[str, NDArray[np.float64]]
     notes: tuple[str, ...] = ()
+    averaged: dict[str, Averaged] = field(default_factory=dict)
 
 
 def read_recording(file: Path, interface: Interface) -> Recording:
