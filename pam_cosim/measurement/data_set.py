@@ -97,6 +97,7 @@ class Run:
         default_inputs: inputs that are neither recorded nor known; they keep the model's default.
         notes: what a reader should know of how the file was read.
         averaged: of signals whose samples are means of several.
+        more_files: of other loggers.
     """
 
     name: str
@@ -110,6 +111,7 @@ class Run:
     default_inputs: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     averaged: dict[str, Averaged] = field(default_factory=dict)
+    more_files: tuple[Path, ...] = ()
 
     def sample_count(self, signal: str) -> int:
         """How many samples of ``signal`` the run holds; 0 when it was not measured."""
@@ -151,7 +153,7 @@ class DataSet(Printed):
     @property
     def files(self) -> tuple[Path, ...]:
         """What it was read from: its description and its recordings."""
-        return (self.folder / FILE_NAME, *(run.file for run in self.runs))
+        return (self.folder / FILE_NAME, *(file for run in self.runs for file in (run.file, *run.more_files)))
 
     @property
     def free_names(self) -> tuple[str, ...]:

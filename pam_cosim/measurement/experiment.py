@@ -110,12 +110,23 @@ class ColumnTable(_Table):
     zero: IntervalTable | None = None
 
 
+class LoggerTable(_Table):
+    """``[[runs.loggers]]``: another file of the same run, by a clock of its own."""
+
+    file: Name
+    offset: Value | None = None
+    match: Name | None = None
+    recording: RecordingTable = RecordingTable()
+    columns: dict[str, ColumnTable] = Field(default_factory=dict)
+
+
 class RunTable(_Table):
     """``[[runs]]``."""
 
     file: Name
     recording: RecordingTable = RecordingTable()
     columns: dict[str, ColumnTable] = Field(default_factory=dict)
+    loggers: list[LoggerTable] = Field(default_factory=list)
     role: Literal["fit", "holdout"] = "fit"
     interpolation: Literal["linear", "previous"] = "linear"
     parameters: dict[str, Value] = Field(default_factory=dict)
@@ -213,10 +224,12 @@ def _unknown_key(path: KeyPath, value: Any) -> str:
             table: type[_Table] = PriorTable
         case (*_, "zero", _):
             table = IntervalTable
-        case ("recording", _) | ("runs", _, "recording", _):
+        case (*_, "recording", _):
             table = RecordingTable
-        case ("columns", _, _) | ("runs", _, "columns", _, _):
+        case (*_, "columns", _, _):
             table = ColumnTable
+        case ("runs", _, "loggers", _, _):
+            table = LoggerTable
         case ("runs", _, _):
             table = RunTable
         case ("fit", _, _) | ("runs", _, "fit", _, _):

@@ -184,8 +184,7 @@ def _run(
             message = f"{name} is free under [fit] and cannot have a value of its own in a run"
             raise document.error(message, *path, name)
     own = known_values(document, interface, table.parameters, *path)
-    file = file_inside(document, table.file, "runs", index, "file")
-    recording = read_run(document, index, file, interface)
+    recording, files = read_run(document, index, interface)
     values = {name: value for name, value in {**known, **own}.items() if name not in table.fit}
     for name in recording.inputs:
         if name in values:
@@ -193,7 +192,8 @@ def _run(
             raise document.error(message, *(path if name in own else ("parameters",)), name)
     return Run(
         name=_name(table.file),
-        file=file,
+        file=files[0],
+        more_files=files[1:],
         role=table.role,
         interpolation=table.interpolation,
         parameters=values,

@@ -89,6 +89,11 @@ def _converted(table: Table, name: str, unit: str) -> NDArray[np.float64]:
     too_large = np.flatnonzero(np.isinf(values))
     if too_large.size:
         raise table.error("the value is too large", name, int(too_large[0]))
+    return locked(values)
+
+
+def locked(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The same array, read-only."""
     values.setflags(write=False)
     return values
 

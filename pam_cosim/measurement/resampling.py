@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement.noise import record_step
-from pam_cosim.measurement.recording import Averaged, Recording
+from pam_cosim.measurement.recording import Averaged, Recording, locked
 from pam_cosim.simulation.inputs import Interpolation
 from pam_cosim.units import format_quantity
 
@@ -51,13 +51,13 @@ def resampled(recording: Recording, interval: float, interpolation: Interpolatio
     order = order[~_third(times[order])]
     result = replace(
         recording,
-        time=_locked(times[order]),
+        time=locked(times[order]),
         inputs={
-            name: _locked(np.concatenate([v, _own(recording, name, kept, starts, inputs, interpolation)])[order])
+            name: locked(np.concatenate([v, _own(recording, name, kept, starts, inputs, interpolation)])[order])
             for name, v in inputs.items()
         },
         measurements={
-            name: _locked(np.concatenate([v, np.full(len(kept), np.nan)])[order]) for name, (v, _) in means.items()
+            name: locked(np.concatenate([v, np.full(len(kept), np.nan)])[order]) for name, (v, _) in means.items()
         },
         averaged={
             name: Averaged(samples, record_step(recording.measurements[name])) for name, (_, samples) in means.items()
@@ -139,8 +139,3 @@ def _third(times: Array) -> NDArray[np.bool_]:
     """Which rows are between two others at the same time."""
     same = np.diff(times) == 0.0
     return np.concatenate([[False], same[:-1] & same[1:], [False]]) if len(times) > 2 else np.zeros(len(times), bool)
-
-
-def _locked(values: Array) -> Array:
-    values.setflags(write=False)
-    return values
