@@ -200,12 +200,13 @@ def _header(
         return ("the header is missing; begin with a line such as 'time [s],p [kPa]', or state it under [recording]: "
                 'names = ["time [s]", "p [kPa]"]')  # fmt: skip
     last = above[-1]
-    if len(above) > 1 and len(last.cells) in (count, count + 1) and _are_units(last.cells):
+    fitting = (count,) if ends[-1] else (count, count - 1)  # A separator at the end of the line makes no column.
+    if len(above) > 1 and len(last.cells) in (*fitting, count + 1) and _are_units(last.cells):
         names = _names(separator, above[-2].text, count)
-        if len(names) == count and all(names):
+        if len(names) in fitting and len(names) <= len(last.cells) and all(names):
             return _Header(above[-2].number, names, _bare(last.cells))
     names = _names(separator, last.text, count)
-    if len(names) == count or (len(names) == count - 1 and not ends[-1]):
+    if len(names) in fitting:
         return _Header(last.number, names)
     decimal = "; write decimal points, not commas" if separator == "," and count == 2 * len(names) else ""
     return f"this row has {count} cells, the header has {len(names)}{decimal}"
@@ -246,7 +247,7 @@ def _names(separator: str, text: str, count: int) -> list[str]:
         cells = [word.strip() for word in re.findall(r"\S+(?:\s+[\[(][^\])]*[\])])?", text)]
         if len(cells) != count:
             cells = re.split(r"\s{2,}|\t", text.strip())
-    if len(cells) > 1 and not cells[-1]:  # A separator at the end of the line makes no column.
+    if len(cells) > 1 and not cells[-1]:
         cells = cells[:-1]
     return [" ".join(cell.split()) if "\n" in cell else cell for cell in cells]
 

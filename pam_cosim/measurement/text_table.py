@@ -194,7 +194,8 @@ class _Reader:
             return f"{shown(cell)} is not a finite number; leave the cell empty where a sample is missing"
         if re.fullmatch(r"[+-]?\d+[.,]\d+", cell, re.ASCII):
             if self.decimal == ".":
-                return f"{shown(cell)} has a decimal comma; write a decimal point"
+                stated = 'state decimal = "," under [recording]'
+                return f"{shown(cell)} has a decimal comma; write a decimal point, or {stated} where all numbers do"
             return f"{shown(cell)} has a decimal point, other numbers have decimal commas"
         if re.fullmatch(r"[+-]?\d+(?:[.,]\d+)+", cell, re.ASCII):
             return f"{shown(cell)} is grouped by thousands; write it without"

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import read_data_set
+from pam_cosim.measurement.experiment import read_experiment
+from pam_cosim.measurement.formats import read_table
 from tests.measurement.bench import MODEL, describe
 
 LAB = """\
@@ -128,3 +133,17 @@ def test_a_column_that_nobody_knows_says_what_to_do(lab):
         read_data_set(lab(HEAD + columns + RUN, LAB.replace("Anfang", "1").replace("Ende", "2")), describe)
     assert (caught.value.line, caught.value.column) == (1, "Bemerkung")
     assert "ignore = [...]" in caught.value.message and "[columns]" in caught.value.message
+
+
+def test_the_documents_examples_are_valid(tmp_path):
+    page = (Path(__file__).parents[2] / "docs/data-sets.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"```toml\n(.*?)```", page, re.DOTALL)
+    assert len(blocks) == 4
+    for block in blocks:
+        file = tmp_path / "experiment.toml"
+        file.write_text(block if "[[runs]]" in block else block + '[[runs]]\nfile = "a.csv"\n', encoding="utf-8")
+        assert read_experiment(file).content.runs
+    text = next(block for block in re.findall(r"```\n(Mea.*?)```", page, re.DOTALL))
+    (tmp_path / "run.csv").write_text(text)
+    columns = read_table(tmp_path / "run.csv").columns
+    assert {name: column.unit for name, column in columns.items()} == {"time": "s", "p": "kPa", "x": "mm"}

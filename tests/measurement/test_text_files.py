@@ -52,6 +52,7 @@ VARIANTS = {
     "comments": f"# rig, 3\n% of MATLAB\n// of C\n{PLAIN}# the end\n".encode(),
     "header as a comment": f"# rig, 3\n# {PLAIN}".encode(),
     "separators at the ends of lines": PLAIN.replace("\n", ",\n").encode(),
+    "the same, units below": units_below(PLAIN).replace("\n", ",\n").encode(),
     "separator stated by the file": b"sep=;\n" + semicolons(PLAIN).encode(),
     "quotes": semicolons(PLAIN).replace("p [kPa]", '"p\n[kPa]"').replace("1,5", '"1,5"').encode(),
     "old line ends": PLAIN.replace("\n", "\r").encode(),
