@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from functools import lru_cache
 from operator import add, mul, neg, pos, pow, sub, truediv
 from typing import Any
@@ -15,10 +16,13 @@ from pam_cosim.compiler.lexer import tokenise
 from pam_cosim.compiler.source import Source
 from pam_cosim.compiler.syntax import Binary, Call, Expression, Literal, Reference, Unary
 from pam_cosim.errors import ModelError
+from pam_cosim.wording import did_you_mean
 
 _BINARY: Mapping[str, Callable[[Any, Any], Any]] = {"+": add, "-": sub, "*": mul, "/": truediv, "^": pow}
 _UNARY: Mapping[str, Callable[[Any], Any]] = {"+": pos, "-": neg}
-_FUNCTIONS = {name: getattr(np, name) for name in ("exp", "log", "sqrt", "sin", "cos", "tanh")}
+_NAMES = ("exp", "log", "log10", "sqrt", "sin", "cos", "tan", "sinh", "cosh", "tanh", "abs")
+_FUNCTIONS = {name: getattr(np, name) for name in _NAMES}
+_FUNCTIONS |= {name: getattr(np, f"arc{name[1:]}") for name in ("asin", "acos", "atan")}
 
 
 def elementwise(text: str, values: Mapping[str, Array | float]) -> Array:
@@ -31,24 +35,53 @@ def elementwise(text: str, values: Mapping[str, Array | float]) -> Array:
     Raises:
         ModelError: the text is no expression, or holds something else than arithmetic and elementary functions.
     """
-    return np.asarray(_value(_parsed(text), values), dtype=np.float64)
+    return np.asarray(evaluate(text, values), dtype=np.float64)
+
+
+def evaluate(text: str, values: Mapping[str, Any], quantity: Callable[[str], Any] | None = None) -> Any:
+    """The value of an expression of anything that can be reckoned with, such as arrays with units.
+
+    Args:
+        text: Modelica; nothing of it is ever run.
+        values: by name.
+        quantity: what a text in quotes stands for.
+
+    Raises:
+        ModelError: as ``elementwise``.
+    """
+    return _value(_parsed(text), _Known(values, quantity))
+
+
+@dataclass(frozen=True)
+class _Known:
+    values: Mapping[str, Any]
+    quantity: Callable[[str], Any] | None
 
 
 @lru_cache(maxsize=1024)
 def _parsed(text: str) -> Expression:
     source = Source("expression", text)
-    return ExpressionParser(source, tokenise(source)).expression()
+    parser = ExpressionParser(source, tokenise(source))
+    expression = parser.expression()
+    if parser.kind != "end of file":
+        parser.fail(f"expected an operator, found '{parser.text}'")
+    return expression
 
 
-def _value(node: Expression, values: Mapping[str, Array | float]) -> Any:
+def _value(node: Expression, known: _Known) -> Any:
     if isinstance(node, Literal) and isinstance(node.value, int | float):
-        return node.value
-    if isinstance(node, Reference) and node.text in values:
-        return values[node.text]
+        return float(node.value)
+    if isinstance(node, Literal) and isinstance(node.value, str) and known.quantity is not None:
+        return known.quantity(node.value)
+    if isinstance(node, Reference):
+        if node.text not in known.values:
+            names = (name for name in known.values if not name.startswith("'"))
+            raise ModelError(f"there is no '{node.text}'; {did_you_mean(node.text, names)}")
+        return known.values[node.text]
     if isinstance(node, Unary) and node.operator in _UNARY:
-        return _UNARY[node.operator](_value(node.operand, values))
+        return _UNARY[node.operator](_value(node.operand, known))
     if isinstance(node, Binary) and node.operator in _BINARY:
-        return _BINARY[node.operator](_value(node.left, values), _value(node.right, values))
+        return _BINARY[node.operator](_value(node.left, known), _value(node.right, known))
     if isinstance(node, Call) and node.function.text in _FUNCTIONS and len(node.arguments) == 1:
-        return _FUNCTIONS[node.function.text](_value(node.arguments[0], values))
+        return _FUNCTIONS[node.function.text](_value(node.arguments[0], known))
     raise ModelError("only arithmetic and elementary functions of known names can be evaluated here")

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from pam_cosim.domain import Domain
 from pam_cosim.measurement.experiment import FILE_NAME
+from pam_cosim.measurement.recording import Averaged
 from pam_cosim.names import is_ratio, parameter_of
 from pam_cosim.simulation.inputs import Interpolation
 from pam_cosim.units import format_quantity
@@ -94,6 +95,9 @@ class Run:
         inputs: (n,) each [SI], without gaps.
         measurements: (n,) each [SI], NaN where a sample is missing.
         default_inputs: inputs that are neither recorded nor known; they keep the model's default.
+        notes: what a reader should know of how the file was read.
+        averaged: of signals whose samples are means of several.
+        more_files: of other loggers.
     """
 
     name: str
@@ -105,6 +109,9 @@ class Run:
     inputs: dict[str, NDArray[np.float64]]
     measurements: dict[str, NDArray[np.float64]]
     default_inputs: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    averaged: dict[str, Averaged] = field(default_factory=dict)
+    more_files: tuple[Path, ...] = ()
 
     def sample_count(self, signal: str) -> int:
         """How many samples of ``signal`` the run holds; 0 when it was not measured."""
@@ -149,7 +156,7 @@ class DataSet(Printed):
     @property
     def files(self) -> tuple[Path, ...]:
         """What it was read from: its description and its recordings."""
-        return (self.folder / FILE_NAME, *(run.file for run in self.runs))
+        return (self.folder / FILE_NAME, *(file for run in self.runs for file in (run.file, *run.more_files)))
 
     @property
     def free_names(self) -> tuple[str, ...]:
@@ -197,6 +204,7 @@ class DataSet(Printed):
                 notes.append(f"{name} is compared but not fitted: it has no table [signals.{name}]")
         notes += self.steps()
         for run in self.runs:
+            notes += [f"{run.name}: {note}" for note in run.notes]
             if run.default_inputs:
                 notes.append(f"{run.name}: model defaults for the inputs {', '.join(run.default_inputs)}")
         return tuple(notes)

@@ -79,10 +79,54 @@ class FreeTable(_Table):
     prior: PriorTable | None = None
 
 
+class RecordingTable(_Table):
+    """``[recording]`` or ``[runs.recording]``: how files are written, as far as they do not show it."""
+
+    encoding: Name | None = None
+    separator: Literal[",", ";", "tab", "blank"] | None = None
+    decimal: Literal[".", ","] | None = None
+    names: list[Name] | None = None
+    header_line: int | None = Field(default=None, ge=1)
+    units_line: int | None = Field(default=None, ge=1)
+    table: Name | None = None
+    interval: Value | None = None
+    ignore: list[Name] | None = None
+    resample: Value | None = None
+
+
+class IntervalTable(_Table):
+    """``zero = { from = ..., to = ... }`` of a column."""
+
+    start: Value = Field(alias="from")
+    to: Value
+
+
+class ColumnTable(_Table):
+    """``NAME = { column = ..., ... }`` under ``[columns]`` or ``[runs.columns]``."""
+
+    column: Name | int | None = None
+    unit: Name | None = None
+    formula: Name | None = Field(default=None, max_length=300)
+    zero: IntervalTable | None = None
+
+
+class LoggerTable(_Table):
+    """``[[runs.loggers]]``: another file of the same run, by a clock of its own."""
+
+    file: Name
+    offset: Value | None = None
+    match: Name | None = None
+    recording: RecordingTable = RecordingTable()
+    columns: dict[str, ColumnTable] = Field(default_factory=dict)
+
+
 class RunTable(_Table):
     """``[[runs]]``."""
 
     file: Name
+    recording: RecordingTable = RecordingTable()
+    columns: dict[str, ColumnTable] = Field(default_factory=dict)
+    loggers: list[LoggerTable] = Field(default_factory=list)
     role: Literal["fit", "holdout"] = "fit"
     interpolation: Literal["linear", "previous"] = "linear"
     parameters: dict[str, Value] = Field(default_factory=dict)
@@ -102,6 +146,8 @@ class Experiment(_Table):
     runs: list[RunTable]
     title: Prose = ""
     model: Name | None = None
+    recording: RecordingTable = RecordingTable()
+    columns: dict[str, ColumnTable] = Field(default_factory=dict)
     signals: dict[str, SignalTable] = Field(default_factory=dict)
     parameters: dict[str, Value] = Field(default_factory=dict)
     fit: dict[str, FreeTable] = Field(default_factory=dict)
@@ -185,11 +231,19 @@ def _hint_for_missing(path: KeyPath) -> str:
 
 def _unknown_key(path: KeyPath, value: Any) -> str:
     inner = path[2:] if path[0] == "runs" else path
-    if inner and inner[0] in ("fit", "signals") and len(inner) > 2 and isinstance(value, dict):
+    if inner and inner[0] in ("fit", "signals", "columns") and len(inner) > 2 and isinstance(value, dict):
         return f'a name with a dot needs quotes: "{inner[1]}.{inner[2]}"'
     match path:
         case (*_, "prior", _):
             table: type[_Table] = PriorTable
+        case (*_, "zero", _):
+            table = IntervalTable
+        case (*_, "recording", _):
+            table = RecordingTable
+        case (*_, "columns", _, _):
+            table = ColumnTable
+        case ("runs", _, "loggers", _, _):
+            table = LoggerTable
         case ("runs", _, _):
             table = RunTable
         case ("fit", _, _) | ("runs", _, "fit", _, _):
@@ -200,4 +254,5 @@ def _unknown_key(path: KeyPath, value: Any) -> str:
             table = EffectsTable
         case _:
             table = Experiment
-    return f"unknown key {shown(path[-1])}; {did_you_mean(str(path[-1]), table.model_fields)}"
+    known = [field.alias or name for name, field in table.model_fields.items()]
+    return f"unknown key {shown(path[-1])}; {did_you_mean(str(path[-1]), known)}"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from pam_cosim.errors import InputError, ModelError
@@ -11,7 +12,9 @@ from pam_cosim.measurement.data_set import DataSet, FreeParameter, Run, Signal
 from pam_cosim.measurement.experiment import FILE_NAME, ExperimentFile, RunTable, read_experiment
 from pam_cosim.measurement.inside import file_inside
 from pam_cosim.measurement.parameters import free_parameter, known_values
-from pam_cosim.measurement.recording import read_recording
+from pam_cosim.measurement.read_run import read_run
+from pam_cosim.measurement.recording import Averaged
+from pam_cosim.measurement.resampling import noise_of_mean
 from pam_cosim.names import is_file
 from pam_cosim.units import UnitError, parse_quantity
 from pam_cosim.wording import did_you_mean, shown
@@ -52,7 +55,7 @@ def read_data_set(
         folder=document.file.parent,
         title=content.title or document.file.parent.resolve().name,
         model=name,
-        signals=_signals(document, interface, runs),
+        signals=_with_means(_signals(document, interface, runs), runs),
         parameters=known,
         fit=free | {one.name: one for several in own for one in several},
         runs=runs,
@@ -110,6 +113,18 @@ def _signals(document: ExperimentFile, interface: Interface, runs: tuple[Run, ..
     measured = [name for run in runs for name in run.measurements]
     names = dict.fromkeys([*declared, *measured])
     return {name: _signal(document, name, interface.outputs[name].unit) for name in names}
+
+
+def _with_means(signals: dict[str, Signal], runs: Sequence[Run]) -> dict[str, Signal]:
+    """Stated noise is that of a sample: where runs hold means of several, that of the run with the fewest counts."""
+    changed = dict(signals)
+    for name, signal in signals.items():
+        means = [run.averaged.get(name, Averaged(1)) for run in runs if name in run.measurements]
+        fewest = min(means, key=lambda one: one.samples, default=Averaged(1))
+        if signal.sigma is not None and fewest.samples > 1:
+            step = fewest.step if 2.0 * signal.sigma < fewest.step else 0.0
+            changed[name] = replace(signal, sigma=noise_of_mean(signal.sigma, fewest), step=step)
+    return changed
 
 
 def _signal(document: ExperimentFile, name: str, unit: str) -> Signal:
@@ -171,8 +186,7 @@ def _run(
             message = f"{name} is free under [fit] and cannot have a value of its own in a run"
             raise document.error(message, *path, name)
     own = known_values(document, interface, table.parameters, *path)
-    file = file_inside(document, table.file, "runs", index, "file")
-    recording = read_recording(file, interface)
+    recording, files = read_run(document, index, interface)
     values = {name: value for name, value in {**known, **own}.items() if name not in table.fit}
     for name in recording.inputs:
         if name in values:
@@ -180,13 +194,16 @@ def _run(
             raise document.error(message, *(path if name in own else ("parameters",)), name)
     return Run(
         name=_name(table.file),
-        file=file,
+        file=files[0],
+        more_files=files[1:],
         role=table.role,
         interpolation=table.interpolation,
         parameters=values,
         time=recording.time,
         inputs=recording.inputs,
         measurements=recording.measurements,
+        notes=recording.notes,
+        averaged=recording.averaged,
         default_inputs=tuple(name for name in interface.inputs if name not in recording.inputs and name not in values),
     )
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
@@ -10,11 +10,18 @@ from numpy.typing import NDArray
 
 from pam_cosim.errors import InputError
 from pam_cosim.interface import Interface
-from pam_cosim.measurement.table import Table, read_table
+from pam_cosim.measurement.formats import read_table
+from pam_cosim.measurement.table import TIME, Table
 from pam_cosim.units import UnitError, convert
 from pam_cosim.wording import did_you_mean, shown
 
-TIME = "time"
+
+@dataclass(frozen=True)
+class Averaged:
+    """Samples that are means of ``samples`` others, which were recorded in steps of ``step`` (0: in none)."""
+
+    samples: int
+    step: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -25,21 +32,33 @@ class Recording:
         time: (n,) [s], not decreasing, at most two rows at one time.
         inputs: (n,) each, without gaps.
         measurements: (n,) each, NaN where a sample is missing.
+        notes: what a reader should know of how the file was read.
+        averaged: of signals whose samples are means.
     """
 
     time: NDArray[np.float64]
     inputs: dict[str, NDArray[np.float64]]
     measurements: dict[str, NDArray[np.float64]]
+    notes: tuple[str, ...] = ()
+    averaged: dict[str, Averaged] = field(default_factory=dict)
 
 
 def read_recording(file: Path, interface: Interface) -> Recording:
-    """Reads inputs and measured outputs of a bench.
+    """Reads inputs and measured outputs of a bench from a file whose columns are named as they are.
 
     Raises:
-        InputError: see ``read_table``; an unknown column, a unit that does not fit, a gap in time or an input,
-            time that goes back, fewer than two rows.
+        InputError: see ``read_table`` and ``recording_of``.
     """
-    table = read_table(file)
+    return recording_of(read_table(file), interface)
+
+
+def recording_of(table: Table, interface: Interface) -> Recording:
+    """Inputs and measured outputs of a bench.
+
+    Raises:
+        InputError: an unknown column, a unit that does not fit, a gap in time or an input, time that goes back,
+            fewer than two rows.
+    """
     for name in table.columns:
         if name != TIME and name not in interface.inputs and name not in interface.outputs:
             raise table.error(_unknown_column(name, interface), name)
@@ -50,14 +69,15 @@ def read_recording(file: Path, interface: Interface) -> Recording:
             inputs[name] = _without_gaps(table, name, interface.inputs[name].unit)
         elif name in interface.outputs:
             measurements[name] = _converted(table, name, interface.outputs[name].unit)
-    return Recording(time, inputs, measurements)
+    return Recording(time, inputs, measurements, table.notes)
 
 
 def _unknown_column(name: str, interface: Interface) -> str:
     if name in interface.parameters:
         return f"{shown(name)} is a parameter of {interface.model}; set it under [runs.parameters]"
     known = [TIME, *interface.inputs, *interface.outputs]
-    return f"{interface.model} has no input or output {shown(name)}; {did_you_mean(name, known)}"
+    hint = "state what it is under [columns], or leave it out: [recording] ignore = [...]"
+    return f"{interface.model} has no input or output {shown(name)}; {did_you_mean(name, known)}; {hint}"
 
 
 def _converted(table: Table, name: str, unit: str) -> NDArray[np.float64]:
@@ -69,6 +89,11 @@ def _converted(table: Table, name: str, unit: str) -> NDArray[np.float64]:
     too_large = np.flatnonzero(np.isinf(values))
     if too_large.size:
         raise table.error("the value is too large", name, int(too_large[0]))
+    return locked(values)
+
+
+def locked(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The same array, read-only."""
     values.setflags(write=False)
     return values
 

@@ -1,143 +1,158 @@
-"""A CSV file as columns of numbers, in the file's own units, with the line of every row."""
+"""A recording as columns of numbers, in the file's own units, with the line of every row."""
 
 from __future__ import annotations
 
-import csv
-import math
 import re
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from fnmatch import fnmatchcase
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.text_file import read_text
+from pam_cosim.units import UnitError, convert
 from pam_cosim.wording import shown
 
-_HEADING = re.compile(r"([^\[\]]+?)\s*(?:\[([^\[\]]*)\])?")
-_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
-_DECIMAL_COMMA = re.compile(r"[+-]?\d+,\d+", re.ASCII)
-_NOT_FINITE = ("nan", "inf", "infinity")
+TIME = "time"
+_BRACKETS = re.compile(r"([^\[\]]+?)\s*(?:\[([^\[\]]*)\])?")
+_ROUND = re.compile(r"(.+?)\s*\(([^()]+)\)")
+_OVER = re.compile(r"(.+?)\s+(?:/|in)\s+(\S+)")
 
 
 @dataclass(frozen=True)
 class Column:
-    """One column: values (n,) in ``unit``, as written in the header; NaN is an empty cell."""
+    """One column: values (n,) in ``unit``; NaN is a missing sample. ``heading`` is what the file calls it."""
 
     name: str
     unit: str
     values: NDArray[np.float64]
+    heading: str = ""
 
 
 @dataclass(frozen=True)
 class Table:
-    """A CSV file. ``lines`` (n,) are the lines of the rows; errors can name them."""
+    """What a file holds.
+
+    Attributes:
+        file: where it was read from.
+        columns: by name.
+        header_line: of a text, the line of the names.
+        lines: (n,) of a text, the lines of the rows; errors can name them.
+        notes: what a reader should know of how the file was read.
+    """
 
     file: Path
-    header_line: int
-    lines: NDArray[np.int64]
     columns: dict[str, Column]
+    header_line: int | None = None
+    lines: NDArray[np.int64] | None = None
+    notes: tuple[str, ...] = ()
 
     def error(self, message: str, column: str, row: int | None = None) -> InputError:
         """An error about a column: its header, or one of its rows."""
-        line = self.header_line if row is None else int(self.lines[row])
-        return InputError(message, self.file, line, column)
+        if row is None:
+            return InputError(message, self.file, self.header_line, column)
+        if self.lines is None:
+            return InputError(f"row {row + 1}: {message}", self.file, None, column)
+        return InputError(message, self.file, int(self.lines[row]), column)
 
 
-def read_table(file: Path) -> Table:
-    """Reads ``name [unit],name [unit],...`` and rows of decimal numbers.
+@dataclass(frozen=True)
+class Layout:
+    """How a file is written, as far as that is stated; None: as the file shows.
 
-    Blank lines, lines that begin with ``#``, a byte order mark and Windows line ends are fine.
+    Attributes:
+        encoding: of a text, such as "latin-1".
+        separator: of a text's columns: ",", ";", "tab" or "blank".
+        decimal: sign of a text's numbers, "." or ",".
+        names: headings "name [unit]" of a file that has none.
+        header_line: line of a text's names.
+        units_line: line of a text's units.
+        table: which group, channel group or variable of a file with several.
+        ignore: patterns of names of columns that are not read; ``*`` stands for any text.
+        asked: names that a pattern with ``*`` does not mean.
+    """
+
+    encoding: str | None = None
+    separator: str | None = None
+    decimal: str | None = None
+    names: tuple[str, ...] | None = None
+    header_line: int | None = None
+    units_line: int | None = None
+    table: str | None = None
+    ignore: tuple[str, ...] = ()
+    asked: frozenset[str] = field(default=frozenset())
+
+    def keeps(self, heading: str, name: str) -> bool:
+        """Whether a column is read."""
+        if heading in self.ignore or name in self.ignore:
+            return False
+        if heading in self.asked or name in self.asked:
+            return True
+        return not any("*" in p and (fnmatchcase(name, p) or fnmatchcase(heading, p)) for p in self.ignore)
+
+
+def split_heading(text: str) -> tuple[str, str] | None:
+    """Name and unit ("" where none is written) of ``p [kPa]``, ``p (kPa)``, ``p / kPa`` or ``p in kPa``.
+
+    Only brackets always hold a unit: "sensor (left)" is a name. None: the text is no heading.
+    """
+    match = _BRACKETS.fullmatch(text)
+    if match is None or not text.isprintable():
+        return None
+    if match[2] is None:
+        other = _ROUND.fullmatch(text) or _OVER.fullmatch(text)
+        if other is not None and is_unit(other[2]) and not other[2].isdigit():
+            return other[1], other[2]
+    return match[1], (match[2] or "").strip()
+
+
+def is_unit(text: str) -> bool:
+    """Whether a text is a unit that is known."""
+    try:
+        convert(0.0, text, text)
+    except UnitError:
+        return False
+    return True
+
+
+def same_length(columns: Iterable[Column], file: Path) -> dict[str, Column]:
+    """Columns by name, of a file in which each stands by itself.
 
     Raises:
-        InputError: not readable, empty, not comma separated, a heading twice, a row of the wrong length,
-            a cell that is no finite number; with line and column.
+        InputError: there are none, two of a name, or of unlike length.
     """
-    rows = list(_rows(read_text(file), file))
-    if not rows:
-        raise InputError("the file is empty; begin with a header such as 'time [s],p [kPa]'", file)
-    (header_line, cells), *rows = rows
-    headings = _headings(cells, file, header_line)
-    if not rows:
-        raise InputError("there are no rows below the header", file, header_line)
-    for line, cells in rows:
-        if len(cells) != len(headings):
-            raise InputError(_ragged(cells, len(headings)), file, line)
-    lines = np.array([line for line, _ in rows], dtype=np.int64)
-    columns = {
-        name: Column(name, unit, _numbers(name, [cells[index] for _, cells in rows], file, lines))
-        for index, (name, unit) in enumerate(headings.items())
-    }
-    return Table(file, header_line, lines, columns)
+    named: dict[str, Column] = {}
+    for column in columns:
+        if column.name in named:
+            raise InputError("there are two columns of this name", file, None, column.name)
+        named[column.name] = column
+    if not named:
+        raise InputError("there is no column of numbers", file)
+    first = next(iter(named.values()))
+    for column in named.values():
+        if len(column.values) != len(first.values):
+            message = f"it has {len(column.values)} values, {shown(first.name)} has {len(first.values)}"
+            raise InputError(f"{message}; state which to leave out: ignore = [...]", file, None, column.name)
+    return named
 
 
-def _rows(text: str, file: Path) -> Iterator[tuple[int, list[str]]]:
-    """Line number and stripped cells of every line that is neither blank nor a comment."""
-    first_line = 0  # Of the current row: a quoted cell can hold line ends.
+def headed(heading: str, unit: str, file: Path) -> tuple[str, str]:
+    """Name and unit of a column of a file that may state units beside names.
 
-    def kept() -> Iterator[str]:
-        nonlocal first_line
-        for number, line in enumerate(re.split(r"\r\n|\n|\r", text), start=1):
-            if line.strip() and not line.lstrip().startswith("#"):
-                first_line = first_line or number
-                yield line
-
-    try:
-        for cells in csv.reader(kept(), strict=True, skipinitialspace=True):
-            yield first_line, [cell.strip() for cell in cells]
-            first_line = 0
-    except csv.Error as error:
-        raise InputError(f"this line is not comma-separated text: {error}", file, first_line) from None
+    Raises:
+        InputError: the heading cannot be read, or states another unit.
+    """
+    parts = split_heading(heading)
+    if parts is None:
+        raise InputError(f"the name {shown(heading)} of a column must be 'name' or 'name [unit]'", file)
+    if unit and parts[1] and unit != parts[1]:
+        raise InputError(f"its name says {shown(parts[1])} and its unit {shown(unit)}", file, None, parts[0])
+    return parts[0], parts[1] or unit
 
 
-def _headings(cells: list[str], file: Path, line: int) -> dict[str, str]:
-    """Units by column name."""
-    if len(cells) == 1:
-        for separator, word in ((";", "semicolons"), ("\t", "tabs")):
-            if separator in cells[0]:
-                message = f"the columns are separated by {word}; separate them by commas, with decimal points"
-                raise InputError(message, file, line)
-    if all(_NUMBER.fullmatch(cell) for cell in cells):
-        raise InputError("the header is missing; begin with a line such as 'time [s],p [kPa]'", file, line)
-    units: dict[str, str] = {}
-    for number, cell in enumerate(cells, start=1):
-        match = _HEADING.fullmatch(cell)
-        if match is None or not cell.isprintable():
-            message = f"the heading {shown(cell)} of column {number} must be 'name [unit]'"
-            raise InputError(message, file, line, cell[:60] if cell.isprintable() and cell else None)
-        name, unit = match[1], (match[2] or "").strip()
-        if name in units:
-            raise InputError("this column stands twice in the header", file, line, name)
-        units[name] = unit
-    return units
-
-
-def _ragged(cells: list[str], expected: int) -> str:
-    if len(cells) == 1 and ";" in cells[0]:
-        return "the cells are separated by semicolons; separate them by commas, with decimal points"
-    hint = "; write decimal points, not commas" if len(cells) == 2 * expected else ""
-    return f"this row has {len(cells)} cells, the header has {expected}{hint}"
-
-
-def _numbers(name: str, cells: list[str], file: Path, lines: NDArray[np.int64]) -> NDArray[np.float64]:
-    """(n,) values; NaN where the cell is empty."""
-    values = np.full(len(cells), math.nan)
-    for row, cell in enumerate(cells):
-        if not cell:
-            continue
-        if not _NUMBER.fullmatch(cell):
-            raise InputError(_not_a_number(cell), file, int(lines[row]), name)
-        values[row] = float(cell)
-        if math.isinf(values[row]):
-            raise InputError(f"{shown(cell)} is too large", file, int(lines[row]), name)
-    return values
-
-
-def _not_a_number(cell: str) -> str:
-    if cell.lower().lstrip("+-") in _NOT_FINITE:
-        return f"{shown(cell)} is not a finite number; leave the cell empty where a sample is missing"
-    if _DECIMAL_COMMA.fullmatch(cell):
-        return f"{shown(cell)} has a decimal comma; write a decimal point"
-    return f"{shown(cell)} is not a number"
+def check_names(names: Sequence[str], count: int, file: Path) -> None:
+    """Raises InputError where stated ``names`` are not as many as the columns."""
+    if len(names) != count:
+        raise InputError(f"names has {len(names)} headings, the file has {count} columns", file)

@@ -1,10 +1,17 @@
-"""Reads a text file that a person wrote, or says why it cannot be read."""
+"""Reads a text file that a person or a program wrote, or says why it cannot be read."""
 
 from __future__ import annotations
 
+import codecs
+import re
 from pathlib import Path
 
 from pam_cosim.errors import InputError
+from pam_cosim.wording import shown
+
+_MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
+_NO_TEXT = re.compile(rb"[\x00-\x08\x0e-\x1f\x81\x8d\x8f\x90\x9d]")
+WESTERN = "cp1252"
 
 
 def read_text(path: Path) -> str:
@@ -13,16 +20,57 @@ def read_text(path: Path) -> str:
     Raises:
         InputError: the file is missing, not readable or not UTF-8 (with the line of the first bad byte).
     """
+    return _decoded(read_bytes(path), "utf-8-sig", path)
+
+
+def read_any_text(path: Path, encoding: str | None = None) -> tuple[str, str]:
+    """The file's text and its encoding: the stated one, that of a byte order mark, UTF-8, or Western European.
+
+    What is not UTF-8 is read as Windows-1252, of which Latin-1 is a part. Were it another encoding, only letters of
+    names and units would be wrong, which then fit nothing.
+
+    Raises:
+        InputError: as ``read_text``; an unknown encoding; no text.
+    """
+    data = read_bytes(path)
+    if encoding is not None:
+        return _decoded(data, encoding, path), encoding
+    for mark, name in _MARKS:
+        if data.startswith(mark):
+            return _decoded(data, name, path), name
     try:
-        data = path.read_bytes()
+        return data.decode("utf-8"), "utf-8"
+    except UnicodeDecodeError:
+        other = _NO_TEXT.search(data)
+    if other is None:
+        return data.decode(WESTERN), WESTERN
+    line = data.count(b"\n", 0, other.start()) + 1
+    message = f"byte 0x{other[0][0]:02x} is no text, neither UTF-8 nor Western European"
+    raise InputError(f'{message}; state the encoding under [recording], such as encoding = "utf-16-le"', path, line)
+
+
+def read_bytes(path: Path) -> bytes:
+    """The file's bytes.
+
+    Raises:
+        InputError: the file is missing or not readable.
+    """
+    try:
+        return path.read_bytes()
     except FileNotFoundError:
         raise InputError("the file does not exist", path) from None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise InputError(f"the file cannot be read: {reason}", path) from None
+
+
+def _decoded(data: bytes, encoding: str, path: Path) -> str:
     try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
+        return data.decode(encoding)
+    except (LookupError, ValueError) as error:
+        if not isinstance(error, UnicodeDecodeError):
+            raise InputError(f"there is no encoding {shown(encoding)} of texts", path) from None
         line = data.count(b"\n", 0, error.start) + 1
-        message = f"byte 0x{data[error.start]:02x} is not UTF-8 text; save the file with the encoding UTF-8"
+        name = "UTF-8" if encoding == "utf-8-sig" else encoding
+        message = f"byte 0x{data[error.start]:02x} is not {name} text; save the file with the encoding UTF-8"
         raise InputError(message, path, line) from None

@@ -16,7 +16,7 @@ from pam_cosim.interface import Interface
 from pam_cosim.measurement.data_set import DataSet, FreeParameter, Run
 from pam_cosim.measurement.experiment import FILE_NAME
 from pam_cosim.measurement.read import read_data_set
-from pam_cosim.measurement.recording import TIME
+from pam_cosim.measurement.table import TIME
 from pam_cosim.units import UnitError, convert, is_dimensionless
 
 

@@ -5,6 +5,7 @@ from pam_cosim.units.base import BaseUnit, base_unit
 from pam_cosim.units.conversion import convert, examples, parse_quantity, seconds
 from pam_cosim.units.display import format_quantity, readable_factor, readable_unit
 from pam_cosim.units.grammar import UnitError, is_dimensionless
+from pam_cosim.units.reckoning import quantity, with_unit
 
 __all__ = [
     "BaseUnit",
@@ -16,8 +17,10 @@ __all__ = [
     "is_dimensionless",
     "parse_quantity",
     "product",
+    "quantity",
     "quotient",
     "readable_factor",
     "readable_unit",
     "seconds",
+    "with_unit",
 ]

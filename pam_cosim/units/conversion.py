@@ -69,10 +69,22 @@ def parse_quantity(value: str | float, target: str, *, difference: bool = False)
 
 
 def _split_quantity(text: str, target: str) -> tuple[float, str]:
-    match = _QUANTITY.fullmatch(text)
-    if match is None:
+    parts = number_and_unit(text)
+    if parts is None:
         example = "0.7" if is_dimensionless(target) else f"0.7 {target}"
         raise UnitError(f'{shown(text)} is not a number with a unit; write for example "{example}"')
+    return parts
+
+
+def number_and_unit(text: str) -> tuple[float, str] | None:
+    """The parts of a text such as "2.27 kg"; None where it does not begin with a number.
+
+    Raises:
+        UnitError: a decimal comma.
+    """
+    match = _QUANTITY.fullmatch(text)
+    if match is None:
+        return None
     if match.group(2).startswith(","):
         raise UnitError(f"{shown(text)} has a decimal comma; write a decimal point")
     return float(match.group(1)), match.group(2)

@@ -51,7 +51,7 @@ CSV_FAULTS = [
     ("input missing", "0.1,0.35", "0.1,", 4, "u_in", ["empty", "inputs"]),
     ("ragged row", "1.25,", "", 5, None, ["6 cells", "has 7"]),
     ("long row", "1.25,", "1,25,", 5, None, ["8 cells", "has 7"]),
-    ("open quote", "1.25", '"1.25', 5, None, ["comma-separated"]),
+    ("open quote", "1.25", '"1.25', 5, None, ["separated by commas"]),
 ]
 
 
@@ -71,14 +71,13 @@ CSV_FILES = [
     ("only header", b"time [s],p [kPa]\n", 1, "no rows"),
     ("one row", b"time [s],p [kPa]\n0,1\n", 2, "only one row"),
     ("no duration", b"time [s],p [kPa]\n1,1\n1,2\n", 2, "no duration"),
-    ("semicolons", b"time [s];p [kPa]\n0;1\n1;2\n", 1, "semicolons"),
-    ("semicolons and commas", b"time [s];p [kPa]\n0,5;1,5\n", 1, "semicolons"),
-    ("tabs", b"time [s]\tp [kPa]\n0\t1\n", 1, "tabs"),
+    ("semicolons, one row", b"time [s];p [kPa]\n0,5;1,5\n", 2, "only one row"),
     ("decimal commas", b"time [s],p [kPa]\n0,5,1,5\n", 2, "decimal points"),
-    ("not UTF-8", b"time [s],p [kPa]\n0,1\n1,\xb0\n", 3, "UTF-8"),
-    ("UTF-16", "time [s],p [kPa]\n0,1\n".encode("utf-16"), 1, "UTF-8"),
+    ("not UTF-8", b"time [s],p [kPa]\n0,1\n1,\xb0\n", 3, "not a number"),
+    ("UTF-16", "time [s],p [kPa]\n0,1\n".encode("utf-16"), 2, "only one row"),
+    ("UTF-16 without mark", "time [s],p [\u00b0]\n0,1\n".encode("utf-16-le"), 1, "UTF-8"),
     ("zero bytes", b"time [s],p [kPa]\n0,1\n1,\x00\n", 3, "not a number"),
-    ("a picture", b"\x89PNG\r\n\x1a\n\x00\x00", 1, "UTF-8"),
+    ("a picture", b"\x89PNG\r\n\x1a\n\x00\x00", 2, "UTF-8"),
 ]
 
 

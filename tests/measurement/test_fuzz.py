@@ -12,7 +12,9 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, read_data_set
 from pam_cosim.measurement.toml_text import line_of
 from pam_cosim.units import UnitError, convert, parse_quantity
-from tests.measurement.bench import EXPERIMENT, RUN_01, RUN_02, describe
+from tests.measurement.bench import EXPERIMENT, MODEL, RUN_01, RUN_02, describe
+from tests.measurement.test_columns import COLUMNS
+from tests.measurement.test_columns import LAB as LINES
 
 FILES = {"experiment.toml": EXPERIMENT, "run-01.csv": RUN_01, "run-02.csv": RUN_02}
 TOKENS = [b"", b"\n", b",", b";", b'"', b"'", b"[", b"]]", b"=", b"{", b"}", b"\x00", b"\xff", b"\r", b"#", b"nan"]
@@ -44,6 +46,29 @@ def test_mutated_files(file, edits):
         except InputError as error:
             assert error.message and error.file is not None
             assert error.line is None or error.line >= 1
+            assert len(str(error)) < 2000
+
+
+LAB = {
+    "experiment.toml": f'model = "{MODEL}"\n' + COLUMNS + '[[runs]]\nfile = "lab.csv"\n[[runs.loggers]]\n'
+    'file = "two.csv"\nmatch = "x"\n[runs.loggers.columns]\neps = { formula = "x / x" }\n',
+    "lab.csv": LINES,
+    "two.csv": "time  x\n s  mm\n 0  1\n 1e0  2\n",
+}  # fmt: skip
+
+
+@settings(max_examples=300, deadline=None, derandomize=True)
+@given(st.sampled_from(sorted(LAB)), EDITS)
+def test_mutated_files_of_a_lab(file, edits):
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        for other, text in LAB.items():
+            content = text.encode()
+            (folder / other).write_bytes(mutated(content, edits) if other == file else content)
+        try:
+            assert isinstance(read_data_set(folder, describe), DataSet)
+        except InputError as error:
+            assert error.message and error.file is not None
             assert len(str(error)) < 2000
 
 

@@ -1,0 +1,160 @@
+"""Two recordings of one run on clocks of their own: the offset estimated, and both on one time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import sqrt
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.measurement.noise import estimate_noise
+from pam_cosim.measurement.recording import Recording, locked
+from pam_cosim.simulation.inputs import Interpolation
+
+_COARSE = 2000  # Points of the longer recording by which offsets are looked for.
+_SLOPE = 3.0  # Samples to each side, by which a slope is told.
+_STEPS, _SHARE = 60, 0.5  # Of Newton's method, which lines between noisy samples would else make swing.
+_CLOSE = 0.01  # Of its standard deviation, to which an offset is iterated.
+_LEAST = 0.5  # Of the shorter recording, which an offset must leave in common.
+
+
+class ClockError(ValueError):
+    """The offset cannot be estimated; the caller adds the place."""
+
+
+@dataclass(frozen=True)
+class Offset:
+    """What is added to the times of the second recording [s], and its standard deviation [s]; 0: stated."""
+
+    value: float
+    sd: float = 0.0
+
+
+def estimate_offset(first: tuple[Array, Array], second: tuple[Array, Array]) -> Offset:
+    """The offset by which the second signal is most like the first, up to a gain and a zero.
+
+    Args:
+        first: times (n,) [s] and values of a signal, NaN where one is missing.
+        second: of the same quantity by the other clock.
+
+    Returns:
+        The offset that leaves the least squares, and its standard deviation to first order.
+
+    Raises:
+        ClockError: the signals do not change, do not agree, or agree at several offsets.
+    """
+    t, y = _present(*first)
+    s, z = _present(*second)
+    if min(len(t), len(s)) < CRITERIA.noise.fewest_samples or not np.ptp(y) > 0 or not np.ptp(z) > 0:
+        raise ClockError("the signal has too few samples, or does not change")
+    step = max(t[-1] - t[0], s[-1] - s[0]) / _COARSE
+    offset = _coarse(t, y, s, z, step)
+    reach = max(_SLOPE * float(np.median(np.diff(t))), float(np.median(np.diff(s))))
+    noise = float(np.nan_to_num(estimate_noise(t, y)))
+    for _ in range(_STEPS):
+        change, sd = _newton(t, y, s + offset, z, reach, noise)
+        offset += _SHARE * change
+        if abs(change) < _CLOSE * sd:
+            return Offset(offset, sd)
+    raise ClockError("the signals do not agree at one offset")
+
+
+def _newton(t: Array, y: Array, s: Array, z: Array, reach: float, noise: float) -> tuple[float, float]:
+    """Change of the offset by linear least squares, and its standard deviation.
+
+    Slopes are differences over samples apart from the one itself, whose noise they do not share; what the noise of
+    the first signal adds to their squares is taken off.
+    """
+    inside = (s >= t[0] + reach) & (s <= t[-1] - reach)
+    at, value = s[inside], z[inside]
+    if len(at) < CRITERIA.noise.fewest_samples:
+        raise ClockError("the two files have too little time in common")
+    model = np.interp(at, t, y)
+    slope = (np.interp(at + reach, t, y) - np.interp(at - reach, t, y)) / (2.0 * reach)
+    model, slope, value = model - model.mean(), slope - slope.mean(), value - value.mean()
+    gain = float(model @ value) / float(model @ model)
+    left = value - gain * model
+    information = float(slope @ slope) - len(at) * noise**2 / (2.0 * reach**2)
+    if information <= 0.0 or gain == 0.0:
+        raise ClockError("the signal changes too little beside its noise")
+    spread = sqrt(float(left @ left) / (len(at) - 3) / information) / abs(gain)
+    return float(slope @ left) / (gain * information), spread
+
+
+def together(first: Recording, second: Recording, offset: float, interpolation: Interpolation) -> Recording:
+    """One recording on the first one's clock: all rows of both, while both know their inputs.
+
+    What both have is taken from the first.
+    """
+    moved = second.time + offset
+    low, high = first.time[0], first.time[-1]
+    if second.inputs:
+        low, high = max(low, moved[0]), min(high, moved[-1])
+    if not low < high:
+        raise ClockError("the two files have no time in common")
+    one = np.flatnonzero((first.time >= low) & (first.time <= high))
+    two = np.flatnonzero((moved >= low) & (moved <= high))
+    if not len(two):
+        raise ClockError("the two files have no time in common")
+    time = first.time[one]
+    same = np.searchsorted(time, moved[two], side="right") - 1
+    shared = (same >= 0) & (time[np.maximum(same, 0)] == moved[two])
+    new = two[~shared]
+    times = np.concatenate([time, moved[new]])
+    order = np.argsort(times, kind="stable")
+
+    def joined(values: Array, others: Array) -> Array:
+        return locked(np.concatenate([values, others])[order])
+
+    inputs = {n: joined(v[one], _at(first.time, v, moved[new], interpolation)) for n, v in first.inputs.items()}
+    for name, values in second.inputs.items():
+        if name not in inputs:
+            inputs[name] = joined(_at(moved, values, time, interpolation), values[new])
+    measured = {n: joined(v[one], np.full(len(new), np.nan)) for n, v in first.measurements.items()}
+    for name, values in second.measurements.items():
+        if name not in measured:
+            there = np.full(len(time), np.nan)
+            there[same[shared]] = values[two[shared]]
+            measured[name] = joined(there, values[new])
+    notes = (*first.notes, *second.notes)
+    return replace(first, time=locked(times[order]), inputs=inputs, measurements=measured, notes=notes)
+
+
+def _at(time: Array, values: Array, at: Array, interpolation: Interpolation) -> Array:
+    if interpolation == "linear":
+        return np.asarray(np.interp(at, time, values), dtype=float)
+    return values[np.maximum(np.searchsorted(time, at, side="right") - 1, 0)]
+
+
+def _present(time: Array, values: Array) -> tuple[Array, Array]:
+    there = np.isfinite(values)
+    return time[there], values[there]
+
+
+def _coarse(t: Array, y: Array, s: Array, z: Array, step: float) -> float:
+    """The best offset on a grid; every other good one must be near it."""
+    a, b = (np.interp(np.arange(u[0], u[-1], step), u, v) for u, v in ((t, y), (s, z)))
+    least = max(3, int(_LEAST * min(len(a), len(b))))
+    lags = np.arange(least - len(b), len(a) - least + 1)
+    like = np.array([_likeness(a[max(0, k) : k + len(b)], b[max(0, -k) : len(a) - k]) for k in lags])
+    best = int(np.argmax(like))
+    left = np.maximum(1.0 - like**2, 1e-12)
+    peaks = np.flatnonzero((like[1:-1] >= like[:-2]) & (like[1:-1] >= like[2:])) + 1
+    rivals = [int(k) for k in peaks if abs(k - best) > 2 and like[k] > 0]
+    worse = [min(len(s), len(t)) * np.log(left[k] / left[best]) for k in rivals]
+    at = [t[0] - s[0] + step * float(lags[k]) for k in (best, *rivals)]
+    if worse and min(worse) < CRITERIA.noise.outlier_far**2:
+        other = at[1 + int(np.argmin(worse))]
+        raise ClockError(f"the signals agree about as well at {at[0]:.4g} s as at {other:.4g} s")
+    if not like[best] > 0.0:
+        raise ClockError("the signals do not agree at any offset")
+    return float(at[0])
+
+
+def _likeness(a: Array, b: Array) -> float:
+    """Coefficient of correlation."""
+    a, b = a - a.mean(), b - b.mean()
+    size = sqrt(float(a @ a) * float(b @ b))
+    return float(a @ b) / size if size > 0.0 else 0.0

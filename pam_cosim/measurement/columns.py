@@ -1,0 +1,153 @@
+"""The columns of a file under the names of the bench: renamed, derived by formulas, with their zero taken."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+import pint
+
+from pam_cosim.compiler.elementwise import evaluate
+from pam_cosim.errors import InputError, ModelError
+from pam_cosim.measurement.experiment import ColumnTable, ExperimentFile, KeyPath
+from pam_cosim.measurement.table import TIME, Column, Table
+from pam_cosim.units import UnitError, convert, parse_quantity, quantity, with_unit
+from pam_cosim.wording import did_you_mean, shown
+
+_NAME = re.compile(r"'([^']*)'|([A-Za-z_]\w*)", re.ASCII)
+
+
+@dataclass(frozen=True)
+class Renaming:
+    """``[columns]``, with the place of each entry in the document."""
+
+    document: ExperimentFile
+    tables: Mapping[str, ColumnTable]
+    places: Mapping[str, KeyPath]
+
+    @property
+    def sources(self) -> frozenset[str]:
+        """Names of columns of the file that are read for others, as far as they stand there by themselves."""
+        named = {t.column for t in self.tables.values() if isinstance(t.column, str)}
+        own = {name for name, table in self.tables.items() if table.column is None and table.formula is None}
+        return frozenset(named | own)
+
+    def names_in_formulas(self) -> frozenset[str]:
+        """Names that formulas hold; those that are no columns do no harm."""
+        formulas = [table.formula for table in self.tables.values() if table.formula]
+        return frozenset(quoted or bare for one in formulas for quoted, bare in _NAME.findall(one))
+
+    def error(self, message: str, name: str, *key: str) -> InputError:
+        """An error about the entry of a column."""
+        return self.document.error(f"column {shown(name)}: {message}", *self.places[name], *key)
+
+
+def with_columns(table: Table, renaming: Renaming) -> Table:
+    """The table with the columns that ``[columns]`` describes; those they are made of are left out.
+
+    Raises:
+        InputError: a column that is not in the file, a formula that cannot be read or whose units do not fit, a
+            rest interval without samples; with the place in the document.
+    """
+    made: dict[str, Column] = {}
+    used: set[str] = set()
+    for name, one in renaming.tables.items():
+        if one.formula is not None:
+            made[name], names = _derived(table, made, renaming, name, one.formula)
+            used |= names
+        else:
+            made[name] = _renamed(table, renaming, name)
+            used.add(made[name].heading)
+    rest = {name: c for name, c in table.columns.items() if name not in made and c.heading not in used}
+    table = replace(table, columns={**rest, **made})
+    for name, one in renaming.tables.items():
+        if one.zero is not None:
+            table = _zeroed(table, renaming, name)
+    return table
+
+
+def _renamed(table: Table, renaming: Renaming, name: str) -> Column:
+    one = renaming.tables[name]
+    wanted = name if one.column is None else one.column
+    columns = list(table.columns.values())
+    if isinstance(wanted, int):
+        if not 1 <= wanted <= len(columns):
+            raise renaming.error(f"{table.file.name} has {len(columns)} columns, not {wanted}", name, "column")
+        source = columns[wanted - 1]
+    else:
+        alike = [column for column in columns if wanted in (column.name, column.heading)]
+        if not alike:
+            hint = did_you_mean(wanted, [column.name for column in columns])
+            raise renaming.error(f"{table.file.name} has no column {shown(wanted)}; {hint}", name, "column")
+        source = alike[0]
+    return Column(name, one.unit or source.unit, source.values, source.heading or source.name)
+
+
+def _derived(
+    table: Table, made: Mapping[str, Column], renaming: Renaming, name: str, formula: str
+) -> tuple[Column, set[str]]:
+    """The column of a formula, and the headings of what it is made of."""
+    one = renaming.tables[name]
+    for key in ("column", "unit"):
+        if getattr(one, key) is not None:
+            raise renaming.error(f"it has a formula and a {key}; keep one of them", name, key)
+    known = _Quantities({**{c.heading: c for c in table.columns.values() if c.heading}, **table.columns, **made})
+    try:
+        with np.errstate(all="ignore"):
+            result = evaluate(formula, known, quantity)
+            values, unit = with_unit(result)
+    except UnitError as error:
+        raise renaming.error(str(error), name, "formula") from None
+    except ModelError as error:
+        place = f" (at character {error.column})" if error.column else ""
+        raise renaming.error(f"{error.message}{place}", name, "formula") from None
+    except pint.PintError as error:
+        raise renaming.error(f"the units of the formula do not fit: {error}", name, "formula") from None
+    except (ArithmeticError, RecursionError, TypeError, ValueError) as error:
+        raise renaming.error(f"the formula cannot be evaluated: {error}", name, "formula") from None
+    count = len(next(iter(table.columns.values())).values)
+    return Column(name, unit, np.array(np.broadcast_to(values, count))), known.used
+
+
+class _Quantities(dict[str, Any]):
+    """Columns by name, bare or in single quotes, as quantities of pint; made when a formula asks for them."""
+
+    def __init__(self, columns: Mapping[str, Column]) -> None:
+        super().__init__({**columns, **{f"'{name}'": column for name, column in columns.items()}})
+        self.used: set[str] = set()
+
+    def __getitem__(self, name: str) -> Any:
+        column: Column = super().__getitem__(name)
+        self.used.add(column.heading or column.name)
+        try:
+            return quantity(column.values, column.unit)
+        except UnitError as error:
+            raise UnitError(f"{column.name}: {error}") from None
+
+
+def _zeroed(table: Table, renaming: Renaming, name: str) -> Table:
+    """The column less its mean in the rest interval."""
+    one, column = renaming.tables[name].zero, table.columns[name]
+    assert one is not None
+    if TIME not in table.columns:
+        raise renaming.error("a rest interval needs a column 'time'", name, "zero")
+    try:
+        start, stop = parse_quantity(one.start, "s"), parse_quantity(one.to, "s")
+        time = convert(table.columns[TIME].values, table.columns[TIME].unit, "s")
+        if float(quantity(0.0, column.unit).magnitude):
+            raise UnitError(f"the zero of {shown(column.unit)} is no reading at rest")
+    except UnitError as error:
+        raise renaming.error(str(error), name, "zero") from None
+    at_rest = column.values[(time >= start) & (time <= stop)]
+    at_rest = at_rest[np.isfinite(at_rest)]
+    if not at_rest.size:
+        span = f"{time[0]:.6g} to {time[-1]:.6g} s"
+        raise renaming.error(f"no sample in the rest interval; {table.file.name} is of {span}", name, "zero")
+    zero = float(np.mean(at_rest))
+    said = f"{zero:.3g} {column.unit}".strip()
+    note = f"the zero of {name}, {said}, is the mean of {at_rest.size} samples at rest"
+    columns = {**table.columns, name: replace(column, values=column.values - zero)}
+    return replace(table, columns=columns, notes=(*table.notes, note))

@@ -1,0 +1,32 @@
+"""Which format a file has, by its ending, and the one reader of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from pam_cosim.measurement.hdf5_table import read_hdf5
+from pam_cosim.measurement.matlab_table import read_matlab
+from pam_cosim.measurement.parquet_table import read_parquet
+from pam_cosim.measurement.table import Layout, Table
+from pam_cosim.measurement.tdms_table import read_tdms
+from pam_cosim.measurement.text_table import read_text_table
+
+_READERS: dict[str, Callable[[Path, Layout], Table]] = {
+    ".mat": read_matlab,
+    ".h5": read_hdf5,
+    ".hdf5": read_hdf5,
+    ".hdf": read_hdf5,
+    ".tdms": read_tdms,
+    ".parquet": read_parquet,
+    ".pq": read_parquet,
+}
+
+
+def read_table(file: Path, stated: Layout | None = None) -> Table:
+    """Reads a file of any format; what has no ending of a binary one is a text.
+
+    Raises:
+        InputError: see the reader of the format.
+    """
+    return _READERS.get(file.suffix.lower(), read_text_table)(file, stated or Layout())

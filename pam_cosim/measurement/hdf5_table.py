@@ -1,0 +1,107 @@
+"""HDF5 and what is built on it (MATLAB 7.3, NetCDF 4): data sets of one dimension in a group, or the fields of one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pam_cosim.errors import InputError
+from pam_cosim.measurement.table import Column, Layout, Table, check_names, headed, same_length
+from pam_cosim.wording import did_you_mean, shown
+
+_UNITS = ("unit", "units", "Unit", "Units", "unit_string")
+
+
+def read_hdf5(file: Path, stated: Layout) -> Table:
+    """The vectors of the group that is stated, or of the only one that has any; units from their attributes.
+
+    Raises:
+        InputError: not such a file, several groups, vectors of unlike length.
+    """
+    import h5py
+
+    try:
+        with h5py.File(file, "r") as opened:
+            place = _place(opened, stated.table, file)
+            columns = list(_columns(place, stated, file))
+    except FileNotFoundError:
+        raise InputError("the file does not exist", file) from None
+    except (OSError, RuntimeError, KeyError, ValueError, TypeError) as error:
+        raise InputError(f"this file cannot be read as HDF5: {error}", file) from None
+    return Table(file, same_length(columns, file))
+
+
+def is_hdf5(file: Path) -> bool:
+    """Whether the file is of this format, whatever its ending."""
+    import h5py
+
+    return bool(h5py.is_hdf5(file))
+
+
+def _place(opened: Any, name: str | None, file: Path) -> Any:
+    if name is not None:
+        if name not in opened:
+            known = _groups(opened)
+            raise InputError(f"there is no group {shown(name)}; {did_you_mean(name, known)}", file)
+        return opened[name]
+    groups = _groups(opened)
+    if len(groups) != 1:
+        named = ", ".join(groups[:20])
+        hint = f'state one of {named} under [recording], as table = "{groups[0]}"' if groups else "there is none"
+        raise InputError(f"columns are data sets of numbers of one dimension; {hint}", file)
+    return opened[groups[0]]
+
+
+def _groups(opened: Any) -> list[str]:
+    """Groups that hold vectors, and data sets whose elements have fields."""
+    groups = dict.fromkeys(["/"] if any(_is_vector(one) for one in opened.values()) else [])
+
+    def look(name: str, one: Any) -> None:
+        if any(_is_vector(inner) for inner in one.values()) if _is_group(one) else one.dtype.names:
+            groups[name] = None
+
+    opened.visititems(look)
+    return list(groups)
+
+
+def _is_group(one: Any) -> bool:
+    return hasattr(one, "values")
+
+
+def _is_vector(one: Any) -> bool:
+    """One dimension, or another of length one besides as MATLAB writes it."""
+    if _is_group(one) or one.dtype.kind not in "fiu":
+        return False
+    return len(one.shape) in (1, 2) and max(one.shape) > 1 and one.size == max(one.shape)
+
+
+def _columns(place: Any, stated: Layout, file: Path) -> Iterator[Column]:
+    if _is_group(place):
+        for heading, one in place.items():
+            if _is_vector(one):
+                unit = next((_text(one.attrs[key]) for key in _UNITS if key in one.attrs), "")
+                yield from _column(heading, unit, one, stated, file)
+    elif place.dtype.names:
+        for heading in place.dtype.names:
+            if place.dtype[heading].kind in "fiu" and not place.dtype[heading].shape:
+                yield from _column(heading, "", place[heading], stated, file)
+    elif stated.names is not None and len(place.shape) == 2:
+        check_names(stated.names, place.shape[1], file)
+        for index, heading in enumerate(stated.names):
+            yield from _column(heading, "", place[:, index], stated, file)
+    else:
+        raise InputError(f"{shown(place.name)} is no group; state names = [...] for the columns of a matrix", file)
+
+
+def _column(heading: str, unit: str, values: Any, stated: Layout, file: Path) -> Iterator[Column]:
+    name, unit = headed(heading, unit, file)
+    if stated.keeps(heading, name):
+        yield Column(name, unit, np.asarray(values, dtype=float).ravel(), heading)
+
+
+def _text(value: Any) -> str:
+    value = np.asarray(value).ravel()[0] if np.size(value) else ""
+    return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)

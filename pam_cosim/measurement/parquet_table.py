@@ -1,0 +1,54 @@
+"""Parquet: columns of numbers or of times."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.errors import InputError
+from pam_cosim.measurement.table import Column, Layout, Table, headed, same_length
+
+
+def read_parquet(file: Path, stated: Layout) -> Table:
+    """Columns of numbers; those of times are seconds since the first. Units stand in names or as ``unit`` of a field.
+
+    Raises:
+        InputError: not such a file, or a column of something else that is not left out.
+    """
+    import pyarrow as arrow
+    from pyarrow import parquet
+
+    try:
+        table = parquet.ParquetFile(file).read()
+    except FileNotFoundError:
+        raise InputError("the file does not exist", file) from None
+    except (arrow.ArrowException, OSError) as error:
+        raise InputError(f"this file cannot be read as Parquet: {error}", file) from None
+    return Table(file, same_length(_columns(table, stated, file), file))
+
+
+def _columns(table: Any, stated: Layout, file: Path) -> Iterator[Column]:
+    from pyarrow import types
+
+    for field, column in zip(table.schema, table.columns, strict=True):
+        unit = ((field.metadata or {}).get(b"unit") or b"").decode("utf-8", "replace")
+        is_time = types.is_timestamp(field.type) or types.is_duration(field.type)
+        name, unit = headed(field.name, "s" if is_time else unit, file)
+        if not stated.keeps(field.name, name):
+            continue
+        if is_time:
+            yield Column(name, "s", _seconds(column), field.name)
+        elif types.is_integer(field.type) or types.is_floating(field.type):
+            yield Column(name, unit, np.array(column.to_numpy(), dtype=float), field.name)
+        else:
+            message = f"it holds {field.type} and no numbers; leave it out: [recording] ignore = [...]"
+            raise InputError(message, file, None, name)
+
+
+def _seconds(column: Any) -> NDArray[np.float64]:
+    times = column.to_numpy()  # NaT where one is missing becomes NaN.
+    return np.asarray((times - times[:1]) / np.timedelta64(1, "s"), dtype=float)

@@ -1,0 +1,133 @@
+"""One file of a data set, read as ``[recording]`` and ``[columns]`` state."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from pam_cosim.errors import InputError
+from pam_cosim.interface import Interface
+from pam_cosim.measurement.clocks import ClockError, Offset, estimate_offset, together
+from pam_cosim.measurement.columns import Renaming, with_columns
+from pam_cosim.measurement.experiment import ExperimentFile, KeyPath, LoggerTable, RecordingTable, RunTable
+from pam_cosim.measurement.formats import read_table
+from pam_cosim.measurement.inside import file_inside
+from pam_cosim.measurement.recording import Recording, recording_of
+from pam_cosim.measurement.resampling import resampled
+from pam_cosim.measurement.table import TIME, Column, Layout, Table
+from pam_cosim.units import UnitError, parse_quantity
+from pam_cosim.wording import did_you_mean, shown
+
+
+def read_run(document: ExperimentFile, index: int, interface: Interface) -> tuple[Recording, tuple[Path, ...]]:
+    """The recording of a run, and its files; what a file states itself overrides what is stated for all.
+
+    Raises:
+        InputError: see ``read_table``, ``with_columns`` and ``recording_of``; clocks that cannot be brought together.
+    """
+    run, place = document.content.runs[index], ("runs", index)
+    files = [file_inside(document, run.file, *place, "file")]
+    recording = _recording(document, run, files[0], interface, *place)
+    for number, logger in enumerate(run.loggers):
+        where = (*place, "loggers", number)
+        files.append(file_inside(document, logger.file, *where, "file"))
+        other = _recording(document, logger, files[-1], interface, *where)
+        offset = _offset(document, logger, recording, other, *where)
+        if offset.sd:
+            said = f"the clock of {logger.file} is put {offset.value:.4g} s on, ± {offset.sd:.2g} s, by {logger.match}"
+            recording = replace(recording, notes=(*recording.notes, said))
+        try:
+            recording = together(recording, other, offset.value, run.interpolation)
+        except ClockError as error:
+            raise document.error(f"{logger.file}: {error}", *where) from None
+    stated = _stated(document, run)
+    if stated.resample is not None:
+        level: KeyPath = (*place, "recording") if run.recording.resample is not None else ("recording",)
+        interval = _duration(document, stated.resample, *level, "resample")
+        recording = resampled(recording, interval, run.interpolation)
+    return recording, tuple(files)
+
+
+def _recording(
+    document: ExperimentFile, entry: RunTable | LoggerTable, file: Path, interface: Interface, *place: str | int
+) -> Recording:
+    stated, renaming = _stated(document, entry), _renaming(document, entry, *place)
+    table = read_table(file, _layout(stated, renaming, interface))
+    if stated.interval is not None:
+        where: KeyPath = (*place, "recording") if entry.recording.interval is not None else ("recording",)
+        table = _with_time(table, _duration(document, stated.interval, *where, "interval"))
+    return recording_of(with_columns(table, renaming), interface)
+
+
+def _stated(document: ExperimentFile, entry: RunTable | LoggerTable) -> RecordingTable:
+    own = entry.recording.model_dump(exclude_unset=True)
+    shared = document.content.recording if isinstance(entry, RunTable) else RecordingTable()
+    return shared.model_copy(update=own)
+
+
+def _renaming(document: ExperimentFile, entry: RunTable | LoggerTable, *place: str | int) -> Renaming:
+    """Another logger has columns of its own."""
+    shared = document.content.columns if isinstance(entry, RunTable) else {}
+    places: dict[str, KeyPath] = {name: ("columns", name) for name in shared}
+    places |= {name: (*place, "columns", name) for name in entry.columns}
+    return Renaming(document, {**shared, **entry.columns}, places)
+
+
+def _offset(
+    document: ExperimentFile, logger: LoggerTable, one: Recording, other: Recording, *place: str | int
+) -> Offset:
+    if (logger.offset is None) == (logger.match is None):
+        message = 'state what to add to its times, offset = "0.12 s", or a signal that both files have, match = "p"'
+        raise document.error(f"{logger.file}: {message}", *place, "offset")
+    try:
+        if logger.offset is not None:
+            return Offset(parse_quantity(logger.offset, "s"))
+        name = str(logger.match)
+        courses = [{**recording.inputs, **recording.measurements} for recording in (one, other)]
+        for course, file in zip(courses, (place[1], logger.file), strict=True):
+            if name not in course:
+                said = logger.file if file == logger.file else document.content.runs[int(file)].file
+                raise ClockError(f"{said} has no {shown(name)}; {did_you_mean(name, course)}")
+        return estimate_offset((one.time, courses[0][name]), (other.time, courses[1][name]))
+    except UnitError as error:
+        raise document.error(f"offset: {error}", *place, "offset") from None
+    except ClockError as error:
+        message = f"the offset of {logger.file} cannot be estimated: {error}; state it as offset = ..."
+        raise document.error(message, *place, "match") from None
+
+
+def _layout(stated: RecordingTable, renaming: Renaming, interface: Interface) -> Layout:
+    names = None if stated.names is None else tuple(stated.names)
+    asked = {TIME, *interface.inputs, *interface.outputs, *renaming.sources, *renaming.names_in_formulas()}
+    return Layout(
+        encoding=stated.encoding,
+        separator=stated.separator,
+        decimal=stated.decimal,
+        names=names,
+        header_line=stated.header_line,
+        units_line=stated.units_line,
+        table=stated.table,
+        ignore=tuple(stated.ignore or ()),
+        asked=frozenset(asked),
+    )
+
+
+def _duration(document: ExperimentFile, value: str | float, *place: str | int) -> float:
+    try:
+        seconds = parse_quantity(value, "s")
+    except UnitError as error:
+        raise document.error(f"{place[-1]}: {error}", *place) from None
+    if seconds <= 0.0:
+        raise document.error(f"{place[-1]} must be greater than zero", *place)
+    return seconds
+
+
+def _with_time(table: Table, interval: float) -> Table:
+    """The table with time from zero in equal steps."""
+    if TIME in table.columns:
+        raise InputError("an interval is stated, and the file has a column 'time'; keep one of them", table.file)
+    count = len(next(iter(table.columns.values())).values)
+    time = Column(TIME, "s", interval * np.arange(count, dtype=np.float64))
+    return replace(table, columns={TIME: time, **table.columns})

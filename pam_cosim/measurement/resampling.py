@@ -1,0 +1,141 @@
+"""A long recording as means over short intervals, so that a fit has the rows that carry information.
+
+The mean of k samples with independent noise has the noise divided by sqrt(k), and says as much of a signal that bends
+little within the interval. An input that steps keeps the time and both values of its step: no mean goes across it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import sqrt
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.measurement.noise import record_step
+from pam_cosim.measurement.recording import Averaged, Recording, locked
+from pam_cosim.simulation.inputs import Interpolation
+from pam_cosim.units import format_quantity
+
+_Places = NDArray[np.int64]
+
+
+def resampled(recording: Recording, interval: float, interpolation: Interpolation) -> Recording:
+    """Means over about ``interval`` [s]; a recording that is no denser stays as it is.
+
+    The rows of the means are at the mean times of their samples. Rows of inputs alone stand at the beginning, the end
+    and both sides of each step; where inputs are held (``interpolation`` "previous"), also where a mean begins. A mean
+    of fewer than half as many samples as usual, between steps, is left out of the measurements.
+    """
+    time, count = recording.time, len(recording.time)
+    wanted = max(1, round((time[-1] - time[0]) / interval))
+    if 2 * wanted > count:
+        return recording
+    jumps = _jumps(recording, wanted)
+    starts = _starts(time, jumps, interval)
+    sizes = np.diff(starts, append=count)
+    middle = np.add.reduceat(time, starts) / sizes
+    kept = _kept_rows(recording, starts[sizes == 1], starts, jumps, interpolation)
+    # About the first sample, so that the mean of what stands still is that to the last digit.
+    first = {name: v[starts] for name, v in recording.inputs.items()}
+    inputs = {
+        name: v + np.add.reduceat(recording.inputs[name] - np.repeat(v, sizes), starts) / sizes
+        for name, v in first.items()
+    }
+    means = {name: _mean(v, starts) for name, v in recording.measurements.items()}
+    times = np.concatenate([middle, time[kept]])
+    # Stable: of rows at one time the mean before a step comes first.
+    order = np.lexsort((np.concatenate([starts, kept]), times))
+    order = order[~_third(times[order])]
+    result = replace(
+        recording,
+        time=locked(times[order]),
+        inputs={
+            name: locked(np.concatenate([v, _own(recording, name, kept, starts, inputs, interpolation)])[order])
+            for name, v in inputs.items()
+        },
+        measurements={
+            name: locked(np.concatenate([v, np.full(len(kept), np.nan)])[order]) for name, (v, _) in means.items()
+        },
+        averaged={
+            name: Averaged(samples, record_step(recording.measurements[name])) for name, (_, samples) in means.items()
+        },
+    )
+    means_of = f"means over {format_quantity(interval, 's')}, {len(jumps)} steps of inputs kept"
+    note = f"{count} rows are {len(order)}: {means_of}"
+    return replace(result, notes=(*recording.notes, note))
+
+
+def noise_of_mean(sigma: float, averaged: Averaged) -> float:
+    """Standard deviation of a mean of samples with the noise ``sigma``, rounded to steps.
+
+    The error of rounding is independent from sample to sample where the noise covers half a step (B. Widrow,
+    I. Kollar, Quantization Noise, 2008); below that, it may be the same in all.
+    """
+    rounding = averaged.step**2 / 12.0
+    if 2.0 * sigma >= averaged.step:
+        return sqrt((sigma**2 + rounding) / averaged.samples)
+    return sqrt(sigma**2 / averaged.samples + rounding)
+
+
+def _jumps(recording: Recording, most: int) -> _Places:
+    """Indices after which an input steps: differences far beyond the others, the largest few left out of these."""
+    steps = np.zeros(len(recording.time) - 1, dtype=bool)
+    for values in recording.inputs.values():
+        size = np.abs(np.diff(values))
+        usual = np.partition(size, len(size) - most)[: len(size) - most]
+        steps |= size > CRITERIA.noise.outlier_far * sqrt(float(np.mean(usual**2)))
+    return np.flatnonzero(steps)
+
+
+def _starts(time: Array, jumps: _Places, interval: float) -> _Places:
+    """First index of each mean: what lies between steps is divided evenly."""
+    first = np.concatenate([[0], jumps + 1])
+    last = np.concatenate([jumps, [len(time) - 1]])
+    span = time[last] - time[first]
+    parts = np.maximum(1, np.round(span / interval)).astype(np.int64)
+    segment = np.repeat(np.arange(len(first)), last - first + 1)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        share = np.nan_to_num((time - time[first][segment]) / span[segment])
+    place = np.minimum(np.floor(share * parts[segment]).astype(np.int64), parts[segment] - 1)
+    number = np.concatenate([[0], np.cumsum(parts)[:-1]])[segment] + place
+    return np.concatenate([[0], np.flatnonzero(np.diff(number)) + 1])
+
+
+def _kept_rows(
+    recording: Recording, single: _Places, starts: _Places, jumps: _Places, interpolation: Interpolation
+) -> _Places:
+    """Rows of inputs alone; a mean of one sample is that row already."""
+    if not recording.inputs:
+        return np.empty(0, dtype=np.int64)
+    rows = [np.array([0, len(recording.time) - 1]), jumps, jumps + 1]
+    if interpolation == "previous":
+        rows.append(starts)
+    return np.setdiff1d(np.concatenate(rows), single)
+
+
+def _own(
+    recording: Recording, name: str, rows: _Places, starts: _Places, means: dict[str, Array], held: Interpolation
+) -> Array:
+    """What an input is in the rows kept: itself, or where it is held the mean that begins or goes on there."""
+    if held != "previous":
+        return recording.inputs[name][rows]
+    return means[name][np.searchsorted(starts, rows, side="right") - 1]
+
+
+def _mean(values: Array, starts: _Places) -> tuple[Array, int]:
+    """Means of the samples there are, and of how many usually."""
+    present = np.isfinite(values)
+    counts = np.add.reduceat(present.astype(np.int64), starts)
+    sums = np.add.reduceat(np.where(present, values, 0.0), starts)
+    usual = int(np.median(counts[counts > 0])) if counts.any() else 1
+    enough = counts >= max(1.0, usual / 2)
+    return np.where(enough, sums / np.maximum(counts, 1), np.nan), usual
+
+
+def _third(times: Array) -> NDArray[np.bool_]:
+    """Which rows are between two others at the same time."""
+    same = np.diff(times) == 0.0
+    return np.concatenate([[False], same[:-1] & same[1:], [False]]) if len(times) > 2 else np.zeros(len(times), bool)

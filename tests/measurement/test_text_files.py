@@ -1,0 +1,150 @@
+"""Texts as loggers and spreadsheets write them arrive as the same numbers; what is ambiguous is refused."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pam_cosim.errors import InputError
+from pam_cosim.measurement.formats import read_table
+from pam_cosim.measurement.table import Layout
+
+PLAIN = "time [s],p [kPa],T [°C]\n0.0,1.5,20\n0.1,,20.5\n0.2,-3.25e1,21\n"
+EXPECTED = {
+    "time": ("s", [0, 0.1, 0.2]),
+    "p": ("kPa", [1.5, np.nan, -32.5]),
+    "T": ("°C", [20, 20.5, 21]),
+}
+
+
+def semicolons(text: str) -> str:
+    return text.replace(",", ";").replace(".", ",")
+
+
+def tabs(text: str) -> str:
+    return text.replace(",", "\t")
+
+
+def blanks(text: str) -> str:
+    return text.replace(",,", ",nan,").replace(",", "  ")
+
+
+def units_below(text: str) -> str:
+    return text.replace("time [s],p [kPa],T [°C]", "time,p,T\ns,kPa,°C")
+
+
+VARIANTS = {
+    "as documented": PLAIN.encode(),
+    "semicolons and decimal commas": semicolons(PLAIN).encode(),
+    "semicolons and decimal points": PLAIN.replace(",", ";").encode(),
+    "tabs": tabs(PLAIN).encode(),
+    "tabs and decimal commas": tabs(PLAIN).replace(".", ",").encode(),
+    "byte order mark": PLAIN.encode("utf-8-sig"),
+    "UTF-16": PLAIN.encode("utf-16"),
+    "UTF-16, big-endian": b"\xfe\xff" + PLAIN.encode("utf-16-be"),
+    "Latin-1": PLAIN.encode("latin-1"),
+    "units in their own row": units_below(PLAIN).encode(),
+    "units in brackets in their own row": units_below(PLAIN).replace("s,kPa,°C", "[s],[kPa],[°C]").encode(),
+    "units in round brackets": PLAIN.replace("[", "(").replace("]", ")").encode(),
+    "units after a stroke": b"time / s,p in kPa,T / degC\n0.0,1.5,20\n0.1,,20.5\n0.2,-3.25e1,21\n",
+    "lines above": f"Test 12\nDate: 2024-02-01, 10:30\n\nRate,1000\n{PLAIN}".encode(),
+    "lines above, as wide": b"Name,A. Smith,\nmuscle,latex,3\n" + units_below(PLAIN).encode(),
+    "comments": f"# rig, 3\n% of MATLAB\n// of C\n{PLAIN}# the end\n".encode(),
+    "header as a comment": f"# rig, 3\n# {PLAIN}".encode(),
+    "separators at the ends of lines": PLAIN.replace("\n", ",\n").encode(),
+    "the same, units below": units_below(PLAIN).replace("\n", ",\n").encode(),
+    "separator stated by the file": b"sep=;\n" + semicolons(PLAIN).encode(),
+    "quotes": semicolons(PLAIN).replace("p [kPa]", '"p\n[kPa]"').replace("1,5", '"1,5"').encode(),
+    "old line ends": PLAIN.replace("\n", "\r").encode(),
+}
+
+
+@pytest.mark.parametrize("content", VARIANTS.values(), ids=VARIANTS.keys())
+def test_variants_hold_the_same_numbers(tmp_path, content):
+    file = tmp_path / "run.csv"
+    file.write_bytes(content)
+    table = read_table(file)
+    assert list(table.columns) == list(EXPECTED)
+    for name, (unit, values) in EXPECTED.items():
+        assert table.columns[name].unit.replace("degC", "°C") == unit
+        np.testing.assert_array_equal(table.columns[name].values, values)
+
+
+def written(tmp_path, text: str | bytes, **stated) -> dict[str, list[float]]:
+    file = tmp_path / "run.txt"
+    file.write_bytes(text if isinstance(text, bytes) else text.encode())
+    return {name: list(column.values) for name, column in read_table(file, Layout(**stated)).columns.items()}
+
+
+@pytest.mark.parametrize("head", ["time [s]   p [kPa]", "time  p", "# time p", "%  time [s] p [kPa]", "time (s) p"])
+def test_blanks(tmp_path, head):
+    assert written(tmp_path, f"{head}\n  0.0   1.5\n 10.1  2\n") == {"time": [0, 10.1], "p": [1.5, 2]}
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("a,b\n1,234\n2,345\n", {"a": [1, 2], "b": [234, 345]}),
+        ("a;b\n1,234;0,5\n", {"a": [1.234], "b": [0.5]}),
+        ("a;b\n0,001;1,234\n", {"a": [0.001], "b": [1.234]}),
+        ("a\tb\n1,234\t1,2345\n", {"a": [1.234], "b": [1.2345]}),
+        ("a b\n1,234 1,25\n", {"a": [1.234], "b": [1.25]}),
+        ("a;b\n1;2\n3;4\n", {"a": [1, 3], "b": [2, 4]}),
+        ("a,b,c,d\n1,5,2,5\n", {"a": [1], "b": [5], "c": [2], "d": [5]}),
+    ],
+)
+def test_a_comma_separates_or_is_decimal_by_what_fits_the_header(tmp_path, text, expected):
+    assert written(tmp_path, text) == expected
+
+
+def test_what_is_stated_is_not_guessed(tmp_path):
+    assert written(tmp_path, "a;b\n1,234;2,345\n", decimal=",") == {"a": [1.234], "b": [2.345]}
+    assert written(tmp_path, "0;1\n1;2\n", names=("t [s]", "p")) == {"t": [0, 1], "p": [1, 2]}
+    text = "t;p\nZeit;Druck\ncounts;counts\n0;1\n1;2\n"
+    assert written(tmp_path, text, header_line=2, units_line=3) == {"Zeit": [0, 1], "Druck": [1, 2]}
+    assert written(tmp_path, "t [µs],p\n0,1\n1,2\n".encode("cp437"), encoding="cp437") == {"t": [0, 1], "p": [1, 2]}
+
+
+def test_ignored_columns_may_hold_text(tmp_path):
+    text = "t;p;remark;aux 1\n0,5;1;ok, fine;-\n1,5;2;;x\n"
+    assert written(tmp_path, text, ignore=("remark", "aux*")) == {"t": [0.5, 1.5], "p": [1, 2]}
+    assert written(tmp_path, text, ignore=("*",), asked=frozenset({"p"})) == {"p": [1, 2]}
+
+
+# (name, text, stated, line, column, words)
+FAULTS = [
+    ("ambiguous comma", "a;b\n1,234;2,345\n", {}, 2, None, ["'1,234'", "thousands", 'decimal = ","']),
+    ("ambiguous point", "a;b\n1.234;2.345\n", {}, 2, None, ["'1.234'", 'decimal = "."']),
+    ("two signs", "a;b\n0,5;1\n1,5;2.5\n", {}, 3, "b", ["'2.5'", "decimal point"]),
+    ("thousands", "a;b\n0,5;1\n1,5;1.002,5\n", {}, 3, "b", ["thousands"]),
+    ("cells in a row", "a;b\n0,5;1\n1,5;2;3\n", {}, 3, None, ["3 cells", "has 2"]),
+    ("first row at fault", "a;b\n0,5;x\n1,5;2\n", {}, 2, "b", ["'x'", "not a number"]),
+    ("text", "a;b\n0,5;1\n1,5;x\n", {}, 3, "b", ["'x'", "not a number"]),
+    ("no header", "0;1\n1;2\n", {}, 1, None, ["names = ["]),
+    ("no rows", "just a letter\nof two lines\n", {}, 2, None, ["no rows"]),
+    ("unlike units", "a [ms];b\ns;kPa\n0;1\n", {}, 1, "a", ["'ms'", "'s'"]),
+    ("header not there", "a;b\n0;1\n", {"header_line": 9}, 2, None, ["no rows"]),
+    ("names of too few", "0;1;2\n", {"names": ("a", "b")}, 1, None, ["3 cells", "has 2"]),
+    ("wrong separator", "a;b\n0;1\n", {"separator": ","}, 2, None, ["no rows"]),
+    ("unknown encoding", "a;b\n0;1\n", {"encoding": "klingon"}, None, None, ["'klingon'"]),
+    ("wrong encoding", b"a;b\n0;\xe4\n", {"encoding": "ascii"}, 2, None, ["ascii"]),
+]
+
+
+@pytest.mark.parametrize("case", FAULTS, ids=[case[0] for case in FAULTS])
+def test_faults(tmp_path, case):
+    _, text, stated, line, column, words = case
+    with pytest.raises(InputError) as caught:
+        written(tmp_path, text, **stated)
+    error = caught.value
+    assert (error.file, error.line, error.column) == (tmp_path / "run.txt", line, column)
+    for word in words:
+        assert word in error.message
+
+
+def test_a_fault_behind_many_rows_is_named(tmp_path):
+    rows = [f"{i / 1000:.3f};{i % 7}" for i in range(50_000)]
+    rows[45_678] = "45.678;1e"
+    with pytest.raises(InputError) as caught:
+        written(tmp_path, "t;p\n" + "\n".join(rows))
+    assert (caught.value.line, caught.value.column) == (45_680, "p")
