@@ -74,9 +74,12 @@ def _renamed(table: Table, renaming: Renaming, name: str) -> Column:
     wanted = name if one.column is None else one.column
     columns = list(table.columns.values())
     if isinstance(wanted, int):
-        if not 1 <= wanted <= len(columns):
-            raise renaming.error(f"{table.file.name} has {len(columns)} columns, not {wanted}", name, "column")
-        source = columns[wanted - 1]
+        places = {column.place or number: column for number, column in enumerate(columns, start=1)}
+        if wanted not in places:
+            known = ", ".join(map(str, sorted(places)))
+            message = f"{table.file.name} has no column {wanted} that is read, only {known}"
+            raise renaming.error(message, name, "column")
+        source = places[wanted]
     else:
         alike = [column for column in columns if wanted in (column.name, column.heading)]
         if not alike:

@@ -42,29 +42,41 @@ def is_hdf5(file: Path) -> bool:
 
 
 def _place(opened: Any, name: str | None, file: Path) -> Any:
+    places = _places(opened)
+    groups = [one for one, place in places.items() if _holds_columns(place)]
     if name is not None:
-        if name not in opened:
-            known = _groups(opened)
-            raise InputError(f"there is no group {shown(name)}; {did_you_mean(name, known)}", file)
-        return opened[name]
-    groups = _groups(opened)
+        if name.strip("/") not in places:
+            raise InputError(f"there is no group {shown(name)}; {did_you_mean(name, groups or places)}", file)
+        return places[name.strip("/")]
     if len(groups) != 1:
-        named = ", ".join(groups[:20])
-        hint = f'state one of {named} under [recording], as table = "{groups[0]}"' if groups else "there is none"
+        named = ", ".join(one or "/" for one in groups[:20])
+        hint = f'state one of {named} under [recording], as table = "{groups[0] or "/"}"' if groups else "there is none"
         raise InputError(f"columns are data sets of numbers of one dimension; {hint}", file)
-    return opened[groups[0]]
+    return places[groups[0]]
 
 
-def _groups(opened: Any) -> list[str]:
-    """Groups that hold vectors, and data sets whose elements have fields."""
-    groups = dict.fromkeys(["/"] if any(_is_vector(one) for one in opened.values()) else [])
+def _places(opened: Any) -> dict[str, Any]:
+    """Everything that the file itself holds: links, which may lead out of it, are not followed."""
+    places = {"": opened}
 
     def look(name: str, one: Any) -> None:
-        if any(_is_vector(inner) for inner in one.values()) if _is_group(one) else one.dtype.names:
-            groups[name] = None
+        if not name.startswith("#"):  # MATLAB's own.
+            places[name] = one
 
     opened.visititems(look)
-    return list(groups)
+    return places
+
+
+def _holds_columns(place: Any) -> bool:
+    return any(_is_vector(one) for _, one in _members(place)) if _is_group(place) else bool(place.dtype.names)
+
+
+def _members(group: Any) -> Iterator[tuple[str, Any]]:
+    import h5py
+
+    for name in group:
+        if isinstance(group.get(name, getlink=True), h5py.HardLink):
+            yield name, group[name]
 
 
 def _is_group(one: Any) -> bool:
@@ -73,17 +85,19 @@ def _is_group(one: Any) -> bool:
 
 def _is_vector(one: Any) -> bool:
     """One dimension, or another of length one besides as MATLAB writes it."""
-    if _is_group(one) or one.dtype.kind not in "fiu":
+    if _is_group(one) or one.dtype.kind not in "fiu" or one.is_virtual or one.external:
         return False
     return len(one.shape) in (1, 2) and max(one.shape) > 1 and one.size == max(one.shape)
 
 
 def _columns(place: Any, stated: Layout, file: Path) -> Iterator[Column]:
     if _is_group(place):
-        for heading, one in place.items():
+        for heading, one in _members(place):
             if _is_vector(one):
                 unit = next((_text(one.attrs[key]) for key in _UNITS if key in one.attrs), "")
                 yield from _column(heading, unit, one, stated, file)
+    elif place.is_virtual or place.external:
+        raise InputError(f"{shown(place.name)} is kept in other files; export the recording whole", file)
     elif place.dtype.names:
         for heading in place.dtype.names:
             if place.dtype[heading].kind in "fiu" and not place.dtype[heading].shape:

@@ -23,12 +23,13 @@ _OVER = re.compile(r"(.+?)\s+(?:/|in)\s+(\S+)")
 
 @dataclass(frozen=True)
 class Column:
-    """One column: values (n,) in ``unit``; NaN is a missing sample. ``heading`` is what the file calls it."""
+    """One column: values (n,) in ``unit``, NaN where a sample is missing; what the file calls it, and which it is."""
 
     name: str
     unit: str
     values: NDArray[np.float64]
     heading: str = ""
+    place: int = 0
 
 
 @dataclass(frozen=True)

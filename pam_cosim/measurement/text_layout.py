@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import csv
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -132,7 +132,10 @@ def _no_rows(lines: list[Line], file: Path) -> InputError:
 
 def _by(separator: str, lines: list[Line], stated: Layout) -> TextLayout | None:
     """The layout by this separator; None when there are no rows."""
-    rows, start = _cells(separator, lines, max(stated.header_line or 0, stated.units_line or 0))
+    after = max(stated.header_line or 0, stated.units_line or 0)
+    rows, start = _cells(separator, lines, after, _is_row)
+    if start is None:
+        rows, start = _cells(separator, lines, after, _is_dated_row)
     if start is None:
         return None
     count = len(rows[start].cells)
@@ -150,7 +153,9 @@ def _by(separator: str, lines: list[Line], stated: Layout) -> TextLayout | None:
     return TextLayout(separator, headings, header.line, rows[start].index, fits)
 
 
-def _cells(separator: str, lines: list[Line], after: int) -> tuple[list[_Row], int | None]:
+def _cells(
+    separator: str, lines: list[Line], after: int, is_row: Callable[[list[str]], bool]
+) -> tuple[list[_Row], int | None]:
     """The header's lines and some rows, and which is the first row below the line ``after``."""
     rows: list[_Row] = []
     start = None
@@ -161,7 +166,7 @@ def _cells(separator: str, lines: list[Line], after: int) -> tuple[list[_Row], i
             cells = split_cells(line, separator)
         except csv.Error:
             cells = []
-        if start is None and number > after and _is_row(cells):
+        if start is None and number > after and is_row(cells):
             start = len(rows)
         rows.append(_Row(index, number, line, cells))
         if len(rows) - start > _SAMPLE if start is not None else number > after + _DEEPEST:
@@ -172,6 +177,11 @@ def _cells(separator: str, lines: list[Line], after: int) -> tuple[list[_Row], i
 def _is_row(cells: list[str]) -> bool:
     numbers = sum(1 for cell in cells if not cell or _NUMBER.fullmatch(cell))
     return len(cells) > 1 and bool(_NUMBER.fullmatch(cells[0])) and 2 * numbers >= len(cells)
+
+
+def _is_dated_row(cells: list[str]) -> bool:
+    """A row that begins with a text, such as a date, has more numbers than texts."""
+    return len(cells) > 2 and 2 * sum(1 for cell in cells if _NUMBER.fullmatch(cell)) > len(cells)
 
 
 def _holds_number(row: _Row, count: int) -> bool:

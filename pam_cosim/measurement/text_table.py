@@ -56,7 +56,7 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     reader = _Reader(layout, [name for name, _ in names], keep, file, ".")
     reader.decimal = stated.decimal or decimal_sign(reader.cells(body), layout.separator, file)
     columns = {
-        names[i][0]: Column(*names[i], values, layout.headings[i][0])
+        names[i][0]: Column(*names[i], values, layout.headings[i][0], i + 1)
         for i, values in zip(keep, reader.columns(body), strict=True)
     }
     numbers = np.array([number for number, _ in body], dtype=np.int64)

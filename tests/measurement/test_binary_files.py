@@ -186,3 +186,13 @@ def test_rows_are_named_where_there_are_no_lines(tmp_path):
     with pytest.raises(InputError) as caught:
         read_data_set(tmp_path, describe)
     assert caught.value.column == "time" and "row 2: time goes back" in caught.value.message
+
+
+def test_links_out_of_a_file_are_not_followed(tmp_path):
+    hdf5(tmp_path / "other.h5")
+    with h5py.File(tmp_path / "run.h5", "w") as out:
+        out["far"] = h5py.ExternalLink(str(tmp_path / "other.h5"), "/rig/run 1")
+        out["p"] = h5py.ExternalLink(str(tmp_path / "other.h5"), "/rig/run 1/p")
+        out["x"] = h5py.SoftLink("/far/x")
+    assert "there is none" in refusal(tmp_path / "run.h5").message
+    assert "no group 'far'" in refusal(tmp_path / "run.h5", Layout(table="far")).message

@@ -68,6 +68,12 @@ def test_a_formula_may_use_the_entries_above_it_and_signs(lab):
     np.testing.assert_allclose(run.measurements["eps"], -run.measurements["x"] / 0.032)
 
 
+def test_numbers_count_the_columns_of_the_file(lab):
+    text = COLUMNS.replace('["Bemerkung"]', '["Bemerkung", "Druck 1"]').replace('"Druck 1", unit', "4, unit")
+    run = read_data_set(lab(HEAD + text + RUN), describe).runs[0]
+    np.testing.assert_allclose(run.measurements["p"], [0, 0, 1e5, 2e5])
+
+
 def test_a_column_may_correct_itself(lab):
     text = "time [s];x [mm];p [kPa]\n0,5;1;2\n1,5;3;4\n"
     columns = "[columns]\nx = { formula = '-x' }\np = { unit = 'bar' }\n"
@@ -85,7 +91,7 @@ def test_a_file_without_time_has_an_interval(lab):
 # (name, text replaced, replacement, text on the line that is named, words)
 FAULTS = [
     ("no such column", '"Druck 1"', '"Druck 2"', "Druck 2", ["lab.csv has no column 'Druck 2'", "did you mean"]),
-    ("no such number", '"Druck 1"', "9", "column = 9", ["columns, not 9"]),
+    ("no such number", '"Druck 1"', "9", "column = 9", ["no column 9", "only 1, 2, 3, 4"]),
     ("wrong unit", '"bar"', '"mm"', None, ["'mm'", "'Pa'"]),
     ("units in a formula", '"32 mm"', '"32 K"', "- Weg", ["units of the formula", "kelvin"]),
     ("unknown name", "- Weg", "- Wge", "Wge", ["there is no 'Wge'", "did you mean 'Weg'"]),

@@ -111,6 +111,14 @@ def test_ignored_columns_may_hold_text(tmp_path):
     assert written(tmp_path, text, ignore=("*",), asked=frozenset({"p"})) == {"p": [1, 2]}
 
 
+def test_dates_before_the_numbers(tmp_path):
+    text = "Rate;1000;\nDate;t;p\n2024-02-01 10:00:00;0,5;1\n2024-02-01 10:00:01;1,5;2\n"
+    assert written(tmp_path, text, ignore=("Date",)) == {"t": [0.5, 1.5], "p": [1, 2]}
+    with pytest.raises(InputError) as caught:
+        written(tmp_path, text)
+    assert (caught.value.line, caught.value.column) == (3, "Date")
+
+
 # (name, text, stated, line, column, words)
 FAULTS = [
     ("ambiguous comma", "a;b\n1,234;2,345\n", {}, 2, None, ["'1,234'", "thousands", 'decimal = ","']),
