@@ -245,8 +245,17 @@ def diagnose(
     limit, files = _seconds(time_limit, "time limit"), _paths(files)
     if limit is not None and not limit > 0:
         raise InputError(f"the time limit must be longer than nothing: {time_limit}")
-    known = {"exclude": tuple(exclude), "expect": tuple(expect)}
-    return _diagnose(data, model, files=files, say=say, workers=workers, explain=explain, time_limit=limit, **known)
+    return _diagnose(
+        data,
+        model,
+        files=files,
+        say=say,
+        workers=workers,
+        explain=explain,
+        time_limit=limit,
+        exclude=tuple(exclude),
+        expect=tuple(expect),
+    )
 
 
 def draw(product: Product, path: Path | str) -> None:

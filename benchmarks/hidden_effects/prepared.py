@@ -49,12 +49,11 @@ def prepare(which: str, number: int) -> None:
     place = _place(which, number)
     if place.exists():
         return
-    made = make(case_of(which, number))
     place.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=place.parent) as scratch:
         folder = Path(scratch) / "case"
-        write(made, folder / "data")
-        (folder / "description.json").write_text(json.dumps(made.description))
+        description = _made_now(which, number, folder / "data")
+        (folder / "description.json").write_text(json.dumps(description))
         with suppress(OSError):  # somebody else was faster
             folder.rename(place)
 
@@ -65,6 +64,10 @@ def made_case(which: str, number: int, folder: Path) -> dict[str, Any]:
     if place.exists():
         shutil.copytree(place / "data", folder, dirs_exist_ok=True)
         return dict(json.loads((place / "description.json").read_text()))
+    return _made_now(which, number, folder)
+
+
+def _made_now(which: str, number: int, folder: Path) -> dict[str, Any]:
     made = make(case_of(which, number))
     write(made, folder)
     return made.description

@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 import time
 from collections import Counter
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field, replace
-from functools import partial
 from pathlib import Path
 
 from pam_cosim.catalogue import EffectClass, domain_of, effect_classes, origins, qualified
@@ -15,12 +14,12 @@ from pam_cosim.comparison import without_outliers
 from pam_cosim.compiler import read_library, read_structure
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial, role_summary
+from pam_cosim.diagnosis.choice import meant
 from pam_cosim.diagnosis.evidence import incomplete, rank
 from pam_cosim.diagnosis.explanation import LearnedModel, learned_term, ledger_of
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.missing_term import MissingTerm, missing_term
 from pam_cosim.diagnosis.next_experiment import NextExperiment, Plan, told_apart
-from pam_cosim.diagnosis.prior import meant
 from pam_cosim.diagnosis.search import Search, describe_fit
 from pam_cosim.diagnosis.selection import Selection, select_effects
 from pam_cosim.diagnosis.stated import stated_parameters
@@ -29,7 +28,6 @@ from pam_cosim.diagnosis.verdict import Verdict, confidence, explained, judge, r
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit, FitOptions, fit
 from pam_cosim.fmu import build_model
-from pam_cosim.interface import Interface
 from pam_cosim.ledger import Ledger
 from pam_cosim.measurement import ROLES, DataSet, complete_noise, error_in
 from pam_cosim.names import is_fmu, is_modelica
@@ -82,6 +80,14 @@ class Diagnosis(Printed):
         """The base model with all effects that were added, fitted."""
         return self.path[-1].fit if self.path else self.base
 
+    @property
+    def not_tried_by_reason(self) -> dict[str, list[str]]:
+        """The families that were not looked for, by reason, in their order."""
+        families: dict[str, list[str]] = {}
+        for family, why in self.not_tried.items():
+            families.setdefault(why, []).append(family)
+        return families
+
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
         base = role_summary(self.base, "fit") or {}
@@ -125,7 +131,7 @@ class Diagnosis(Printed):
         if self.untried:
             more = ", ".join(" + ".join(names) for names in self.untried)
             lines.append(f"  The time limit ended the search; what would have been tried next: {more}")
-        lines += [f"  not looked for: {listed(names)}: {why}" for why, names in _by_reason(self.not_tried).items()]
+        lines += [f"  not looked for: {listed(names)}: {why}" for why, names in self.not_tried_by_reason.items()]
         if self.learned is not None:
             beside = "".join(f" and {effect}" for effect in self.learned.model.effects[:-1])
             lines.append(f"  What is missing, described (not explained): {self.learned.term}")
@@ -169,14 +175,13 @@ def diagnose(
     wake(workers, run_trial.__module__)
     sources = tuple([*files, Path(name)] if is_modelica(name) else files)
     tree = read_library(files=sources)
-    data = replace(data, domain=domain_of(tree, name))
-    data, base, interface, outliers = _base(complete_noise(data), name, files, say)
-    shelf = effect_classes(tree, origins(read_structure(qualified(tree, name), files=sources).parts))
-    shelf += stated_parameters(data, interface)
-    excluded, expected = (
-        meant(shelf, stated, partial(_wrong_key, data, key)) | meant(shelf, asked, partial(_wrong_word, key))
-        for key, stated, asked in (("exclude", data.excluded, exclude), ("expect", data.expected, expect))
-    )
+    data = complete_noise(replace(data, domain=domain_of(tree, name)))
+    with Simulator(build_model(name, files, sensitivities=data.free_names, where_smooth=True)) as simulator:
+        shelf = effect_classes(tree, origins(read_structure(qualified(tree, name), files=sources).parts))
+        shelf += stated_parameters(data, simulator.interface)
+        excluded = _meant(shelf, data, "exclude", data.excluded, exclude)
+        expected = _meant(shelf, data, "expect", data.expected, expect)
+        data, base, outliers = _base(simulator, data, say)
     search = Search(
         tree, name, [e for e in shelf if e.name not in excluded], data, sources, say, workers, expected=expected
     )
@@ -185,10 +190,10 @@ def diagnose(
     selected, tried = list(selection.path), list(selection.tried)
     others: list[Plan] = []
     if selected:
-        others = _others(data, selected[-1], rivals(base, selected[-1], tried, search.family, search.prior), sources)
+        others = _others(data, selected[-1], rivals(base, selected[-1], tried, search.family, search.choice), sources)
     verdict = judge(base, selected, [c for c, _ in others], tried)
     last = selected[-1] if selected else None
-    verdict = replace(verdict, probability=confidence(base, last, tried, search.family, search.prior, verdict))
+    verdict = replace(verdict, probability=confidence(base, last, tried, search.family, search.choice, verdict))
     present = last.fit if last else base
     added = [c.effect for c in selected]
     ledger = ledger_of(search, (), base) if explain and verdict.kind != "none_missing" else None
@@ -215,12 +220,18 @@ def diagnose(
     )
 
 
-def _wrong_key(data: DataSet, key: str, message: str) -> InputError:
-    return error_in(data.folder, f"{key}: {message}", "effects", key)
+def _meant(
+    shelf: Sequence[EffectClass], data: DataSet, key: str, stated: Sequence[str], asked: Sequence[str]
+) -> frozenset[str]:
+    """The effects meant by names that the data set states under a key, and by others that were asked for."""
 
+    def wrong_key(message: str) -> InputError:
+        return error_in(data.folder, f"{key}: {message}", "effects", key)
 
-def _wrong_word(key: str, message: str) -> InputError:
-    return InputError(f"{key}: {message}")
+    def wrong_word(message: str) -> InputError:
+        return InputError(f"{key}: {message}")
+
+    return meant(shelf, stated, wrong_key) | meant(shelf, asked, wrong_word)
 
 
 def _not_tried(
@@ -241,14 +252,6 @@ def _not_tried(
         elif family in looked_at - shown:
             reasons[family] = "nothing that was measured shows them"
     return reasons
-
-
-def _by_reason(reasons: Mapping[str, str]) -> dict[str, list[str]]:
-    """Families by reason, in their order."""
-    families: dict[str, list[str]] = {}
-    for family, why in reasons.items():
-        families.setdefault(why, []).append(family)
-    return families
 
 
 def _learned(
@@ -277,21 +280,17 @@ def _others(data: DataSet, best: Candidate, near: Sequence[Candidate], files: Se
     return told_apart(data, best, near, files)
 
 
-def _base(
-    data: DataSet, model: str, files: Sequence[Path], say: Callable[[Message], None]
-) -> tuple[DataSet, Fit, Interface, dict[str, int]]:
-    """The data without outliers, the base model fitted to them, what it has, and how many samples were set aside."""
-    with Simulator(build_model(model, files, sensitivities=data.free_names, where_smooth=True)) as simulator:
-        options = FitOptions(rows=CRITERIA.search.rows, leeway=True)
+def _base(simulator: Simulator, data: DataSet, say: Callable[[Message], None]) -> tuple[DataSet, Fit, dict[str, int]]:
+    """The data without outliers, the base model fitted to them, and how many samples were set aside."""
+    options = FitOptions(rows=CRITERIA.search.rows, leeway=True)
+    base = fit(simulator, data, options=options)
+    data, outliers = without_outliers(data, base.comparison.runs)
+    if outliers:
+        counts = ", ".join(f"{count} of {name}" for name, count in outliers.items())
+        say(Message(f"single samples far off their neighbours are set aside: {counts}"))
         base = fit(simulator, data, options=options)
-        data, outliers = without_outliers(data, base.comparison.runs)
-        if outliers:
-            counts = ", ".join(f"{count} of {name}" for name, count in outliers.items())
-            say(Message(f"single samples far off their neighbours are set aside: {counts}"))
-            base = fit(simulator, data, options=options)
-        interface = simulator.interface
     say(Message(f"base model refitted: {describe_fit(base)}"))
-    return data, base, interface, outliers
+    return data, base, outliers
 
 
 def _balance(base: Fit, candidates: Sequence[Candidate]) -> dict[str, float]:

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from pam_cosim.comparison import Reproducibility, ResidualStatistics, reproducibility
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.prior import Prior
+from pam_cosim.diagnosis.choice import Choice
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import ROLES
 
@@ -118,7 +118,9 @@ def scale(fits: Sequence[Fit]) -> Scale:
     return Scale(max(1.0, best.chi2_reduced), best.correlation_time)
 
 
-def evidence(fit: Fit, at: Scale, effects: Collection[str], prior: Prior, candidate: Candidate | None = None) -> float:
+def evidence(
+    fit: Fit, at: Scale, effects: Collection[str], choice: Choice, candidate: Candidate | None = None
+) -> float:
     """How much the data speak against a model: minus twice the logarithm of its probability, but for a constant.
 
     The fitted runs by the Bayesian information criterion, which pays for every parameter that the effects brought; the
@@ -126,7 +128,7 @@ def evidence(fit: Fit, at: Scale, effects: Collection[str], prior: Prior, candid
     """
     held = fit.residuals["holdout"]
     lost = _lost(candidate) if candidate else 0
-    known = bic(fit, *at) + at.penalty(fit) * lost + prior.cost(effects)
+    known = bic(fit, *at) + at.penalty(fit) * lost + choice.cost(effects)
     return known + (held.chi2 / at.divisor if held.samples else 0.0)
 
 

@@ -13,8 +13,8 @@ from pam_cosim.comparison import without_outliers
 from pam_cosim.compiler import ClassTree, Structure, library_hash, read_structure
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
+from pam_cosim.diagnosis.choice import Choice
 from pam_cosim.diagnosis.message import Message
-from pam_cosim.diagnosis.prior import Prior
 from pam_cosim.diagnosis.probing import Probe
 from pam_cosim.diagnosis.trial import Trial, crashed, run_probe, run_trial
 from pam_cosim.fitting import Fit
@@ -79,9 +79,9 @@ class Search:
         return {e.name: e.family for e in self.shelf}
 
     @cached_property
-    def prior(self) -> Prior:
+    def choice(self) -> Choice:
         """What a choice among the effects costs."""
-        return Prior(len(self.shelf), self.expected & self.family.keys())
+        return Choice(len(self.shelf), self.expected & self.family.keys())
 
     @cached_property
     def cost(self) -> dict[str, int]:

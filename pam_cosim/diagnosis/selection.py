@@ -280,15 +280,17 @@ class _Models:
     def _fits(self) -> list[Fit]:
         return [self.base, *(c.fit for c in self.known.values())]
 
-    def _evidence(self, c: Candidate) -> float:
-        return evidence(c.fit, self._scale, c.effects, self.search.prior, c)
+    def _evidence(self, c: Candidate | None, at: Scale | None = None) -> float:
+        """The evidence against a model, None: the base model; on the scale of the best model unless given."""
+        fit, effects = (c.fit, c.effects) if c else (self.base, ())
+        return evidence(fit, at or self._scale, effects, self.search.choice, c)
 
     def _best(self) -> Candidate | None:
         """Of those that leave noise, the best with the fewest effects; else the best; None: none beats the base.
 
         Where the evidence does not tell them apart, signals that were compared but not fitted may.
         """
-        beaten = self._base_evidence() - CRITERIA.evidence.very_strong
+        beaten = self._evidence(None) - CRITERIA.evidence.very_strong
         done = [c for c in self.known.values() if not c.brief and self._evidence(c) < beaten]
         order = {c.effects: (self._leaves_structure(c), self._evidence(c), c.effects) for c in done}
         enough = [len(names) for names, (left, _, _) in order.items() if not left]
@@ -311,23 +313,17 @@ class _Models:
     def _limit(self, at: Scale) -> float:
         """The evidence that a model may have at most to be of interest: the best one's; or a rival's of the answer."""
         best = self._best()
-        if best is None:
-            return evidence(self.base, at, (), self.search.prior)
-        known = evidence(best.fit, at, best.effects, self.search.prior, best)
-        return known if self._leaves_structure(best) else known + CRITERIA.evidence.very_strong
+        rivals_count = best is not None and not self._leaves_structure(best)
+        return self._evidence(best, at) + CRITERIA.evidence.very_strong * rivals_count
 
     def _possibly(self) -> Scale:
         """The scale of what is possible: plain noise as long as the best model leaves more, else what that leaves."""
         return Scale(max(1.0, self._noise()), 1.0) if self.unsolved() else self._scale
 
-    def _base_evidence(self) -> float:
-        return evidence(self.base, self._scale, (), self.search.prior)
-
     def _hope(self, c: Candidate, at: Scale) -> float:
         """The evidence of a candidate that was fitted briefly, if all goes as its slopes say."""
         gain = reduction(c.fit.linear) if c.fit.linear is not None else 0.0
-        known = evidence(c.fit, at, c.effects, self.search.prior, c)
-        return known - self._worth(gain, c.fit, at, self._noise())
+        return self._evidence(c, at) - self._worth(gain, c.fit, at, self._noise())
 
     def _worth(
         self, reduction: float, fit: Fit, at: Scale, noise: float, lost: float = CRITERIA.search.not_linear
@@ -416,7 +412,7 @@ class _Models:
         """
         reduction = e.within_bounds[0] if reduction is None else reduction
         more = sum(a.cost for a in e.added) - (self.search.cost[e.exchanged] if e.exchanged else 0)
-        known = evidence(fit, at, e.effects, self.search.prior, start)
+        known = evidence(fit, at, e.effects, self.search.choice, start)
         return known + more * at.penalty(fit) - self._worth(reduction, fit, at, noise, lost)
 
     def _wanted(self, e: Expected) -> Wanted:

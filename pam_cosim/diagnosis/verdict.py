@@ -9,6 +9,7 @@ from typing import Literal
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.diagnosis.choice import Choice
 from pam_cosim.diagnosis.evidence import (
     Scale,
     dominant_effect,
@@ -19,7 +20,6 @@ from pam_cosim.diagnosis.evidence import (
     structured,
     unexplained,
 )
-from pam_cosim.diagnosis.prior import Prior
 from pam_cosim.fitting import Fit
 
 Kind = Literal["none_missing", "identified", "ambiguous", "unknown"]
@@ -65,7 +65,7 @@ _REST = (
 
 
 def rivals(
-    base: Fit, best: Candidate, tried: Sequence[Candidate], family: Mapping[str, str], prior: Prior
+    base: Fit, best: Candidate, tried: Sequence[Candidate], family: Mapping[str, str], choice: Choice
 ) -> list[Candidate]:
     """Models with other families that the data hardly distinguish from the best, one of each set of families.
 
@@ -78,25 +78,25 @@ def rivals(
         best: the model with all that was selected.
         tried: all models.
         family: of every effect there is.
-        prior: what a choice among them costs.
+        choice: what a choice among them costs.
     """
     at = scale([base, *(c.fit for c in tried)])
     own = frozenset(family[e] for e in best.effects)
-    limit = evidence(best.fit, at, best.effects, prior, best) + CRITERIA.evidence.very_strong
+    limit = evidence(best.fit, at, best.effects, choice, best) + CRITERIA.evidence.very_strong
     alike = [c for c in tried if (best.general or not c.general) and not refuted(c.fit, best.fit)]
-    each = _best_of_each(alike, at, family, prior).items()
+    each = _best_of_each(alike, at, family, choice).items()
     near = [(score, c) for theirs, (score, c) in each if not theirs >= own and score < limit]
     return [c for _, c in sorted(near, key=lambda entry: (entry[0], entry[1].effects))]
 
 
 def _best_of_each(
-    candidates: Sequence[Candidate], at: Scale, family: Mapping[str, str], prior: Prior
+    candidates: Sequence[Candidate], at: Scale, family: Mapping[str, str], choice: Choice
 ) -> dict[frozenset[str], tuple[float, Candidate]]:
     """The best model with each set of families, with its evidence."""
     best: dict[frozenset[str], tuple[float, Candidate]] = {}
     for c in candidates:
         families = frozenset(family[e] for e in c.effects)
-        score = evidence(c.fit, at, c.effects, prior, c)
+        score = evidence(c.fit, at, c.effects, choice, c)
         if families not in best or score < best[families][0]:
             best[families] = (score, c)
     return best
@@ -107,7 +107,7 @@ def confidence(
     best: Candidate | None,
     tried: Sequence[Candidate],
     family: Mapping[str, str],
-    prior: Prior,
+    choice: Choice,
     verdict: Verdict,
 ) -> float:
     """Probability that what the verdict says is missing is what is missing.
@@ -121,7 +121,7 @@ def confidence(
         best: the model with all that was selected; None: nothing was.
         tried: all models.
         family: of every effect there is.
-        prior: what a choice among them costs.
+        choice: what a choice among them costs.
         verdict: what is said.
     """
     numbers = CRITERIA.evidence
@@ -131,8 +131,8 @@ def confidence(
     at = scale([base, *(c.fit for c in tried)])
     own = frozenset(family[e] for e in best.effects)
     fitted = [c for c in tried if not c.brief and len(c.effects) <= len(best.effects) and not refuted(c.fit, best.fit)]
-    first = evidence(best.fit, at, best.effects, prior, best)
-    each = _best_of_each(fitted, at, family, prior).items()
+    first = evidence(best.fit, at, best.effects, choice, best)
+    each = _best_of_each(fitted, at, family, choice).items()
     weights = {f: exp(min((first - e) / (2 * numbers.temperature), 0.0)) for f, (e, _) in each} | {own: 1.0}
     told = {f for f in weights if f == own or (verdict.kind == "ambiguous" and f <= set(verdict.families))}
     if incomplete(best.fit):

@@ -126,10 +126,8 @@ def probability_sentence(verdict: Verdict) -> str:
 
 def not_tried_sentence(diagnosis: Diagnosis) -> str:
     """Families that were not looked for, with the reason; "" where there are none."""
-    by_reason: dict[str, list[str]] = {}
-    for family, why in diagnosis.not_tried.items():
-        by_reason.setdefault(why, []).append(words(family))
-    parts = [f"{listed(families)} ({why})" for why, families in by_reason.items()]
+    by_reason = diagnosis.not_tried_by_reason.items()
+    parts = [f"{listed([words(family) for family in families])} ({why})" for why, families in by_reason]
     return f"Not looked for, and perhaps missing all the same: {'; '.join(parts)}." if parts else ""
 
 

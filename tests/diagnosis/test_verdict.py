@@ -7,8 +7,8 @@ from dataclasses import replace
 import pytest
 
 from pam_cosim.comparison import ResidualStatistics
+from pam_cosim.diagnosis.choice import Choice
 from pam_cosim.diagnosis.evidence import rank
-from pam_cosim.diagnosis.prior import Prior
 from pam_cosim.diagnosis.verdict import confidence, explained, judge, rivals
 from pam_cosim.fitting import Fit
 from tests.diagnosis.synthetic import candidate, fitted, statistics
@@ -124,7 +124,7 @@ def test_share_explained_is_of_the_error_beyond_the_noise_of_the_holdout_runs() 
 def _rivals(*others):  # type: ignore[no-untyped-def]  # noqa: ANN002, ANN202
     ranked = rank(BASE, [GOOD, *others])
     assert ranked[0].effect == "Leak"
-    return [c.effect for c in rivals(BASE, ranked[0], ranked, _families(ranked), Prior(len(ranked)))]
+    return [c.effect for c in rivals(BASE, ranked[0], ranked, _families(ranked), Choice(len(ranked)))]
 
 
 def _families(candidates):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
@@ -142,8 +142,8 @@ def test_a_general_member_is_no_rival_of_a_law() -> None:
     ranked = rank(BASE, [GOOD, replace(candidate("Any", fitted(1.0, holdout=1.0), "line"), general=True)])
     anything, law = sorted(ranked, key=lambda c: not c.general)
     family = _families(ranked)
-    assert rivals(BASE, law, ranked, family, Prior(len(ranked))) == []
-    assert [c.effect for c in rivals(BASE, anything, ranked, family, Prior(len(ranked)))] == [law.effect]
+    assert rivals(BASE, law, ranked, family, Choice(len(ranked))) == []
+    assert [c.effect for c in rivals(BASE, anything, ranked, family, Choice(len(ranked)))] == [law.effect]
 
 
 def test_one_rival_of_a_family() -> None:
@@ -161,7 +161,7 @@ def test_signals_that_were_not_fitted_refute_a_rival() -> None:
     for rms, expected in ((80.0, []), (20.0, ["Offset"])):
         other = candidate("Offset", fitted(1.001, shown={"T": rms}), "offset")
         ranked = rank(BASE, [best, other])
-        others = rivals(BASE, ranked[0], ranked, _families(ranked), Prior(len(ranked)))
+        others = rivals(BASE, ranked[0], ranked, _families(ranked), Choice(len(ranked)))
         assert [c.effect for c in others] == expected
 
 
@@ -182,5 +182,7 @@ def test_held_out_runs_that_uncertain_parameters_excuse_check_little() -> None:
     verdict = judge(LOUD, [one], [])
     assert verdict.kind == "identified" and "they check little" in verdict.reason
     assert "check little" not in judge(BASE, [GOOD], []).reason
-    sure, unsure = (confidence(LOUD, c, [c], {c.effect: c.family}, Prior(1), judge(LOUD, [c], [])) for c in (GOOD, one))
+    sure, unsure = (
+        confidence(LOUD, c, [c], {c.effect: c.family}, Choice(1), judge(LOUD, [c], [])) for c in (GOOD, one)
+    )
     assert unsure < 0.6 < sure
