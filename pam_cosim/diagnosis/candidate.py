@@ -20,7 +20,8 @@ class Candidate:
         own_parameters: names of the parameters that the tried effect brought.
         fit: the fitted model.
         delta_bic: Bayesian information criterion minus that of the model without ``effect``; negative is better.
-        probability: weight among all candidates and the model without any, by that criterion.
+        probability: weight among all candidates and the model without any, by that criterion alone, which knows of no
+            held-out run: the probability of a verdict is the verdict's.
         equations: the Modelica text of the model.
         brief: it was fitted in a few steps only, and might still come nearer.
         general: the effect says whatever its family can.

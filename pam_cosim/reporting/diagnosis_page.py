@@ -176,7 +176,6 @@ def _candidate_row(diagnosis: Diagnosis, c: Candidate) -> dict[str, Any]:
         "family": words(c.family),
         "balance": words(c.balance),
         "delta_bic": fixed(c.delta_bic),
-        "probability": percent(c.probability),
         "explained": percent(_share(diagnosis, c)),
         "chi2": number(c.fit.comparison.chi2_reduced("fit")),
         "holdout": number(c.fit.comparison.chi2_reduced("holdout")),
