@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation, OperatingPoint, Tracking
     from pam_cosim.cosimulation import Controller, CoupledRun, Rig, System, controller
     from pam_cosim.coupling import couple, read_system, start, write_system
-    from pam_cosim.diagnosis import Diagnosis
+    from pam_cosim.diagnosis import Check, Diagnosis
     from pam_cosim.dynamics import frequency_response, linearise, linearise_along, observe
     from pam_cosim.errors import InputError, ModelError, SimulationFailure
     from pam_cosim.products import load, save
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
         bench,
         benches,
         build,
+        check,
         compare,
         describe,
         diagnose,
@@ -44,6 +45,7 @@ if TYPE_CHECKING:
     from pam_cosim.tracking import track
 
 __all__ = [
+    "Check",
     "Controller",
     "CoupledRun",
     "Diagnosis",
@@ -66,6 +68,7 @@ __all__ = [
     "bench",
     "benches",
     "build",
+    "check",
     "compare",
     "controller",
     "couple",

@@ -12,6 +12,7 @@ from pam_cosim.commands.add import add
 from pam_cosim.commands.bench import bench
 from pam_cosim.commands.bode import bode
 from pam_cosim.commands.build import build
+from pam_cosim.commands.check import check
 from pam_cosim.commands.common import INTERRUPTED, interrupted, remarks, results
 from pam_cosim.commands.compare import compare
 from pam_cosim.commands.couple import couple
@@ -46,7 +47,7 @@ def version(
 
 
 _RUN = (build, describe, simulate, sweep, couple, linearise, bode, observe, track)
-_STUDY = (compare, fit, diagnose, add, effects, bench)
+_STUDY = (check, compare, fit, diagnose, add, effects, bench)
 for _command in _RUN + _STUDY:
     app.command()(_command)
 

@@ -267,6 +267,16 @@ class NextExperimentCriteria:
 
 
 @dataclass(frozen=True)
+class ResolutionCriteria:
+    """What data could tell, before a model is fitted to them."""
+
+    instrument: float = decides(0.005, "of what a signal spans", "noise of an instrument that is not there yet")
+    sharper: float = decides(0.8, "1", "factor on the deviation of parameters, above which a measurement helps little")
+    listed: int = decides(5, "measurements", "that would help, at most")
+    still: float = decides(1e-9, "of its largest value", "a signal that moves less stands still")
+
+
+@dataclass(frozen=True)
 class Criteria:
     """All of them, by the question that they answer."""
 
@@ -279,6 +289,7 @@ class Criteria:
     ledger: LedgerCriteria = LedgerCriteria()
     learning: LearningCriteria = LearningCriteria()
     next_experiment: NextExperimentCriteria = NextExperimentCriteria()
+    resolution: ResolutionCriteria = ResolutionCriteria()
 
 
 @dataclass(frozen=True)

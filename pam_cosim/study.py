@@ -16,7 +16,8 @@ from pam_cosim.comparison import Comparison
 from pam_cosim.comparison import compare as _compare
 from pam_cosim.compiler import read_library
 from pam_cosim.compiler.names import last
-from pam_cosim.diagnosis import Diagnosis, Message
+from pam_cosim.diagnosis import Check, Diagnosis, Message
+from pam_cosim.diagnosis import check as _check
 from pam_cosim.diagnosis import diagnose as _diagnose
 from pam_cosim.domain import Domain
 from pam_cosim.errors import InputError
@@ -256,6 +257,22 @@ def diagnose(
         exclude=tuple(exclude),
         expect=tuple(expect),
     )
+
+
+def check(
+    data: DataSet,
+    model: str | None = None,
+    *,
+    files: Paths = (),
+    say: Callable[[Message], None] = lambda message: None,
+    workers: int | None = None,
+) -> Check:
+    """What ``data`` can and cannot tell about ``model`` (default: its bench) before any fit; see ``diagnosis.check``.
+
+    How exactly the free parameters will be known, which families of effects would show and from which strength on,
+    which of them would not be told apart, and which further signal or run would help most.
+    """
+    return _check(data, model, files=_paths(files), say=say, workers=workers)
 
 
 def draw(product: Product, path: Path | str) -> None:

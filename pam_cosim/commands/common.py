@@ -5,13 +5,15 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 from rich.console import Console
+from rich.markup import escape
 
 from pam_cosim import study
 from pam_cosim.analysis import FrequencyResponse, LinearModel, Observation, Tracking
+from pam_cosim.diagnosis import Message
 from pam_cosim.files import check_distinct, check_spared, check_writable, identity
 from pam_cosim.measurement import DataSet
 from pam_cosim.workers import stop_workers
@@ -90,3 +92,16 @@ def interrupted() -> int:
     more = "".join(f"; {text}" for text in (remark() for remark in remarks) if text)
     print(f"pam-cosim: interrupted; {what}{more}", file=sys.stderr)
     return INTERRUPTED
+
+
+def teller(status: Any) -> Callable[[Message], None]:
+    """Prints what happens; the status line shows the last headline, and how many results came since."""
+    headline, count = "", 0
+
+    def say(message: Message) -> None:
+        nonlocal headline, count
+        console.print(message, markup=False, soft_wrap=True)
+        headline, count = (headline, count + 1) if message.detail else (escape(message), 0)
+        status.update(f"{headline}: {count} done" if count else headline)
+
+    return say

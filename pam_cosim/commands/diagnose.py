@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
-from rich.markup import escape
 
 from pam_cosim import study
 from pam_cosim.commands.common import (
@@ -20,8 +18,9 @@ from pam_cosim.commands.common import (
     console,
     read_data,
     say_written,
+    teller,
 )
-from pam_cosim.diagnosis import Diagnosis, Message
+from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_json, write_text
 from pam_cosim.reporting import diagnosis_report, diagnosis_text, write_report
@@ -55,7 +54,7 @@ def diagnose(
         raise InputError("the formula is written as Modelica: name a file that ends in .mo", learned)
     read = read_data(data, model, files)
     with console.status("refitting the base model") as status:
-        say = _teller(status)
+        say = teller(status)
         diagnosis = study.diagnose(
             read,
             model,
@@ -90,16 +89,3 @@ def _write_advice(diagnosis: Diagnosis, following: Path | None, learned: Path | 
         else:
             write_text(learned, diagnosis.learned.term.modelica_source)
             say_written(learned)
-
-
-def _teller(status: Any) -> Callable[[Message], None]:
-    """Prints what happens; the status line shows the last headline, and how many results came since."""
-    headline, count = "", 0
-
-    def say(message: Message) -> None:
-        nonlocal headline, count
-        console.print(message, markup=False, soft_wrap=True)
-        headline, count = (headline, count + 1) if message.detail else (escape(message), 0)
-        status.update(f"{headline}: {count} done" if count else headline)
-
-    return say

@@ -1,22 +1,31 @@
 """Fit and catalogue of effects -> which effect is missing."""
 
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
+from pam_cosim.diagnosis.check import Check, Help, check
 from pam_cosim.diagnosis.diagnose import Diagnosis, diagnose
 from pam_cosim.diagnosis.explanation import LearnedModel
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.missing_term import LeftInSignal, MissingTerm
 from pam_cosim.diagnosis.next_experiment import NextExperiment
+from pam_cosim.diagnosis.resolution import Alike, Known, Shown, Told
 from pam_cosim.diagnosis.verdict import Verdict
 
 __all__ = [
+    "Alike",
     "Candidate",
+    "Check",
     "Diagnosis",
     "FailedTrial",
+    "Help",
+    "Known",
     "LearnedModel",
     "LeftInSignal",
     "Message",
     "MissingTerm",
     "NextExperiment",
+    "Shown",
+    "Told",
     "Verdict",
+    "check",
     "diagnose",
 ]

@@ -9,9 +9,9 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from pam_cosim.catalogue import EffectClass, domain_of, effect_classes, origins, qualified
+from pam_cosim.catalogue import EffectClass, domain_of
 from pam_cosim.comparison import without_outliers
-from pam_cosim.compiler import read_library, read_structure
+from pam_cosim.compiler import read_library
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial, role_summary
 from pam_cosim.diagnosis.choice import meant
@@ -20,9 +20,8 @@ from pam_cosim.diagnosis.explanation import LearnedModel, learned_term, ledger_o
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.missing_term import MissingTerm, missing_term
 from pam_cosim.diagnosis.next_experiment import NextExperiment, Plan, told_apart
-from pam_cosim.diagnosis.search import Search, describe_fit
+from pam_cosim.diagnosis.search import Search, describe_fit, every_effect
 from pam_cosim.diagnosis.selection import Selection, select_effects
-from pam_cosim.diagnosis.stated import stated_parameters
 from pam_cosim.diagnosis.trial import run_trial
 from pam_cosim.diagnosis.verdict import Verdict, confidence, explained, judge, rivals
 from pam_cosim.errors import InputError
@@ -177,8 +176,7 @@ def diagnose(
     tree = read_library(files=sources)
     data = complete_noise(replace(data, domain=domain_of(tree, name)))
     with Simulator(build_model(name, files, sensitivities=data.free_names, where_smooth=True)) as simulator:
-        shelf = effect_classes(tree, origins(read_structure(qualified(tree, name), files=sources).parts))
-        shelf += stated_parameters(data, simulator.interface)
+        shelf = every_effect(tree, name, sources, data, simulator.interface)
         excluded = _meant(shelf, data, "exclude", data.excluded, exclude)
         expected = _meant(shelf, data, "expect", data.expected, expect)
         data, base, outliers = _base(simulator, data, say)

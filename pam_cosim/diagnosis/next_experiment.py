@@ -64,7 +64,7 @@ def next_experiment(data: DataSet, a: Candidate, b: Candidate, files: Sequence[P
     no variation can be simulated.
     """
     with Hypothesis(a, data, files) as first, Hypothesis(b, data, files) as second:
-        scored = [(_separation(first, second, run), run, change) for run, change in _variations(data)]
+        scored = [(_separation(first, second, run), run, change) for run, change in variations(data)]
         scored += [(_separation(first, second, run), run, change) for run, change in _joined(scored)]
         usable = [(evidence, run, change) for evidence, run, change in scored if evidence is not None]
         if not usable:
@@ -112,10 +112,19 @@ def _varied(data: DataSet) -> list[str]:
     return [n for n in data.runs[0].parameters if len({r.parameters.get(n) for r in data.runs}) > 1]
 
 
-def _variations(data: DataSet) -> Iterator[tuple[Run, str]]:
-    for run in data.runs:
+def variations(
+    data: DataSet, runs: Sequence[Run] | None = None, factors: Sequence[float] = CRITERIA.next_experiment.factors
+) -> Iterator[tuple[Run, str]]:
+    """Runs as they are, and with one thing changed that an experimenter sets; what was changed, in words.
+
+    Args:
+        data: the measurement: parameters that differ between its runs can be set.
+        runs: which to vary; default all.
+        factors: on each input and parameter.
+    """
+    for run in data.runs if runs is None else runs:
         yield run, "repeat it as it is"
-        for factor in CRITERIA.next_experiment.factors:
+        for factor in factors:
             for name, values in run.inputs.items():
                 if np.any(values != 0):
                     yield replace(run, inputs={**run.inputs, name: values * factor}), f"{name} times {factor:g}"

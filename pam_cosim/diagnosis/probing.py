@@ -62,6 +62,11 @@ class Strengths:
         """The own parameters by name, within their bounds."""
         return {f.name: min(max(self._value(f, strength), f.low), f.high) for f in self.own}
 
+    def place(self, free: Sequence[Free], strength: float) -> Array:
+        """Search coordinates of a model's free parameters, those of the effect at a strength, others at their start."""
+        values = self.at(strength)
+        return np.array([f.to_z(values.get(f.name, f.start)) for f in free])
+
     def _value(self, f: Free, strength: float) -> float:
         if not self.absent:
             return strength * f.start
@@ -73,10 +78,57 @@ class Strengths:
             return 1 / inverse if inverse * away > 0 else away
         return away + strength * (f.start - away)
 
+    def within_bounds(self, strength: float) -> bool:
+        """Whether the effect can be as strong as that: not all of its parameters are held by a bound before."""
+        return math.isfinite(strength) and self.at(strength) != self.at(2 * strength)
+
     @property
     def signed(self) -> bool:
         """Whether there is anything at a negative strength."""
         return bool(self.absent) and self.at(-1.0) != self.at(0.0)
+
+
+@dataclass(frozen=True)
+class Stated:
+    """An effect at its stated strength.
+
+    Attributes:
+        effect, family: as its class declares them.
+        strengths: how its parameters follow its strength.
+        linear: the model with it, about the start values.
+        weaker: residuals (m,) when it is ever weaker, ``CRITERIA.search.weaker`` times from one to the next.
+    """
+
+    effect: str
+    family: str
+    strengths: Strengths
+    linear: Linear
+    weaker: tuple[Array, ...] = ()
+
+    def courses(self, base: Linear) -> Array:
+        """(m, 1 + weaker) what it does to the samples at its stated strength and when it is weaker."""
+        return np.column_stack([base.residual - residual for residual in (self.linear.residual, *self.weaker)])
+
+
+def shown_from(sizes: Sequence[float], needed: float) -> float:
+    """The strength, in stated ones, from which an effect is as large as need be.
+
+    What it does is taken for proportional to its strength, from the weakest look at which it is large enough; unless it
+    does next to nothing at the next, so that it begins at a threshold: then that look is the answer.
+
+    Args:
+        sizes: of what it does at its stated strength, and ``CRITERIA.search.weaker`` times from one to the next.
+        needed: the size that is asked for.
+    """
+    factor = CRITERIA.search.weaker
+    enough = max((n for n, size in enumerate(sizes) if size >= needed), default=0)
+    size, strength = sizes[enough], factor**enough
+    if size <= 0:
+        return math.inf
+    following = sizes[enough + 1] if enough + 1 < len(sizes) else factor * size
+    if following**2 < CRITERIA.search.little * (factor * size) ** 2:
+        return strength if size >= needed else math.inf
+    return strength * needed / size
 
 
 @dataclass(frozen=True)
@@ -97,27 +149,22 @@ class _Look:
         return float(self.moved @ self.moved)
 
 
-def probed(
-    effect: str, family: str, objective: Objective, base: Linear, own: Sequence[Free], absent: Mapping[str, float]
-) -> Probe:
+def probed(effect: str, family: str, objective: Objective, base: Linear, strengths: Strengths) -> Probe:
     """Looks at some strengths of an effect and linearises the model at the one that does most good.
 
     Args:
         effect, family: its names.
         objective: the model with it, whose base parameters start where the base model was fitted.
         base: the base model there.
-        own: the effect's own parameters, as the objective has them.
-        absent: values of them at which the effect vanishes.
+        strengths: how the effect's own parameters, as the objective has them, follow its strength.
 
     Raises:
         SimulationFailure: the model breaks down.
     """
-    strengths = Strengths(tuple(own), absent)
     rows = CRITERIA.search.rows
 
     def place(strength: float) -> Array:
-        values = strengths.at(strength)
-        return np.array([f.to_z(values.get(f.name, f.start)) for f in objective.free])
+        return strengths.place(objective.free, strength)
 
     looks = _looks(lambda strength: residual_rows(objective, place(strength), rows), base, strengths.signed)
     linear = None
@@ -128,7 +175,7 @@ def probed(
     if linear is None:
         raise SimulationFailure(objective.first_failure)
     further = tuple(other.residual for other in looks if other is not look)
-    return Probe(effect, family, tuple(f.name for f in own), linear, further)
+    return Probe(effect, family, tuple(f.name for f in strengths.own), linear, further)
 
 
 def _idle(look: _Look, base: Linear) -> bool:

@@ -7,20 +7,25 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
+from typing import TypeVar
 
-from pam_cosim.catalogue import EffectClass, compose_on, qualified
+from pam_cosim.catalogue import EffectClass, compose_on, effect_classes, origins, qualified
 from pam_cosim.comparison import without_outliers
 from pam_cosim.compiler import ClassTree, Structure, library_hash, read_structure
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
 from pam_cosim.diagnosis.choice import Choice
 from pam_cosim.diagnosis.message import Message
-from pam_cosim.diagnosis.probing import Probe
-from pam_cosim.diagnosis.trial import Trial, crashed, run_probe, run_trial
-from pam_cosim.fitting import Fit
+from pam_cosim.diagnosis.probing import Probe, Stated
+from pam_cosim.diagnosis.stated import stated_parameters
+from pam_cosim.diagnosis.trial import Trial, crashed, run_probe, run_stated, run_trial
+from pam_cosim.fitting import Fit, Linear
+from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet
 from pam_cosim.units import format_quantity
 from pam_cosim.workers import run_tasks
+
+Look = TypeVar("Look")
 
 
 @dataclass(frozen=True)
@@ -100,9 +105,19 @@ class Search:
         trials = [replace(t, beside=fitted.linear) for t in trials]
         beside = f" beside {' + '.join(has)}" * bool(has)
         self.say(Message(f"looking at what each of {len(trials)} effects would change{beside}"))
-        results = run_tasks(run_probe, trials, crashed, lambda _: None, self.workers)
+        return self._looked(run_probe, trials)
+
+    def stated(self, beside: Linear, rows: int) -> list[Stated]:
+        """What each effect does at its stated strength and when it is weaker beside a model, in about so many rows."""
+        values = dict(zip(beside.names, beside.values.tolist(), strict=True))
+        wanted = [Wanted((e.name,), values) for e in self.shelf]
+        trials = [replace(t.screening().fitted_with(rows=rows), beside=beside) for t in self._trials(wanted)]
+        return self._looked(run_stated, trials)
+
+    def _looked(self, look: Callable[[Trial], Look | FailedTrial], trials: Sequence[Trial]) -> list[Look]:
+        results = run_tasks(look, trials, crashed, lambda _: None, self.workers)
         self.failed.extend(c for c in results if isinstance(c, FailedTrial))
-        return [c for c in results if isinstance(c, Probe)]
+        return [c for c in results if not isinstance(c, FailedTrial)]
 
     def without_outliers(self, fit: Fit) -> tuple[Search, dict[str, int]]:
         """The search without samples that are outliers beside a fit, which shows more than worse ones; and how many."""
@@ -152,6 +167,14 @@ class Search:
                 trial = Trial(own[m.effects[-1]], m.effects, composition, self.data, m.start, self.files)
                 trials.append(replace(trial, further_start=m.further, library=self.library))
         return trials
+
+
+def every_effect(
+    tree: ClassTree, model: str, files: Sequence[Path], data: DataSet, interface: Interface
+) -> list[EffectClass]:
+    """All effects that a model may lack: those of the library, of ``files``, and wrong parameters that are stated."""
+    shelf = effect_classes(tree, origins(read_structure(qualified(tree, model), files=files).parts))
+    return [*shelf, *stated_parameters(data, interface)]
 
 
 def told(c: Candidate | FailedTrial) -> Message:

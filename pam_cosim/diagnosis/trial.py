@@ -8,13 +8,14 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, TypeVar
 
+from pam_cosim.arrays import Array
 from pam_cosim.catalogue import Composition, EffectClass
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Attempt, Candidate, FailedTrial
-from pam_cosim.diagnosis.probing import Probe, probed
+from pam_cosim.diagnosis.probing import Probe, Stated, Strengths, probed
 from pam_cosim.diagnosis.pruning import pruned
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.fitting import Fit, FitOptions, Free, Linear, base_parameters, fit
+from pam_cosim.fitting import Fit, FitOptions, Free, Linear, base_parameters, fit, linearised, residual_rows
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_source
 from pam_cosim.interface import Interface
@@ -109,6 +110,11 @@ def run_probe(trial: Trial) -> Probe | FailedTrial:
     return _attempted(trial, _probed)
 
 
+def run_stated(trial: Trial) -> Stated | FailedTrial:
+    """Builds the model and linearises it about the values that it starts from, its effect as strong as it is stated."""
+    return _attempted(trial, _stated)
+
+
 def _attempted(trial: Trial, work: Callable[[Trial, Simulator], Result]) -> Result | FailedTrial:
     """What comes of some work on the model of a trial; a failure is a result too."""
     own = [name for names in trial.composition.parameters.values() for name in names]
@@ -133,15 +139,44 @@ def _fitted(trial: Trial, simulator: Simulator) -> Candidate:
     return trial.candidate(best)
 
 
+def _objective(trial: Trial, simulator: Simulator) -> Objective:
+    moved, _ = free_parameters(trial, simulator.interface)
+    return Objective(simulator, trial.data, trial.data.fit_runs, moved, None, trial.options.tolerance)
+
+
 def _probed(trial: Trial, simulator: Simulator) -> Probe:
     assert trial.beside is not None
-    moved, _ = free_parameters(trial, simulator.interface)
-    objective = Objective(simulator, trial.data, trial.data.fit_runs, moved, None, trial.options.tolerance)
+    objective = _objective(trial, simulator)
+    strengths = _strengths(trial, objective)
+    return probed(trial.effect.name, trial.effect.family, objective, trial.beside, strengths)
+
+
+def _strengths(trial: Trial, objective: Objective) -> Strengths:
     names = trial.composition.parameters[trial.effect.name]
-    own = [f for f in moved if f.name in names]
     short = itertools.cycle(trial.effect.parameters)  # several parts may have them
     absent = {n: trial.effect.absent[one] for n, one in zip(names, short, strict=False) if one in trial.effect.absent}
-    return probed(trial.effect.name, trial.effect.family, objective, trial.beside, own, absent)
+    return Strengths(tuple(f for f in objective.free if f.name in names), absent)
+
+
+def _stated(trial: Trial, simulator: Simulator) -> Stated:
+    assert trial.beside is not None
+    objective = _objective(trial, simulator)
+    strengths, rows = _strengths(trial, objective), trial.options.rows
+    linear = linearised(objective, strengths.place(objective.free, 1.0), rows)
+    if linear is None:
+        raise SimulationFailure(objective.first_failure)
+    strength, weaker = 1.0, [linear.residual]
+    while len(weaker) < CRITERIA.search.looks and _shows(trial.beside.residual - weaker[-1]):
+        strength *= CRITERIA.search.weaker
+        residual = residual_rows(objective, strengths.place(objective.free, strength), rows)
+        if residual is None:
+            break
+        weaker.append(residual)
+    return Stated(trial.effect.name, trial.effect.family, strengths, linear, tuple(weaker[1:]))
+
+
+def _shows(move: Array) -> bool:
+    return float(move @ move) > CRITERIA.evidence.very_strong
 
 
 def free_parameters(trial: Trial, interface: Interface) -> tuple[tuple[Free, ...], list[dict[str, float]]]:

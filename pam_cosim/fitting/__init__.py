@@ -4,7 +4,7 @@ from pam_cosim.fitting.combinations import Combination
 from pam_cosim.fitting.estimate import Estimate, estimates
 from pam_cosim.fitting.fit import Fit, fit, profile
 from pam_cosim.fitting.free import Free, base_parameters
-from pam_cosim.fitting.linear import Linear, linearised, residual_rows
+from pam_cosim.fitting.linear import Linear, linearised, residual_rows, rows_of_series
 from pam_cosim.fitting.methods import METHODS, Record, summary
 from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.parameter_file import read_parameters, write_parameters
@@ -33,6 +33,7 @@ __all__ = [
     "profile",
     "read_parameters",
     "residual_rows",
+    "rows_of_series",
     "spread_starts",
     "summary",
     "write_parameters",

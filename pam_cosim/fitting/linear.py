@@ -71,6 +71,12 @@ def residual_rows(objective: Objective, z: Array, rows: int) -> Array | None:
     return _condensed(residual[: objective.size, None], objective.kept, rows)[:, 0]
 
 
+def rows_of_series(objective: Objective, rows: int) -> NDArray[np.int_]:
+    """(m,) which of ``objective.series`` each row of ``linearised`` is of."""
+    begin = _blocks(objective.kept, rows)
+    return np.repeat(np.arange(len(begin)), [len(b) for b in begin])
+
+
 def _condensed(matrix: Array, kept: Sequence[NDArray[np.bool_]], rows: int) -> Array:
     """Means over blocks of each series of rows, times the root of their length; a missing sample counts for nothing.
 
@@ -79,14 +85,18 @@ def _condensed(matrix: Array, kept: Sequence[NDArray[np.bool_]], rows: int) -> A
     every = np.concatenate(kept) if kept else np.zeros(0, bool)
     full = np.zeros((len(every), matrix.shape[1]))
     full[every] = matrix
-    block = max(1, round(len(every) / rows))
-    if block == 1:
+    blocks = _blocks(kept, rows)
+    if not len(every) or sum(map(len, blocks)) == len(every):
         return full
-    starts, at = [], 0
-    for series in kept:
-        starts.append(np.arange(at, at + len(series), block))
-        at += len(series)
-    begin = np.concatenate([s for s in starts if len(s)])
+    begin = np.concatenate([b for b in blocks if len(b)])
     counts = np.add.reduceat(every.astype(float), begin)
     sums: Array = np.add.reduceat(full, begin, axis=0)
     return sums / np.sqrt(np.maximum(counts, 1.0))[:, None]
+
+
+def _blocks(kept: Sequence[NDArray[np.bool_]], rows: int) -> list[NDArray[np.int_]]:
+    """Where the blocks of each series begin, in about so many rows in all."""
+    lengths = [len(series) for series in kept]
+    block = max(1, round(sum(lengths) / rows))
+    ends = np.cumsum([0, *lengths])
+    return [np.arange(at, at + n, block) for at, n in zip(ends[:-1], lengths, strict=True)]

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import pam_cosim as pam
-from pam_cosim.commands.diagnose import _teller
+from pam_cosim.commands.common import teller
 from pam_cosim.diagnosis import FailedTrial, Message
 from pam_cosim.diagnosis.search import told
 from rig.short import write_light_data
@@ -31,7 +31,7 @@ def test_a_result_is_a_detail_and_a_step_a_headline() -> None:
 
 def test_status_line_counts_the_results_since_the_last_headline() -> None:
     status = Status()
-    say = _teller(status)
+    say = teller(status)
     for message in (
         Message("  fitting [red]"),
         Message("a", detail=True),

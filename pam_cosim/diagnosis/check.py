@@ -1,0 +1,266 @@
+"""What a data set can and cannot tell about its model, before any fit."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from pam_cosim.catalogue import domain_of
+from pam_cosim.compiler import read_library
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.diagnosis.candidate import FailedTrial
+from pam_cosim.diagnosis.could_be_measured import Option, everything
+from pam_cosim.diagnosis.message import Message
+from pam_cosim.diagnosis.resolution import Rows, Shown, Told
+from pam_cosim.diagnosis.search import Search, every_effect
+from pam_cosim.diagnosis.trial import run_stated
+from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.fitting import base_parameters, linearised, rows_of_series
+from pam_cosim.fitting.objective import Objective
+from pam_cosim.fmu import build_model
+from pam_cosim.measurement import DataSet, complete_noise
+from pam_cosim.names import is_fmu, is_modelica
+from pam_cosim.simulation import Simulator
+from pam_cosim.units import format_quantity
+from pam_cosim.wording import Printed, listed
+from pam_cosim.workers import on_one_thread, wake
+
+
+@dataclass(frozen=True)
+class Help:
+    """What a further measurement would bring.
+
+    Attributes:
+        option: the measurement.
+        shows: families that it shows and the data do not.
+        tells_apart: pairs of families, likewise.
+        determines: free parameters that it determines, likewise.
+        sharper: factor on the expected deviation of the free parameters, geometric mean.
+    """
+
+    option: Option
+    shows: tuple[str, ...]
+    tells_apart: tuple[tuple[str, str], ...]
+    determines: tuple[str, ...]
+    sharper: float
+
+    @property
+    def settles(self) -> int:
+        """How many questions it settles."""
+        return len(self.shows) + len(self.tells_apart) + len(self.determines)
+
+
+@dataclass(frozen=True)
+class Check(Printed):
+    """What a data set can tell, and what would help.
+
+    Attributes:
+        data: the measurement, with the noise levels that were used.
+        model: the base model.
+        told: what the fitted runs can tell.
+        no_place: families whose effects find no place in the model.
+        helps: further measurements, the most useful first; none that would bring nothing.
+        failed: effects that could not be simulated.
+    """
+
+    data: DataSet
+    model: str
+    told: Told
+    no_place: tuple[str, ...]
+    helps: tuple[Help, ...]
+    failed: tuple[FailedTrial, ...] = ()
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON, SI units."""
+        return {
+            "title": self.data.title,
+            "model": self.model,
+            "parameters": {k.name: asdict(k) | {"determined": k.determined} for k in self.told.parameters},
+            "confused": [list(c) for c in self.told.confused],
+            "effects": [_finite(asdict(s)) for s in self.told.shown],
+            "visible": sorted(self.told.visible),
+            "alike": [_finite(asdict(a)) for a in self.told.alike],
+            "hidden": list(self.told.hidden),
+            "no_place": list(self.no_place),
+            "helps": [
+                {
+                    "kind": h.option.kind,
+                    "what": h.option.text,
+                    "shows": list(h.shows),
+                    "tells_apart": [list(pair) for pair in h.tells_apart],
+                    "determines": list(h.determines),
+                    "sharper": h.sharper,
+                }
+                for h in self.helps
+            ],
+            "failed": [c.as_dict() for c in self.failed],
+        }
+
+    def __str__(self) -> str:
+        lines = [f"{self.model} and {self.data.title}: what these data can tell, by the model at its start values"]
+        lines += self._about_parameters() + self._about_families() + self._about_help()
+        return "\n".join(lines)
+
+    def _about_parameters(self) -> list[str]:
+        lines = []
+        for k in self.told.parameters:
+            value, deviation = format_quantity(k.start, k.unit), format_quantity(k.deviation, k.unit, 2)
+            lines.append(
+                f"  {k.name}: {value} will be known to about ± {deviation}"
+                if k.determined
+                else f"  {k.name}: these data say less of it than its bounds do; measure it otherwise, or do not fit it"
+            )
+        lines += [f"  {a} and {b} are hardly told apart (correlation {r:+.3f})" for a, b, r in self.told.confused]
+        return ["free parameters:", *lines] if lines else ["no free parameter"]
+
+    def _about_families(self) -> list[str]:
+        best, visible, hidden = self.told.families, self.told.visible, self.told.hidden
+        shown = [_from_where(one) for family, one in best.items() if family in visible]
+        faint = [_from_where(one) for family, one in best.items() if family not in {*visible, *hidden}]
+        lines = ["families of effects that would show, and from where on:", *(shown or ["  none"])]
+        if faint:
+            lines += ["families that would show only if they were stronger than usual:", *faint]
+        if hidden:
+            lines.append(f"would not show, however strong, or not beside the free parameters: {listed(hidden)}")
+        if self.no_place:
+            lines.append(f"the model has no place for: {listed(self.no_place)}")
+        if self.told.alike:
+            lines.append("families that would show, but not be told apart at their usual strength:")
+            lines += [
+                f"  {a.family} ({a.effect}) may be taken for {a.other_family} ({a.other}), {_until(a.least)}"
+                for a in self.told.alike
+            ]
+        return lines
+
+    def _about_help(self) -> list[str]:
+        if not self.helps:
+            return ["no further signal of this bench, and no usual change of a run, would settle more"]
+        return [
+            "what would help most:",
+            *(f"  {h.option.text}: {_brings(h)}" for h in self.helps[: CRITERIA.resolution.listed]),
+        ]
+
+
+def _from_where(one: Shown) -> str:
+    values = [f"{name} = {_apart(value, one.absent[name], one.units[name])}" for name, value in one.values.items()]
+    return f"  {one.family:20} {one.effect}: {', '.join(values)}"
+
+
+def _apart(value: float, absent: float, unit: str) -> str:
+    """A value in so many digits that it differs from another."""
+    texts = (format_quantity(value, unit, digits) for digits in range(3, 17))
+    return next((text for digits, text in enumerate(texts, 3) if text != format_quantity(absent, unit, digits)), "")
+
+
+def _until(least: float) -> str:
+    return "whatever its strength" if least == float("inf") else f"up to {least:.2g} times that strength"
+
+
+def _brings(h: Help) -> str:
+    parts = []
+    if h.shows:
+        parts.append(f"shows {listed(h.shows)}")
+    if h.tells_apart:
+        parts.append(f"tells apart {listed([f'{a} from {b}' for a, b in h.tells_apart])}")
+    if h.determines:
+        parts.append(f"determines {listed(h.determines)}")
+    if h.sharper < CRITERIA.resolution.sharper:
+        parts.append(f"the free parameters are known to {100 * h.sharper:.0f} % of the deviation")
+    return "; ".join(parts)
+
+
+def _finite(content: dict[str, object]) -> dict[str, object]:
+    return content | {"least": content["least"] if content["least"] != float("inf") else None}
+
+
+@on_one_thread
+def check(
+    data: DataSet,
+    model: str | None = None,
+    *,
+    files: Sequence[Path] = (),
+    say: Callable[[Message], None] = lambda message: None,
+    workers: int | None = None,
+) -> Check:
+    """What the fitted runs of a data set can tell about its model, and which measurement would help most.
+
+    The measured values do not matter, only where and how exactly something was measured.
+
+    Args:
+        data: the measurement.
+        model: the base model; default the bench of the data set.
+        files: further Modelica files, whose effects are looked at too.
+        say: told what happens, line by line.
+        workers: number of processes; 0: this one alone.
+
+    Raises:
+        InputError: the model cannot be compiled, or lacks a parameter that is to be fitted.
+        SimulationFailure: the model cannot be simulated at its start values.
+    """
+    name = model or data.model
+    if is_fmu(name):
+        raise InputError("effects can be looked at in a Modelica model only; an FMU can be compared and fitted", name)
+    wake(workers, run_stated.__module__)
+    sources = tuple([*files, Path(name)] if is_modelica(name) else files)
+    tree = read_library(files=sources)
+    data = complete_noise(replace(data, domain=domain_of(tree, name)))
+    with Simulator(build_model(name, files, sensitivities=data.free_names, where_smooth=True)) as simulator:
+        shelf = every_effect(tree, name, sources, data, simulator.interface)
+        possible = everything(simulator, data)
+        free = base_parameters(possible.data, simulator.interface)
+        tolerance = CRITERIA.search.screening_tolerance
+        objective = Objective(simulator, possible.data, possible.data.fit_runs, free, None, tolerance)
+        count = _row_count(objective, data)
+        base = linearised(objective, np.array([f.to_z(f.start) for f in free]), count)
+    if base is None:
+        raise SimulationFailure(objective.first_failure)
+    say(Message(f"looking at what each of {len(shelf)} effects does at its stated strength"))
+    search = Search(tree, name, shelf, possible.data, sources, say, workers)
+    probes = search.stated(base, count)
+    belongs = [possible.option[run.name, signal] for run, signal in objective.series]
+    samples: Counter[Option] = Counter()
+    for option, (run, signal) in zip(belongs, objective.series, strict=True):
+        samples[option] += run.sample_count(signal)
+    option_of_rows = [belongs[i] for i in rows_of_series(objective, count)]
+    rows = Rows(base, {f.name: f.unit for f in free}, probes, option_of_rows, samples)
+    told = rows.told()
+    tried = {p.family for p in probes} | {f.family for f in search.failed}
+    return Check(
+        data=data,
+        model=name,
+        told=told,
+        no_place=tuple(f for f in dict.fromkeys(e.family for e in shelf) if f not in tried),
+        helps=tuple(_helps(rows, told)),
+        failed=tuple(search.failed),
+    )
+
+
+def _row_count(objective: Objective, data: DataSet) -> int:
+    """As many rows for what was measured as a search takes."""
+    measured = sum(run.sample_count(name) for run in data.fit_runs for name, s in data.signals.items() if s.fitted)
+    return math.ceil(CRITERIA.search.rows * objective.size / max(measured, 1))
+
+
+def _helps(rows: Rows, now: Told) -> list[Help]:
+    """What each further measurement brings, the most useful first; none that brings nothing."""
+    helps = [_help(option, now, rows.told(option)) for option in rows.further]
+    useful = [h for h in helps if h.settles or h.sharper < CRITERIA.resolution.sharper]
+    return sorted(useful, key=lambda h: (-h.settles, h.sharper, h.option.text))
+
+
+def _help(option: Option, now: Told, then: Told) -> Help:
+    pairs = [tuple(sorted(pair)) for pair in then.pairs - now.pairs if pair <= now.visible]
+    known = {k.name for k in now.parameters if k.determined}
+    ratios = [b.deviation / a.deviation for a, b in zip(now.parameters, then.parameters, strict=True)]
+    return Help(
+        option,
+        tuple(sorted(then.visible - now.visible)),
+        tuple((a, b) for a, b in sorted(pairs)),
+        tuple(k.name for k in then.parameters if k.determined and k.name not in known),
+        float(np.exp(np.mean(np.log(ratios)))) if ratios else 1.0,
+    )

@@ -1,0 +1,119 @@
+"""A data set as it would be if the model were the rig, with whatever further could be measured on it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.comparison import simulate_run
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.diagnosis.next_experiment import variations
+from pam_cosim.errors import SimulationFailure
+from pam_cosim.measurement import DataSet, Run, Signal
+from pam_cosim.simulation import AnySimulator
+from pam_cosim.units import format_quantity
+
+
+@dataclass(frozen=True)
+class Option:
+    """Something that could be measured; the first of all is what was.
+
+    Attributes:
+        kind: "signal", "run", or "" for what was measured.
+        text: what it is, in words.
+    """
+
+    kind: str = ""
+    text: str = ""
+
+
+NOW = Option()
+
+
+@dataclass(frozen=True)
+class Everything:
+    """All that could be measured, as samples of the model.
+
+    Attributes:
+        data: with every output as a signal, and the runs that there could be among those to be fitted.
+        option: by run and signal, which option each series of samples belongs to.
+    """
+
+    data: DataSet
+    option: Mapping[tuple[str, str], Option]
+
+
+def everything(simulator: AnySimulator, data: DataSet) -> Everything:
+    """What was measured in fitted runs, the outputs that were not, and variations of the longest run.
+
+    Args:
+        simulator: the model.
+        data: the measurement, with noise levels.
+
+    Raises:
+        SimulationFailure: a run of the data set does not reach its end.
+    """
+    modelled = {run.name: _modelled(simulator, data, run) for run in data.fit_runs}
+    signals = {**data.signals, **_unmeasured(simulator, data, list(modelled.values()))}
+    signals = {name: replace(s, fitted=True) for name, s in signals.items() if s.sigma}
+    runs: list[Run] = []
+    option: dict[tuple[str, str], Option] = {}
+    for run in data.fit_runs:
+        runs.append(_as_modelled(run, modelled[run.name], signals))
+        for name, signal in signals.items():
+            measured = run.sample_count(name) and data.signals[name].fitted
+            option[run.name, name] = NOW if measured else Option("signal", _reading(signal))
+    for number, (varied, change) in enumerate(_varied_runs(data)):
+        try:
+            model = _modelled(simulator, data, varied)
+        except SimulationFailure:
+            continue
+        name = f"{varied.name} #{number}"
+        same = {n: s for n, s in data.signals.items() if s.fitted and varied.sample_count(n)}
+        runs.append(replace(_as_modelled(varied, model, same), name=name))
+        for measured_too in runs[-1].measurements:
+            option[name, measured_too] = Option("run", f"a run like {varied.name}: {change}")
+    return Everything(replace(data, signals=signals, runs=tuple(runs)), option)
+
+
+def _modelled(simulator: AnySimulator, data: DataSet, run: Run) -> dict[str, Array]:
+    tolerance = CRITERIA.search.screening_tolerance
+    return simulate_run(simulator, data, run, {}, tolerance).model
+
+
+def _as_modelled(run: Run, model: Mapping[str, Array], signals: Mapping[str, Signal]) -> Run:
+    """A run with the model's values for samples: where there were some, or everywhere for a signal that had none."""
+    measured = {
+        name: np.where(np.isfinite(run.measurements[name]), model[name], np.nan)
+        if run.sample_count(name)
+        else model[name]
+        for name in signals
+    }
+    return replace(run, measurements=measured, role="fit")
+
+
+def _unmeasured(simulator: AnySimulator, data: DataSet, modelled: Sequence[Mapping[str, Array]]) -> dict[str, Signal]:
+    """Outputs that nobody measured, with the noise of a usual instrument; none that stand still."""
+    signals = {}
+    for name, output in simulator.interface.outputs.items():
+        if name not in data.signals:
+            every = np.concatenate([model[name] for model in modelled])
+            span = float(every.max() - every.min())
+            if span > CRITERIA.resolution.still * float(np.abs(every).max()):
+                signals[name] = Signal(name, output.unit, CRITERIA.resolution.instrument * span, estimated=True)
+    return signals
+
+
+def _reading(signal: Signal) -> str:
+    assert signal.sigma is not None
+    return f"{signal.name} in every run, to {format_quantity(signal.sigma, signal.unit, 2)}"
+
+
+def _varied_runs(data: DataSet) -> Iterator[tuple[Run, str]]:
+    """The run with most samples, made once more with one thing changed as far as one would think of."""
+    longest = max(data.fit_runs, key=lambda run: len(run.time))
+    factors = CRITERIA.next_experiment.factors
+    yield from variations(data, [longest], (min(factors), max(factors)))

@@ -1,0 +1,255 @@
+"""What data can tell, and what they cannot, before any model is fitted to them.
+
+The model at its start values is taken for the rig. To first order, its slopes say how exactly each free parameter will
+be known; what an effect does at its stated strength, beyond what the free parameters could do, says whether the data
+show it; and what the effects of another family could do of that, whether they tell the two apart. All is asked of one
+set of rows, in which everything stands that could be measured: each further signal or run is a choice of rows.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.diagnosis.could_be_measured import NOW, Option
+from pam_cosim.diagnosis.probing import Stated, Strengths, shown_from
+from pam_cosim.fitting import Linear
+
+Confused = tuple[str, str, float]
+
+
+@dataclass(frozen=True)
+class Known:
+    """How exactly a free parameter will be known.
+
+    Attributes:
+        name, unit: of the parameter.
+        start: where it was asked [unit].
+        deviation: standard deviation that is expected of its estimate [unit].
+        span: between its bounds [unit].
+    """
+
+    name: str
+    unit: str
+    start: float
+    deviation: float
+    span: float
+
+    @property
+    def determined(self) -> bool:
+        """Whether the data tell at least as much as the bounds do, between which any value is as likely."""
+        return self.deviation < self.span / math.sqrt(24)
+
+
+@dataclass(frozen=True)
+class Shown:
+    """How well the data show an effect.
+
+    Attributes:
+        effect, family: as its class declares them.
+        size: what it does at its stated strength beyond what the free parameters could, in standard deviations of the
+            noise: root of the sum of squares.
+        least: the strength from which the data show it, in stated strengths; infinite: they do not, as strong as its
+            bounds allow.
+        values: of its parameters at that strength, within their bounds; absent: where they do nothing; units: theirs.
+    """
+
+    effect: str
+    family: str
+    size: float
+    least: float
+    values: dict[str, float]
+    absent: dict[str, float]
+    units: dict[str, str]
+
+
+@dataclass(frozen=True)
+class Alike:
+    """Two families that the data do not tell apart at the stated strength.
+
+    Attributes:
+        effect, family: what is there. other, other_family: what it may be taken for.
+        least: the strength from which they are told apart, in stated strengths.
+    """
+
+    effect: str
+    family: str
+    other: str
+    other_family: str
+    least: float
+
+
+@dataclass(frozen=True)
+class Told:
+    """What some choice of samples can tell.
+
+    Attributes:
+        parameters: the free ones.
+        confused: pairs of parameters that are hardly told apart, with the correlation of their estimates.
+        shown: every effect that moves a sample, the one that is shown best first.
+        alike: families that are shown but not told apart, the worst first.
+    """
+
+    parameters: tuple[Known, ...]
+    confused: tuple[Confused, ...]
+    shown: tuple[Shown, ...]
+    alike: tuple[Alike, ...]
+
+    @cached_property
+    def families(self) -> dict[str, Shown]:
+        """By family, the effect of it that is shown best."""
+        best: dict[str, Shown] = {}
+        for one in self.shown:
+            best.setdefault(one.family, one)
+        return best
+
+    @property
+    def visible(self) -> frozenset[str]:
+        """Families of which one effect is shown at its stated strength."""
+        return frozenset(name for name, one in self.families.items() if one.least <= 1)
+
+    @property
+    def hidden(self) -> tuple[str, ...]:
+        """Families of which no effect is shown, however strong."""
+        return tuple(name for name, one in self.families.items() if math.isinf(one.least))
+
+    @property
+    def pairs(self) -> frozenset[frozenset[str]]:
+        """Pairs of families that are shown and told apart."""
+        known, alike = sorted(self.visible), {frozenset((a.family, a.other_family)) for a in self.alike}
+        return frozenset(frozenset((a, b)) for a in known for b in known if a < b) - alike
+
+
+class Rows:
+    """Everything that could be measured, linearised once.
+
+    Args:
+        base: the model at the start values.
+        units: of its parameters.
+        probes: each effect at its stated strength.
+        option: (m,) what each row belongs to.
+        samples: number of samples by option.
+    """
+
+    def __init__(
+        self,
+        base: Linear,
+        units: Mapping[str, str],
+        probes: Sequence[Stated],
+        option: Sequence[Option],
+        samples: Mapping[Option, int],
+    ) -> None:
+        self.base, self.units, self.option, self.samples = base, units, list(option), samples
+        self.probes = list(probes)
+        # a parameter is known beforehand as well as its bounds say, between which any value is as likely
+        self._bounds = np.diag(math.sqrt(12) / (base.high - base.low))
+
+    @property
+    def further(self) -> list[Option]:
+        """What could be measured beyond what was."""
+        return [option for option in dict.fromkeys(self.option) if option != NOW]
+
+    def told(self, *further: Option) -> Told:
+        """What can be told by what was measured, and by something further."""
+        chosen = {NOW, *further}
+        at = np.array([option in chosen for option in self.option])
+        samples = sum(self.samples[option] for option in chosen)
+        price = math.log(max(samples, CRITERIA.evidence.least_samples))
+        slopes = np.vstack([self.base.slopes[at], self._bounds])
+        own = np.linalg.qr(slopes)[0]
+        moves = {p.effect: _beyond(own, self._among(at, self._moves(p))) for p in self.probes}
+        sizes = {p.effect: _sizes(_beyond(own, self._among(at, p.courses(self.base)))) for p in self.probes}
+        shown = sorted((_shown(p, sizes[p.effect], price) for p in self.probes), key=lambda s: (s.least, s.effect))
+        parameters, confused = self._known(slopes)
+        told = Told(parameters, confused, tuple(shown), ())
+        return replace(told, alike=tuple(self._alike(told, moves, price)))
+
+    def _among(self, at: NDArray[np.bool_], columns: Array) -> Array:
+        """Some rows, and what bounds say, which no effect changes."""
+        return np.vstack([columns[at], np.zeros((len(self._bounds), columns.shape[1]))])
+
+    def _moves(self, probe: Stated) -> Array:
+        """(rows, 1 + k) what an effect does as a whole at its stated strength, and by each of its parameters."""
+        names = {f.name for f in probe.strengths.own}
+        own = [i for i, name in enumerate(probe.linear.names) if name in names]
+        return np.column_stack([probe.courses(self.base)[:, 0], probe.linear.slopes[:, own]])
+
+    def _known(self, slopes: Array) -> tuple[tuple[Known, ...], tuple[Confused, ...]]:
+        covariance = np.linalg.inv(slopes.T @ slopes)
+        deviation = np.sqrt(np.diag(covariance))
+        names, base = self.base.names, self.base
+        known = [
+            Known(name, self.units[name], float(base.values[i]), float(deviation[i]), float(base.high[i] - base.low[i]))
+            for i, name in enumerate(names)
+        ]
+        correlation = covariance / np.outer(deviation, deviation)
+        pairs = zip(*np.triu_indices(len(names), 1), strict=True)
+        confused = [(names[i], names[j], float(correlation[i, j])) for i, j in pairs]
+        return tuple(known), tuple(c for c in confused if abs(c[2]) > CRITERIA.fit.confused)
+
+    def _alike(self, told: Told, moves: Mapping[str, Array], price: float) -> list[Alike]:
+        """Pairs of visible families of which one may be taken for the other, the worse way round."""
+        count = {p.effect: len(p.strengths.own) for p in self.probes}
+        worst: dict[frozenset[str], Alike] = {}
+        for family, best in told.families.items():
+            if family not in told.visible:
+                continue
+            whole = moves[best.effect][:, 0]
+            for p in self.probes:
+                if p.family == family or p.family not in told.visible:
+                    continue
+                left = float(np.linalg.norm(_beyond(_orthonormal(moves[p.effect]), whole)))
+                needed = CRITERIA.evidence.very_strong - price * (count[p.effect] - count[best.effect])
+                least, pair = _strength(needed, left), frozenset((family, p.family))
+                if least > 1 and (pair not in worst or least > worst[pair].least):
+                    worst[pair] = Alike(best.effect, family, p.effect, p.family, least)
+        return sorted(worst.values(), key=lambda a: (-a.least, a.effect, a.other))
+
+
+def _sizes(courses: Array) -> list[float]:
+    return [float(size) for size in np.linalg.norm(courses, axis=0)]
+
+
+def _shown(probe: Stated, sizes: Sequence[float], price: float) -> Shown:
+    """How well an effect is shown that has these sizes, as ``probing.shown_from`` takes them."""
+    needed = math.sqrt(CRITERIA.evidence.very_strong + price * len(probe.strengths.own))
+    least = shown_from(sizes, needed)
+    if not probe.strengths.within_bounds(least):
+        least = math.inf
+    values, absent = _moving(probe.strengths, least), probe.strengths.at(0.0)
+    return Shown(
+        probe.effect, probe.family, sizes[0], least, values, absent, {f.name: f.unit for f in probe.strengths.own}
+    )
+
+
+def _moving(strengths: Strengths, strength: float) -> dict[str, float]:
+    """The parameters that tell of an effect's strength, at one."""
+    if not math.isfinite(strength):
+        return {}
+    there, stated, away = strengths.at(strength), strengths.at(1.0), strengths.at(0.0)
+    return {name: value for name, value in there.items() if stated[name] != away[name]}
+
+
+def _beyond(own: Array, columns: Array) -> Array:
+    """What is left of columns beside orthonormal ones."""
+    return np.asarray(columns - own @ (own.T @ columns))
+
+
+def _orthonormal(columns: Array) -> Array:
+    """(m, j) directions of columns that are not small beside the longest one."""
+    left, singular, _ = np.linalg.svd(columns, full_matrices=False)
+    return np.asarray(left[:, singular > CRITERIA.resolution.still * singular.max(initial=0.0)])
+
+
+def _strength(needed: float, size: float) -> float:
+    """The strength at which something of this size (root of a sum of squares) is so much evidence."""
+    if needed <= 0:
+        return 0.0
+    return math.sqrt(needed) / size if size > 0 else math.inf
