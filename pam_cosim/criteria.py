@@ -267,6 +267,21 @@ class NextExperimentCriteria:
 
 
 @dataclass(frozen=True)
+class DoubtCriteria:
+    """When a person should look at the data before an effect is said to be missing."""
+
+    far_off: float = decides(0.5, "of what a signal moves", "rms error from which a model explains little")
+    beyond_noise: float = decides(5.0, "sd", "of the noise, that anything doubtful is beyond")
+    mended: float = decides(0.3, "of an error", "that a simple mistake may leave, if it is to explain it")
+    alike: float = decides(0.02, "of a factor or of an offset", "by which it may differ from a known one")
+    passed: float = decides(0.03, "of a signal's span", "beyond zero counts as passed")
+    opposite: float = decides(0.02, "of a signal's span", "that runs differ by, in the data and in the model")
+    near: float = decides(0.02, "of the inputs' spans", "between samples at the same inputs, and in the model")
+    fewest: int = decides(20, "samples", "at the same inputs, to compare two runs by")
+    most: int = decides(2000, "samples", "of a run that are looked at for that")
+
+
+@dataclass(frozen=True)
 class ResolutionCriteria:
     """What data could tell, before a model is fitted to them."""
 
@@ -290,6 +305,7 @@ class Criteria:
     learning: LearningCriteria = LearningCriteria()
     next_experiment: NextExperimentCriteria = NextExperimentCriteria()
     resolution: ResolutionCriteria = ResolutionCriteria()
+    doubts: DoubtCriteria = DoubtCriteria()
 
 
 @dataclass(frozen=True)

@@ -32,6 +32,7 @@ DECIDE_NOTHING = {
     "_WAVES": "forms on the shelf",
     "_NOTHING_NEW": "rank of a matrix, far from what noise leaves",
     "_WEAK": "the same",
+    "_ZEROS": "the atmosphere and the ice point",
     "_SAME": "digits in which two values of a run are one condition of a table",
 }
 BY_NAME = {c.name: c for c in every_criterion()}

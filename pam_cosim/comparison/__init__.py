@@ -2,6 +2,7 @@
 
 from pam_cosim.comparison.compare import Comparison, compare
 from pam_cosim.comparison.condition_table import STATISTICS, Condition, ConditionTable, Statistic, write_tables
+from pam_cosim.comparison.doubts import Doubt
 from pam_cosim.comparison.outliers import outliers, without_outliers
 from pam_cosim.comparison.reproducibility import Reproducibility, reproducibility
 from pam_cosim.comparison.residual_statistics import (
@@ -20,6 +21,7 @@ __all__ = [
     "Comparison",
     "Condition",
     "ConditionTable",
+    "Doubt",
     "Reproducibility",
     "ResidualStatistics",
     "Rule",

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from pam_cosim.comparison.condition_table import ConditionTable, condition_table
+from pam_cosim.comparison.doubts import Doubt, doubts
 from pam_cosim.comparison.residuals import RunComparison, simulate_run
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.comparison.where import Rule, where
@@ -37,6 +39,12 @@ class Comparison(Printed):
     scores: dict[str, dict[str, SignalScore]]
     where: tuple[Rule, ...]
     units: dict[str, str] = field(default_factory=dict)
+
+    @cached_property
+    def doubts(self) -> tuple[Doubt, ...]:
+        """What a person should look at before an effect is said to be missing."""
+        fitted = set(self.data.fit) <= set(self.parameters)
+        return doubts(self.runs, self.data.signals, self.units, fitted)
 
     def chi2_reduced(self, role: str = "all") -> float:
         """Mean square error in noise standard deviations over the fitted signals of the runs with ``role``."""
@@ -88,6 +96,7 @@ class Comparison(Printed):
                 for r in self.runs
             ],
             "where": [vars(rule) for rule in self.where],
+            "doubts": [vars(doubt) for doubt in self.doubts],
         }
 
     def __str__(self) -> str:
@@ -103,6 +112,7 @@ class Comparison(Printed):
                 f"  {100 * rule.error_share:.0f} % of the error of {rule.signal} in "
                 f"{100 * rule.time_share:.0f} % of the samples: {rule.rule}"
             )
+        lines += [f"  look first: {doubt.text}" for doubt in self.doubts]
         return "\n".join(lines)
 
 

@@ -99,6 +99,7 @@ class Diagnosis(Printed):
             "balance": self.balance,
             "candidates": [*(c.as_dict() for c in self.candidates), *(c.as_dict() for c in self.failed)],
             "verdict": self.verdict.as_dict(),
+            "doubts": [vars(doubt) for doubt in self.final.comparison.doubts],
             "outliers": self.outliers,
             "next_experiment": self.next_experiment.as_dict() if self.next_experiment else None,
             "missing_term": self._missing(),
@@ -130,6 +131,7 @@ class Diagnosis(Printed):
         if self.untried:
             more = ", ".join(" + ".join(names) for names in self.untried)
             lines.append(f"  The time limit ended the search; what would have been tried next: {more}")
+        lines += [f"  look first: {doubt.text}" for doubt in self.final.comparison.doubts]
         lines += [f"  not looked for: {listed(names)}: {why}" for why, names in self.not_tried_by_reason.items()]
         if self.learned is not None:
             beside = "".join(f" and {effect}" for effect in self.learned.model.effects[:-1])
@@ -288,6 +290,8 @@ def _base(simulator: Simulator, data: DataSet, say: Callable[[Message], None]) -
         say(Message(f"single samples far off their neighbours are set aside: {counts}"))
         base = fit(simulator, data, options=options)
     say(Message(f"base model refitted: {describe_fit(base)}"))
+    for doubt in base.comparison.doubts:
+        say(Message(f"look first: {doubt.text}"))
     return data, base, outliers
 
 

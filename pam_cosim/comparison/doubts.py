@@ -1,0 +1,214 @@
+"""What speaks against the data, or against what is stated of the rig, before any effect is said to be missing.
+
+A wrong unit, a zero, a sign, a column of another run: each leaves a large error that no physics explains, and that
+physics bends to explain all the same.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import KDTree
+
+from pam_cosim.arrays import Array
+from pam_cosim.comparison.residuals import RunComparison
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.measurement import Signal
+from pam_cosim.units import convert, format_quantity
+
+_UNITS = {
+    "Pa": ("kPa", "bar", "psi", "MPa", "mbar", "Pa", "hPa", "atm", "mmHg"),
+    "m": ("mm", "cm", "m", "inch"),
+    "N": ("N", "kN", "kgf", "lbf"),
+    "rad": ("rad", "deg"),
+}
+"""Units that loggers write, the usual ones first, by the base unit of what is measured."""
+_ZEROS = {
+    "Pa": (101325.0, "absolute and gauge pressure mixed up"),
+    "K": (273.15, "degrees Celsius and kelvin mixed up"),
+}
+
+
+@dataclass(frozen=True)
+class Doubt:
+    """One thing that a person should look at first.
+
+    Attributes:
+        kind: "far_off": the model explains little of a signal; "one_sided": the measurement never passes zero where the
+            model does; "contradiction": runs differ the other way than in the model.
+        signal: which it is seen in.
+        text: a sentence.
+    """
+
+    kind: str
+    signal: str
+    text: str
+
+
+def doubts(
+    runs: Sequence[RunComparison], signals: Mapping[str, Signal], units: Mapping[str, str], fitted: bool = True
+) -> tuple[Doubt, ...]:
+    """What a person should look at before effects are added.
+
+    Args:
+        runs: every run, simulated.
+        signals: what was measured.
+        units: SI units of the parameters of the runs, by name.
+        fitted: whether free parameters have had their chance; if not, a large error is doubted only where a simple
+            mistake explains it.
+    """
+    every: list[Doubt] = []
+    for name, signal in signals.items():
+        measured, modelled = _samples(runs, name)
+        if len(measured):
+            every += [*_far_off(signal, measured, modelled, fitted), *_one_sided(signal, measured, modelled)]
+            every += _contradictions(runs, signal, float(np.ptp(measured)), units)
+    return tuple(every)
+
+
+def _samples(runs: Sequence[RunComparison], name: str) -> tuple[Array, Array]:
+    """All samples of a signal, and the model's values beside them."""
+    pairs = [(r.run.measurements[name], r.model[name]) for r in runs if r.run.sample_count(name)]
+    kept = [np.isfinite(measured) for measured, _ in pairs]
+    both = [np.concatenate([p[i][k] for p, k in zip(pairs, kept, strict=True)] or [np.zeros(0)]) for i in (0, 1)]
+    return both[0], both[1]
+
+
+def _rms(values: Array) -> float:
+    return float(np.sqrt(np.mean(values**2)))
+
+
+def _far_off(signal: Signal, measured: Array, modelled: Array, fitted: bool) -> Iterator[Doubt]:
+    """A model that misses a signal by much of what it moves, and what would mend it at once."""
+    error, moves = _rms(measured - modelled), _rms(measured - measured.mean())
+    if error < CRITERIA.doubts.far_off * moves or error < CRITERIA.doubts.beyond_noise * (signal.sigma or 0.0):
+        return
+    span = format_quantity(float(np.ptp(measured)), signal.unit)
+    text = (
+        f"{signal.name}: the model explains little; it is off by {format_quantity(error, signal.unit)} where the whole "
+        f"measurement spans {span}. "
+    )
+    mended = _mended(signal, measured, modelled, error)
+    usual = (
+        "A wrong unit, zero or column, the geometry, the load or the type of the muscle come before a missing effect"
+    )
+    if mended or fitted:
+        yield Doubt("far_off", signal.name, text + (mended or usual))
+
+
+def _mended(signal: Signal, measured: Array, modelled: Array, error: float) -> str:
+    """The simple mistake that explains most of an error, in words; "" where none does."""
+    enough = CRITERIA.doubts.mended * error
+    offset = float(np.mean(measured - modelled))
+    if _rms(measured - modelled - offset) < enough:
+        zero, why = _ZEROS.get(signal.unit, (math.inf, ""))
+        mixed = abs(abs(offset) - zero) < CRITERIA.doubts.alike * zero
+        likely = why if mixed else "its zero is wrong, or a start value"
+        return f"It would fit if {format_quantity(offset, signal.unit)} were taken off: {likely}"
+    if _rms(measured + modelled) < enough:
+        return "It would fit with its sign turned"
+    gain = float(measured @ modelled) / max(float(modelled @ modelled), 1e-300)
+    if _rms(measured - gain * modelled) < enough:
+        return f"It would fit if it were divided by {gain:.4g}{_as_units(signal.unit, gain)}"
+    return ""
+
+
+def _as_units(unit: str, gain: float) -> str:
+    """Two units whose ratio a factor is, in words; "" where it is none."""
+    for written, read in itertools.permutations(_UNITS.get(unit, ()), 2):
+        ratio = float(convert(1.0, read, written))
+        if abs(gain / ratio - 1) < CRITERIA.doubts.alike:
+            return f", as if what was written in {written} were read as {read}"
+    return ""
+
+
+def _one_sided(signal: Signal, measured: Array, modelled: Array) -> Iterator[Doubt]:
+    """A measurement that never passes zero, where the model does by far."""
+    room = max(CRITERIA.doubts.passed * float(np.ptp(measured)), CRITERIA.doubts.beyond_noise * (signal.sigma or 0.0))
+    for sign, least, beyond in ((1.0, "falls below", "down to"), (-1.0, "rises above", "up to")):
+        own, model = sign * measured, sign * modelled
+        there = model < -room
+        if own.min() < -room or not there.any() or np.ptp(measured) == 0 or own.max() <= room:
+            continue
+        share = 100 * float(there.mean())
+        most = format_quantity(float(sign * model.min()), signal.unit)
+        yield Doubt(
+            "one_sided",
+            signal.name,
+            f"{signal.name}: the measurement never {least} zero, where the model goes {beyond} {most} "
+            f"({share:.0f} % of the samples): the rig cannot push there as the model can, or the sensor shows nothing",
+        )
+
+
+def _contradictions(
+    runs: Sequence[RunComparison], signal: Signal, span: float, units: Mapping[str, str]
+) -> Iterator[Doubt]:
+    """Pairs of runs whose one difference acts the other way than in the model."""
+    name, least = signal.name, CRITERIA.doubts.opposite * span
+    measured = [r for r in runs if r.run.sample_count(name)]
+    for a, b in itertools.combinations(measured, 2):
+        parameter = _only_difference(a, b)
+        if parameter is None:
+            continue
+        at = _alike(a, b, name)
+        if at is None:
+            continue
+        i, j = at
+        seen = float(np.nanmedian(b.run.measurements[name][j] - a.run.measurements[name][i]))
+        expected = float(np.median(b.model[name][j] - a.model[name][i]))
+        if seen * expected < 0 and min(abs(seen), abs(expected)) > least:
+            unit = units.get(parameter, "")
+            one, two = (format_quantity(r.run.parameters[parameter], unit) for r in (a, b))
+            real, modelled = (format_quantity(v, signal.unit) for v in (seen, expected))
+            yield Doubt(
+                "contradiction",
+                name,
+                f"{a.run.name} and {b.run.name} differ in {parameter} alone ({one} and {two}); at the same inputs "
+                f"{name} differs by {real}, in the model by {modelled}: are the files or the values exchanged?",
+            )
+
+
+def _only_difference(a: RunComparison, b: RunComparison) -> str | None:
+    """The one parameter in which two runs differ."""
+    one, two = a.run.parameters, b.run.parameters
+    if set(one) != set(two) or set(a.run.inputs) != set(b.run.inputs) or not a.run.inputs:
+        return None
+    different = [name for name in one if one[name] != two[name]]
+    return different[0] if len(different) == 1 else None
+
+
+def _alike(a: RunComparison, b: RunComparison, signal: str) -> tuple[NDArray[np.int_], NDArray[np.int_]] | None:
+    """Samples of two runs at nearly the same inputs; None: too few, or the inputs do not say what the model does.
+
+    Inputs say what it does where samples of one run at nearly the same inputs are nearly the same in the model.
+    """
+    near, few = CRITERIA.doubts.near, CRITERIA.doubts.fewest
+    both = {name: np.concatenate([v, b.run.inputs[name]]) for name, v in a.run.inputs.items()}
+    span = {name: max(float(np.ptp(v)), 1e-300) for name, v in both.items()}
+    samples, places = [], []
+    for r in (a, b):
+        at = np.arange(0, len(r.run.time), math.ceil(len(r.run.time) / CRITERIA.doubts.most))
+        where = _places(r, span)[at]
+        distance, other = KDTree(where).query(where, k=2)
+        model = r.model[signal][at]
+        apart = np.abs(model - model[other[:, 1]])[distance[:, 1] < near]
+        if len(apart) < few or _rms(apart) > near * float(np.ptp(model)):
+            return None
+        samples.append(at)
+        places.append(where)
+    distance, other = KDTree(places[1]).query(places[0])
+    first = np.flatnonzero((distance < near) & np.isfinite(a.run.measurements[signal][samples[0]]))
+    return (samples[0][first], samples[1][other[first]]) if len(first) >= few else None
+
+
+def _places(r: RunComparison, span: Mapping[str, float]) -> Array:
+    """(n, 2 inputs) where each sample lies: inputs over their span, and whether they rise or fall."""
+    columns = []
+    for name, values in r.run.inputs.items():
+        columns += [values / span[name], np.sign(np.gradient(values))]
+    return np.column_stack(columns)

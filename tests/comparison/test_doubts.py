@@ -1,0 +1,105 @@
+"""What speaks against the data: mistakes as people make them, and data without any."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pam_cosim.comparison.doubts import Doubt, doubts
+from pam_cosim.comparison.residuals import RunComparison
+from pam_cosim.measurement import Run, Signal
+
+TIME = np.linspace(0.0, 10.0, 401)
+PRESSURE = 1e5 * (2 + np.sin(2 * np.pi * TIME / 5))
+SIGMA = 500.0
+
+
+def compared(
+    measured: np.ndarray, modelled: np.ndarray, parameters: dict[str, float] | None = None, name: str = "run-01"
+) -> RunComparison:
+    """One run of a pressure by a current."""
+    inputs = {"u": np.interp(TIME % 5, [0, 2.5, 5], [0.0, 1.0, 0.0])}
+    run = Run(name, Path("x.csv"), "fit", "linear", parameters or {}, TIME, inputs, {"p": measured})
+    return RunComparison(run, {"p": modelled})
+
+
+def asked(*runs: RunComparison, unit: str = "Pa", sigma: float = SIGMA) -> list[Doubt]:
+    return list(doubts(runs, {"p": Signal("p", unit, sigma)}, {"load.m": "kg"}))
+
+
+def noisy(values: np.ndarray) -> np.ndarray:
+    return values + SIGMA * np.random.default_rng(4).standard_normal(len(values))
+
+
+def test_a_model_with_an_ordinary_error_is_not_doubted() -> None:
+    assert asked(compared(noisy(PRESSURE), 1.1 * PRESSURE + 5e3)) == []
+
+
+@pytest.mark.parametrize(
+    ("measured", "words"),
+    [
+        (PRESSURE * 6.895, "written in kPa were read as psi"),
+        (PRESSURE / 100, "written in bar were read as kPa"),
+        (PRESSURE + 101325.0, "absolute and gauge pressure mixed up"),
+        (PRESSURE - 2e5, "its zero is wrong"),
+        (-PRESSURE, "sign turned"),
+        (PRESSURE * 3.3, "divided by 3.3"),
+        (np.random.default_rng(1).permutation(PRESSURE), "come before a missing effect"),
+    ],
+)
+def test_a_usual_mistake_is_named(measured: np.ndarray, words: str) -> None:
+    (doubt,) = [d for d in asked(compared(noisy(measured), PRESSURE)) if d.kind == "far_off"]
+    assert words in doubt.text
+    assert "explains little" in doubt.text
+
+
+def test_a_large_error_without_a_simple_cause_waits_for_the_fit() -> None:
+    run = compared(noisy(np.random.default_rng(1).permutation(PRESSURE)), PRESSURE)
+    signals = {"p": Signal("p", "Pa", SIGMA)}
+    assert doubts([run], signals, {}, fitted=False) == ()
+    assert len(doubts([run], signals, {}, fitted=True)) == 1
+    (mended,) = doubts([compared(noisy(6.895 * PRESSURE), PRESSURE)], signals, {}, fitted=False)
+    assert "psi" in mended.text
+
+
+def test_a_measurement_that_never_passes_zero_where_the_model_does_is_told() -> None:
+    """A muscle that cannot push, in a model that can."""
+    force = 100 * np.sin(2 * np.pi * TIME / 5)
+    every = asked(compared(np.maximum(force, 0.0), force), unit="N", sigma=0.1)
+    (doubt,) = [d for d in every if d.kind == "one_sided"]
+    assert "never falls below zero" in doubt.text
+    assert "down to -100 N" in doubt.text or "down to −100 N" in doubt.text
+
+
+def pair(heavier: float) -> list[RunComparison]:
+    """Two runs by load; in the model the pressure of the heavier one is 20 kPa higher, in the data by so much."""
+    level = 1e5 * np.interp(TIME % 5, [0, 2.5, 5], [0.0, 1.0, 0.0])
+    light = compared(noisy(level), level, {"load.m": 2.0})
+    return [light, compared(noisy(level + heavier), level + 2e4, {"load.m": 5.0}, "run-02")]
+
+
+def test_runs_that_differ_the_other_way_than_in_the_model_contradict() -> None:
+    (doubt,) = [d for d in asked(*pair(-1.5e4)) if d.kind == "contradiction"]
+    assert "run-01 and run-02 differ in load.m alone (2 kg and 5 kg)" in doubt.text
+    assert "exchanged" in doubt.text
+
+
+def test_runs_that_differ_as_in_the_model_do_not() -> None:
+    assert not [d for d in asked(*pair(1.5e4)) if d.kind == "contradiction"]
+
+
+def test_runs_are_not_compared_where_inputs_do_not_say_what_the_model_does() -> None:
+    """A pressure that a valve's current drives is what the current has been, not what it is."""
+    rise = np.cumsum(np.ones_like(TIME)) * 500.0
+    light = compared(rise, rise, {"load.m": 2.0})
+    heavy = compared(rise - 2e4, rise + 2e4, {"load.m": 5.0}, "run-02")
+    assert not [d for d in asked(light, heavy) if d.kind == "contradiction"]
+
+
+def test_runs_that_differ_in_more_than_one_thing_are_not_compared() -> None:
+    light, heavy = pair(-1.5e4)
+    other = replace(heavy, run=replace(heavy.run, parameters={"load.m": 5.0, "p_supply": 1.0}))
+    assert not [d for d in asked(light, other) if d.kind == "contradiction"]
