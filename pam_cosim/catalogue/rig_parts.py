@@ -90,7 +90,7 @@ def chosen(parts: Sequence[RigPart], role: str, name: str | None) -> RigPart:
         if not usual:
             raise InputError(f"name the {role}; known: {', '.join(part.name for part in choices) or 'none'}")
         return usual[0]
-    meant = [p for p in choices if name == p.qualified_name] or [p for p in choices if kebab(name) == p.name]
+    meant = [p for p in choices if name == p.qualified_name] or [p for p in choices if _bare(name) == _bare(p.name)]
     if not meant:
         hint = did_you_mean(name, [part.name for part in choices])
         raise InputError(f"there is no {role} '{name}'; {hint}")
@@ -103,6 +103,11 @@ def chosen(parts: Sequence[RigPart], role: str, name: str | None) -> RigPart:
 def kebab(name: str) -> str:
     """``HangingLoad`` as ``hanging-load``."""
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "-", names.unquoted(name).replace("_", "-")).lower()
+
+
+def _bare(name: str) -> str:
+    """A name without what separates its words: ``DMSP-20`` is ``DMSP20``."""
+    return kebab(name).replace("-", "").replace(" ", "")
 
 
 def connectors(tree: ClassTree, name: str) -> list[ComponentInfo]:

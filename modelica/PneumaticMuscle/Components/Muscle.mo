@@ -18,6 +18,8 @@ model Muscle "McKibben muscle of Doumit and Pardoel; default parameters: latex b
   parameter Types.Length w(min=1e-5, max=0.01) = 0.254e-3 "Width of a fibre" annotation (Dialog(group="Geometry"));
   parameter Types.Length z(min=1e-5, max=0.01) = 0.254e-3 "Length of a crossing along a fibre"
     annotation (Dialog(group="Geometry"));
+  parameter Types.Volume V_solid(min=0, max=1e-3) = 0 "Volume in the sleeve that is no gas: a thick wall, a filler"
+    annotation (Dialog(group="Gas"));
   replaceable model Gas = Laws.Gases.PolytropicMuscleGas constrainedby Interfaces.Gas "Law of the gas"
     annotation (choicesAllMatching=true);
   replaceable model Wall = Laws.Heat.FilmWall constrainedby Interfaces.Wall "Law of the wall"
@@ -35,7 +37,7 @@ protected
     "Area of contact between fibres and bladder, DP (48)";
 public
   Braid braid(L0=L0, D0=D0, turns=turns, t_wall=t_wall) "Sleeve";
-  Gas gas(V=braid.V, n=n_g, p_start=ambient.p, T_start=ambient.T, p_reference=ambient.p, T_reference=ambient.T,
+  Gas gas(V=braid.V - V_solid, n=n_g, p_start=ambient.p, T_start=ambient.T, p_reference=ambient.p, T_reference=ambient.T,
     h_film=h_film) "Gas in the bladder";
   Wall wall(A=max(0, Constants.pi*braid.D*braid.L - A_fibre), h_film=gas.h_wall, k=k_wall, t=t_wall) "Bladder as a wall";
   Surroundings surroundings "What the wall gives its heat to";
@@ -63,6 +65,6 @@ equation
 <p>Motion DP (17), pressure and temperature DP (59)-(60), heat DP (44)-(49), friction DP (68)-(71), geometry as in
 <code>Interfaces.Braid</code>. The area that exchanges heat is what the fibres leave free,
 A_q = max(0, pi D L - w (b N - z q/2)), q = 2 n (N/2)^2 - N/2; w and z are not tabulated, the fibre thickness is
-taken for both.</p>
+taken for both. DP enclose gas in all of the volume, V_solid = 0.</p>
 </html>"));
 end Muscle;

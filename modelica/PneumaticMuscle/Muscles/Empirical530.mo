@@ -1,0 +1,9 @@
+within PneumaticMuscle.Muscles;
+model Empirical530 "The muscle of 530 mm, Dzahir and Yamamoto"
+  extends Empirical(L0=data.L0);
+protected
+  final parameter Data.EmpiricalMuscleData data = Data.EmpiricalMuscle530() "What the paper says of it";
+  annotation (defaultComponentName="muscle", Documentation(info="<html>
+<p>DY section 2, <code>Data.EmpiricalMuscle530</code>.</p>
+</html>"));
+end Empirical530;
