@@ -40,6 +40,33 @@ class OddSpring(Effect):
         return self.k * stretched * (1 + s * (self.a + s * (self.b + s * self.c))) * (1 + self.h * p_gauge / 1e5)
 
 
+@dataclass(frozen=True)
+class OddWall(Effect):
+    """A stiff wall takes of the pull what there is of p_0 + p_w (s + r s^2)/(1 + s + r s^2), s = x/x_w."""
+
+    family = "elasticity"
+    form = "random"
+    p_0: float = 2e4  # Pa
+    p_w: float = 3e4  # Pa
+    x_w: float = 5e-3  # m
+    r: float = 0.5
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        s = max(x, 0.0) / self.x_w
+        bent = s * (1 + self.r * s)
+        held = (self.p_0 + self.p_w * bent / (1 + bent)) * (3 * LENGTH**2 - FIBRE_SQUARED) / (16 * pi)
+        return min(held, pull(x, p_gauge))
+
+
+def _wall(rng: Chance) -> dict[str, float]:
+    return {
+        "p_0": order(rng, 5e3, 3e4),
+        "p_w": order(rng, 1e4, 4e4),
+        "x_w": order(rng, 2e-3, 8e-3),
+        "r": some(rng, 0, 2),
+    }
+
+
 def _spring(rng: Chance) -> dict[str, float]:
     return {"k": order(rng, 80, 600), "a": some(rng, -0.5, 1), "b": some(rng, -0.3, 1.5), "c": some(rng, -0.15, 2)}
 
@@ -48,6 +75,7 @@ SPRINGS: dict[str, Place] = {
     "contraction": lambda rng: OddSpring(**_spring(rng)),
     "contraction and pressure": lambda rng: OddSpring(**_spring(rng), h=some(rng, -0.25, 0.8)),
     "slack": lambda rng: OddSpring(**_spring(rng), slack=some(rng, 0.005, 0.03)),
+    "wall": lambda rng: OddWall(**_wall(rng)),
 }
 
 
