@@ -162,6 +162,13 @@ def test_fittings_do_not_contract() -> None:
     assert sleeve(**with_ends) == pytest.approx(sleeve(**bare), rel=1e-9)
 
 
+def test_tondu_finds_fittings() -> None:
+    """A factor of 1.25 on the strain is a fifth of the length that does not contract."""
+    p, eps = np.full(5, 3e5), np.linspace(0, 0.2, 5)
+    with_ends = pull("PneumaticMuscle.Effects.EndShape.TonduEnds", p, eps, 0.25, k=1.25)
+    assert with_ends == pytest.approx(pull(f"{LAWS}.Gaylord", p, 1.25 * eps, 0.2), rel=1e-9) and with_ends[-1] > 10
+
+
 # ---- laws of fluidic muscles -----------------------------------------------------------------------------------------
 
 LAWS = "PneumaticMuscle.Laws.Forces"

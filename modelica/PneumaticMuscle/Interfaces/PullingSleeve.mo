@@ -9,6 +9,7 @@ protected
 equation
   F = Functions.smoothMax(F_law, F_smooth);
   annotation (Documentation(info="<html>
-<p>A muscle goes slack where it would have to push: F = max(0, F_law), rounded over 0.1 N. Left to the extending class: F_law.</p>
+<p>A muscle goes slack where it would have to push: F = max(0, F_law), rounded over 0.1 N. Left to the extending class:
+F_law.</p>
 </html>"));
 end PullingSleeve;

@@ -8,8 +8,8 @@ equation
   connect(flange_a, membrane.flange_a);
   connect(flange_b, membrane.flange_b);
   annotation (defaultComponentName="muscle", Documentation(info="<html>
-<p>The cylinder of DP (1) with a wall that takes a part of its pull, <code>Laws.Elasticities.StiffWall</code>, and of the volume in it. The fibres lie in
-the rubber and do not cross: no friction of fibre on fibre or on a bladder, DP (68)-(71), and no share of the outside that they cover. What
-hysteresis such a muscle has is left to effects.</p>
+<p>The cylinder of DP (1) with a wall that takes a part of its pull, <code>Laws.Elasticities.StiffWall</code>, and of the
+volume in it. The fibres lie in the rubber and do not cross: no friction of fibre on fibre or on a bladder, DP (68)-(71),
+and no share of the outside that they cover. What hysteresis such a muscle has is left to effects.</p>
 </html>"));
 end Fluidic;

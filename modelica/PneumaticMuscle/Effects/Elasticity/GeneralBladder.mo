@@ -28,11 +28,11 @@ equation
   f = k*x*exp(z_most*tanh(s*(a + s*(b + s*(c + d*s)))/z_most) + h*log(max(1 + p_gauge/p_reference, q_least)))
     + Functions.wallForce(p_gauge, x, L0, D0, turns, p_0, p_w, eps_w);
   annotation (defaultComponentName="bladder", Documentation(info="<html>
-<p>f = k x (1 + p_gauge/100 kPa)^h exp(a s + b s^2 + c s^3 + d s^4) + the wall's force of StiffWall, s = 8 x/L0 - 1, the exponent rounded off at 8: as FlexibleBladder with two
-more terms of the expansion of ln(f/x), so that a slack, a stop, or a law that bends twice is met too: a stop at 80 mm
-within 1 %, a slack of 20 mm that ends with a corner within 3 %, of 30 mm within 4 %. Source: see there; the pressure thins a bladder and presses it
-into the sleeve, whose fibres then stretch it between them (Ferraresi, Franco and Bertetto 2001). Typical k 50 to
-2000 N/m, the others below 1.</p>
+<p>f = k x (1 + p_gauge/100 kPa)^h exp(a s + b s^2 + c s^3 + d s^4) + the wall's force of StiffWall, s = 8 x/L0 - 1, the
+exponent rounded off at 8: as FlexibleBladder with two more terms of the expansion of ln(f/x), so that a slack, a stop, or
+a law that bends twice is met too: a stop at 80 mm within 1 %, a slack of 20 mm that ends with a corner within 3 %, of 30
+mm within 4 %. Source: see there; the pressure thins a bladder and presses it into the sleeve, whose fibres then stretch
+it between them (Ferraresi, Franco and Bertetto 2001). Typical k 50 to 2000 N/m, the others below 1.</p>
 <p>Fingerprint: as FlexibleBladder.</p>
 </html>"));
 end GeneralBladder;

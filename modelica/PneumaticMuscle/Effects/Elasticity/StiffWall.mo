@@ -10,10 +10,12 @@ model StiffWall "A stiff wall takes a part of the pull that comes at once, and t
 equation
   f = Functions.wallForce(p_gauge, x, L0, D0, turns, p_0, p_w, eps_w);
   annotation (defaultComponentName="membrane", Documentation(info="<html>
-<p>f = min(p_gauge A(L), A(L0) (p_0 + p_w (1 - exp(-eps/eps_w)))), A(L) = (3 L^2 - b^2)/(4 pi n^2). Source: the terms without
-pressure that Sarosi 2012 and Bolen and others 2026 fit to fluidic muscles, <code>Functions.wallForce</code>. Typical for such muscles of
-10 and 20 mm: p_0 20 to 50 kPa, p_w 100 to 200 kPa, eps_w 0.02 to 0.04. A rubber that is only stretched is not stiffest at rest.</p>
-<p>Fingerprint: nothing moves and nothing pulls below a threshold of pressure; the first percent of contraction cost
-much of the pull, the others little beyond what the cylinder loses; a force that does not fall below zero. The pressure hardly changes.</p>
+<p>f = min(p_gauge A(L), A(L0) (p_0 + p_w (1 - exp(-eps/eps_w)))), A(L) = (3 L^2 - b^2)/(4 pi n^2). Source: the terms
+without pressure that Sarosi 2012 and Bolen and others 2026 fit to fluidic muscles, <code>Functions.wallForce</code>.
+Typical for such muscles of 10 and 20 mm: p_0 20 to 50 kPa, p_w 100 to 200 kPa, eps_w 0.02 to 0.04. A rubber that is only
+stretched is not stiffest at rest.</p>
+<p>Fingerprint: nothing moves and nothing pulls below a threshold of pressure; the first percent of contraction cost much
+of the pull, the others little beyond what the cylinder loses; a force that does not fall below zero. The pressure hardly
+changes.</p>
 </html>"));
 end StiffWall;

@@ -1,8 +1,8 @@
 within PneumaticMuscle.Effects.EndShape;
-model GeneralEnds "The pull differs from the cylinder's by any smooth law of contraction, one part of which fades with pressure, and by a wall"
+model GeneralEnds "The pull differs from the cylinder's by any smooth law of contraction, one part of which fades with pressure"
   extends Interfaces.Cylinder;
   extends FamilyMember(final general=true,
-    final absent="a_0=0, a_1=0, a_2=0, c_0=0, c_1=0, c_2=0, p_0=0, p_w=0");
+    final absent="a_0=0, a_1=0, a_2=0, c_0=0, c_1=0, c_2=0");
   parameter Real a_0(unit="1", min=-0.7, max=0.5, nominal=0.1) = 0 "Excess that fades, at full length"
     annotation (Dialog(group="Effect"));
   parameter Real a_1(unit="1", min=-2, max=0.5, nominal=0.1) = -0.05 "What it gains in proportion to contraction"
@@ -21,14 +21,7 @@ model GeneralEnds "The pull differs from the cylinder's by any smooth law of con
     annotation (Dialog(group="Effect"));
   parameter Real c_3(unit="1", min=-0.5, max=0.2, nominal=0.1) = 0 "What it gains with the third power"
     annotation (Dialog(group="Effect"));
-  parameter Types.GaugePressure p_0(min=0, max=2e5, nominal=3e4) = 0 "Pressure that a wall takes at full length"
-    annotation (Dialog(group="Effect"));
-  parameter Types.Pressure p_w(min=0, max=5e5, nominal=1e5) = 0 "Further pressure that it takes once it is bent open"
-    annotation (Dialog(group="Effect"));
-  parameter Real eps_w(unit="1", min=0.005, max=0.06, nominal=0.01) = 0.03 "Contraction ratio over which it is bent open"
-    annotation (Dialog(group="Effect"));
 protected
-  constant Types.Force F_smooth = 0.1 "Force over which the pull ends";
   constant Types.Pressure p_reference = 1e5 "Pressure to which s refers";
   constant Real e_reference(unit="1") = 0.25 "Strain at which the coefficients count fully";
   constant Real e_end(unit="1") = 1.7 "Contraction beyond all that a muscle reaches, where the excess ends";
@@ -38,14 +31,12 @@ protected
   Real fade(unit="1") = exp(-log(1 + s*w*q)/w) "1 without pressure";
   Real excess(unit="1") = ((a_0 + e*(a_1 + a_2*e))*fade + c_0 + e*(c_1 + e*(c_2 + c_3*e)))/(1 + (e/e_end)^24)
     "By the pull at full length";
-  Real eps(unit="1") = 1 - L/L0 "Contraction ratio";
-  Types.Pressure p_taken = p_0 + p_w*(1 - exp(-max(eps, 0)/eps_w) + min(eps, 0)/eps_w) "What the wall takes";
 equation
-  F = Functions.smoothMax((p_gauge*(3*L^2 - b^2) + (p_gauge*excess - p_taken)*(3*L0^2 - b^2))/(4*Constants.pi*turns^2), F_smooth);
+  F = p_gauge*(3*L^2 - b^2 + excess*(3*L0^2 - b^2))/(4*Constants.pi*turns^2);
   annotation (Documentation(info="<html>
-<p>F = max(0, p_gauge (A(L) + A(L0) ((a_0 + a_1 e + a_2 e^2) (1 + s w q)^(-1/w) + c_0 + c_1 e + c_2 e^2 + c_3 e^3))
-- A(L0) (p_0 + p_w (1 - exp(-eps/eps_w)))), q = p_gauge/100 kPa, e = strain/0.25. Source: FlexibleEnds, see there; ends that keep their shape and a pull that comes with
-pressure, be it exponentially (w near 0), be it as 1/(1 + p/p_0) (w = 1), together. Fillets of a tenth of the strain are met within 3 % of what they change. p_0 and p_w are a wall as in StiffWall and SarosiEnds. Typical coefficients below 0.3, s 0.3 to 3.</p>
+<p>F = p_gauge (A(L) + A(L0) ((a_0 + a_1 e + a_2 e^2) (1 + s w q)^(-1/w) + c_0 + c_1 e + c_2 e^2 + c_3 e^3)), q =
+p_gauge/100 kPa, e = strain/0.25. Source: FlexibleEnds, see there; ends that keep their shape and a pull that comes with
+pressure, be it exponentially (w near 0), be it as 1/(1 + p/p_0) (w = 1), together. Fillets of a tenth of the strain are met within 3 % of what they change. Typical coefficients below 0.3, s 0.3 to 3.</p>
 <p>Fingerprint: as FlexibleEnds.</p>
 </html>"));
 end GeneralEnds;

@@ -21,11 +21,12 @@ protected
 equation
   F_law = A_0*((a_1*p_gauge + p_w)*gone + p_gauge*(a_5 - a_1 - a_4*eps)/(1 + (eps/eps_end)^24) - p_w - p_0);
   annotation (Documentation(info="<html>
-<p>F = max(0, (c_1 p + c_2) exp(c_3 eps) + c_4 p eps + c_5 p + c_6), Source: Sarosi 2012, <code>Laws.Forces.Sarosi</code>, with coefficients by
-the pull A of the cylinder at full length, so that they are of one size for all muscles: c_1 = A a_1, c_2 = A p_w, c_3 = -1/eps_w, c_4 = -A a_4, c_5 = A (a_5 - a_1),
-c_6 = -A (p_w + p_0). Typical for fluidic muscles of 10 and 20 mm: a_5 1.0 to 1.1, a_4 3.4, a_1 near 0, p_0 40 kPa, p_w 80 to 200
-kPa, eps_w 0.015 to 0.035. Beyond 40 % of contraction the pull ends, as in FlexibleEnds. It leaves 4.3 N rms of Table A1 of Martens and Boblan 2017, 1654 N, and 1.3 N of Table A2, 542 N. The volume
-keeps the cylinder's law. No set of values gives the base law back.</p>
+<p>F = max(0, (c_1 p + c_2) exp(c_3 eps) + c_4 p eps + c_5 p + c_6), Source: Sarosi 2012, <code>Laws.Forces.Sarosi</code>,
+with coefficients by the pull A of the cylinder at full length, so that they are of one size for all muscles: c_1 = A a_1,
+c_2 = A p_w, c_3 = -1/eps_w, c_4 = -A a_4, c_5 = A (a_5 - a_1), c_6 = -A (p_w + p_0). Typical for fluidic muscles of 10
+and 20 mm: a_5 1.0 to 1.1, a_4 3.4, a_1 near 0, p_0 40 kPa, p_w 80 to 200 kPa, eps_w 0.015 to 0.035. Beyond 40 % of
+contraction the pull ends, as in FlexibleEnds. It leaves 4.3 N rms of Table A1 of Martens and Boblan 2017, 1654 N, and 1.3
+N of Table A2, 542 N. The volume keeps the cylinder's law. No set of values gives the base law back.</p>
 <p>Fingerprint: as StiffWall; beyond the first percent the pull falls in a straight line with contraction.</p>
 </html>"));
 end SarosiEnds;

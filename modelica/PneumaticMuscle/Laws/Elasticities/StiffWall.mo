@@ -11,8 +11,9 @@ model StiffWall "The wall of a fluidic muscle, which takes a part of the pull"
 equation
   f = Functions.wallForce(p_gauge, x, L0, D0, turns, p_0, p_w, eps_w);
   annotation (Documentation(info="<html>
-<p><code>Functions.wallForce</code>, after the terms without pressure of Sarosi 2012 and Bolen and others 2026. Fitted to the tables that Martens and
-Boblan 2017 measured, beside a cylinder with the geometry of <code>Data.DMSP10</code> and <code>DMSP20</code>, it leaves 6.1 N rms
-of 542 N and 13.4 N of 1654 N. The cylinder alone, its pull scaled at will, leaves 84 N and 150 N.</p>
+<p><code>Functions.wallForce</code>, after the terms without pressure of Sarosi 2012 and Bolen and others 2026. Fitted to
+the tables that Martens and Boblan 2017 measured, beside a cylinder with the geometry of <code>Data.DMSP10</code> and
+<code>DMSP20</code>, it leaves 6.1 N rms of 542 N and 13.4 N of 1654 N. The cylinder alone, its pull scaled at will,
+leaves 84 N and 150 N.</p>
 </html>"));
 end StiffWall;

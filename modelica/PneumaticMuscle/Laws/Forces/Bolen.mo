@@ -19,12 +19,12 @@ protected
 equation
   F_law = F_620*(c_0*(exp(-c_1*max(e, 0)) - 1 - c_1*min(e, 0)) + p_gauge/p_620*exp(-c_2*e^2));
   annotation (Documentation(info="<html>
-<p>F = F_620 (c_0 (exp(-c_1 e) - 1) + p/p_620 exp(-c_2 e^2)), zero where that is negative, with e = eps/eps_620 and F_620 = b_1
-arctan(b_2 (L0 - l_caps)), Bolen and others 2026, their equations for the normalised force and the maximum force. L0 is the length between the hose clamps. For
-muscles longer than at rest the first term goes on with its slope there.</p>
-<p>Defaults: fluidic muscles of 10 mm. For 20 mm: b_1 = 922.4 N, b_2 = 15.37 1/m, l_caps = 0.013 m, c_0 = 0.2579, c_1 = 6.477, c_2 = 1.321.
-eps_620 differs from muscle to muscle and must be measured; 0.149 to 0.175 for the six of Hunt, Graber-Tilton and Quinn 2017.
-Of the two maximum forces that the paper works out, 335.3 N for 112 mm is what its equation gives, 230 N for 54 mm is not: 219.9
-N.</p>
+<p>F = F_620 (c_0 (exp(-c_1 e) - 1) + p/p_620 exp(-c_2 e^2)), zero where that is negative, with e = eps/eps_620 and F_620
+= b_1 arctan(b_2 (L0 - l_caps)), Bolen and others 2026, their equations for the normalised force and the maximum force. L0
+is the length between the hose clamps. For muscles longer than at rest the first term goes on with its slope there.</p>
+<p>Defaults: fluidic muscles of 10 mm. For 20 mm: b_1 = 922.4 N, b_2 = 15.37 1/m, l_caps = 0.013 m, c_0 = 0.2579, c_1 =
+6.477, c_2 = 1.321. eps_620 differs from muscle to muscle and must be measured; 0.149 to 0.175 for the six of Hunt,
+Graber-Tilton and Quinn 2017. Of the two maximum forces that the paper works out, 335.3 N for 112 mm is what its equation
+gives, 230 N for 54 mm is not: 219.9 N.</p>
 </html>"));
 end Bolen;

@@ -11,9 +11,9 @@ model Hildebrandt "A one-way cylinder whose area depends on contraction, against
 equation
   F_law = p_gauge*(a_0 + eps*(a_1 + a_2*eps)) - (f_0 + eps*(f_1 + eps*(f_2 + f_3*eps)));
   annotation (Documentation(info="<html>
-<p>F = p A(eps) - f(eps), both polynomials: Hildebrandt and others 2005, a one-way cylinder that moves against a spring, its pull
-approximated by polynomials, as DY section 1 describes it. The paper was not at hand, so the degrees, two and three, are chosen
-here: with them the law leaves 4.2 N rms of Table A1 of Martens and Boblan 2017, a DMSP-20 of 300 mm, and 1.3 N of Table A2. Defaults: that fit to Table A1. Not below
-zero here.</p>
+<p>F = p A(eps) - f(eps), both polynomials: Hildebrandt and others 2005, a one-way cylinder that moves against a spring,
+its pull approximated by polynomials, as DY section 1 describes it. The paper was not at hand, so the degrees, two and
+three, are chosen here: with them the law leaves 4.2 N rms of Table A1 of Martens and Boblan 2017, a DMSP-20 of 300 mm,
+and 1.3 N of Table A2. Defaults: that fit to Table A1. Not below zero here.</p>
 </html>"));
 end Hildebrandt;

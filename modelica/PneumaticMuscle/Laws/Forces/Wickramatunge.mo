@@ -11,9 +11,9 @@ model Wickramatunge "A spring whose stiffness depends on pressure and stretch"
 equation
   F_law = L_s*(c_0 + c_1*L_s^2 + c_2*p_gauge*L_s + c_3*p_gauge^2);
   annotation (Documentation(info="<html>
-<p>F = K L_s, K = c_3 p^2 + c_2 p L_s + c_1 L_s^2 + c_0: Wickramatunge and Leephakpreeda 2010, a spring with a stiffness that is a
-polynomial of second order in pressure and length, as DY section 1 describes it. The paper was not at hand; from where it counts the stretch is a
-parameter here, eps_s. Defaults: fitted to Table A1 of Martens and Boblan 2017, of which it leaves 26 N rms of 1654 N: of the laws for fluidic muscles in this package the
-farthest off. Not below zero here.</p>
+<p>F = K L_s, K = c_3 p^2 + c_2 p L_s + c_1 L_s^2 + c_0: Wickramatunge and Leephakpreeda 2010, a spring with a stiffness
+that is a polynomial of second order in pressure and length, as DY section 1 describes it. The paper was not at hand; from
+where it counts the stretch is a parameter here, eps_s. Defaults: fitted to Table A1 of Martens and Boblan 2017, of which
+it leaves 26 N rms of 1654 N: of the laws for fluidic muscles in this package the farthest off. Not below zero here.</p>
 </html>"));
 end Wickramatunge;
