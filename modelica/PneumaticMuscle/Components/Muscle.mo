@@ -18,7 +18,7 @@ model Muscle "McKibben muscle of Doumit and Pardoel; default parameters: latex b
   parameter Types.Length w(min=1e-5, max=0.01) = 0.254e-3 "Width of a fibre" annotation (Dialog(group="Geometry"));
   parameter Types.Length z(min=1e-5, max=0.01) = 0.254e-3 "Length of a crossing along a fibre"
     annotation (Dialog(group="Geometry"));
-  parameter Types.Volume V_solid(min=0, max=1e-3) = 0 "Volume in the sleeve that is no gas: a thick wall, a filler"
+  parameter Types.Volume V_solid(min=0, max=0.1) = 0 "Volume in the sleeve that is no gas: a thick wall, a filler"
     annotation (Dialog(group="Gas"));
   replaceable model Gas = Laws.Gases.PolytropicMuscleGas constrainedby Interfaces.Gas "Law of the gas"
     annotation (choicesAllMatching=true);
