@@ -91,6 +91,15 @@ pam_status pam_do_step(pam_instance *c, double now, double step) {
  */
 PAM_EXPORT void pam_follow_sensitivities(void *instance, int on) { ((pam_instance *)instance)->core.plain = !on; }
 
+/* Beside FMI, after initialization: takes the model to an equilibrium under the present inputs. */
+PAM_EXPORT int pam_settle(void *instance) {
+    pam_instance *c = pam_check(instance, CO_SIMULATION, STEP, "pam_settle");
+    if (!c) return PAM_ERROR;
+    if (pam_solver_settle(&c->solver)) return discard(c);
+    move_to(c, c->solver.s->t);
+    return pam_state_holds(c);
+}
+
 /* Beside FMI: steps, rejected steps, evaluations of f, Jacobians and restarts since initialization. */
 PAM_EXPORT void pam_get_statistics(const void *instance, long long values[5]) {
     const pam_instance *c = instance;

@@ -47,13 +47,14 @@ typedef void (*driver_function)(void); /* of the type that its version of FMI gi
 
 /* One run. Mirrored by pam_cosim/simulation/driver.py. */
 typedef struct {
-    driver_function reset, setup, enter, leave, set_real, get_real, set_slopes, do_step, terminate;
+    driver_function reset, setup, enter, leave, set_real, get_real, set_slopes, do_step, terminate, settle;
     void *instance;
     int32_t version; /* of FMI: 2 or 3; the latter has no function for setup */
     int32_t must_reset, tolerance_defined;
     double tolerance, max_seconds; /* max_seconds: of processor time; 0: no limit */
     void (*follow)(void *instance, int on); /* pam_follow_sensitivities of our own FMUs, or null */
     int32_t plain; /* whether nobody asks for sensitivities */
+    int32_t at_rest; /* each point is an equilibrium under its own inputs, found from the start values, not a time */
     size_t n_parameters;
     const uint32_t *parameters;
     const double *parameter_values;
@@ -77,7 +78,7 @@ typedef struct {
     int32_t status;
 } driver_run;
 
-enum { RESET, SETUP, ENTER, LEAVE, SET_REAL, GET_REAL, SET_SLOPES, DO_STEP, TERMINATE, TOO_SLOW };
+enum { RESET, SETUP, ENTER, LEAVE, SET_REAL, GET_REAL, SET_SLOPES, DO_STEP, TERMINATE, SETTLE, TOO_SLOW };
 
 /* The status codes of both versions agree, and so do the arguments of functions without any but the instance. */
 enum { OK = 0, WARNING = 1, DISCARD = 2 };
@@ -145,7 +146,7 @@ static int set_inputs(driver_run *r, int64_t knot) {
     return 0;
 }
 
-static void initialise(driver_run *r) {
+static void initialise(driver_run *r, int64_t knot) {
     if (r->must_reset) CALL(RESET, call(r, r->reset));
     if (r->follow) r->follow(r->instance, !r->plain);
     if (r->n_parameters) CALL(SET_REAL, set_real(r, r->parameters, r->n_parameters, r->parameter_values));
@@ -154,7 +155,7 @@ static void initialise(driver_run *r) {
         CALL(SETUP, setup(r->instance, r->tolerance_defined, r->tolerance, r->times[0], fmi2False, 0.0));
     }
     CALL(ENTER, enter(r));
-    if (r->n_inputs && r->knots[0] >= 0 && set_inputs(r, r->knots[0])) return;
+    if (r->n_inputs && knot >= 0 && set_inputs(r, knot)) return;
     CALL(LEAVE, call(r, r->leave));
 }
 
@@ -192,11 +193,30 @@ static void loop(driver_run *r) {
     }
 }
 
+/* Every point begins anew, so that none depends on those before it. */
+static void rest_at_each(driver_run *r) {
+    clock_t begin = clock();
+    for (size_t k = 0; k < r->n_points; k++) {
+        if (too_slow(r, begin, k)) return;
+        r->time_reached = r->times[k];
+        initialise(r, r->knots[k]);
+        if (r->stage >= 0) return;
+        r->must_reset = 1;
+        CALL(SETTLE, call(r, r->settle));
+        read_outputs(r, r->rows_after[k]);
+        if (r->stage >= 0) return;
+    }
+}
+
 EXPORT void pam_driver_run(driver_run *r) {
     r->stage = -1;
     r->status = OK;
     r->time_reached = r->times[0];
-    initialise(r);
+    if (r->at_rest) {
+        rest_at_each(r);
+        return;
+    }
+    initialise(r, r->knots[0]);
     if (r->stage < 0) loop(r);
     if (r->stage < 0) CALL(TERMINATE, call(r, r->terminate));
 }

@@ -91,6 +91,11 @@ void pam_solver_set_state(pam_solver *v, double t, const double *x);
 /* Makes the solution known up to time t. Returns 0, or 1 with a message. */
 int pam_solver_advance(pam_solver *v, double t);
 
+/* Goes from the state where it has begun to an equilibrium under the inputs, whose slopes must be zero; with its
+ * sensitivities. Returns 0, or 1 with a message. In pam_equilibrium.c.
+ */
+int pam_solver_settle(pam_solver *v);
+
 /* The first nc states at a time the pending step covers. */
 void pam_solver_core_state(const pam_solver *v, double t, double *x);
 

@@ -22,7 +22,8 @@ from pam_cosim.fmu.compile import compile_library, native_platform
 from pam_cosim.simulation.plan import Plan
 
 # In the order of the function pointers in driver_run, by major version of FMI; version 3 sets up the experiment when
-# it enters initialization mode, and has no slopes of inputs: our own FMUs have a function for them beside FMI.
+# it enters initialization mode, and has no slopes of inputs: our own FMUs have a function for them beside FMI, and one
+# for equilibria.
 FUNCTIONS: dict[int, tuple[str | None, ...]] = {
     2: (
         "fmi2Reset",
@@ -34,6 +35,7 @@ FUNCTIONS: dict[int, tuple[str | None, ...]] = {
         "fmi2SetRealInputDerivatives",
         "fmi2DoStep",
         "fmi2Terminate",
+        "pam_settle",
     ),
     3: (
         "fmi3Reset",
@@ -45,9 +47,10 @@ FUNCTIONS: dict[int, tuple[str | None, ...]] = {
         "pam_set_input_slopes",
         "fmi3DoStep",
         "fmi3Terminate",
+        "pam_settle",
     ),
 }
-_SLOTS = ("reset", "setup", "enter", "leave", "set_real", "get_real", "set_slopes", "do_step", "terminate")
+_SLOTS = ("reset", "setup", "enter", "leave", "set_real", "get_real", "set_slopes", "do_step", "terminate", "settle")
 # Named instead of a function where the run took too long.
 TOO_SLOW = "time limit"
 
@@ -67,6 +70,7 @@ class _Run(ctypes.Structure):
         ("max_seconds", ctypes.c_double),
         ("follow", ctypes.c_void_p),
         ("plain", ctypes.c_int32),
+        ("at_rest", ctypes.c_int32),
         ("n_parameters", ctypes.c_size_t),
         ("parameters", ctypes.c_void_p),
         ("parameter_values", ctypes.c_void_p),
@@ -172,6 +176,9 @@ class Driver:
         instance: its fmi2Component or fmi3Instance.
         slopes: whether the FMU understands derivatives of inputs.
         version: major version of FMI, 2 or 3.
+
+    Attributes:
+        settles: whether the FMU finds equilibria.
     """
 
     def __init__(self, library: Any, instance: int, slopes: bool, version: int = 2) -> None:
@@ -180,6 +187,7 @@ class Driver:
         self._addresses = {slot: _address(library, name) for slot, name in names.items()}
         self._follow = _address(library, "pam_follow_sensitivities")
         self._instance, self._slopes, self._version = instance, slopes, version
+        self.settles = self._addresses["settle"] is not None
         self._running: _Run | None = None
 
     @property
@@ -198,8 +206,12 @@ class Driver:
         must_reset: bool,
         max_seconds: float | None,
         plain: bool = False,
+        at_rest: bool = False,
     ) -> Outcome:
-        """One simulation; variables are given by value reference. ``plain``: none of the outputs is a sensitivity."""
+        """One simulation; variables are given by value reference. ``plain``: none of the outputs is a sensitivity.
+
+        ``at_rest``: each point of the plan is an equilibrium under its own inputs, not a time.
+        """
         references = [np.array(r, dtype=np.uint32) for r in (parameters[0], inputs, outputs)]
         values = np.array(parameters[1], dtype=np.float64)
         orders = np.ones(len(inputs), dtype=np.int32)
@@ -214,13 +226,14 @@ class Driver:
             max_seconds=max_seconds or 0.0,
             follow=self._follow,
             plain=plain,
+            at_rest=at_rest,
             n_parameters=values.size,
             parameters=references[0].ctypes.data,
             parameter_values=values.ctypes.data,
             n_inputs=len(inputs),
             inputs=references[1].ctypes.data,
             input_values=plan.values.ctypes.data,
-            input_slopes=plan.slopes.ctypes.data if self._slopes else None,
+            input_slopes=plan.slopes.ctypes.data if self._slopes and not at_rest else None,
             orders=orders.ctypes.data,
             n_outputs=len(outputs),
             outputs=references[2].ctypes.data,

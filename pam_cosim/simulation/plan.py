@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -62,6 +63,15 @@ def plan(times: Array, start: float, inputs: Inputs | None, sample_ramps: float 
         return _laid_out(times.tobytes(), start, b"", (), "linear", sample_ramps)
     columns = tuple(values.tobytes() for values in inputs.values.values())
     return _laid_out(times.tobytes(), start, inputs.time.tobytes(), columns, inputs.interpolation, sample_ramps)
+
+
+def points(values: Mapping[str, Array], count: int) -> Plan:
+    """One point for each of ``count`` rows of inputs [SI], which have no time; they are numbered."""
+    numbers, width = np.arange(count, dtype=np.int64), len(values)
+    table = np.ascontiguousarray(np.stack(list(values.values()), axis=1)) if values else np.zeros((count, 0))
+    none = np.full(count, -1, dtype=np.int64)
+    knots = numbers if width else none
+    return Plan(numbers.astype(float), knots, table, np.zeros((count, width)), none, numbers, numbers, count)
 
 
 @lru_cache(_KEPT)

@@ -30,9 +30,10 @@ from pam_cosim.simulation.instance import (
     major_version,
     takes_slopes,
 )
-from pam_cosim.simulation.plan import plan
+from pam_cosim.simulation.plan import Plan, plan, points
 from pam_cosim.simulation.stepper import Abilities, Stepper, abilities_of
 from pam_cosim.simulation.trajectory import Trajectory
+from pam_cosim.units import format_quantity
 from pam_cosim.wording import did_you_mean
 
 
@@ -145,21 +146,92 @@ class Simulator:
             InputError: unknown names, an input given both ways, or times out of order.
             SimulationFailure: (``RunFailure``) the run did not reach its end.
         """
-        if self._instance is None:
-            raise RuntimeError("the simulator is closed")
         wanted = np.ascontiguousarray(times, dtype=float)
         start = float(wanted[0]) if start_time is None and wanted.size else start_time or 0.0
-        values = {name: _number(name, value) for name, value in (parameters or {}).items()}
-        self._lookup(values, self._settable, "parameter or input")
-        held = {name: value for name, value in values.items() if name in self.interface.inputs}
-        own = {name: value for name, value in values.items() if name not in held}
+        held, own = self._split(parameters)
         course = with_held(inputs, held, start)
-        names = list(self.interface.outputs | self.interface.sensitivities if outputs is None else outputs)
         late = sum(own.get(name, v.start or 0.0) for name, v in self.interface.record_delays.items())
         shown = np.maximum(wanted - late, start) if late else wanted
         layout = plan(shown, start, course, None if self._slopes else self.interface.interval)
+        names = self._wanted(outputs)
+        values = course.values if course else {}
+        outcome = self._outcome(layout, own, values, names, tolerance, max_seconds)
+        settings = {**own, **held}
+        if outcome.failed is not None:
+            raise self._failure(outcome.failed, outcome.time, settings)
+        self._check_finite(wanted, names, outcome.values, settings)
+        return self._trajectory(wanted, names, outcome)
+
+    def equilibria(
+        self,
+        inputs: Mapping[str, ArrayLike],
+        *,
+        parameters: Mapping[str, float] | None = None,
+        outputs: Sequence[str] | None = None,
+        max_seconds: float | None = None,
+    ) -> Trajectory:
+        """Equilibria of the model, each under inputs of its own; nothing in one depends on another.
+
+        Every derivative is zero, by Newton's method at the end of growing implicit steps from the start values. A
+        clock of the record and delays are over.
+
+        Args:
+            inputs: name to (n,) [SI].
+            parameters: as in ``run``.
+            outputs: as in ``run``; sensitivities are those of the equilibria.
+            max_seconds: as in ``run``.
+
+        Returns:
+            The outputs; "time" is the number of each.
+
+        Raises:
+            InputError: unknown names, an input given both ways, inputs of unlike length, or an FMU of another tool,
+                which does not find equilibria.
+            SimulationFailure: (``RunFailure``) there is no equilibrium, or none was found; says under which inputs.
+        """
+        if not self._driver.settles:
+            raise InputError("quasi-static data need equilibria, which FMUs of other tools do not find", self.path)
+        held, own = self._split(parameters)
+        given = {name: np.asarray(values, dtype=float) for name, values in inputs.items()}
+        count = max((values.size for values in given.values()), default=1)
+        course = with_held(Inputs(np.arange(count, dtype=float), given), held, 0.0)
+        values, names = course.values if course else {}, self._wanted(outputs)
+        outcome = self._outcome(points(values, count), own, values, names, None, max_seconds, at_rest=True)
+        settings = {**own, **held}
+        if outcome.failed is not None:
+            row = int(outcome.time)
+            units = self.interface.inputs
+            under = ", ".join(f"{n} = {format_quantity(float(v[row]), units[n].unit)}" for n, v in values.items())
+            failure = self._failure(outcome.failed, None, settings)
+            raise RunFailure(f"{failure.reason} (under {under})", None, failure.parameters) if under else failure
+        numbers = np.arange(count, dtype=float)
+        self._check_finite(numbers, names, outcome.values, settings)
+        return self._trajectory(numbers, names, outcome)
+
+    def _split(self, parameters: Mapping[str, float] | None) -> tuple[dict[str, float], dict[str, float]]:
+        """Inputs that are held, and parameters."""
+        values = {name: _number(name, value) for name, value in (parameters or {}).items()}
+        self._lookup(values, self._settable, "parameter or input")
+        held = {name: value for name, value in values.items() if name in self.interface.inputs}
+        return held, {name: value for name, value in values.items() if name not in held}
+
+    def _wanted(self, outputs: Sequence[str] | None) -> list[str]:
+        return list(self.interface.outputs | self.interface.sensitivities if outputs is None else outputs)
+
+    def _outcome(
+        self,
+        layout: Plan,
+        own: Mapping[str, float],
+        inputs: Iterable[str],
+        names: Sequence[str],
+        tolerance: float | None,
+        max_seconds: float | None,
+        at_rest: bool = False,
+    ) -> Outcome:
+        if self._instance is None:
+            raise RuntimeError("the simulator is closed")
         parameter_references = self._lookup(own, self._settable, "parameter")
-        input_references = self._lookup(course.values if course else (), self.interface.inputs, "input")
+        input_references = self._lookup(inputs, self.interface.inputs, "input")
         output_references = self._lookup(names, self._references, "output")
         self._callbacks.take_messages()
         parameter_values = list(own.values())
@@ -168,7 +240,7 @@ class Simulator:
         def drive() -> Outcome:
             return self._driver.run(
                 layout, (parameter_references, parameter_values), input_references, output_references,
-                tolerance, self._used, max_seconds, plain,
+                tolerance, self._used, max_seconds, plain, at_rest,
             )  # fmt: skip
 
         self._end_steps()
@@ -177,13 +249,13 @@ class Simulator:
             self._renew()
             outcome = drive()
         self._used = True
-        if outcome.failed is not None:
-            raise self._failure(outcome.failed, outcome.time, values)
-        self._check_finite(wanted, names, outcome.values, values)
+        return outcome
+
+    def _trajectory(self, time: Array, names: Sequence[str], outcome: Outcome) -> Trajectory:
         columns = np.ascontiguousarray(outcome.values.T)
         units = {name: self._units.get(name, "") for name in names}
         warnings = tuple(self._callbacks.take_messages())
-        return Trajectory(wanted.copy(), dict(zip(names, columns, strict=True)), units, warnings)
+        return Trajectory(time.copy(), dict(zip(names, columns, strict=True)), units, warnings)
 
     def stepper(self) -> Stepper:
         """A new run of the instance, step by step; it ends when another run begins.
@@ -244,7 +316,7 @@ class Simulator:
     def _changed(self, values: Mapping[str, float]) -> dict[str, float]:
         return {name: value for name, value in values.items() if value != self._settable[name].start}
 
-    def _failure(self, function: str, time: float, values: Mapping[str, float]) -> SimulationFailure:
+    def _failure(self, function: str, time: float | None, values: Mapping[str, float]) -> RunFailure:
         messages = self._callbacks.take_messages()
         if function == TOO_SLOW:
             messages = ["the run takes longer than it may"]

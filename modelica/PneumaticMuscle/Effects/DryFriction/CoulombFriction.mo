@@ -5,7 +5,7 @@ model CoulombFriction "Dry friction of constant size"
   parameter Types.Velocity v_s(min=1e-6, max=5e-3, nominal=5e-4) = 1e-3 "Speed at which it reaches three quarters of its size"
     annotation (Dialog(group="Effect"));
 equation
-  f = F_c*tanh(v/v_s);
+  f = F_c*tanh(v_slip/v_s);
   annotation (defaultComponentName="dryFriction", Documentation(info="<html>
 <p>f = F_c tanh(v/v_s). Source: the Coulomb term of DP (5), its jump smoothed as DP (69) does. Typical F_c 1 to
 30 N for a muscle of 100 to 1000 N.</p>

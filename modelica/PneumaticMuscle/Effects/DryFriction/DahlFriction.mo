@@ -9,7 +9,7 @@ model DahlFriction "Dry friction with a small elastic travel before it slips"
 protected
   constant Types.Velocity v_smooth = 1e-6 "Speed below which the size of v is rounded";
 equation
-  d*der(r) = v - sqrt(v^2 + v_smooth^2)*r;
+  d*der(r) = v_slip - sqrt(v_slip^2 + v_smooth^2)*r;
   f = F_c*r;
   annotation (defaultComponentName="dryFriction", Documentation(info="<html>
 <p>f = F_c r, d r_dot = v - |v| r. Source: Dahl 1968. Before it slips, its stiffness is F_c/d. Typical F_c 1 to 30 N,

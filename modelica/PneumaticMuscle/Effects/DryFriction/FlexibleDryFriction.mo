@@ -16,10 +16,10 @@ protected
   constant Types.Velocity v_smooth = 1e-6 "Speed below which the size of v is rounded";
   constant Types.Velocity v_slow = 0.01 "Speed that is slow in this sense";
   constant Real r_smooth(unit="1") = 1e-3 "Share below which its size is rounded";
-  Types.Velocity v_size = sqrt(v^2 + v_smooth^2) "Rounded size of the speed";
+  Types.Velocity v_size = sqrt(v_slip^2 + v_smooth^2) "Rounded size of the speed";
 equation
-  0.1*d*der(r[1]) = v - v_size*r[1]*sqrt(r[1]^2 + r_smooth^2);
-  d*der(r[2]) = v - v_size*r[2]*sqrt(r[2]^2 + r_smooth^2);
+  0.1*d*der(r[1]) = v_slip - v_size*r[1]*sqrt(r[1]^2 + r_smooth^2);
+  d*der(r[2]) = v_slip - v_size*r[2]*sqrt(r[2]^2 + r_smooth^2);
   f = (F_0 + F_p*Functions.smoothMax(p_gauge/p_reference, 1e-3))*(share*r[1] + (1 - share)*r[2])
     *(1 + rise*exp(-(v/v_slow)^2));
   annotation (defaultComponentName="dryFriction", Documentation(info="<html>

@@ -28,13 +28,13 @@ protected
   constant Types.Velocity v_smooth = 1e-6 "Speed below which the size of v is rounded";
   constant Real r_smooth(unit="1") = 1e-3 "Share below which its size is rounded";
   constant Real e_reference(unit="1") = 0.125 "Contraction to which the growth refers, by the length";
-  Types.Velocity v_size = sqrt(v^2 + v_smooth^2) "Rounded size of the speed";
+  Types.Velocity v_size = sqrt(v_slip^2 + v_smooth^2) "Rounded size of the speed";
   Real q(unit="1") = Functions.smoothMax(p_gauge/p_reference, 1e-3) "Gauge pressure by the reference, not below zero";
   Real s(unit="1") = Functions.smoothMax(x/(e_reference*L0), 0.02) "Contraction by the reference, zero beyond full length";
   Real carried(unit="1") = share*r[1] + (1 - share)*r[2] "Share of the whole force";
 equation
-  first*d*der(r[1]) = v - v_size*r[1]*sqrt(r[1]^2 + r_smooth^2);
-  d*der(r[2]) = v - v_size*r[2]*sqrt(r[2]^2 + r_smooth^2);
+  first*d*der(r[1]) = v_slip - v_size*r[1]*sqrt(r[1]^2 + r_smooth^2);
+  d*der(r[2]) = v_slip - v_size*r[2]*sqrt(r[2]^2 + r_smooth^2);
   f = (F_0 + F_p*exp(n*log(q)))*exp(s*(growth + bow*s))*carried*(1 + side*carried)*(1 + rise*exp(-(v/v_slow)^2));
   annotation (defaultComponentName="dryFriction", Documentation(info="<html>
 <p>f = (F_0 + F_p (p_gauge/100 kPa)^n) exp(growth s + bow s^2) r (1 + side r) (1 + rise exp(-(v/v_slow)^2)), r = share r_1 +

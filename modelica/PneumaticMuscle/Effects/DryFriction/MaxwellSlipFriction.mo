@@ -8,10 +8,10 @@ model MaxwellSlipFriction "Dry friction of four elements in parallel that slip o
   Real r[4](each start=0, each fixed=true, each unit="1", each nominal=1) "Share of its friction force in each element";
 protected
   constant Types.Velocity v_smooth = 1e-6 "Speed below which the size of v is rounded";
-  Types.Velocity v_size = sqrt(v^2 + v_smooth^2) "Rounded size of the speed";
+  Types.Velocity v_size = sqrt(v_slip^2 + v_smooth^2) "Rounded size of the speed";
 equation
   for i in 1:4 loop
-    d*0.5^(4 - i)*der(r[i]) = v - v_size*r[i];
+    d*0.5^(4 - i)*der(r[i]) = v_slip - v_size*r[i];
   end for;
   f = F_c*sum(r)/4;
   annotation (defaultComponentName="dryFriction", Documentation(info="<html>

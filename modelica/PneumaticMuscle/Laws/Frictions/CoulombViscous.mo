@@ -9,7 +9,7 @@ model CoulombViscous "Coulomb and viscous friction by the rate of strain, DP (5)
     annotation (Dialog(group="Law"));
   Real eps_dot(unit="1/s") = v/L0 "Rate of strain";
 equation
-  f = c_v*eps_dot + c_c*tanh(eps_dot/rate_smooth);
+  f = c_v*eps_dot + c_c*tanh(v_slip/L0/rate_smooth);
   annotation (Documentation(info="<html>
 <p>F = c_v eps_dot + c_c sgn(eps_dot), DP (5), DY (8)-(9). The sign is smoothed as DP (69) does, over 0.2 % of the
 length a second.</p>

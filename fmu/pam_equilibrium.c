@@ -1,0 +1,119 @@
+/* Equilibria by pseudo-transient continuation: steps of the linearly implicit Euler method that grow until they are
+ * Newton's (Kelley and Keyes, SIAM J. Numer. Anal. 35, 1998). From the start values they go where the model would go
+ * in time, so that an equilibrium that is found is as a rule a stable one, but nothing has to be waited for.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "pam_lu.h"
+#include "pam_solver.h"
+
+enum { MOST_STEPS = 400 };
+static const double FIRST = 1e-4, LAST = 1e9, LEAST = 1e-14; /* [s] steps */
+static const double STILL = 1e-11;      /* part of a state's size by which Newton's last step may change it */
+static const double CONTRACTION = 0.5;  /* of a correction by the next one, at most (Deuflhard 2004, 2.1) */
+static const double QUICK = 0.05, GROW = 100.0, GROW_SLOWLY = 4.0, SHRINK = 0.1;
+
+/* f and df/dx at v->x; 0 where they are finite. */
+static int look(pam_solver *v) {
+    const pam_model *m = v->model;
+    const double *arg[] = {&v->s->t, v->x, v->u, v->d, v->du, v->dd, v->p};
+    double *res[] = {v->f, v->jac, v->ft};
+    m->lin(arg, res, v->iw, v->w, 0);
+    v->s->statistics.rhs++;
+    v->s->statistics.jacobians++;
+    for (int i = 0; i < m->nc; i++)
+        if (!isfinite(v->f[i])) return 1;
+    for (int i = 0; i < m->nc * m->nc; i++)
+        if (!isfinite(v->jac[i])) return 1;
+    return 0;
+}
+
+static int factorise(pam_solver *v, double h) {
+    int n = v->model->nc;
+    for (int i = 0; i < n * n; i++) v->lu[i] = -v->jac[i];
+    for (int i = 0; i < n; i++) v->lu[i + i * n] += 1.0 / h;
+    return lu_factorise(n, v->lu, v->pivot);
+}
+
+/* The largest change by the size of its state; which state it is. */
+static double measure(const pam_solver *v, const double *change, int *worst) {
+    double most = 0.0;
+    for (int i = 0; i < v->model->nc; i++) {
+        double part = fabs(change[i]) / (fabs(v->x[i]) + v->scale[i]);
+        if (!(part <= most)) {
+            most = part;
+            *worst = i;
+        }
+    }
+    return most;
+}
+
+static int fail(pam_solver *v, int worst) {
+    snprintf(v->message, sizeof v->message, "no equilibrium was found: '%s', which is %.9g, still changes by %.3g per second",
+             v->model->state_names[worst], v->x[worst], v->f[worst]);
+    return 1;
+}
+
+/* dx/ds at the equilibrium: J S + F = 0. A state that is at rest anywhere has no slope, but for what moves it. */
+static int slopes(pam_solver *v) {
+    const pam_model *m = v->model;
+    pam_sensitivity *s = &v->sensitivity;
+    const double *arg[] = {&v->s->t, v->x, v->u, v->d, v->p};
+    double *res[] = {s->jac, s->forcing};
+    m->variation(arg, res, v->iw, v->w, 0);
+    memcpy(v->jac, s->jac, sizeof(double) * (size_t)(m->nc * m->nc));
+    if (factorise(v, LAST)) {
+        snprintf(v->message, sizeof v->message, "the sensitivities of the equilibrium cannot be solved for");
+        return 1;
+    }
+    lu_solve_many(m->nc, v->lu, v->pivot, m->ns, s->forcing);
+    memcpy(v->x + m->nc, s->forcing, sizeof(double) * (size_t)(m->nc * m->ns));
+    return 0;
+}
+
+/* Every delayed input has arrived by then. */
+static void let_delays_pass(pam_solver *v) {
+    double longest = 0.0;
+    for (int i = 0; i < v->model->nd; i++) longest = fmax(longest, v->delay[i]);
+    v->s->t += 2.0 * longest;
+    if (v->model->nd) pam_solver_delayed_values(v, v->s->t, v->d, v->dd);
+}
+
+int pam_solver_settle(pam_solver *v) {
+    int n = v->model->nc, worst = 0;
+    double h = FIRST, *step = v->k, *next = v->k + n, *before = v->k + 2 * n;
+    let_delays_pass(v);
+    v->s->h = 0.0;
+    v->s->estimate = 1;
+    if (!n) return 0;
+    if (look(v)) return fail(v, 0);
+    for (int count = 0; count < MOST_STEPS && h > LEAST; count++) {
+        if (factorise(v, h)) {
+            h *= SHRINK;
+            continue;
+        }
+        memcpy(step, v->f, sizeof(double) * (size_t)n);
+        lu_solve(n, v->lu, v->pivot, step);
+        double moved = measure(v, step, &worst);
+        if (moved <= STILL && h >= LAST) return v->model->ns && !v->s->plain ? slopes(v) : 0;
+        memcpy(before, v->x, sizeof(double) * (size_t)n);
+        for (int i = 0; i < n; i++) v->x[i] += step[i];
+        double contraction = INFINITY;
+        if (isfinite(moved) && !look(v)) {
+            for (int i = 0; i < n; i++) next[i] = v->f[i] - step[i] / h;
+            lu_solve(n, v->lu, v->pivot, next);
+            double left = measure(v, next, &worst);
+            contraction = left <= STILL ? 0.0 : left / moved;
+        }
+        if (contraction <= CONTRACTION) {
+            h = fmin(h * (contraction <= QUICK ? GROW : GROW_SLOWLY), LAST);
+        } else {
+            memcpy(v->x, before, sizeof(double) * (size_t)n);
+            h *= SHRINK;
+            if (look(v)) return fail(v, worst);
+        }
+    }
+    return fail(v, worst);
+}

@@ -1,0 +1,29 @@
+within PneumaticMuscle.Benches;
+model QuasiStaticIsometric "Pull of a muscle at rest under an imposed pressure, at an imposed contraction"
+  extends Interfaces.QuasiStaticRig;
+  input Types.GaugePressure p(start=200e3, min=-101e3) "Gauge pressure in the muscle";
+  input Types.Length x(start=0.02) "Imposed contraction";
+  output Types.Force F "Pull of the muscle";
+  Pneumatics.ImposedPressure source(p=p) "The measured pressure"
+    annotation (Placement(transformation(extent={{-110,-20},{-70,20}})));
+  Muscles.Physical muscle(F_start=drive.F_start) "Muscle"
+    annotation (Placement(transformation(extent={{30,-20},{70,20}})));
+  Mechanics.ImposedLength drive(s=x, x_start=muscle.x_start) "What holds the load end"
+    annotation (Placement(transformation(extent={{30,-160},{70,-120}})));
+  Instruments.Force force "Load cell"
+    annotation (Placement(transformation(extent={{30,-90},{70,-50}})));
+equation
+  connect(muscle.port, source.port)
+    annotation (Line(points={{30,0}, {-70,0}}, color={0,90,160}));
+  connect(muscle.flange_a, force.flange_a)
+    annotation (Line(points={{50,-20}, {50,-50}}, color={0,110,60}));
+  connect(force.flange_b, drive.flange)
+    annotation (Line(points={{50,-90}, {50,-120}}, color={0,110,60}));
+  F = force.F;
+  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-180},{160,120}})),
+    experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
+<p>Maps of force over pressure and contraction, data sheets, isometric and isobaric curves: each row is a point at rest,
+data sets say <code>kind = &quot;static&quot;</code>. Equilibria of DP (17), (68)-(71) with der = 0; the fibre friction DP (69) vanishes with the
+speed. <code>branch</code> gives dry friction its sign.</p>
+</html>"));
+end QuasiStaticIsometric;

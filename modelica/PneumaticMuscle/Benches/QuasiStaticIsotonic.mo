@@ -1,0 +1,29 @@
+within PneumaticMuscle.Benches;
+model QuasiStaticIsotonic "Contraction of a muscle at rest under an imposed pressure and an imposed load"
+  extends Interfaces.QuasiStaticRig;
+  input Types.GaugePressure p(start=200e3, min=-101e3) "Gauge pressure in the muscle";
+  input Types.Force F(start=30) "Imposed load";
+  output Types.Length x "Contraction";
+  Pneumatics.ImposedPressure source(p=p) "The measured pressure"
+    annotation (Placement(transformation(extent={{-110,-20},{-70,20}})));
+  Muscles.Physical muscle(F_start=drive.F_start) "Muscle"
+    annotation (Placement(transformation(extent={{30,-20},{70,20}})));
+  Mechanics.ImposedForce drive(F_load=F, x_start=muscle.x_start) "The load"
+    annotation (Placement(transformation(extent={{30,-160},{70,-120}})));
+  Instruments.Position position "Displacement transducer"
+    annotation (Placement(transformation(extent={{100,-60},{140,-20}})));
+equation
+  connect(muscle.port, source.port)
+    annotation (Line(points={{30,0}, {-70,0}}, color={0,90,160}));
+  connect(muscle.flange_a, position.flange)
+    annotation (Line(points={{50,-20}, {50,-40}, {100,-40}}, color={0,110,60}));
+  connect(muscle.flange_a, drive.flange)
+    annotation (Line(points={{50,-20}, {50,-120}}, color={0,110,60}));
+  x = position.x;
+  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-180},{160,120}})),
+    experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
+<p>Isotonic curves and loops: each row is a point at rest, data sets say <code>kind = &quot;static&quot;</code>. The contraction at which the
+pull carries the load is solved for, with der = 0 in DP (17), (68)-(71); the fibre friction DP (69) vanishes with the speed.
+<code>branch</code> gives dry friction its sign, so that an up branch and a down branch differ by twice the friction.</p>
+</html>"));
+end QuasiStaticIsotonic;
