@@ -61,6 +61,19 @@ class NoiseCriteria:
 
 
 @dataclass(frozen=True)
+class StaticCriteria:
+    """Which rows of a quasi-static measurement are a curve."""
+
+    level: float = decides(
+        0.02, "of range", "values that are nearer to one another are one: a set pressure, load or length as it was read"
+    )
+    constant: float = decides(1e-6, "of its size", "an input that varies less is one value")
+    turn: float = decides(0.05, "of range", "a pressure that goes back by less has not turned: it is noise")
+    fewest: int = decides(3, "rows", "of a curve, on average; fewer are scattered points")
+    near: float = decides(0.01, "of range", "within which a value that is held out is one of the file's")
+
+
+@dataclass(frozen=True)
 class ResidualCriteria:
     """What tells structure in residuals from noise."""
 
@@ -296,6 +309,7 @@ class Criteria:
     """All of them, by the question that they answer."""
 
     noise: NoiseCriteria = NoiseCriteria()
+    static: StaticCriteria = StaticCriteria()
     residuals: ResidualCriteria = ResidualCriteria()
     where: WhereCriteria = WhereCriteria()
     fit: FitCriteria = FitCriteria()

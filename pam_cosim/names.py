@@ -18,6 +18,9 @@ def is_file(model: str) -> bool:
     return is_fmu(model) or is_modelica(model)
 
 
+BRANCH = "branch"
+"""The input of a bench by which points at rest tell the direction in which they were reached: 1, -1, or 0."""
+
 _STATED = "/stated"
 
 

@@ -45,7 +45,7 @@ def simulate_run(
     tolerance: float | None = None,
     signals: Sequence[str] | None = None,
 ) -> RunComparison:
-    """Drives the model with the inputs of ``run``.
+    """Drives the model with the inputs of ``run``, or takes it to rest under each row of them.
 
     Args:
         simulator: the model.
@@ -59,6 +59,13 @@ def simulate_run(
         SimulationFailure: the run did not reach its end.
         InputError: a parameter that the model does not have.
     """
+    if run.is_static:
+        points = simulator.equilibria(
+            run.inputs,
+            parameters=data.parameters_of(run, parameters),
+            outputs=list(simulator.interface.outputs) if signals is None else signals,
+        )
+        return RunComparison(run, dict(points.values))
     inputs = Inputs(run.time, run.inputs, run.interpolation) if run.inputs else None
     trajectory = simulator.run(
         run.time,

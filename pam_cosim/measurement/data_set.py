@@ -81,8 +81,16 @@ class FreeParameter:
 
 
 @dataclass(frozen=True)
+class Along:
+    """The input that varies along a curve of points at rest, and its unit."""
+
+    name: str
+    unit: str
+
+
+@dataclass(frozen=True)
 class Run:
-    """One recording of n rows.
+    """One recording of n rows, or one curve of n points at rest.
 
     Attributes:
         name: the file's path inside the folder, without its ending.
@@ -91,13 +99,14 @@ class Run:
         interpolation: of the inputs between samples.
         parameters: known values [SI], those of the data set overlaid by those of this run; an input among them is
             constant.
-        time: (n,) [s], not decreasing; two rows of equal time are a step.
+        time: (n,) [s], not decreasing; two rows of equal time are a step. Of a curve, the input that varies along it.
         inputs: (n,) each [SI], without gaps.
         measurements: (n,) each [SI], NaN where a sample is missing.
         default_inputs: inputs that are neither recorded nor known; they keep the model's default.
         notes: what a reader should know of how the file was read.
         averaged: of signals whose samples are means of several.
         more_files: of other loggers.
+        along: of a curve of points at rest, what it is drawn over; None: a recording over time.
     """
 
     name: str
@@ -112,6 +121,12 @@ class Run:
     notes: tuple[str, ...] = ()
     averaged: dict[str, Averaged] = field(default_factory=dict)
     more_files: tuple[Path, ...] = ()
+    along: Along | None = None
+
+    @property
+    def is_static(self) -> bool:
+        """Whether it holds points at rest, without time."""
+        return self.along is not None
 
     def sample_count(self, signal: str) -> int:
         """How many samples of ``signal`` the run holds; 0 when it was not measured."""
@@ -121,6 +136,10 @@ class Run:
     def describe(self) -> str:
         """One line: name, role, duration, inputs, samples."""
         measured = ", ".join(f"{name} ({self.sample_count(name)})" for name in self.measurements)
+        if self.along is not None:
+            low, high = (format_quantity(float(self.time[i]), self.along.unit) for i in (0, -1))
+            span = f"{len(self.time)} points at rest, {self.along.name} {low} to {high}"
+            return f"{self.name}: {self.role}, {span}, imposed {', '.join(self.inputs)}, samples of {measured}"
         span = f"{self.time[0]:g} to {self.time[-1]:g} s, {len(self.time)} rows"
         inputs = ", ".join(self.inputs) or "none"
         return f"{self.name}: {self.role}, {span}, inputs {inputs} ({self.interpolation}), samples of {measured}"

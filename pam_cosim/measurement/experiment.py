@@ -131,6 +131,9 @@ class RunTable(_Table):
     interpolation: Literal["linear", "previous"] = "linear"
     parameters: dict[str, Value] = Field(default_factory=dict)
     fit: dict[str, FreeTable] = Field(default_factory=dict)
+    kind: Literal["dynamic", "static"] | None = None
+    branch: Literal["up", "down", "none", "order"] | None = None
+    hold_out: dict[str, list[Value]] = Field(default_factory=dict)
 
 
 class EffectsTable(_Table):
@@ -146,6 +149,7 @@ class Experiment(_Table):
     runs: list[RunTable]
     title: Prose = ""
     model: Name | None = None
+    kind: Literal["dynamic", "static"] = "dynamic"
     recording: RecordingTable = RecordingTable()
     columns: dict[str, ColumnTable] = Field(default_factory=dict)
     signals: dict[str, SignalTable] = Field(default_factory=dict)

@@ -12,6 +12,7 @@ samples, 7 % with 200, 5 % with 500 and 2.5 % with 2000.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from math import erf, exp, inf, nan, pi, sqrt
 
@@ -116,11 +117,51 @@ def _with_steps(data_set: DataSet, signal: Signal) -> Signal:
 
 def _typical(data_set: DataSet, signal: str) -> float | None:
     """Median over the runs: a run in which the signal shakes says nothing about the instrument."""
-    estimates = [
-        estimate_noise(run.time, run.measurements[signal]) for run in data_set.runs if signal in run.measurements
-    ]
+    runs = [run for run in data_set.runs if signal in run.measurements]
+    estimates = [estimate_noise(run.time, run.measurements[signal]) for run in runs if not run.is_static]
+    estimates.append(_along_curves([(run.time, run.measurements[signal]) for run in runs if run.is_static]))
     finite = [sigma for sigma in estimates if not np.isnan(sigma)]
     return float(np.median(finite)) if finite else None
+
+
+def _along_curves(curves: Sequence[tuple[Array, Array]]) -> float:
+    """Noise of points along curves at uneven distances, repeated ones among them; NaN where they are too few.
+
+    What a sample differs by from the line through its neighbours, by the variance of that, all curves together (Gasser,
+    Sroka and Jennen-Steinmetz 1986); of curves that bend between two points, the same from a cubic.
+    """
+    scales = []
+    for around in ((-1, 1), (-2, -1, 1, 2)):
+        parts = [_misses(at[np.isfinite(y)], y[np.isfinite(y)], around) for at, y in curves]
+        misses = np.concatenate([np.empty(0), *parts])
+        if misses.size >= CRITERIA.noise.fewest_samples:
+            scales.append(_scale(misses))
+    return min(scales, default=nan)
+
+
+def _misses(at: Array, values: Array, around: Sequence[int]) -> Array:
+    """What each sample is off the polynomial through those ``around`` it, in its own standard deviation per sigma.
+
+    Where neighbours stand at one place, the mean of all is what a sample is off.
+    """
+    reach = max(around)
+    middle = np.arange(reach, len(values) - reach)
+    if not middle.size:
+        return np.empty(0)
+    nodes = at[middle[:, None] + np.array(around)]
+    distance = nodes[:, :, None] - nodes[:, None, :]
+    own = np.arange(len(around))
+    distance[:, own, own] = 1.0
+    factors = np.repeat((at[middle, None] - nodes)[:, None, :], len(around), axis=1)
+    factors[:, own, own] = 1.0
+    with np.errstate(divide="ignore", invalid="ignore"):
+        weights = (factors / distance).prod(axis=2)
+    same = ~np.isfinite(weights).all(axis=1) | (np.abs(weights).max(axis=1) > 1.0 + 1e-9)
+    flat = same & (np.ptp(nodes, axis=1) == 0.0)
+    weights[flat] = 1.0 / len(around)
+    kept = flat | ~same if reach == 1 else np.isfinite(weights).all(axis=1)
+    off = values[middle] - np.sum(weights * values[middle[:, None] + np.array(around)], axis=1)
+    return np.asarray((off / np.sqrt(1.0 + np.sum(weights**2, axis=1)))[kept])
 
 
 def _quantum(values: Array) -> float:

@@ -8,14 +8,15 @@ from pathlib import Path
 
 from pam_cosim.errors import InputError, ModelError
 from pam_cosim.interface import Interface
-from pam_cosim.measurement.data_set import DataSet, FreeParameter, Run, Signal
+from pam_cosim.measurement.data_set import Along, DataSet, FreeParameter, Run, Signal
 from pam_cosim.measurement.experiment import FILE_NAME, ExperimentFile, RunTable, read_experiment
 from pam_cosim.measurement.inside import file_inside
 from pam_cosim.measurement.parameters import free_parameter, known_values
-from pam_cosim.measurement.read_run import read_run
+from pam_cosim.measurement.points import Points
+from pam_cosim.measurement.read_run import read_points, read_run
 from pam_cosim.measurement.recording import Averaged
 from pam_cosim.measurement.resampling import noise_of_mean
-from pam_cosim.names import is_file
+from pam_cosim.names import BRANCH, is_file
 from pam_cosim.units import UnitError, parse_quantity
 from pam_cosim.wording import did_you_mean, shown
 
@@ -50,7 +51,9 @@ def read_data_set(
     _check_signals(document, interface)
     _check_runs(document)
     own = [_own_free(document, interface, index, run, parameters) for index, run in enumerate(content.runs)]
-    runs = tuple(_run(document, interface, index, run, known) for index, run in enumerate(content.runs))
+    read = [_runs(document, interface, index, run, known) for index, run in enumerate(content.runs)]
+    runs = tuple(run for several in read for run in several)
+    _check_branches(document, interface, read)
     return DataSet(
         folder=document.file.parent,
         title=content.title or document.file.parent.resolve().name,
@@ -177,35 +180,87 @@ def _own_free(
     return [free_parameter(document, interface, one, free, known, *path, run=name) for one, free in table.fit.items()]
 
 
-def _run(
+def _is_static(document: ExperimentFile, table: RunTable) -> bool:
+    return (table.kind or document.content.kind) == "static"
+
+
+def _runs(
     document: ExperimentFile, interface: Interface, index: int, table: RunTable, known: Mapping[str, float]
-) -> Run:
+) -> list[Run]:
+    """The run of a recording, or those of the curves of a file of points at rest."""
     path = ("runs", index, "parameters")
     for name in table.parameters:
         if name in document.content.fit:
             message = f"{name} is free under [fit] and cannot have a value of its own in a run"
             raise document.error(message, *path, name)
     own = known_values(document, interface, table.parameters, *path)
-    recording, files = read_run(document, index, interface)
     values = {name: value for name, value in {**known, **own}.items() if name not in table.fit}
-    for name in recording.inputs:
+    if _is_static(document, table):
+        held = {one: value for one, value in values.items() if one in interface.inputs}
+        points, files = read_points(document, index, interface, held)
+        recordings = [one.recording for one in points]
+    else:
+        _check_dynamic(document, table, index)
+        points = []
+        recording, files = read_run(document, index, interface)
+        recordings = [recording]
+    for name in recordings[0].inputs:
         if name in values:
             message = f"{name} is constant here and a column of {shown(table.file)}; keep one of them"
             raise document.error(message, *(path if name in own else ("parameters",)), name)
-    return Run(
+    run = Run(
         name=_name(table.file),
         file=files[0],
         more_files=files[1:],
         role=table.role,
         interpolation=table.interpolation,
         parameters=values,
+        time=recordings[0].time,
+        inputs=recordings[0].inputs,
+        measurements=recordings[0].measurements,
+        notes=recordings[0].notes,
+        averaged=recordings[0].averaged,
+        default_inputs=tuple(n for n in interface.inputs if n not in recordings[0].inputs and n not in values),
+    )
+    if table.fit and len(points) > 1:
+        message = f"{shown(table.file)} holds {len(points)} curves, which have no parameter of their own"
+        raise document.error(f"{message}; free it under [fit]", "runs", index, "fit")
+    return [_curve(run, one, i == 0) for i, one in enumerate(points)] or [run]
+
+
+def _curve(run: Run, points: Points, first: bool) -> Run:
+    """One curve of a file; the first says how the file was read."""
+    recording = points.recording
+    return replace(
+        run,
+        name=f"{run.name} {points.label}".rstrip(),
+        role="holdout" if points.holdout else run.role,
+        along=Along(points.along, points.unit),
         time=recording.time,
         inputs=recording.inputs,
         measurements=recording.measurements,
-        notes=recording.notes,
-        averaged=recording.averaged,
-        default_inputs=tuple(name for name in interface.inputs if name not in recording.inputs and name not in values),
+        notes=run.notes if first else (),
     )
+
+
+def _check_dynamic(document: ExperimentFile, table: RunTable, index: int) -> None:
+    for key in ("branch", "hold_out"):
+        if getattr(table, key):
+            message = f'{key} is for points at rest: state kind = "static", or leave it out'
+            raise document.error(message, "runs", index, key)
+
+
+def _check_branches(document: ExperimentFile, interface: Interface, read: Sequence[Sequence[Run]]) -> None:
+    """Where one file tells the direction of its branches, the others do so too."""
+    if BRANCH not in interface.inputs:
+        return
+    static = [(i, runs[0]) for i, runs in enumerate(read) if runs[0].along is not None]
+    told = [run for _, run in static if BRANCH in run.inputs]
+    for index, run in static:
+        if told and BRANCH not in run.inputs and BRANCH not in run.parameters:
+            message = f"{shown(run.file.name)} has no column 'branch', and {shown(told[0].file.name)} has a direction"
+            hint = 'state branch = "up" or "down", "order" where the rows were taken in their order, or "none"'
+            raise document.error(f"{message}; {hint}", "runs", index)
 
 
 def _name(file: str) -> str:

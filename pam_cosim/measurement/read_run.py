@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,9 +15,11 @@ from pam_cosim.measurement.columns import Renaming, with_columns
 from pam_cosim.measurement.experiment import ExperimentFile, KeyPath, LoggerTable, RecordingTable, RunTable
 from pam_cosim.measurement.formats import read_table
 from pam_cosim.measurement.inside import file_inside
+from pam_cosim.measurement.points import WORDS, Points, points_of
 from pam_cosim.measurement.recording import Recording, recording_of
 from pam_cosim.measurement.resampling import resampled
 from pam_cosim.measurement.table import TIME, Column, Layout, Table
+from pam_cosim.names import BRANCH
 from pam_cosim.units import UnitError, parse_quantity
 from pam_cosim.wording import did_you_mean, shown
 
@@ -48,6 +51,30 @@ def read_run(document: ExperimentFile, index: int, interface: Interface) -> tupl
         interval = _duration(document, stated.resample, *level, "resample")
         recording = resampled(recording, interval, run.interpolation)
     return recording, tuple(files)
+
+
+def read_points(
+    document: ExperimentFile, index: int, interface: Interface, held: Mapping[str, float]
+) -> tuple[list[Points], tuple[Path, ...]]:
+    """The curves of a run of points at rest, and its files; ``held``: inputs that are stated for all of them.
+
+    Raises:
+        InputError: see ``read_table``, ``with_columns`` and ``points_of``; what only a recording over time can have.
+    """
+    run, place = document.content.runs[index], ("runs", index)
+    stated, renaming = _stated(document, run), _renaming(document, run, *place)
+    for key in ("interval", "resample"):
+        if getattr(stated, key) is not None:
+            level: KeyPath = (*place, "recording") if getattr(run.recording, key) is not None else ("recording",)
+            raise document.error(f'{key} is for recordings over time; points of kind = "static" have none', *level, key)
+    if run.loggers:
+        message = 'other loggers are joined by their clocks, and points of kind = "static" have none'
+        raise document.error(message, *place, "loggers", 0)
+    file = file_inside(document, run.file, *place, "file")
+    branch = renaming.tables.get(BRANCH)
+    source = branch.column if branch is not None and isinstance(branch.column, str) else BRANCH
+    layout = replace(_layout(stated, renaming, interface), words={source: WORDS})
+    return points_of(with_columns(read_table(file, layout), renaming), interface, document, index, held), (file,)
 
 
 def _recording(

@@ -61,26 +61,32 @@ def recording_of(table: Table, interface: Interface) -> Recording:
     """
     for name in table.columns:
         if name != TIME and name not in interface.inputs and name not in interface.outputs:
-            raise table.error(_unknown_column(name, interface), name)
+            raise table.error(unknown_column(name, interface), name)
     time = _time(table)
     inputs, measurements = {}, {}
     for name in table.columns:
         if name in interface.inputs:
-            inputs[name] = _without_gaps(table, name, interface.inputs[name].unit)
+            inputs[name] = without_gaps(table, name, interface.inputs[name].unit)
         elif name in interface.outputs:
-            measurements[name] = _converted(table, name, interface.outputs[name].unit)
+            measurements[name] = converted(table, name, interface.outputs[name].unit)
     return Recording(time, inputs, measurements, table.notes)
 
 
-def _unknown_column(name: str, interface: Interface) -> str:
+def unknown_column(name: str, interface: Interface, time: bool = True) -> str:
+    """What to say of a column that the bench does not know; ``time``: one of time is expected."""
     if name in interface.parameters:
         return f"{shown(name)} is a parameter of {interface.model}; set it under [runs.parameters]"
-    known = [TIME, *interface.inputs, *interface.outputs]
+    known = [*([TIME] if time else []), *interface.inputs, *interface.outputs]
     hint = "state what it is under [columns], or leave it out: [recording] ignore = [...]"
     return f"{interface.model} has no input or output {shown(name)}; {did_you_mean(name, known)}; {hint}"
 
 
-def _converted(table: Table, name: str, unit: str) -> NDArray[np.float64]:
+def converted(table: Table, name: str, unit: str) -> NDArray[np.float64]:
+    """(n,) values of a column in a unit of the bench.
+
+    Raises:
+        InputError: the units do not fit, a value is too large.
+    """
     column = table.columns[name]
     try:
         values = convert(column.values, column.unit, unit)
@@ -98,12 +104,14 @@ def locked(values: NDArray[np.float64]) -> NDArray[np.float64]:
     return values
 
 
-def _without_gaps(table: Table, name: str, unit: str) -> NDArray[np.float64]:
-    values = _converted(table, name, unit)
+def without_gaps(
+    table: Table, name: str, unit: str, rule: str = "only measured outputs may lack samples, time and inputs may not"
+) -> NDArray[np.float64]:
+    """As ``converted``; an empty cell is an error, which ends with the ``rule``."""
+    values = converted(table, name, unit)
     gaps = np.flatnonzero(np.isnan(values))
     if gaps.size:
-        message = "the cell is empty; only measured outputs may lack samples, time and inputs may not"
-        raise table.error(message, name, int(gaps[0]))
+        raise table.error(f"the cell is empty; {rule}", name, int(gaps[0]))
     return values
 
 
@@ -112,7 +120,7 @@ def _time(table: Table) -> NDArray[np.float64]:
     if TIME not in table.columns:
         message = f"there is no column 'time [s]'; {did_you_mean(TIME, table.columns)}"
         raise InputError(message, table.file, table.header_line)
-    time = _without_gaps(table, TIME, "s")
+    time = without_gaps(table, TIME, "s")
     if len(time) < 2:
         raise table.error("there is only one row; a recording needs two at least", TIME, 0)
     with np.errstate(over="ignore"):

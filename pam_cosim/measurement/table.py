@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from pathlib import Path
@@ -73,6 +73,7 @@ class Layout:
         table: which group, channel group or variable of a file with several.
         ignore: patterns of names of columns that are not read; ``*`` stands for any text.
         asked: names that a pattern with ``*`` does not mean.
+        words: of a text, by column: numbers of the words that it may hold.
     """
 
     encoding: str | None = None
@@ -84,6 +85,7 @@ class Layout:
     table: str | None = None
     ignore: tuple[str, ...] = ()
     asked: frozenset[str] = field(default=frozenset())
+    words: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 
     def keeps(self, heading: str, name: str) -> bool:
         """Whether a column is read."""

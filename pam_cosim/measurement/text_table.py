@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import chain
 from pathlib import Path
 
@@ -54,6 +54,9 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     keep = [i for i, (name, _) in enumerate(names) if stated.keeps(layout.headings[i][0], name)]
     body = [line for line in lines[layout.start :] if line[1][0] in _PLAIN or not is_comment(line[1])]
     reader = _Reader(layout, [name for name, _ in names], keep, file, ".")
+    heads = [heading for heading, _ in layout.headings]
+    said = zip((name for name, _ in names), heads, strict=True)
+    reader.words = [stated.words.get(name, stated.words.get(heading, {})) for name, heading in said]
     reader.decimal = stated.decimal or decimal_sign(reader.cells(body), layout.separator, file)
     columns = {
         names[i][0]: Column(*names[i], values, layout.headings[i][0], i + 1)
@@ -121,6 +124,7 @@ class _Reader:
     def __init__(self, layout: TextLayout, names: list[str], keep: list[int], file: Path, decimal: str) -> None:
         self.separator, self.names, self.keep, self.file = layout.separator, names, keep, file
         self.decimal = decimal
+        self.words: list[Mapping[str, float]] = [{} for _ in names]
 
     def cells(self, lines: list[Line]) -> Iterator[Line]:
         """Line and text of every cell that holds a sign for decimals."""
@@ -180,10 +184,14 @@ class _Reader:
     def _number(self, line: int, cell: str, column: int) -> float:
         if not cell:
             return math.nan
+        words = self.words[column]
+        if cell.casefold() in words:
+            return words[cell.casefold()]
         number = cell.replace(",", ".") if self.decimal == "," and "." not in cell else cell
         name = self.names[column]
         if not _NUMBER.fullmatch(number) or (self.decimal == "," and "." in cell):
-            raise InputError(self._not_a_number(cell), self.file, line, name)
+            wrong = f"{shown(cell)} is none of {', '.join(words)}" if words else self._not_a_number(cell)
+            raise InputError(wrong, self.file, line, name)
         value = float(number)
         if math.isinf(value):
             raise InputError(f"{shown(cell)} is too large", self.file, line, name)

@@ -107,6 +107,18 @@ class IsolatedSimulator:
         assert isinstance(answer, Trajectory)
         return answer
 
+    def equilibria(
+        self,
+        inputs: Mapping[str, ArrayLike],
+        *,
+        parameters: Mapping[str, float] | None = None,
+        outputs: Sequence[str] | None = None,
+    ) -> Trajectory:
+        """As ``Simulator.equilibria``; likewise."""
+        answer = self._answer("equilibria", {"inputs": inputs, "parameters": parameters, "outputs": outputs})
+        assert isinstance(answer, Trajectory)
+        return answer
+
     def stepper(self) -> RemoteStepper:
         """A new run, step by step, in the FMU's process; it ends when another run begins, and with that process."""
         return RemoteStepper(self._answer)

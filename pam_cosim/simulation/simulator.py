@@ -16,7 +16,7 @@ from fmpy.fmi1 import FMICallException
 from numpy.typing import ArrayLike
 
 from pam_cosim.arrays import Array
-from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import interface_of, read_description, real_variables
 from pam_cosim.interface import Interface
 from pam_cosim.simulation.driver import TOO_SLOW, Callbacks, Driver, Outcome, Progress

@@ -75,6 +75,8 @@ class _Worker:
         """One function of the simulator, or of a run step by step, which its ``begin`` starts."""
         if call == "run":
             return simulator.run(**arguments)
+        if call == "equilibria":
+            return simulator.equilibria(**arguments)
         if call == "begin":
             self._stepper = simulator.stepper()
         if self._stepper is None:

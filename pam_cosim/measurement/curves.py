@@ -1,0 +1,139 @@
+"""Points at rest have no time and their rows no order: they are put into curves that their values alone decide.
+
+Inputs that take few values, such as the pressures of a map or the loads of a rig, divide the rows into curves; along the
+one that varies most within them the rows are sorted. Only the direction of a branch may follow from the order of rows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import spearmanr
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+
+Indices = NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Curve:
+    """Rows of a file that belong together.
+
+    Attributes:
+        rows: their numbers in the file, sorted along the curve.
+        along: name of the input that varies.
+        at: values of the inputs that do not, where the file has several of them.
+    """
+
+    rows: Indices
+    along: str
+    at: dict[str, float]
+
+
+def levels(values: Array) -> Indices | None:
+    """(n,) number of the level that each value lies on; None: they take no few values but vary continuously."""
+    order = np.argsort(values, kind="stable")
+    ordered = values[order]
+    span = float(ordered[-1] - ordered[0])
+    if span <= CRITERIA.static.constant * float(np.abs(ordered).max(initial=0.0)):
+        return np.zeros(len(values), dtype=np.int64)
+    apart = np.diff(ordered) > CRITERIA.static.level * span
+    number = np.concatenate([[0], np.cumsum(apart)])
+    wide = any(np.ptp(ordered[number == k]) > 2 * CRITERIA.static.level * span for k in range(int(number[-1]) + 1))
+    if wide:
+        return None
+    found = np.empty(len(values), dtype=np.int64)
+    found[order] = number
+    return found
+
+
+def curves(inputs: Mapping[str, Array], measured: Mapping[str, Array], apart: Sequence[Array] = ()) -> list[Curve]:
+    """The rows as curves, sorted by what they are at.
+
+    Args:
+        inputs: (n,) each, imposed.
+        measured: (n,) each; they decide where the inputs leave open what is along what, or what comes first.
+        apart: (n,) each; rows of unlike values are never of one curve, such as those of two branches.
+    """
+    on = {name: levels(values) for name, values in inputs.items()}
+    along = _along(inputs, on, measured)
+    kept = {n: k for n, k in on.items() if n != along and k is not None and k.max(initial=0) > 0}
+    count = len(next(iter(inputs.values())))
+    key = np.column_stack([np.zeros(count), *apart, *kept.values()])
+    groups = np.unique(key, axis=0)
+    rows = [np.flatnonzero((key == one).all(axis=1)) for one in groups]
+    if count < CRITERIA.static.fewest * len(rows) and kept:  # points that stand alone are no curves
+        return curves({along: inputs[along]}, {**measured, **{n: inputs[n] for n in kept}}, apart)
+    ties = [np.nan_to_num(v) for v in [*measured.values(), *(v for n, v in inputs.items() if n != along)]]
+    made = []
+    for chosen in rows:
+        order = np.lexsort([*(v[chosen] for v in reversed(ties)), inputs[along][chosen]])
+        at = {name: float(np.median(inputs[name][chosen])) for name in kept}
+        made.append(Curve(chosen[order], along, at))
+    return made
+
+
+def _along(inputs: Mapping[str, Array], on: Mapping[str, Indices | None], measured: Mapping[str, Array]) -> str:
+    """The input that takes most values; of several that vary continuously, the one that most is read by."""
+    free = [name for name, k in on.items() if k is None]
+    if len(free) == 1:
+        return free[0]
+    if not free:
+        return max(on, key=lambda name: int(on[name].max(initial=0)))  # type: ignore[union-attr]
+    reading = next(iter(measured.values()), np.zeros(len(inputs[free[0]])))
+    known = np.isfinite(reading)
+    return max(free, key=lambda name: _strength(inputs[name][known], reading[known]))
+
+
+def _strength(one: Array, other: Array) -> float:
+    if len(one) < 3 or np.ptp(one) == 0.0 or np.ptp(other) == 0.0:
+        return 0.0
+    return abs(float(spearmanr(one, other).statistic))
+
+
+def directions(inputs: Mapping[str, Array], first: Sequence[str]) -> Array:
+    """(n,) 1 or -1 for each row of an unfolded list: whether what varies rises or falls to it.
+
+    Args:
+        inputs: (n,) each, in the order in which they were taken.
+        first: names of inputs that a muscle contracts by; the first of those that vary within a curve counts.
+
+    Returns:
+        Zero where nothing varies.
+    """
+    on = {name: levels(values) for name, values in inputs.items()}
+    along = next((n for n in first if on[n] is None or on[n].max(initial=0) > 0), None)  # type: ignore[union-attr]
+    count = len(next(iter(inputs.values())))
+    if along is None:
+        return np.zeros(count)
+    others = [k for n, k in on.items() if n != along and k is not None]
+    key = np.column_stack([np.zeros(count), *others])
+    cuts = [0, *(np.flatnonzero(np.any(np.diff(key, axis=0) != 0, axis=1)) + 1), count]
+    values = inputs[along]
+    least = CRITERIA.static.turn * float(np.ptp(values))
+    return np.concatenate([_ways(values[a:b], least) for a, b in zip(cuts[:-1], cuts[1:], strict=True)])
+
+
+def _ways(values: Array, least: float) -> Array:
+    """1 or -1 by the way in which the values go, which turns where they go back by more than ``least``."""
+    turns, way, extreme = [0], 0, 0
+    for i, value in enumerate(values):
+        if way >= 0 and value > values[extreme]:
+            extreme, way = i, way or (1 if value - values[0] > least else 0)
+        elif way <= 0 and value < values[extreme]:
+            extreme, way = i, way or (-1 if values[0] - value > least else 0)
+        elif way and abs(value - values[extreme]) > least:
+            turns.append(extreme)
+            extreme, way = i, -way
+    if way == 0:
+        return np.zeros(len(values))
+    ways = np.empty(len(values))
+    sign = way * (-1) ** (len(turns) - 1)
+    for begin, end in zip(turns, [*turns[1:], len(values) - 1], strict=True):
+        ways[begin + (begin > 0) : end + 1] = sign
+        sign = -sign
+    return ways

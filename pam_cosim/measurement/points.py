@@ -1,0 +1,199 @@
+"""Points at rest: a table without time against a bench, and its curves as recordings."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.errors import InputError
+from pam_cosim.interface import Interface
+from pam_cosim.measurement.curves import Curve, Indices, curves, directions
+from pam_cosim.measurement.experiment import ExperimentFile
+from pam_cosim.measurement.recording import Recording, converted, locked, unknown_column, without_gaps
+from pam_cosim.measurement.table import TIME, Table
+from pam_cosim.names import BRANCH
+from pam_cosim.units import UnitError, format_quantity, parse_quantity
+from pam_cosim.wording import listed, shown
+
+WORDS = {"up": 1.0, "down": -1.0, "none": 0.0}
+"""Directions of a branch in words: contraction, extension, not known."""
+# What a muscle does where an imposed quantity of this unit rises.
+_CONTRACTS = {"Pa": 1.0, "m": 1.0, "N": -1.0}
+
+
+@dataclass(frozen=True)
+class Points:
+    """One curve of a file.
+
+    Attributes:
+        label: what sets it apart from the file's others; empty: there are none.
+        along, unit: the input that varies along it.
+        recording: sorted; its "time" is that input.
+        holdout: these rows are held out.
+    """
+
+    label: str
+    along: str
+    unit: str
+    recording: Recording
+    holdout: bool
+
+
+def points_of(
+    table: Table, interface: Interface, document: ExperimentFile, index: int, held: Mapping[str, float]
+) -> list[Points]:
+    """The curves of a table of points at rest.
+
+    Args:
+        table: with the columns as the bench names them.
+        interface: the bench.
+        document: of the data set.
+        index: of the run in it.
+        held: inputs that are stated for all rows.
+
+    Raises:
+        InputError: a column of time, an unknown one, an imposed quantity that is missing or has gaps, a branch that
+            is none, a value to hold out that no row has.
+    """
+    if TIME in table.columns:
+        message = 'points of kind = "static" have no time; leave the column out: [recording] ignore = ["time"]'
+        raise table.error(message, TIME)
+    for name in table.columns:
+        if name not in interface.inputs and name not in interface.outputs:
+            raise table.error(unknown_column(name, interface, time=False), name)
+    imposed = {
+        name: without_gaps(table, name, interface.inputs[name].unit, "a row must say what is imposed")
+        for name in table.columns
+        if name in interface.inputs
+    }
+    read = {n: converted(table, n, interface.outputs[n].unit) for n in table.columns if n in interface.outputs}
+    _check_imposed(table, interface, imposed, held)
+    branch = _branch(table, interface, document, index, imposed)
+    driving = {name: values for name, values in imposed.items() if name != BRANCH}
+    if branch is not None:
+        imposed[BRANCH] = branch
+    aside = _held_out(table, interface, document, index, driving)
+    both = branch is not None and float(np.ptp(branch)) > 0.0
+    found = []
+    for curve in curves(driving, read, [aside, *([] if branch is None else [-branch])]):
+        first = curve.rows[0]
+        out = bool(aside[first])
+        said = [_label(curve, interface), _word(branch[first]) if branch is not None and both else ""]
+        label = ", ".join(filter(None, (*said, "held out" if out else "")))
+        recording = _recording(table, curve.rows, imposed, read, curve.along)
+        found.append(Points(label, curve.along, interface.inputs[curve.along].unit, recording, out))
+    return _distinct(found)
+
+
+def _distinct(found: list[Points]) -> list[Points]:
+    """Labels of curves that are alike are numbered."""
+    seen: dict[str, int] = {}
+    named = []
+    for one in found:
+        seen[one.label] = seen.get(one.label, 0) + 1
+        named.append(one if seen[one.label] == 1 else replace(one, label=f"{one.label} ({seen[one.label]})"))
+    return named
+
+
+def _check_imposed(
+    table: Table, interface: Interface, imposed: Mapping[str, Array], held: Mapping[str, float]
+) -> None:
+    needed = [name for name in interface.inputs if name != BRANCH]
+    missing = [name for name in needed if name not in imposed and name not in held]
+    if missing:
+        what = listed(needed)
+        raise InputError(
+            f"there is no column {shown(missing[0])}, nor a value under [parameters]: a row imposes {what}",
+            table.file, table.header_line,
+        )  # fmt: skip
+    if not any(name in imposed for name in needed):
+        message = f"no column varies that is imposed: {listed(needed)} are the same in all rows"
+        raise InputError(message, table.file, table.header_line)
+
+
+def _branch(
+    table: Table, interface: Interface, document: ExperimentFile, index: int, imposed: dict[str, Array]
+) -> Array | None:
+    """(n,) direction of each row; None: nobody says."""
+    stated, column = document.content.runs[index].branch, imposed.get(BRANCH)
+    path = ("runs", index, "branch")
+    if stated is not None and BRANCH not in interface.inputs:
+        message = f"{interface.model} has no input '{BRANCH}', by which friction could take a direction"
+        hint = "take a quasi-static bench, or put one together with pam-cosim bench --static"
+        raise document.error(f"{message}; {hint}", *path)
+    if column is not None:
+        if stated is not None:
+            raise document.error(f"{BRANCH} is stated here and a column of {table.file.name}; keep one of them", *path)
+        wrong = np.flatnonzero(~np.isin(column, list(WORDS.values())))
+        if wrong.size:
+            row = int(wrong[0])
+            raise table.error(f"{column[row]:g} is no direction; write up, down or none (1, -1, 0)", BRANCH, row)
+        return column
+    if stated is None:
+        return None
+    count = len(next(iter(imposed.values())))
+    if stated in WORDS:
+        return np.full(count, WORDS[stated])
+    by_unit = {unit: [n for n in imposed if interface.inputs[n].unit == unit] for unit in _CONTRACTS}
+    first = [name for names in by_unit.values() for name in names]
+    ways = directions(imposed, first)
+    if not ways.any():
+        message = f"the rows of {table.file.name} tell no direction: no pressure, length or load changes"
+        raise document.error(message, *path)
+    return _signed(imposed, interface, first) * ways
+
+
+def _signed(imposed: Mapping[str, Array], interface: Interface, first: list[str]) -> float:
+    moving = next(name for name in first if np.ptp(imposed[name]) > 0)
+    return _CONTRACTS[interface.inputs[moving].unit]
+
+
+def _held_out(
+    table: Table, interface: Interface, document: ExperimentFile, index: int, imposed: Mapping[str, Array]
+) -> Array:
+    """(n,) 1 where a row is held out."""
+    run = document.content.runs[index]
+    aside = np.zeros(len(next(iter(imposed.values()))))
+    for name, values in run.hold_out.items():
+        path = ("runs", index, "hold_out", name)
+        if run.role == "holdout":
+            raise document.error("the whole run is held out already; leave this out", *path)
+        if name not in imposed:
+            message = f"{shown(name)} is no column of {table.file.name} that is imposed; those are {listed(imposed)}"
+            raise document.error(message, *path)
+        column, unit = imposed[name], interface.inputs[name].unit
+        near = max(CRITERIA.static.near * float(np.ptp(column)), CRITERIA.static.constant * float(np.abs(column).max()))
+        for value in values:
+            try:
+                wanted = parse_quantity(value, unit)
+            except UnitError as error:
+                raise document.error(f"{name}: {error}", *path) from None
+            meant = np.abs(column - wanted) <= near
+            if not meant.any():
+                nearest = format_quantity(float(column[np.argmin(np.abs(column - wanted))]), unit)
+                raise document.error(f"no row has {name} = {shown(value)}; the nearest is {nearest}", *path)
+            aside[meant] = 1.0
+    if aside.all():
+        raise document.error(f"no row of {table.file.name} is left to fit", "runs", index, "hold_out")
+    return aside
+
+
+def _label(curve: Curve, interface: Interface) -> str:
+    said = (f"{name} = {format_quantity(value, interface.inputs[name].unit)}" for name, value in curve.at.items())
+    return ", ".join(said).replace("/", " per ")
+
+
+def _word(branch: float) -> str:
+    return next(word for word, value in WORDS.items() if value == branch)
+
+
+def _recording(
+    table: Table, rows: Indices, imposed: Mapping[str, Array], read: Mapping[str, Array], along: str
+) -> Recording:
+    inputs = {name: locked(values[rows]) for name, values in imposed.items()}
+    measurements = {name: locked(values[rows]) for name, values in read.items()}
+    return Recording(inputs[along], inputs, measurements, table.notes)
