@@ -140,7 +140,7 @@ def compare(
     known = dict(parameters or {})
     runs = tuple(simulate_run(simulator, data, run, known, tolerance) for run in data.runs)
     outputs = simulator.interface.outputs
-    sits = where(runs, data.signals, outputs, data.domain) if rules else []
+    sits = where(runs, data.signals, outputs, data.domain, simulator.interface.inputs) if rules else []
     settable = simulator.interface.settable
     named = dict.fromkeys([*known, *(name for run in data.runs for name in run.parameters)])
     units = {name: settable[name].unit for name in named if name in settable}

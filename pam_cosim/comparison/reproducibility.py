@@ -91,7 +91,7 @@ def _piece(
 def _features(runs: Sequence[RunComparison]) -> list[Array]:
     """Per run (n, features): the model's outputs and the inputs, their rates, what went before, products of two."""
     outputs = _scaled([np.column_stack(list(r.model.values())) for r in runs], centred=True)
-    rates = _scaled([_each(_rate, r.run.time, list(r.model.values())) for r in runs])
+    rates = _scaled([_rates(r) for r in runs])
     varied = [n for n in runs[0].run.inputs if any(np.ptp(r.run.inputs[n]) > 0 for r in runs)]
     inputs = [np.column_stack([np.ones(len(r.run.time)), *(r.run.inputs[n] for n in varied)]) for r in runs]
     past = _scaled([_past(r, varied) for r in runs])
@@ -103,8 +103,17 @@ def _features(runs: Sequence[RunComparison]) -> list[Array]:
     return _scaled(tables)
 
 
+def _rates(r: RunComparison) -> Array:
+    """(n, outputs) of the model; of points at rest, in their place, what is imposed."""
+    if r.run.is_static:
+        return np.column_stack(list(r.run.inputs.values()))
+    return _each(_rate, r.run.time, list(r.model.values()))
+
+
 def _past(r: RunComparison, inputs: Sequence[str]) -> Array:
     columns = [*r.model.values(), *(r.run.inputs[n] for n in inputs)]
+    if r.run.is_static:
+        return np.zeros((len(r.run.time), len(columns) * len(CRITERIA.residuals.memories)))
     return np.column_stack(
         [v - _lagged(r.run.time, v, memory) for v in columns for memory in CRITERIA.residuals.memories]
     )

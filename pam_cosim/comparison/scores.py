@@ -20,7 +20,8 @@ class SignalScore:
         rmse: root mean square of measured minus model.
         nrmse: rmse over the measured range.
         bias: mean of measured minus model.
-        max: largest size of the difference; ``max_time`` [s] and ``max_run`` say where.
+        max: largest size of the difference; ``max_time`` [s] and ``max_run`` say where; of
+            points at rest, the former is what they are sorted by [SI].
         correlation: Pearson's, measured against model.
         chi2_reduced: mean square of the difference in noise standard deviations; NaN without a known noise.
         noise_rmse: the noise's standard deviation, the lowest rmse a model can honestly reach.

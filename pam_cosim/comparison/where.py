@@ -47,23 +47,29 @@ def where(
     signals: Mapping[str, Signal],
     outputs: Mapping[str, Variable],
     domain: Domain,
+    inputs: Mapping[str, Variable] | None = None,
 ) -> list[Rule]:
     """Finds for each signal the few rules that hold most of its error in the least time.
 
     Conditions are the phase, bands of the modelled outputs, whether one that moves grows, rests or shrinks and how
     fast, early, middle or late in the run, the run, and what differs between runs, such as the load; a rule joins a
-    phase with one more. What divides a run into phases, and what moves, the ``domain`` says.
+    phase with one more. What divides a run into phases, and what moves, the ``domain`` says. Points at rest have bands
+    of what is imposed, by ``inputs``, and of the outputs.
     """
     rules: list[Rule] = []
     for name, signal in signals.items():
-        samples = _collect(runs, signal, outputs, domain)
+        samples = _collect(runs, signal, outputs, domain, inputs or {})
         if samples is not None:
             rules += _rules(name, samples)
     return sorted(rules, key=lambda r: -r.error_share * (r.error_share - r.time_share))
 
 
 def _collect(
-    runs: Sequence[RunComparison], signal: Signal, outputs: Mapping[str, Variable], domain: Domain
+    runs: Sequence[RunComparison],
+    signal: Signal,
+    outputs: Mapping[str, Variable],
+    domain: Domain,
+    inputs: Mapping[str, Variable],
 ) -> _Samples | None:
     parts = [r for r in runs if r.run.sample_count(signal.name)]
     if not parts:
@@ -87,13 +93,18 @@ def _collect(
         limit = CRITERIA.where.still * float(np.max(np.abs(slope), initial=0.0))
         phases = [(rising, slope > limit), (resting, np.abs(slope) <= limit), (falling, slope < -limit)]
     bands = [band for n, v in outputs.items() for band in _bands(n, v, joined([r.model[n] for r in parts]))]
-    late = joined([_relative_time(r.run.time) for r in parts])
-    times = [("early", late < 1 / 3), ("middle", (late >= 1 / 3) & (late < 2 / 3)), ("late", late >= 2 / 3)]
     names = np.concatenate([np.full(int(k.sum()), i) for i, k in enumerate(kept)])
     by_run = [(f"in {r.run.name}", names == i) for i, r in enumerate(parts)] if len(parts) > 1 else []
+    of_runs = by_run + _by_parameter(parts, names)
+    if all(r.run.is_static for r in parts):
+        imposed = [n for n in parts[0].run.inputs if n in inputs and all(n in r.run.inputs for r in parts)]
+        given = [band for n in imposed for band in _bands(n, inputs[n], joined([r.run.inputs[n] for r in parts]))]
+        return _Samples(excess, [[], given + bands + of_runs])
+    late = joined([_relative_time(r.run.time) for r in parts])
+    times = [("early", late < 1 / 3), ("middle", (late >= 1 / 3) & (late < 2 / 3)), ("late", late >= 2 / 3)]
     movers = [n for n, v in outputs.items() if v.unit in domain.moving]
     moving = [m for n in movers for m in _moving(n, joined([_speed(r, n) for r in parts]))]
-    return _Samples(excess, [phases, bands + moving + times + by_run + _by_parameter(parts, names)])
+    return _Samples(excess, [phases, bands + moving + times + of_runs])
 
 
 def _speed(r: RunComparison, output: str) -> Array:

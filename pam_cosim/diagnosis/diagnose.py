@@ -161,7 +161,8 @@ def diagnose(
         files: further Modelica files, whose effects are tried too.
         say: told what happens, line by line: texts that know whether they are a headline or a result (``Message``).
         workers: number of processes; 0: this one alone.
-        explain: whether to keep a ledger and to describe what no effect explains; the verdict is the same.
+        explain: whether to keep a ledger and to describe what no effect explains; the verdict is the same. Points at
+            rest have no ledger.
         time_limit: [s] after which the search ends with the best verdict so far; the ledger comes on top.
         exclude: families or effects that are known not to be missing, with those of the data set.
         expect: likewise, that are likely: the evidence for one of them need not be as strong.
@@ -196,6 +197,7 @@ def diagnose(
     verdict = replace(verdict, probability=confidence(base, last, tried, search.family, search.choice, verdict))
     present = last.fit if last else base
     added = [c.effect for c in selected]
+    explain = explain and not any(run.is_static for run in data.runs)  # balances are kept over time
     ledger = ledger_of(search, (), base) if explain and verdict.kind != "none_missing" else None
     learned, unexplained = None, verdict.kind == "unknown" or verdict.remainder
     if explain and unexplained:
@@ -250,7 +252,8 @@ def _not_tried(
         elif family not in looked_at | failed:
             reasons[family] = "the model has no place for them"
         elif family in looked_at - shown:
-            reasons[family] = "nothing that was measured shows them"
+            at_rest = all(run.is_static for run in search.data.runs)
+            reasons[family] = f"nothing that was measured{' at rest' if at_rest else ''} shows them"
     return reasons
 
 

@@ -13,6 +13,7 @@ from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.prediction import Hypothesis
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.measurement import DataSet, Run
+from pam_cosim.names import BRANCH
 from pam_cosim.simulation.inputs import Interpolation
 
 
@@ -28,7 +29,8 @@ class NextExperiment:
         between: families of the rivals.
         parameters: what to set [SI].
         interpolation: of the inputs between the points of the table, as in a data set.
-        table: inputs [SI] over time [s], as columns, at the points between which they are straight or held.
+        table: inputs [SI] over time [s], as columns, at the points between which they are straight or held; of points
+            at rest, without time.
         units: by name of an input or parameter.
     """
 
@@ -126,13 +128,13 @@ def variations(
         yield run, "repeat it as it is"
         for factor in factors:
             for name, values in run.inputs.items():
-                if np.any(values != 0):
+                if np.any(values != 0) and name != BRANCH:
                     yield replace(run, inputs={**run.inputs, name: values * factor}), f"{name} times {factor:g}"
             for name in _varied(data):
                 if name in run.parameters:
                     value = run.parameters[name] * factor
                     yield replace(run, parameters={**run.parameters, name: value}), f"{name} times {factor:g}"
-        if run.inputs:
+        if run.inputs and not run.is_static:
             for pace in CRITERIA.next_experiment.paces:
                 time = run.time[0] + (run.time - run.time[0]) * pace
                 yield replace(run, time=time), f"{'slower' if pace > 1 else 'faster'}, all times times {pace:g}"
@@ -159,7 +161,9 @@ def _both(original: Run, one: Run, two: Run) -> Run:
 
 
 def _table(run: Run) -> dict[str, list[float]]:
-    """The inputs where any of them bends, and the ends."""
+    """The inputs where any of them bends, and the ends; of points at rest, all of them, without time."""
+    if run.is_static:
+        return {name: values.tolist() for name, values in run.inputs.items()}
     if not run.inputs:
         return {"time": [float(run.time[0]), float(run.time[-1])]}
     columns = np.column_stack(list(run.inputs.values()))

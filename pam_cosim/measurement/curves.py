@@ -1,6 +1,6 @@
-"""Points at rest have no time and their rows no order: they are put into curves that their values alone decide.
+"""Points at rest have no time and their rows no order: they are put into curves by their values alone.
 
-Inputs that take few values, such as the pressures of a map or the loads of a rig, divide the rows into curves; along the
+Points at rest have no time and their rows no order: they are put into curves by their values alone.
 one that varies most within them the rows are sorted. Only the direction of a branch may follow from the order of rows.
 """
 

@@ -26,8 +26,10 @@ def next_run(plan: NextExperiment | None) -> dict[str, Any] | None:
         "rows": rows,
         "heads": [_head(n, plan.units) for n in plan.table],
         "table": _lines(plan.table, plan.units)[:_MOST_ROWS],
-        "left_out": max(len(plan.table["time"]) - _MOST_ROWS, 0),
-        "course": "each value holds until the next row"
+        "left_out": max(len(next(iter(plan.table.values()))) - _MOST_ROWS, 0),
+        "course": "each row a point at rest"
+        if "time" not in plan.table
+        else "each value holds until the next row"
         if plan.interpolation == "previous"
         else "straight between the rows",
     }

@@ -8,7 +8,7 @@ from importlib.metadata import PackageNotFoundError, version
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from pam_cosim.comparison import Comparison
+from pam_cosim.comparison import Comparison, SignalScore
 from pam_cosim.measurement import ROLES, DataSet
 from pam_cosim.reporting.wording import NOTHING, number, quantity_text
 
@@ -86,10 +86,17 @@ def score_rows(comparison: Comparison) -> list[dict[str, str]]:
                     "range": number(100 * s.nrmse),
                     "bias": quantity_text(s.bias, unit),
                     "max": quantity_text(s.max, unit),
-                    "at": f"{number(s.max_time)} s in {s.max_run}",
+                    "at": _place(comparison, s),
                     "correlation": number(s.correlation, 4),
                     "chi2": number(s.chi2_reduced),
                     "samples": str(s.samples),
                 }
             )
     return rows
+
+
+def _place(comparison: Comparison, s: SignalScore) -> str:
+    """Where a signal is furthest off."""
+    along = next((r.run.along for r in comparison.runs if r.run.name == s.max_run), None)
+    at = f"{number(s.max_time)} s" if along is None else f"{along.name} = {quantity_text(s.max_time, along.unit)}"
+    return f"{at} in {s.max_run}"

@@ -11,7 +11,7 @@ from matplotlib.lines import Line2D
 from pam_cosim.comparison import RunComparison
 from pam_cosim.measurement import Signal
 from pam_cosim.reporting.figures.layer import SPARSE, Layer, pages
-from pam_cosim.reporting.figures.panels import panels
+from pam_cosim.reporting.figures.panels import drawn_over, panels, places
 from pam_cosim.reporting.style import HALO, INK, Picture, drawing, picture
 from pam_cosim.reporting.wording import listed
 from pam_cosim.units import readable_factor
@@ -25,14 +25,14 @@ def draw_curves(axes: Axes, run: RunComparison, signal: Signal, layers: Sequence
     kept = np.flatnonzero(np.isfinite(run.run.measurements[signal.name]))[::every]
     few = len(kept) <= SPARSE
     axes.plot(
-        run.run.time[kept], run.run.measurements[signal.name][kept] * factor, ls="none", marker="o", mec="none",
+        places(run)[kept], run.run.measurements[signal.name][kept] * factor, ls="none", marker="o", mec="none",
         zorder=2, ms=4.5 if few else 3.6, mfc=INK if few else HALO, rasterized=not few,
     )  # fmt: skip
     for i, layer in enumerate(layers):
         own = layer.run(run.run.name)
         if own is not None and signal.name in own.model:
             (line,) = axes.plot(
-                own.run.time, own.model[signal.name] * factor, color=layer.colour, lw=1.6 if few else 1.1, zorder=3 + i
+                places(own), own.model[signal.name] * factor, color=layer.colour, lw=1.6 if few else 1.1, zorder=3 + i
             )
             if layer.dashed:
                 line.set_dashes(DASHES)
@@ -62,7 +62,8 @@ def curve_pictures(layers: Sequence[Layer]) -> list[Picture]:
             figure = panels(runs, signals, lambda a, r, s: draw_curves(a, r, s, layers))
             handles = legend(layers, few)
             figure.legend(handles=handles, loc="outside upper center", ncols=len(handles))
-            alt = f"Measured and modelled {listed([s.name for s in signals])} over time"
+            drawn = listed(list(dict.fromkeys(drawn_over(r) for r in runs)))
+            alt = f"Measured and modelled {listed([s.name for s in signals])} over {drawn}"
             holdout = bool(np.any([r.run.role == "holdout" for r in runs]))
             pictures.append(picture(figure, alt, _caption(layers, holdout)))
     return pictures

@@ -8,10 +8,12 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from pam_cosim.arrays import Array
 from pam_cosim.comparison import RunComparison
 from pam_cosim.measurement import Signal
 from pam_cosim.reporting.style import LINE, WIDTH, message, new_figure
 from pam_cosim.reporting.wording import shortened, unit_text
+from pam_cosim.units import readable_factor
 
 _NARROW = 4  # columns up to which a figure need not be as wide as the page
 _HEIGHT, _MARGIN = 1.55, 0.85  # in, of a row and of what surrounds the rows
@@ -45,10 +47,26 @@ def panels(runs: Sequence[RunComparison], signals: Sequence[Signal], draw: Panel
         grid[i, 0].set_ylabel(_label(what.format(signal.name), signal.unit))
     for j, run in enumerate(runs):
         grid[0, j].set_title(_title(run, columns), fontweight="bold" if run.run.role == "holdout" else "normal")
-        grid[-1, j].set_xlabel("time [s]")
+        grid[-1, j].set_xlabel(over(run))
         _limits(grid[-1, j], run)
     figure.align_ylabels(grid[:, 0])
     return figure
+
+
+def drawn_over(run: RunComparison) -> str:
+    """The name of what a run is drawn over: time, or what was imposed along a curve of points at rest."""
+    return "time" if run.run.along is None else run.run.along.name
+
+
+def over(run: RunComparison) -> str:
+    """The same with its unit."""
+    along = run.run.along
+    return "time [s]" if along is None else _label(along.name, along.unit)
+
+
+def places(run: RunComparison) -> Array:
+    """(n,) where the samples of a run are drawn, in the unit of the label."""
+    return run.run.time if run.run.along is None else run.run.time * readable_factor(run.run.along.unit)
 
 
 def _label(name: str, unit: str) -> str:
@@ -62,7 +80,7 @@ def _title(run: RunComparison, columns: int) -> str:
 
 
 def _limits(axes: Axes, run: RunComparison) -> None:
-    low, high = float(np.min(run.run.time)), float(np.max(run.run.time))
+    low, high = float(np.min(places(run))), float(np.max(places(run)))
     space = 0.03 * (high - low)
     if space > 0:
         axes.set_xlim(low - space, high + space)

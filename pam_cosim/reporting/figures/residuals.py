@@ -12,7 +12,7 @@ from matplotlib.patches import Patch
 from pam_cosim.comparison import RunComparison
 from pam_cosim.measurement import Signal
 from pam_cosim.reporting.figures.layer import SPARSE, Layer, pages
-from pam_cosim.reporting.figures.panels import panels
+from pam_cosim.reporting.figures.panels import drawn_over, panels, places
 from pam_cosim.reporting.style import BAND, SOFT, Picture, drawing, picture
 from pam_cosim.reporting.wording import listed
 from pam_cosim.units import readable_factor
@@ -37,7 +37,7 @@ def draw_residuals(axes: Axes, run: RunComparison, signal: Signal, layers: Seque
         residual = own.residual(signal.name) * factor
         kept = np.isfinite(residual)
         axes.plot(
-            own.run.time[kept], residual[kept], color=layer.colour, zorder=3 + i, marker="o", mec="none",
+            places(own)[kept], residual[kept], color=layer.colour, zorder=3 + i, marker="o", mec="none",
             ms=4 if few else 1.6, ls="-" if few else "none", lw=0.8, alpha=1.0 if few else 0.6, rasterized=not few,
         )  # fmt: skip
 
@@ -56,7 +56,9 @@ def residual_pictures(layers: Sequence[Layer]) -> list[Picture]:
         with drawing():
             figure = panels(runs, signals, lambda a, r, s: draw_residuals(a, r, s, layers), "{} error")
             figure.legend(handles=handles, loc="outside upper center", ncols=len(handles))
-            alt = f"Measured minus modelled {listed([s.name for s in signals])} over time, with the band of the noise"
+            drawn = listed(list(dict.fromkeys(drawn_over(r) for r in runs)))
+            what = listed([s.name for s in signals])
+            alt = f"Measured minus modelled {what} over {drawn}, with the band of the noise"
             caption = (
                 "Measured minus model. A complete model leaves points scattered within the grey band, 19 of 20; "
                 "a curve that can be followed by eye is physics that is not in the model."

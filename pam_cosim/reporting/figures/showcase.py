@@ -11,6 +11,7 @@ from pam_cosim.measurement import Signal
 from pam_cosim.reporting.figures.curves import draw_curves, legend
 from pam_cosim.reporting.figures.ladder import Rung, draw_ladder, ladder_legend, roles_of
 from pam_cosim.reporting.figures.layer import SPARSE, Layer
+from pam_cosim.reporting.figures.panels import over
 from pam_cosim.reporting.style import new_figure
 from pam_cosim.reporting.wording import shortened, unit_text
 
@@ -26,7 +27,7 @@ def showcase(layers: Sequence[Layer], rungs: Sequence[Rung], run: RunComparison,
     draw_curves(left, run, signal, layers, every)
     unit = unit_text(signal.unit)
     left.set_ylabel(f"{signal.name} [{unit}]" if unit else signal.name)
-    left.set_xlabel("time [s]")
+    left.set_xlabel(over(run))
     kind = "a holdout run, never fitted" if run.run.role == "holdout" else "a fitted run"
     left.set_title(f"{shortened(run.run.name)}, {kind}", loc="left", fontweight="bold", fontsize=9.5)
     handles = legend(layers, True, every)
