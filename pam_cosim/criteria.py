@@ -67,6 +67,7 @@ class StaticCriteria:
     level: float = decides(
         0.02, "of range", "values that are nearer to one another are one: a set pressure, load or length as it was read"
     )
+    shared: float = decides(2.0, "rows", "at each such value, on average; values that hardly come again are none")
     constant: float = decides(1e-6, "of its size", "an input that varies less is one value")
     turn: float = decides(0.05, "of range", "a pressure that goes back by less has not turned: it is noise")
     fewest: int = decides(3, "rows", "of a curve, on average; fewer are scattered points")

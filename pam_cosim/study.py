@@ -323,6 +323,7 @@ def bench(
     measure: str | Sequence[str] | None = None,
     output: Path | str | None = None,
     *,
+    static: bool = False,
     files: Paths = (),
 ) -> str:
     """The Modelica text of a rig put together from parts; written to ``output`` if given.
@@ -339,6 +340,7 @@ def bench(
         measure: the signals that are read: names, or one text with commas. With several muscles "x" is that of each
             and "x_1" that of the first. Default: what is usual with these parts.
         output: a file that ends in ``.mo``.
+        static: for points at rest; an input ``branch`` then tells in which direction they were reached.
         files: further Modelica files with parts of one's own.
 
     Raises:
@@ -346,7 +348,7 @@ def bench(
         ModelError: a part is not what its interface asks for.
     """
     name = Path(output).stem if output else None
-    rig = put_together(read_library(files=_paths(files)), pneumatics, mechanics, muscle, measure, name)
+    rig = put_together(read_library(files=_paths(files)), pneumatics, mechanics, muscle, measure, name, static)
     if output:
         write_text(Path(output), rig.text)
     return rig.text

@@ -29,6 +29,7 @@ from pam_cosim.compiler import ClassTree, names
 from pam_cosim.compiler.class_tree import ComponentInfo
 from pam_cosim.compiler.printing import string_text
 from pam_cosim.errors import InputError, ModelError
+from pam_cosim.names import BRANCH
 from pam_cosim.wording import did_you_mean
 
 
@@ -84,6 +85,7 @@ def put_together(
     muscle: str | None = None,
     measure: str | Sequence[str] | None = None,
     name: str | None = None,
+    static: bool = False,
 ) -> Rig:
     """The rig of two sides, of muscles between them, and of instruments.
 
@@ -95,6 +97,7 @@ def put_together(
         measure: signals that are read, such as "p, x_1"; with several muscles "x" is that of each. Default: what is
             usual with these parts.
         name: of the new class; default: made from the names.
+        static: it is measured at rest, point by point: its frame has an input for the direction of a branch.
 
     Raises:
         InputError: an unknown part or signal; parts that do not fit together.
@@ -106,7 +109,7 @@ def put_together(
         chosen(parts, "muscle", muscle),
     )
     instruments = [p for p in parts if p.role == "instrument" and p.library == feed.library]
-    return _Composer(tree, feed, hold, held, instruments, measure).rig(name)
+    return _Composer(tree, feed, hold, held, instruments, measure, static).rig(name)
 
 
 class _Composer:
@@ -118,7 +121,9 @@ class _Composer:
         held: RigPart,
         instruments: Sequence[RigPart],
         measure: str | Sequence[str] | None,
+        static: bool,
     ) -> None:
+        self.static = static
         self.tree, self.feed, self.hold, self.held = tree, feed, hold, held
         if len({part.library for part in (feed, hold, held)}) > 1:
             raise InputError(f"{feed.name}, {hold.name} and {held.name} are parts of different libraries")
@@ -208,12 +213,14 @@ class _Composer:
         for signal, number, part in self.measured:
             reader = next(one for one in instruments if one.part == part and one.number == number)
             self._signal(signal, reader)
-        title = f"{names.last(self.feed.qualified_name)}{names.last(self.hold.qualified_name)}"
+        still = "QuasiStatic" if self.static else ""
+        title = f"{still}{names.last(self.feed.qualified_name)}{names.last(self.hold.qualified_name)}"
         own = "" if self.held.usual else names.last(self.held.qualified_name)
         name = names.identifier(wanted or title + own)
         parts = tuple(dict.fromkeys(one.part for one in everything))
         text = self._text(name, frame, everything)
-        return Rig(name, text, tuple(self.inputs), tuple(s for s, _, _ in self.measured), parts)
+        told_to = (*([BRANCH] if self.static else []), *self.inputs)
+        return Rig(name, text, told_to, tuple(s for s, _, _ in self.measured), parts)
 
     def _corner(self, part: RigPart, x: int, placed: Sequence[_Placed], number: int) -> tuple[int, int]:
         """Lower left of an instrument: between the parts, or beside the muscle."""
@@ -237,6 +244,8 @@ class _Composer:
         needed = {outer for part in parts for outer in _outers(tree, part.qualified_name, set())}
         frames = sorted([base, *tree.subtypes(base)], key=lambda name: len(tree.bases(name)))
         for frame in frames:
+            if self.static != any(c.name == BRANCH and "input" in c.prefixes for c in tree.components(frame)):
+                continue
             around = {c.name: c.type for c in tree.components(frame) if "inner" in c.prefixes}
             if all(name in around and tree.is_subtype(around[name], type_) for name, type_ in needed):
                 return frame

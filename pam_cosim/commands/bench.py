@@ -26,6 +26,7 @@ def bench(
         str | None, typer.Option("--measure", help='Signals that are read: "p,x,F"; default: what such a rig reads.')
     ] = None,
     output: Annotated[Path | None, typer.Option("--output", "-o", help="The Modelica file to write.")] = None,
+    static: Annotated[bool, typer.Option("--static", help="For points at rest, with the direction of a branch.")] = False,
     listing: Annotated[bool, typer.Option("--list", help="Say what parts there are.")] = False,
     files: FilesOption = None,
 ) -> None:
@@ -39,7 +40,7 @@ def bench(
     check_results(output, sources=files or [])
     if output.suffix != ".mo":
         raise InputError("the model is written as Modelica: name a file that ends in .mo", output)
-    typer.echo(study.bench(pneumatics, mechanics, muscle, measure, output, files=files or []), nl=False)
+    typer.echo(study.bench(pneumatics, mechanics, muscle, measure, output, static=static, files=files or []), nl=False)
     say_written(output)
     if files:
         words = " ".join(f"--file {quote(str(file))}" for file in files)

@@ -1,7 +1,7 @@
 """Points at rest have no time and their rows no order: they are put into curves by their values alone.
 
-Points at rest have no time and their rows no order: they are put into curves by their values alone.
-one that varies most within them the rows are sorted. Only the direction of a branch may follow from the order of rows.
+Inputs that take few values, such as the pressures of a map or the loads of a rig, divide the rows into curves. The one
+that varies most within them is what the rows are sorted by. Only the direction of a branch may follow from their order.
 """
 
 from __future__ import annotations
@@ -43,6 +43,8 @@ def levels(values: Array) -> Indices | None:
         return np.zeros(len(values), dtype=np.int64)
     apart = np.diff(ordered) > CRITERIA.static.level * span
     number = np.concatenate([[0], np.cumsum(apart)])
+    if number[-1] and len(values) < CRITERIA.static.shared * (number[-1] + 1):
+        return None
     wide = any(np.ptp(ordered[number == k]) > 2 * CRITERIA.static.level * span for k in range(int(number[-1]) + 1))
     if wide:
         return None
@@ -71,10 +73,23 @@ def curves(inputs: Mapping[str, Array], measured: Mapping[str, Array], apart: Se
     ties = [np.nan_to_num(v) for v in [*measured.values(), *(v for n, v in inputs.items() if n != along)]]
     made = []
     for chosen in rows:
-        order = np.lexsort([*(v[chosen] for v in reversed(ties)), inputs[along][chosen]])
-        at = {name: float(np.median(inputs[name][chosen])) for name in kept}
+        order = _mixed(np.lexsort([*(v[chosen] for v in reversed(ties)), inputs[along][chosen]]), inputs[along][chosen])
+        at = {name: _level(inputs[name], chosen) for name in kept}
         made.append(Curve(chosen[order], along, at))
     return made
+
+
+def _level(values: Array, chosen: Indices) -> float:
+    """The value of some rows, no finer than levels are told apart."""
+    step = 10.0 ** np.floor(np.log10(CRITERIA.static.level * float(np.ptp(values)) / 2))
+    return float(np.round(np.median(values[chosen]) / step) * step)
+
+
+def _mixed(order: Indices, values: Array) -> Indices:
+    """The order with points at one place mixed, always alike: sorted by their readings, neighbours would not be noise."""
+    places = np.unique(values[order], return_inverse=True)[1]
+    chance = np.random.default_rng(0).random(len(order))
+    return np.asarray(order[np.lexsort([chance, places])])
 
 
 def _along(inputs: Mapping[str, Array], on: Mapping[str, Indices | None], measured: Mapping[str, Array]) -> str:

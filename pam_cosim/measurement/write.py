@@ -85,7 +85,7 @@ class _Writer:
         self.si = {TIME: "s", **{name: variable.unit for name, variable in variables.items()}}
 
     def table(self, run: Run) -> str:
-        columns = {TIME: run.time, **run.inputs, **run.measurements}
+        columns = {**({} if run.is_static else {TIME: run.time}), **run.inputs, **run.measurements}
         values = [self._converted(name, column) for name, column in columns.items()]
         header = ",".join(self._heading(name) for name in columns)
         rows = (",".join(self._cell(value) for value in row) for row in np.column_stack(values))
@@ -136,6 +136,8 @@ class _Writer:
         known = self.data_set.parameters
         for run in self.data_set.runs:
             yield f'\n[[runs]]\nfile = {_text(_file_name(run))}\nrole = "{run.role}"'
+            if run.is_static:
+                yield 'kind = "static"'
             if run.interpolation != "linear":
                 yield f'interpolation = "{run.interpolation}"'
             own = {name: value for name, value in run.parameters.items() if known.get(name) != value}

@@ -1,0 +1,212 @@
+"""Points at rest: tables without time, the curves they are put into, and what is wrong with them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pam_cosim.errors import InputError
+from pam_cosim.interface import Interface, Variable
+from pam_cosim.measurement import DataSet, complete_noise, read_data_set, write_data_set
+from tests.measurement.bench import variables
+
+BENCH = Interface(
+    model="Rig.Benches.Isotonic",
+    inputs=variables(Variable("branch", "1", start=0.0), Variable("p", "Pa"), Variable("F", "N")),
+    outputs=variables(Variable("x", "m")),
+    parameters=variables(Variable("muscle.D0", "m", start=0.02, min=0.0), Variable("muscle.k", "N/m", start=1.0)),
+)
+EXPERIMENT = """\
+title = "loops"
+model = "Rig.Benches.Isotonic"
+kind = "static"
+[signals.x]
+sigma = "0.1 mm"
+[fit]
+"muscle.D0" = { min = "10 mm", max = "30 mm" }
+[[runs]]
+file = "loops.csv"
+"""
+PRESSURES = (0, 100, 200, 300, 400)
+Read = Callable[..., DataSet]
+
+
+def loop_rows(loads: tuple[float, ...] = (20.0, 60.0)) -> list[str]:
+    """Up and down under each load, with a column for the direction; the contraction lags by 1 mm."""
+    rows = []
+    for load in loads:
+        for word, way in (("up", 1), ("down", -1)):
+            rows += [f"{p},{load:g},{p / 10 - load / 20 - way:g},{word}" for p in PRESSURES[::way]]
+    return rows
+
+
+def table(rows: list[str], header: str = "p [kPa],F [N],x [mm],branch") -> str:
+    return "\n".join([header, *rows, ""])
+
+
+@pytest.fixture
+def read(tmp_path: Path) -> Read:
+    def call(text: str, experiment: str = EXPERIMENT, interface: Interface = BENCH, name: str = "loops.csv") -> DataSet:
+        (tmp_path / "experiment.toml").write_text(experiment)
+        (tmp_path / name).write_text(text)
+        return read_data_set(tmp_path, lambda _: interface)
+
+    return call
+
+
+def test_branches_and_loads_are_curves(read: Read) -> None:
+    data = read(table(loop_rows()))
+    assert [run.name for run in data.runs] == [
+        "loops F = 20 N, up", "loops F = 60 N, up", "loops F = 20 N, down", "loops F = 60 N, down"
+    ]  # fmt: skip
+    up = data.runs[0]
+    assert up.is_static and up.along is not None and (up.along.name, up.along.unit) == ("p", "Pa")
+    np.testing.assert_allclose(up.time, np.array(PRESSURES) * 1e3)
+    np.testing.assert_allclose(up.inputs["branch"], 1.0)
+    np.testing.assert_allclose(data.runs[3].measurements["x"], (np.array(PRESSURES) / 10 - 3 + 1) * 1e-3)
+
+
+def test_the_order_of_the_rows_does_not_matter(read: Read) -> None:
+    rows = loop_rows()
+    one = read(table(rows))
+    shuffled = [rows[i] for i in np.random.default_rng(1).permutation(len(rows))]
+    other = read(table(shuffled))
+    assert [run.name for run in other.runs] == [run.name for run in one.runs]
+    for a, b in zip(one.runs, other.runs, strict=True):
+        np.testing.assert_array_equal(a.time, b.time)
+        for name, values in (a.inputs | a.measurements).items():
+            np.testing.assert_array_equal(values, (b.inputs | b.measurements)[name])
+
+
+def test_a_set_pressure_is_one_though_it_is_read_with_noise(read: Read) -> None:
+    rng = np.random.default_rng(2)
+    rows = [
+        f"{p + rng.normal(0, 0.3):.3f},{f:g},{p / 10 - f / 20:g}"
+        for f in np.linspace(0, 90, 10)
+        for p in (100, 200, 300)
+    ]
+    data = read(table(rows, "p [kPa],F [N],x [mm]"))
+    assert [run.name for run in data.runs] == [f"loops p = {p} kPa" for p in (100, 200, 300)]
+    assert all(run.along is not None and run.along.name == "F" and len(run.time) == 10 for run in data.runs)
+
+
+def test_scattered_points_are_one_curve(read: Read) -> None:
+    rng = np.random.default_rng(3)
+    rows = [f"{p:.4f},{f:.4f},{p / 10 - f / 20:.4f}" for p, f in rng.uniform([0, 0], [400, 90], (40, 2))]
+    (run,) = read(table(rows, "p [kPa],F [N],x [mm]")).runs
+    assert run.along is not None and run.along.name == "p" and run.name == "loops"
+
+
+@pytest.mark.parametrize("noise", [0.0, 2.0])
+def test_the_direction_follows_from_the_order(read: Read, noise: float) -> None:
+    rng = np.random.default_rng(4)
+    cycle = [0, 100, 200, 300, 400, 300, 200, 100, 0, 100, 200]
+    rows = [f"{p + rng.uniform(-noise, noise):.2f},{f},{p / 10:g}" for f in (20, 60) for p in cycle]
+    data = read(table(rows, "p [kPa],F [N],x [mm]"), EXPERIMENT + 'branch = "order"\n')
+    counts = {run.name: len(run.time) for run in data.runs}
+    assert counts == {
+        "loops F = 20 N, up": 7,
+        "loops F = 60 N, up": 7,
+        "loops F = 20 N, down": 4,
+        "loops F = 60 N, down": 4,
+    }
+
+
+def test_rising_loads_are_a_branch_of_extension(read: Read) -> None:
+    rows = [f"200,{f},{20 - f / 10:g}" for f in (0, 20, 40, 60, 40, 20, 0)]
+    data = read(table(rows, "p [kPa],F [N],x [mm]"), EXPERIMENT + 'branch = "order"\n')
+    assert {run.name: sorted(run.inputs["F"]) for run in data.runs} == {
+        "loops up": [0, 20, 40], "loops down": [0, 20, 40, 60]
+    }  # fmt: skip
+
+
+def test_values_are_held_out(read: Read) -> None:
+    held = EXPERIMENT + 'hold_out = { F = ["60 N"], p = ["2 bar"] }\n'
+    data = read(table(loop_rows()), held)
+    roles = {run.name: (run.role, len(run.time)) for run in data.runs}
+    assert roles["loops F = 20 N, up"] == ("fit", 4)
+    assert roles["loops F = 20 N, up, held out"] == ("holdout", 1)
+    assert roles["loops F = 60 N, down, held out"] == ("holdout", 5)
+    assert "loops F = 60 N, up" not in roles
+
+
+def test_a_branch_is_stated_and_an_imposed_quantity_too(read: Read) -> None:
+    stated = EXPERIMENT + 'branch = "down"\n[runs.parameters]\nF = "30 N"\n'
+    (run,) = read(table(["0,0", "100,5", "200,12"], "p [kPa],x [mm]"), stated).runs
+    assert (run.name, run.parameters) == ("loops", {"F": 30.0})
+    np.testing.assert_allclose(run.inputs["branch"], -1.0)
+
+
+def test_noise_shows_in_repeated_points_and_along_curves(read: Read) -> None:
+    rng = np.random.default_rng(5)
+    rows = [
+        f"{p},{f},{p / 10 - f / 20 + rng.normal(0, 0.05):.5f}"
+        for _ in range(5) for f in (20, 60) for p in np.linspace(0, 400, 9)
+    ]  # fmt: skip
+    data = read(table(rows, "p [kPa],F [N],x [mm]"), EXPERIMENT.replace('sigma = "0.1 mm"\n', ""))
+    sigma = complete_noise(data).signals["x"].sigma
+    assert sigma == pytest.approx(0.05e-3, rel=0.2)
+
+
+def test_what_is_written_reads_back(read: Read, tmp_path: Path) -> None:
+    data = read(table(loop_rows()))
+    again = write_data_set(tmp_path / "again", data, BENCH)
+    assert [replace(r, file=Path()).name for r in again.runs] == [r.name for r in data.runs]
+    for a, b in zip(data.runs, again.runs, strict=True):
+        np.testing.assert_allclose(a.measurements["x"], b.measurements["x"])
+        np.testing.assert_allclose(a.inputs["branch"], b.inputs["branch"])
+
+
+ROWS = loop_rows()
+NO_BRANCH = replace(BENCH, inputs={n: v for n, v in BENCH.inputs.items() if n != "branch"})
+
+
+@pytest.mark.parametrize(
+    ("text", "experiment", "words"),
+    [
+        (table([*ROWS[:3], "300,20,9,left"]), EXPERIMENT, ["loops.csv:5: column 'branch': 'left' is none of up, down, none"]),
+        (table([*ROWS[:3], "300,20,9,0.5"]), EXPERIMENT, ["loops.csv:5: column 'branch'", "0.5 is no direction"]),
+        (table([f"0,{r}" for r in ROWS], "time [s],p [kPa],F [N],x [mm],branch"), EXPERIMENT,
+         ["loops.csv:1: column 'time'", "have no time", "ignore"]),
+        (table(["0,20,1,up", ",20,5,up"]), EXPERIMENT, ["loops.csv:3: column 'p'", "the cell is empty; a row must say"]),
+        (table(["0,1", "100,5"], "p [kPa],x [mm]"), EXPERIMENT,
+         ["loops.csv:1", "there is no column 'F', nor a value under [parameters]: a row imposes p, F"]),
+        (table(["0,1", "100,5"], "q [kPa],x [mm]"), EXPERIMENT, ["loops.csv:1: column 'q'", "no input or output 'q'"]),
+        (table(["0,20,1,3"], "p [kPa],F [N],x [mm],muscle.k"), EXPERIMENT, ["'muscle.k' is a parameter"]),
+        (table(ROWS), EXPERIMENT + 'branch = "up"\n', ["experiment.toml:10", "branch is stated here and a column of loops.csv"]),
+        (table(ROWS), EXPERIMENT + 'branch = "left"\n', ["experiment.toml:10", "'left' is not possible", "'order'"]),
+        (table(ROWS), EXPERIMENT.replace('kind = "static"', 'kind = "rest"'), ["experiment.toml:3", "'rest' is not possible"]),
+        (table(ROWS), EXPERIMENT + 'hold_out = { p = ["250 kPa"] }\n', ["experiment.toml:10", "no row has p = '250 kPa'", "nearest"]),
+        (table(ROWS), EXPERIMENT + 'hold_out = { x = ["2 mm"] }\n', ["'x' is no column of loops.csv that is imposed; those are p, F"]),
+        (table(ROWS), EXPERIMENT + 'hold_out = { F = ["2 kPa"] }\n', ["experiment.toml:10", "F:", "kPa"]),
+        (table(ROWS), EXPERIMENT + 'hold_out = { F = ["20 N", "60 N"] }\n', ["no row of loops.csv is left to fit"]),
+        (table(ROWS), EXPERIMENT.replace('kind = "static"', '') + 'branch = "up"\n', ["branch is for points at rest"]),
+        (table(ROWS), EXPERIMENT + '[runs.recording]\nresample = "1 s"\n', ["experiment.toml:11", "resample is for recordings over time"]),
+        (table(ROWS), EXPERIMENT + '[[runs.loggers]]\nfile = "loops.csv"\noffset = 0\n', ["other loggers", "have none"]),
+        (table(ROWS), EXPERIMENT + '[runs.fit]\n"muscle.k" = { min = "0 N/m", max = "9 N/m" }\n', ["loops.csv' holds 4 curves"]),
+        (table(["20,1", "20,2"], "F [N],x [mm]"), EXPERIMENT + 'branch = "order"\n[runs.parameters]\np = "1 bar"\n',
+         ["experiment.toml:10", "the rows of loops.csv tell no direction"]),
+    ],
+)  # fmt: skip
+def test_what_is_wrong_is_said_once(read: Read, text: str, experiment: str, words: list[str]) -> None:
+    with pytest.raises(InputError) as error:
+        read(text, experiment)
+    for word in words:
+        assert word in str(error.value)
+
+
+def test_a_bench_without_a_direction_says_what_to_take(read: Read) -> None:
+    with pytest.raises(InputError, match=r"experiment.toml:10.*no input 'branch'.*pam-cosim bench --static"):
+        read(table(["0,20,1", "100,20,5"], "p [kPa],F [N],x [mm]"), EXPERIMENT + 'branch = "up"\n', NO_BRANCH)
+
+
+def test_one_file_with_a_direction_asks_it_of_all(read: Read, tmp_path: Path) -> None:
+    (tmp_path / "other.csv").write_text(table(["0,20,1", "100,20,5"], "p [kPa],F [N],x [mm]"))
+    both = EXPERIMENT + '[[runs]]\nfile = "other.csv"\n'
+    with pytest.raises(InputError, match=r"experiment.toml:10.*'other.csv' has no column 'branch'.*\"none\""):
+        read(table(ROWS), both)
+    assert read(table(ROWS), both + 'branch = "none"\n').runs[-1].inputs["branch"].tolist() == [0.0, 0.0]
