@@ -26,7 +26,7 @@ def bench(
         str | None, typer.Option("--measure", help='Signals that are read: "p,x,F"; default: what such a rig reads.')
     ] = None,
     output: Annotated[Path | None, typer.Option("--output", "-o", help="The Modelica file to write.")] = None,
-    static: Annotated[bool, typer.Option("--static", help="For points at rest, with the direction of a branch.")] = False,
+    static: Annotated[bool, typer.Option("--static", help="For points at rest and their branches.")] = False,
     listing: Annotated[bool, typer.Option("--list", help="Say what parts there are.")] = False,
     files: FilesOption = None,
 ) -> None:

@@ -86,7 +86,7 @@ def _level(values: Array, chosen: Indices) -> float:
 
 
 def _mixed(order: Indices, values: Array) -> Indices:
-    """The order with points at one place mixed, always alike: sorted by their readings, neighbours would not be noise."""
+    """The order with points at one place mixed, always alike: sorted by their readings they would be no noise."""
     places = np.unique(values[order], return_inverse=True)[1]
     chance = np.random.default_rng(0).random(len(order))
     return np.asarray(order[np.lexsort([chance, places])])

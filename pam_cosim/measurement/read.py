@@ -231,6 +231,8 @@ def _runs(
 def _curve(run: Run, points: Points, first: bool) -> Run:
     """One curve of a file; the first says how the file was read."""
     recording = points.recording
+    unknown = BRANCH in run.default_inputs
+    notes = (*run.notes, *(["no direction of a branch is stated: dry friction is left out"] if unknown else []))
     return replace(
         run,
         name=f"{run.name} {points.label}".rstrip(),
@@ -239,7 +241,8 @@ def _curve(run: Run, points: Points, first: bool) -> Run:
         time=recording.time,
         inputs=recording.inputs,
         measurements=recording.measurements,
-        notes=run.notes if first else (),
+        notes=notes if first else (),
+        default_inputs=tuple(name for name in run.default_inputs if name != BRANCH),
     )
 
 

@@ -162,39 +162,45 @@ def test_what_is_written_reads_back(read: Read, tmp_path: Path) -> None:
 
 
 ROWS = loop_rows()
+TOML, CSV = "experiment.toml", "loops.csv"
+NOT_STATIC = EXPERIMENT.replace('kind = "static"', "")
+AT_REST = EXPERIMENT.replace('kind = "static"', 'kind = "rest"')
+IMPOSED, TIMED = "p [kPa],x [mm]", "time [s],p [kPa],F [N],x [mm],branch"
 NO_BRANCH = replace(BENCH, inputs={n: v for n, v in BENCH.inputs.items() if n != "branch"})
 
 
 @pytest.mark.parametrize(
     ("text", "experiment", "words"),
     [
-        (table([*ROWS[:3], "300,20,9,left"]), EXPERIMENT, ["loops.csv:5: column 'branch': 'left' is none of up, down, none"]),
-        (table([*ROWS[:3], "300,20,9,0.5"]), EXPERIMENT, ["loops.csv:5: column 'branch'", "0.5 is no direction"]),
-        (table([f"0,{r}" for r in ROWS], "time [s],p [kPa],F [N],x [mm],branch"), EXPERIMENT,
-         ["loops.csv:1: column 'time'", "have no time", "ignore"]),
-        (table(["0,20,1,up", ",20,5,up"]), EXPERIMENT, ["loops.csv:3: column 'p'", "the cell is empty; a row must say"]),
-        (table(["0,1", "100,5"], "p [kPa],x [mm]"), EXPERIMENT,
-         ["loops.csv:1", "there is no column 'F', nor a value under [parameters]: a row imposes p, F"]),
-        (table(["0,1", "100,5"], "q [kPa],x [mm]"), EXPERIMENT, ["loops.csv:1: column 'q'", "no input or output 'q'"]),
-        (table(["0,20,1,3"], "p [kPa],F [N],x [mm],muscle.k"), EXPERIMENT, ["'muscle.k' is a parameter"]),
-        (table(ROWS), EXPERIMENT + 'branch = "up"\n', ["experiment.toml:10", "branch is stated here and a column of loops.csv"]),
-        (table(ROWS), EXPERIMENT + 'branch = "left"\n', ["experiment.toml:10", "'left' is not possible", "'order'"]),
-        (table(ROWS), EXPERIMENT.replace('kind = "static"', 'kind = "rest"'), ["experiment.toml:3", "'rest' is not possible"]),
-        (table(ROWS), EXPERIMENT + 'hold_out = { p = ["250 kPa"] }\n', ["experiment.toml:10", "no row has p = '250 kPa'", "nearest"]),
-        (table(ROWS), EXPERIMENT + 'hold_out = { x = ["2 mm"] }\n', ["'x' is no column of loops.csv that is imposed; those are p, F"]),
-        (table(ROWS), EXPERIMENT + 'hold_out = { F = ["2 kPa"] }\n', ["experiment.toml:10", "F:", "kPa"]),
-        (table(ROWS), EXPERIMENT + 'hold_out = { F = ["20 N", "60 N"] }\n', ["no row of loops.csv is left to fit"]),
-        (table(ROWS), EXPERIMENT.replace('kind = "static"', '') + 'branch = "up"\n', ["branch is for points at rest"]),
-        (table(ROWS), EXPERIMENT + '[runs.recording]\nresample = "1 s"\n', ["experiment.toml:11", "resample is for recordings over time"]),
-        (table(ROWS), EXPERIMENT + '[[runs.loggers]]\nfile = "loops.csv"\noffset = 0\n', ["other loggers", "have none"]),
-        (table(ROWS), EXPERIMENT + '[runs.fit]\n"muscle.k" = { min = "0 N/m", max = "9 N/m" }\n', ["loops.csv' holds 4 curves"]),
-        (table(["20,1", "20,2"], "F [N],x [mm]"), EXPERIMENT + 'branch = "order"\n[runs.parameters]\np = "1 bar"\n',
-         ["experiment.toml:10", "the rows of loops.csv tell no direction"]),
+        (table([*ROWS[:3], "3,2,9,left"]), "", [f"{CSV}:5: column 'branch': 'left' is none of up, down, none"]),
+        (table([*ROWS[:3], "3,2,9,0.5"]), "", [f"{CSV}:5: column 'branch'", "0.5 is no direction"]),
+        (table([f"0,{r}" for r in ROWS], TIMED), "", [f"{CSV}:1: column 'time'", "have no time", "ignore"]),
+        (table(["0,20,1,up", ",20,5,up"]), "", [f"{CSV}:3: column 'p'", "the cell is empty; a row must say"]),
+        (table(["0,1", "100,5"], IMPOSED), "", [f"{CSV}:1", "no column 'F', nor a value", "a row imposes p, F"]),
+        (table(["0,1", "100,5"], "q [kPa],x [mm]"), "", [f"{CSV}:1: column 'q'", "no input or output 'q'"]),
+        (table(["0,20,1,3"], "p [kPa],F [N],x [mm],muscle.k"), "", ["'muscle.k' is a parameter"]),
+        (table(ROWS), 'branch = "up"', [f"{TOML}:10", f"branch is stated here and a column of {CSV}"]),
+        (table(ROWS), 'branch = "left"', [f"{TOML}:10", "'left' is not possible", "'order'"]),
+        (table(ROWS), AT_REST, [f"{TOML}:3", "'rest' is not possible"]),
+        (table(ROWS), 'hold_out = { p = ["250 kPa"] }', [f"{TOML}:10", "no row has p = '250 kPa'", "nearest"]),
+        (table(ROWS), 'hold_out = { x = ["2 mm"] }', [f"'x' is no column of {CSV} that is imposed; those are p, F"]),
+        (table(ROWS), 'hold_out = { F = ["2 kPa"] }', [f"{TOML}:10", "F:", "kPa"]),
+        (table(ROWS), 'hold_out = { F = ["20 N", "60 N"] }', [f"no row of {CSV} is left to fit"]),
+        (table(ROWS), NOT_STATIC + 'branch = "up"\n', ["branch is for points at rest"]),
+        (table(ROWS), '[runs.recording]\nresample = "1 s"', [f"{TOML}:11", "resample is for recordings over time"]),
+        (table(ROWS), '[[runs.loggers]]\nfile = "loops.csv"\noffset = 0', ["other loggers", "have none"]),
+        (table(ROWS), '[runs.fit]\n"muscle.k" = { min = "0 N/m", max = "9 N/m" }', [f"{CSV}' holds 4 curves"]),
+        (
+            table(["20,1", "20,2"], "F [N],x [mm]"),
+            'branch = "order"\n[runs.parameters]\np = "1 bar"',
+            [f"{TOML}:10", f"the rows of {CSV} tell no direction"],
+        ),
     ],
-)  # fmt: skip
+)
 def test_what_is_wrong_is_said_once(read: Read, text: str, experiment: str, words: list[str]) -> None:
+    whole = experiment if experiment.startswith("title") else f"{EXPERIMENT}{experiment}\n"
     with pytest.raises(InputError) as error:
-        read(text, experiment)
+        read(text, whole)
     for word in words:
         assert word in str(error.value)
 
