@@ -11,8 +11,10 @@
 
 enum { MOST_STEPS = 400 };
 static const double FIRST = 1e-4, LAST = 1e9, LEAST = 1e-14; /* [s] steps */
+static const double NEAREST = 1e-9;     /* [s] steps that are not made shorter because they lead far */
 static const double STILL = 1e-11;      /* part of a state's size by which Newton's last step may change it */
 static const double CONTRACTION = 0.5;  /* of a correction by the next one, at most (Deuflhard 2004, 2.1) */
+static const double FAR = 1.0;          /* part of its size by which a state may change in one step, at most */
 static const double QUICK = 0.05, GROW = 100.0, GROW_SLOWLY = 4.0, SHRINK = 0.1;
 
 /* f and df/dx at v->x; 0 where they are finite. */
@@ -98,6 +100,10 @@ int pam_solver_settle(pam_solver *v) {
         lu_solve(n, v->lu, v->pivot, step);
         double moved = measure(v, step, &worst);
         if (moved <= STILL && h >= LAST) return v->model->ns && !v->s->plain ? slopes(v) : 0;
+        if (!(moved <= FAR) && h > NEAREST) {
+            h *= SHRINK;
+            continue;
+        }
         memcpy(before, v->x, sizeof(double) * (size_t)n);
         for (int i = 0; i < n; i++) v->x[i] += step[i];
         double contraction = INFINITY;
