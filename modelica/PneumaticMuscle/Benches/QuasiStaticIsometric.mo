@@ -4,7 +4,7 @@ model QuasiStaticIsometric "Pull of a muscle at rest under an imposed pressure, 
   input Types.GaugePressure p(start=200e3, min=-101e3) "Gauge pressure in the muscle";
   input Types.Length x(start=0.02) "Imposed contraction";
   output Types.Force F "Pull of the muscle";
-  Pneumatics.ImposedPressure source(p=p) "The measured pressure"
+  Pneumatics.ImposedPressure source(p=p, resistance(R(min=1) = 1)) "The measured pressure"
     annotation (Placement(transformation(extent={{-110,-20},{-70,20}})));
   Muscles.Physical muscle(F_start=drive.F_start) "Muscle"
     annotation (Placement(transformation(extent={{30,-20},{70,20}})));

@@ -4,7 +4,7 @@ model QuasiStaticIsotonic "Contraction of a muscle at rest under an imposed pres
   input Types.GaugePressure p(start=200e3, min=-101e3) "Gauge pressure in the muscle";
   input Types.Force F(start=30) "Imposed load";
   output Types.Length x "Contraction";
-  Pneumatics.ImposedPressure source(p=p) "The measured pressure"
+  Pneumatics.ImposedPressure source(p=p, resistance(R(min=1) = 1)) "The measured pressure"
     annotation (Placement(transformation(extent={{-110,-20},{-70,20}})));
   Muscles.Physical muscle(F_start=drive.F_start) "Muscle"
     annotation (Placement(transformation(extent={{30,-20},{70,20}})));
