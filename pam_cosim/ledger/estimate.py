@@ -63,10 +63,13 @@ def keep_ledger(
         tree: the library with these files, if it was read already.
 
     Raises:
-        InputError: a signal without a noise level; an FMU, which has no balances to open; an unknown effect.
+        InputError: a signal without a noise level; an FMU, which has no balances to open; an unknown effect; points at
+            rest, while balances are kept over time.
         ModelError: the model cannot be compiled.
     """
     name = model or data.model
+    if any(run.is_static for run in data.runs):
+        raise InputError("a ledger is kept over time, and points at rest have none", data.folder)
     if is_fmu(name):
         raise InputError("a ledger can be kept of a Modelica model only: an FMU has no balances to open", name)
     sources = [*files, Path(name)] if is_modelica(name) else list(files)
