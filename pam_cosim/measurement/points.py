@@ -99,9 +99,7 @@ def _distinct(found: list[Points]) -> list[Points]:
     return named
 
 
-def _check_imposed(
-    table: Table, interface: Interface, imposed: Mapping[str, Array], held: Mapping[str, float]
-) -> None:
+def _check_imposed(table: Table, interface: Interface, imposed: Mapping[str, Array], held: Mapping[str, float]) -> None:
     needed = [name for name in interface.inputs if name != BRANCH]
     missing = [name for name in needed if name not in imposed and name not in held]
     if missing:
