@@ -186,6 +186,7 @@ def diagnose(
     search = Search(
         tree, name, [e for e in shelf if e.name not in excluded], data, sources, say, workers, expected=expected
     )
+    search = replace(search, at_rest=all(run.is_static for run in data.runs))
     selection = select_effects(search, base, began + (math.inf if time_limit is None else time_limit))
     search, base, data = selection.search, selection.base, selection.search.data
     selected, tried = list(selection.path), list(selection.tried)
@@ -252,8 +253,7 @@ def _not_tried(
         elif family not in looked_at | failed:
             reasons[family] = "the model has no place for them"
         elif family in looked_at - shown:
-            at_rest = all(run.is_static for run in search.data.runs)
-            reasons[family] = f"nothing that was measured{' at rest' if at_rest else ''} shows them"
+            reasons[family] = f"nothing that was measured{' at rest' if search.at_rest else ''} shows them"
     return reasons
 
 

@@ -56,7 +56,7 @@ class Search:
         workers: number of processes; None: the processors at hand.
         failed: trials without a fit so far; this grows.
         expected: names of effects that are likely.
-        hidden: names of effects that points at rest cannot show, beside whatever else.
+        at_rest: all runs are points at rest; ``unseen`` are then the effects that these cannot show, beside whatever else.
     """
 
     tree: ClassTree
@@ -68,7 +68,8 @@ class Search:
     workers: int | None = None
     failed: list[FailedTrial] = field(default_factory=list)
     expected: frozenset[str] = frozenset()
-    hidden: frozenset[str] = frozenset()
+    at_rest: bool = False
+    unseen: frozenset[str] = frozenset()
 
     @cached_property
     def structure(self) -> Structure:
@@ -100,7 +101,7 @@ class Search:
         """The effects that stand for their families: the general members, and all of families without one."""
         covered = {e.family for e in self.shelf if e.general}
         broad = [e.name for e in self.shelf if e.general or e.family not in covered]
-        return [name for name in broad if name not in self.hidden]
+        return [name for name in broad if name not in self.unseen]
 
     def probed(self, fitted: Fit, has: Sequence[str], effects: Sequence[str]) -> list[Probe]:
         """What each of some effects does to the samples beside a fitted model, which has others."""

@@ -122,8 +122,8 @@ class _Models:
         if self.search.failed and not self.probes:
             failed = self.search.failed[-1]
             raise SimulationFailure(f"no effect could be tried; {failed.effect}: {failed.failure}")
-        if all(run.is_static for run in self.search.data.runs):  # what shows in time alone does so beside no effect
-            self.search = replace(self.search, hidden=frozenset(p.effect for p in self.probes if p.silent))
+        if self.search.at_rest:  # what shows in time alone does so beside no effect
+            self.search = replace(self.search, unseen=frozenset(p.effect for p in self.probes if p.silent))
 
     def look_again(self) -> None:
         """What further families do beside the best model, which leaves structure.
@@ -152,7 +152,7 @@ class _Models:
     def _additions(self) -> Additions:
         """What the effects can add to the base model, as far as probes and fits tell by now."""
         assert self.base.linear is not None
-        probes = [p for p in self.probes if p.effect not in self.search.hidden]
+        probes = [p for p in self.probes if p.effect not in self.search.unseen]
         fitted = [self.known.get((p.effect,)) for p in probes]
         key = tuple(id(c.fit) if c else 0 for c in fitted)
         if key != self._added[0]:
@@ -208,7 +208,7 @@ class _Models:
         others = [
             Wanted((e.name,), self.known[leading[e.family]].fit.values)
             for e in self.search.shelf
-            if e.family in leading and (e.name,) not in self._seen() and e.name not in self.search.hidden
+            if e.family in leading and (e.name,) not in self._seen() and e.name not in self.search.unseen
         ]
         if not self._late([w.effects for w in others]):
             self._keep(self.search.briefly(others))
