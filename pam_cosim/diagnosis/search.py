@@ -56,7 +56,8 @@ class Search:
         workers: number of processes; None: the processors at hand.
         failed: trials without a fit so far; this grows.
         expected: names of effects that are likely.
-        at_rest: all runs are points at rest; ``unseen`` are then the effects that these cannot show, beside whatever else.
+        at_rest: all runs are points at rest.
+        unseen: names of effects that these cannot show, beside whatever else.
     """
 
     tree: ClassTree
