@@ -62,6 +62,7 @@ def errors_of_formula(
 
 def main(folder: Path) -> None:
     """Errors of the formulas and of the model, the verdict, its report and its picture."""
+    folder.mkdir(parents=True, exist_ok=True)
     data = pam.read(HERE)
     for formula, start in FORMULAS:
         fitted, held = errors_of_formula(data, formula, start)
