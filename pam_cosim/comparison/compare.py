@@ -52,8 +52,19 @@ class Comparison(Printed):
 
     def against(self, data: DataSet) -> Comparison:
         """The same simulations beside other samples: ``data`` has the same runs, some of their samples set aside."""
+        same = self.with_data(data)
+        return replace(same, scores=_scores(data, same.runs))
+
+    def without_data(self) -> Comparison:
+        """The same without the samples, which whoever asked for it has: ``with_data`` puts them back."""
+        bare = (replace(r.run, time=r.run.time[:0], inputs={}, measurements={}) for r in self.runs)
+        runs = tuple(replace(r, run=run) for r, run in zip(self.runs, bare, strict=True))
+        return replace(self, data=replace(self.data, runs=()), runs=runs)
+
+    def with_data(self, data: DataSet) -> Comparison:
+        """The same with the runs of the data set itself, not copies of them."""
         runs = tuple(replace(r, run=run) for r, run in zip(self.runs, data.runs, strict=True))
-        return replace(self, data=data, runs=runs, scores=_scores(data, runs))
+        return replace(self, data=data, runs=runs)
 
     def table(self, rows: str, columns: str, signal: str | None = None) -> ConditionTable:
         """Correlation, rms error and chi-square by two parameters of the runs, such as load and frequency.

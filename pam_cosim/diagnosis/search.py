@@ -18,7 +18,7 @@ from pam_cosim.diagnosis.choice import Choice
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.probing import Probe, Stated
 from pam_cosim.diagnosis.stated import stated_parameters
-from pam_cosim.diagnosis.trial import Trial, crashed, run_probe, run_stated, run_trial
+from pam_cosim.diagnosis.trial import Trial, crashed, run_afar, run_probe, run_stated
 from pam_cosim.fitting import Fit, Linear
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet
@@ -158,9 +158,12 @@ class Search:
     def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:
         if trials:
             self.say(Message(f"fitting {how}: {len(trials)} model{'s' if len(trials) > 1 else ''}"))
-        results = run_tasks(run_trial, trials, crashed, lambda c: self.say(told(c)), self.workers)
+        results = run_tasks(run_afar, trials, crashed, lambda c: self.say(told(c)), self.workers)
         self.failed.extend(c for c in results if isinstance(c, FailedTrial))
-        return [c for c in results if isinstance(c, Candidate)]
+        return [self._with_data(c) for c in results if isinstance(c, Candidate)]
+
+    def _with_data(self, c: Candidate) -> Candidate:
+        return replace(c, fit=replace(c.fit, comparison=c.fit.comparison.with_data(self.data)))
 
     def _trials(self, models: Sequence[Wanted]) -> list[Trial]:
         """Trials of the last effect of each model, of those whose effects find a place."""

@@ -105,6 +105,14 @@ def run_trial(trial: Trial) -> Attempt:
     return _attempted(trial, _fitted)
 
 
+def run_afar(trial: Trial) -> Attempt:
+    """As ``run_trial``, in another process: the samples stay where they are (``Comparison.without_data``)."""
+    attempt = run_trial(trial)
+    if isinstance(attempt, FailedTrial):
+        return attempt
+    return replace(attempt, fit=replace(attempt.fit, comparison=attempt.fit.comparison.without_data()))
+
+
 def run_probe(trial: Trial) -> Probe | FailedTrial:
     """Builds the model and linearises it about the values that it starts from, for what its effect can add."""
     return _attempted(trial, _probed)
