@@ -21,6 +21,7 @@ from pam_cosim.commands.diagnose import diagnose
 from pam_cosim.commands.effects import effects
 from pam_cosim.commands.fit import fit
 from pam_cosim.commands.linearise import linearise
+from pam_cosim.commands.new import new
 from pam_cosim.commands.observe import observe
 from pam_cosim.commands.simulate import simulate
 from pam_cosim.commands.sweep import sweep
@@ -47,7 +48,7 @@ def version(
 
 
 _RUN = (build, describe, simulate, sweep, couple, linearise, bode, observe, track)
-_STUDY = (check, compare, fit, diagnose, add, effects, bench)
+_STUDY = (new, check, compare, fit, diagnose, add, effects, bench)
 for _command in _RUN + _STUDY:
     app.command()(_command)
 

@@ -75,6 +75,35 @@ class StaticCriteria:
 
 
 @dataclass(frozen=True)
+class RecognitionCriteria:
+    """How a new data set is drafted from recordings: what counts as rest, as held, as a step, as another run."""
+
+    window: float = decides(0.01, "of samples", "means over so many are compared to tell rest from motion")
+    most_in_window: int = decides(30, "samples", "more would miss short rests of long recordings")
+    fewest_in_window: int = decides(5, "samples", "fewer are no mean")
+    still: float = decides(0.005, "of range", "means that differ by less are of a signal at rest, if noise is smaller")
+    still_noise: float = decides(4.0, "sd", "of the difference of two such means, below which it is noise")
+    noise_samples: int = decides(4000, "samples", "noise is estimated from pieces of so many, of a long recording")
+    noise_pieces: int = decides(5, "pieces", "spread over the recording")
+    held: float = decides(0.9, "of samples", "neighbours that are equal, of an input that is held between steps")
+    imposed: float = decides(0.2, "of range", "a column that moves less within runs than between them is held in each")
+    away: float = decides(5.0, "sd", "of the noise, from which on a reading at rest is away from zero")
+    offset: float = decides(0.1, "of range", "a reading at rest beyond it is no offset of an instrument")
+    unloaded: float = decides(0.05, "of the largest", "pressure below which the muscle counts as without pressure")
+    atmosphere: tuple[float, float] = decides((90e3, 108e3), "Pa", "what a gauge of absolute pressure reads at rest")
+    ambient: float = decides(101325.0, "Pa", "ambient pressure where a recording says absolute", "standard atmosphere")
+    noiseless: float = decides(1e-5, "of range", "scatter below is of computed numbers, and no instrument's noise")
+    gaps: float = decides(0.1, "of samples", "a column that lacks more is measured: inputs have no gaps")
+    long: int = decides(20000, "rows", "of a run, from which on means over several are proposed")
+    follows: float = decides(0.5, "1", "correlation with the pressure, either way, from which on a column follows it")
+    constant: float = decides(10.0, "sd", "span of a column that is noise alone", "normal distribution")
+    alike: float = decides(0.02, "of the largest", "traits of runs that differ by less do not tell them apart")
+    steady: float = decides(0.3, "of its mean", "a supply pressure varies by less, and stays above the other")
+    held_out: float = decides(0.25, "of runs", "that are held out to be judged")
+    runs_to_hold_out: int = decides(3, "runs", "of fewer none is held out: they are needed for the fit")
+
+
+@dataclass(frozen=True)
 class ResidualCriteria:
     """What tells structure in residuals from noise."""
 
@@ -309,6 +338,7 @@ class ResolutionCriteria:
 class Criteria:
     """All of them, by the question that they answer."""
 
+    recognition: RecognitionCriteria = RecognitionCriteria()
     noise: NoiseCriteria = NoiseCriteria()
     static: StaticCriteria = StaticCriteria()
     residuals: ResidualCriteria = ResidualCriteria()

@@ -20,6 +20,7 @@ from pam_cosim.diagnosis import Check, Diagnosis, Message
 from pam_cosim.diagnosis import check as _check
 from pam_cosim.diagnosis import diagnose as _diagnose
 from pam_cosim.domain import Domain
+from pam_cosim.drafting import NewDataSet, Wishes, draft
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, make_folder, write_bytes, write_text
 from pam_cosim.fitting import Fit, FitOptions, Profiles, Progress, base_parameters
@@ -352,6 +353,54 @@ def bench(
     if output:
         write_text(Path(output), rig.text)
     return rig.text
+
+
+def new(
+    folder: Path | str,
+    recordings: Paths,
+    *,
+    title: str | None = None,
+    model: str | None = None,
+    muscle: str | None = None,
+    columns: Mapping[str, str] | None = None,
+    parameters: Mapping[str, Setting] | None = None,
+    recording: Mapping[str, object] | None = None,
+    files: Paths = (),
+) -> NewDataSet:
+    """Writes a data set from recordings as labs have them, and says what was recognised and what was guessed.
+
+    ```python
+    print(pam.new("my-rig", ["data/run-01.csv", "data/run-02.csv"], parameters={"load.m": "2.27 kg"}))
+    ```
+
+    The recordings are copied. Columns are recognised by names, units and what the numbers look like; the bench is the
+    one that takes and shows most of them, put together from parts where there is none. Every guess is marked in
+    ``experiment.toml``.
+
+    Args:
+        folder: of the new data set, missing or empty.
+        recordings: files, one run each.
+        title: default: the folder's name.
+        model: the bench; a ``.mo`` or ``.fmu`` file is copied too.
+        muscle: one of ``rig_parts``, by name; the bench is then put together.
+        columns: names of columns, or formulas, by inputs, outputs or "time".
+        parameters: what is known of all runs, with units.
+        recording: keys of ``[recording]`` of ``experiment.toml``, as far as files do not show them.
+        files: further Modelica files.
+
+    Raises:
+        InputError: whatever cannot be used, with file, line and column; nothing is written then.
+    """
+    known: dict[str, Interface] = {}
+
+    def described(name: str) -> Interface:
+        return known.setdefault(name, describe(name, files))
+
+    stated = {name: str(value) for name, value in (parameters or {}).items()}
+    wishes = Wishes(title, model, columns, stated, recording, muscle)
+    paths = [Path(one) for one in recordings]
+    made = draft(Path(folder), paths, wishes, read_library(files=_paths(files)), described, _paths(files))
+    return replace(made, data=read(folder, files=files))
 
 
 def simulate(

@@ -30,3 +30,8 @@ def read_table(file: Path, stated: Layout | None = None) -> Table:
         InputError: see the reader of the format.
     """
     return _READERS.get(file.suffix.lower(), read_text_table)(file, stated or Layout())
+
+
+def is_text(file: Path) -> bool:
+    """Whether a file is read as a text."""
+    return file.suffix.lower() not in _READERS

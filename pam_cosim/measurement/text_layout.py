@@ -19,7 +19,7 @@ from pam_cosim.wording import shown
 
 SEPARATORS = {";": ";", "tab": "\t", ",": ",", "blank": " "}
 WORDS = {";": "semicolons", "\t": "tabs", ",": "commas", " ": "blanks"}
-_SAMPLE = 400  # Rows that are looked at; all are checked when they are read.
+LOOKED_AT = 400  # Rows that are looked at; all are checked when they are read.
 _DEEPEST = 400  # Lines above the first row, below what is stated.
 _NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?", re.ASCII)
 _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}(?:,\d{3})+|[+-]?[1-9]\d{0,2}(?:\.\d{3})+", re.ASCII)
@@ -169,7 +169,7 @@ def _cells(
         if start is None and number > after and is_row(cells):
             start = len(rows)
         rows.append(_Row(index, number, line, cells))
-        if len(rows) - start > _SAMPLE if start is not None else number > after + _DEEPEST:
+        if len(rows) - start > LOOKED_AT if start is not None else number > after + _DEEPEST:
             break
     return rows, start
 

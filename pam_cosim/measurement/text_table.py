@@ -6,6 +6,7 @@ import csv
 import math
 import re
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from itertools import chain
 from pathlib import Path
 
@@ -16,6 +17,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement.table import Column, Layout, Table, split_heading
 from pam_cosim.measurement.text_file import WESTERN, read_any_text
 from pam_cosim.measurement.text_layout import (
+    LOOKED_AT,
     WORDS,
     Line,
     TextLayout,
@@ -29,6 +31,7 @@ from pam_cosim.wording import shown
 _BLOCK = 20_000  # Lines that are turned into numbers at once.
 _TALLEST = 8  # Lines of one quoted cell.
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
+_MEANT = re.compile(r"[+-]?[\d.,]+([eE][+-]?\d+)?|[+-]?(nan|inf|infinity)", re.ASCII | re.IGNORECASE)  # as a number
 _NO_NUMBER = re.compile(r"[^0-9eE+\-.]")
 _PLAIN = frozenset("0123456789-+.,;")  # No comment begins so.
 _NOT_FINITE = ("nan", "inf", "infinity")
@@ -64,6 +67,28 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     }
     numbers = np.array([number for number, _ in body], dtype=np.int64)
     return Table(file, columns, layout.header_line or None, numbers, _notes(layout, encoding, reader.decimal))
+
+
+def text_columns(file: Path, stated: Layout) -> tuple[str, ...]:
+    """Headings of the columns in which no row that is looked at has a number, such as remarks and dates.
+
+    Raises:
+        InputError: as ``read_text_table``, where the file has no rows or its separator is ambiguous.
+    """
+    text, _ = read_any_text(file, stated.encoding)
+    lines = [(number, line) for number, line in _lines(text) if line and not line.isspace()]
+    if not lines:
+        return ()
+    layout = find_layout(lines, stated, file)
+    rows = []
+    for _, line in lines[layout.start : layout.start + LOOKED_AT]:
+        with suppress(csv.Error):
+            rows.append([] if is_comment(line) else split_cells(line, layout.separator))
+    return tuple(
+        heading
+        for i, (heading, _) in enumerate(layout.headings)
+        if (cells := [row[i] for row in rows if i < len(row) and row[i]]) and not any(map(_MEANT.fullmatch, cells))
+    )
 
 
 def _lines(text: str) -> Iterator[Line]:

@@ -1,7 +1,8 @@
-"""TOML text to plain data, and the line on which a key stands (which ``tomllib`` does not tell)."""
+"""TOML text to plain data, the line on which a key stands (which ``tomllib`` does not tell), and texts as TOML."""
 
 from __future__ import annotations
 
+import json
 import re
 import tomllib
 from bisect import bisect_left
@@ -47,6 +48,16 @@ def line_of(text: str, path: tuple[str | int, ...]) -> int | None:
             return bisect_left(range(len(lines) + 1), True, key=present)
         path = path[:-1]
     return None
+
+
+def toml_string(text: str) -> str:
+    """A TOML basic string; JSON's escapes are a subset of TOML's, but for the delete character."""
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def toml_key(name: str) -> str:
+    """A key, in quotes where it needs them."""
+    return name if name.isidentifier() and name.isascii() else toml_string(name)
 
 
 def _shortest_beginning(lines: list[str], count: int) -> dict[str, Any]:

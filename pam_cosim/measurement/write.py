@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import tempfile
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -17,6 +16,7 @@ from pam_cosim.measurement.data_set import DataSet, FreeParameter, Run
 from pam_cosim.measurement.experiment import FILE_NAME
 from pam_cosim.measurement.read import read_data_set
 from pam_cosim.measurement.table import TIME
+from pam_cosim.measurement.toml_text import toml_key, toml_string
 from pam_cosim.units import UnitError, convert, is_dimensionless
 
 
@@ -95,12 +95,12 @@ class _Writer:
         return "\n".join([*self._head(), *self._parameters(), *self._free(), *self._effects(), *self._runs(), ""])
 
     def _head(self) -> Iterator[str]:
-        yield f"title = {_text(self.data_set.title)}"
-        yield f"model = {_text(self.data_set.model)}"
+        yield f"title = {toml_string(self.data_set.title)}"
+        yield f"model = {toml_string(self.data_set.model)}"
         for name, signal in self.data_set.signals.items():
             if not signal.fitted:
                 continue
-            yield f"\n[signals.{_key(name)}]"
+            yield f"\n[signals.{toml_key(name)}]"
             if signal.sigma is not None and not signal.estimated:
                 yield f"sigma = {self._quantity(name, signal.sigma, difference=True)}"
 
@@ -124,18 +124,18 @@ class _Writer:
         if free.prior is not None:
             mean, sd = self._quantity(name, free.prior.mean), self._quantity(name, free.prior.sd, difference=True)
             cells.append(f"prior = {{ mean = {mean}, sd = {sd} }}")
-        return f"{_text(name)} = {{ {', '.join(cells)} }}"
+        return f"{toml_string(name)} = {{ {', '.join(cells)} }}"
 
     def _effects(self) -> Iterator[str]:
         known = {"exclude": self.data_set.excluded, "expect": self.data_set.expected}
         if any(known.values()):
             yield "\n[effects]"
-        yield from (f"{key} = [{', '.join(map(_text, names))}]" for key, names in known.items() if names)
+        yield from (f"{key} = [{', '.join(map(toml_string, names))}]" for key, names in known.items() if names)
 
     def _runs(self) -> Iterator[str]:
         known = self.data_set.parameters
         for run in self.data_set.runs:
-            yield f'\n[[runs]]\nfile = {_text(_file_name(run))}\nrole = "{run.role}"'
+            yield f'\n[[runs]]\nfile = {toml_string(_file_name(run))}\nrole = "{run.role}"'
             if run.is_static:
                 yield 'kind = "static"'
             if run.interpolation != "linear":
@@ -150,7 +150,7 @@ class _Writer:
             yield from map(self._free_table, free)
 
     def _values(self, values: Mapping[str, float]) -> Iterator[str]:
-        return (f"{_text(name)} = {self._quantity(name, value)}" for name, value in values.items())
+        return (f"{toml_string(name)} = {self._quantity(name, value)}" for name, value in values.items())
 
     def _unit(self, name: str) -> str:
         return self.units.get(name, self._si_unit(name))
@@ -167,7 +167,7 @@ class _Writer:
     def _quantity(self, name: str, value: float, *, difference: bool = False) -> str:
         number = f"{float(self._converted(name, value, difference=difference)):.12g}"
         unit = self._unit(name)
-        return number if is_dimensionless(unit) else _text(f"{number} {unit}")
+        return number if is_dimensionless(unit) else toml_string(f"{number} {unit}")
 
     def _converted(
         self, name: str, values: NDArray[np.float64] | float, *, difference: bool = False
@@ -179,12 +179,3 @@ class _Writer:
 
     def _cell(self, value: float) -> str:
         return "" if np.isnan(value) else f"{value:.{self.digits}g}"
-
-
-def _text(text: str) -> str:
-    """A TOML basic string; JSON's escapes are a subset of TOML's, but for the delete character."""
-    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
-
-
-def _key(name: str) -> str:
-    return name if name.isidentifier() and name.isascii() else _text(name)

@@ -1,0 +1,99 @@
+"""What benches take and show, as the class tree tells it: those that there are, and those that parts would make."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from pam_cosim.catalogue.place import benches
+from pam_cosim.catalogue.rig_parts import RigPart, chosen, connectors, read, rig_parts, told
+from pam_cosim.compiler import ClassTree
+from pam_cosim.compiler.class_tree import ComponentInfo
+from pam_cosim.errors import InputError
+from pam_cosim.interface import Variable
+
+_LAST = 1000
+
+
+@dataclass(frozen=True)
+class Ports:
+    """Inputs and outputs of a bench.
+
+    Attributes:
+        name: full name of its class; of parts, the names of both.
+        inputs, outputs: by name; of parts, everything that an instrument could read.
+        parts: pneumatics and mechanics that it would be put together from; empty: it is there.
+        rank: the lower, the more usual: zero for a bench with the usual muscle, then rigs by how many values must be
+            stated of their parts, then other benches.
+    """
+
+    name: str
+    inputs: dict[str, Variable]
+    outputs: dict[str, Variable]
+    parts: tuple[str, ...] = ()
+    rank: int = 0
+
+
+def ports(tree: ClassTree) -> list[Ports]:
+    """Those of every bench, then those of every rig of one muscle that can be put together."""
+    parts = rig_parts(tree)
+    usual = _kinds_of_muscle(tree, parts)
+    ready = [
+        Ports(
+            name,
+            _variables(tree, told(tree, name)),
+            _variables(tree, read(tree, name)),
+            (),
+            _foreign(tree, name, usual),
+        )
+        for name in benches(tree)
+    ]
+    readings = {part.library: _readings(tree, parts, part.library) for part in parts}
+    rigs = [
+        Ports(
+            f"{feed.name} and {hold.name}",
+            _variables(tree, [*told(tree, feed.qualified_name), *told(tree, hold.qualified_name)]),
+            readings[feed.library],
+            (feed.qualified_name, hold.qualified_name),
+            1 + len(feed.parameters) + len(hold.parameters),
+        )
+        for feed in parts
+        for hold in parts
+        if (feed.role, hold.role, feed.library) == ("pneumatics", "mechanics", hold.library)
+        and len(connectors(tree, hold.qualified_name)) == 1
+    ]
+    return ready + rigs
+
+
+def _readings(tree: ClassTree, parts: list[RigPart], library: str) -> dict[str, Variable]:
+    instruments = [part for part in parts if (part.role, part.library) == ("instrument", library)]
+    return {name: v for part in instruments for name, v in _variables(tree, read(tree, part.qualified_name)).items()}
+
+
+def _kinds_of_muscle(tree: ClassTree, parts: list[RigPart]) -> set[str]:
+    """Classes that the usual muscle is made of."""
+    try:
+        muscle = chosen(parts, "muscle", None)
+    except InputError:
+        return set()
+    return {muscle.qualified_name, *tree.bases(muscle.qualified_name)}
+
+
+def _foreign(tree: ClassTree, bench: str, usual: set[str]) -> int:
+    """Zero where a bench holds the usual muscle, by the class of a component."""
+    kinds = {c.type for c in tree.components(bench)}
+    return 0 if any(kind in kinds and not tree.classes[kind].partial for kind in usual) else _LAST
+
+
+def _variables(tree: ClassTree, declared: list[ComponentInfo]) -> dict[str, Variable]:
+    return {c.name: Variable(c.name, _unit(tree, c), c.description) for c in declared}
+
+
+def _unit(tree: ClassTree, component: ComponentInfo) -> str:
+    """As the declaration or its type says; "" for a plain number."""
+    modifications, kind = component.modifications, component.type
+    while "unit" not in modifications:
+        if kind not in tree.classes or not tree.classes[kind].extends:
+            return ""
+        base = tree.classes[kind].extends[0]
+        modifications, kind = base.modifications, base.name
+    return modifications["unit"].strip('"')

@@ -1,0 +1,219 @@
+"""Which bench the recordings can feed, and by which column each of its inputs and outputs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from pam_cosim.catalogue.ports import Ports
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.drafting.columns import Found
+from pam_cosim.drafting.rest import correlation, span
+from pam_cosim.drafting.words import Meaning, read_variable
+from pam_cosim.errors import InputError
+from pam_cosim.interface import Variable
+from pam_cosim.wording import did_you_mean, listed, shown
+
+# What a column costs that is used nowhere, an input that nothing feeds, a column that looks imposed and is read or the
+# other way round, a column that is not quite what is asked for. Only their order matters: what is recorded is used.
+_UNUSED, _UNFED, _UNLIKELY, _ROUNDABOUT, _UNDRIVEN = 8.0, 4.0, 1.0, 0.25, 1e3
+_ISOMETRIC = 5.0
+_NAMED = 0.6  # An input that is called as the bench calls it was meant for it.
+_LENGTHS = ("contraction", "length", "ratio")
+_MECHANICAL = (*_LENGTHS, "force")
+
+
+@dataclass(frozen=True)
+class Choice:
+    """A bench and what feeds it.
+
+    Attributes:
+        inputs, outputs: columns by the bench's names.
+        unfed: inputs that no column feeds.
+        others: names of benches that would do as well.
+        cost: the lower, the better it fits.
+        unread: how many of its outputs nobody read.
+        driven: something is measured, and what drives the runs was recorded.
+    """
+
+    ports: Ports
+    inputs: dict[str, Found]
+    outputs: dict[str, Found]
+    unfed: tuple[str, ...]
+    others: tuple[str, ...] = ()
+    cost: float = 0.0
+    unread: int = 0
+    driven: bool = True
+
+    @property
+    def fed(self) -> dict[str, Found]:
+        """All of them."""
+        return {**self.inputs, **self.outputs}
+
+
+def choose(
+    candidates: Sequence[Ports],
+    columns: Sequence[Found],
+    asked: Mapping[str, str],
+    formulas: Mapping[str, str],
+    runs: int,
+) -> Choice:
+    """The bench that uses most of what was recorded and lacks least.
+
+    Args:
+        candidates: benches.
+        columns: of the recordings.
+        asked: names of columns by the bench's names, as the user says.
+        formulas: what the user gives a formula for.
+        runs: how many recordings there are; an input must be in all of them.
+
+    Raises:
+        InputError: no bench has the names that the user says, or none can be fed.
+    """
+    said = [name for name in (*asked, *formulas) if name != "time"]
+    able = [one for one in candidates if all(name in one.inputs or name in one.outputs for name in said)]
+    if not able:
+        known = dict.fromkeys(name for one in candidates for name in (*one.inputs, *one.outputs))
+        name = next((name for name in said if name not in known), said[0] if said else "")
+        raise InputError(f"no bench has an input or output {shown(name)}; {did_you_mean(name, known)}")
+    choices = [_feed(one, columns, asked, formulas, runs) for one in able]
+    order = sorted(choices, key=lambda c: (c.cost, c.ports.rank, c.unread))
+    if not order[0].driven:
+        raise InputError(_nothing_fits(order[0], columns))
+    best = order[0]
+    others = tuple(c.ports.name for c in order[1:] if c.cost <= best.cost)
+    inputs, outputs = (
+        {n: _among(c, columns, best, n in asked) for n, c in side.items()} for side in (best.inputs, best.outputs)
+    )
+    return Choice(best.ports, inputs, outputs, best.unfed, others[:3], best.cost, best.unread)
+
+
+def _among(column: Found, columns: Sequence[Found], best: Choice, asked: bool) -> Found:
+    """The column, saying that others could be it too."""
+    taken = {c.name for c in best.fed.values()}
+    rivals = [c.name for c in columns if c.meaning == column.meaning and c.name not in taken]
+    if not rivals or asked:
+        return column
+    why = f"it is named best or moves most; {listed(map(shown, rivals))} could be it too"
+    return replace(column, why=(*column.why, why))
+
+
+def meaning_of(variable: Variable) -> Meaning | None:
+    """What an input or output of a bench is."""
+    return read_variable(variable.name, variable.description, variable.unit)
+
+
+def _feed(
+    ports: Ports, columns: Sequence[Found], asked: Mapping[str, str], formulas: Mapping[str, str], runs: int
+) -> Choice:
+    free = [c for c in columns if c.meaning is not None and not c.of("time") and "ambient" not in c.meaning.roles]
+    reserved = set(asked.values())
+    whole = [c for c in free if len(c.values) == runs and c.whole]
+    inputs, roundabout = _assign(ports.inputs, whole, asked, columns, reserved)
+    imposed = {meaning_of(v) for v in ports.inputs.values()}
+    readable = {n: v for n, v in ports.outputs.items() if not (ports.parts and meaning_of(v) in imposed)}
+    left = [c for c in free if c not in inputs.values()]
+    outputs, more = _assign(readable, left, asked, columns, reserved)
+    wanted = [name for name in ports.inputs if name not in inputs and name not in formulas]
+    driving = [name for name, v in ports.inputs.items() if _drives(meaning_of(v))]
+    used = [*inputs.values(), *outputs.values()]
+    left = [c for c in free if c not in used and c.meaning and c.meaning.kind not in ("voltage", "mass")]
+    unused = [c for c in left if c.meaning not in [u.meaning for u in used]]
+    # A bench without inputs runs by itself: where more was recorded than it shows, something drove it.
+    driven = any(name in inputs or name in formulas for name in driving) if driving else not left
+    measured = bool(outputs) or any(name in readable for name in formulas)
+    cost = _UNUSED * len(unused) + _UNFED * len(wanted) + _ROUNDABOUT * (roundabout + more)
+    cost += _UNLIKELY * _unlikely(inputs, outputs) + _UNDRIVEN * ((not driven) + 2 * (not measured))
+    cost -= _NAMED * len([name for name, column in inputs.items() if name == column.name])
+    cost += _ISOMETRIC if _must_be_fixed(ports, used) else 0.0
+    unread = len([name for name in readable if name not in outputs and name not in formulas])
+    return Choice(ports, inputs, outputs, tuple(wanted), (), cost, unread, driven and measured)
+
+
+def _must_be_fixed(ports: Ports, used: Sequence[Found]) -> bool:
+    """Whether a pull changes while nobody reads a length: then it is fixed, and a bench that lets it go is none."""
+    pulls = [c for c in used if c.of("force") and not c.held]
+    kinds = {c.meaning.kind for c in used if c.meaning}
+    lengths = [m for m in map(meaning_of, ports.inputs.values()) if m is not None and m.kind in _LENGTHS]
+    return bool(pulls) and not kinds & set(_LENGTHS) and not lengths
+
+
+def _drives(meaning: Meaning | None) -> bool:
+    """Whether an input is what a run is about: all but what a supply happens to hold."""
+    return meaning is None or "supply" not in meaning.roles
+
+
+def _assign(
+    variables: Mapping[str, Variable],
+    columns: Sequence[Found],
+    asked: Mapping[str, str],
+    every: Sequence[Found],
+    reserved: Iterable[str],
+) -> tuple[dict[str, Found], float]:
+    """The best column for each variable, and how far round about that is."""
+    taken: dict[str, Found] = {}
+    by_name = {c.name: c for c in every}
+    taken |= {name: by_name[asked[name]] for name in variables if name in asked}
+    cost = 0.0
+    for name, variable in variables.items():
+        meaning = meaning_of(variable)
+        if name in taken or meaning is None:
+            continue
+        rank = [
+            (far, column.name != name, -column.known, -_moves(column), i, column)
+            for i, column in enumerate(columns)
+            if column not in taken.values() and column.name not in reserved
+            and (far := _distance(column.meaning, meaning)) is not None
+        ]  # fmt: skip
+        if rank:
+            best = min(rank, key=lambda one: one[:5])
+            taken[name], cost = best[5], cost + best[0]
+    return taken, cost
+
+
+def _moves(column: Found) -> float:
+    """Span of a column over its largest magnitude: of two, the one that moves is the muscle's."""
+    largest = float(np.nanmax(np.abs(column.every), initial=0.0))
+    return span(column.every) / largest if largest else 0.0
+
+
+def _distance(column: Meaning | None, variable: Meaning) -> float | None:
+    """How far a column is from what a variable asks for; None: it cannot be that."""
+    if column is None:
+        return None
+    if column == variable:
+        return 0.0
+    if column.roles == variable.roles and variable.kind == "contraction" and column.kind in ("length", "ratio"):
+        return 1.0 if column.kind == "length" else 2.0
+    return None
+
+
+def _unlikely(inputs: Mapping[str, Found], outputs: Mapping[str, Found]) -> float:
+    """How many columns are imposed that do not look so, or read that do."""
+    pressure = next(
+        (c for c in (*outputs.values(), *inputs.values()) if c.of("pressure") or c.of("pressure", "set")), None
+    )
+    read = [c for c in outputs.values() if c.meaning and c.meaning.kind in _MECHANICAL]
+    imposed = [c for c in inputs.values() if c.meaning and c.meaning.kind in _MECHANICAL]
+    doubt = sum(1.0 for c in read if _held(c, pressure))
+    doubt += sum(0.5 if c.of("force") else 0.4 for c in imposed if not _held(c, pressure))
+    return doubt + (0.5 if len(read) > 1 and not any(_held(c, pressure) for c in read) else 0.0)
+
+
+def _held(column: Found, pressure: Found | None) -> bool:
+    """Whether a column is held, and not just at rest where the pressure is."""
+    return column.held and (
+        pressure is None or abs(correlation(pressure.values, column.values)) < CRITERIA.recognition.follows
+    )
+
+
+def _nothing_fits(nearest: Choice, columns: Sequence[Found]) -> str:
+    known = [f"{c.name} ({c.meaning})" for c in columns if c.meaning is not None and not c.of("time")]
+    hint = "say what columns are, as --column p='Druck 1', or the bench, --model NAME ('pam-cosim bench --list')"
+    if not known:
+        return f"no column is recognised among {listed(c.name for c in columns if not c.of('time'))}; {hint}"
+    lacks = f"the inputs {listed(nearest.unfed)}" if nearest.unfed else "a measured output"
+    said = f"what is recognised, {listed(known)}, feeds no bench; the nearest, {nearest.ports.name}, lacks {lacks}"
+    return f"{said}; {hint}"

@@ -1,0 +1,294 @@
+"""The columns of all recordings, and what each is: by its words, its unit, and what its numbers look like."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.drafting.rest import is_constant, is_held, is_switch, span
+from pam_cosim.drafting.words import Meaning, fits, read_heading, usual_unit
+from pam_cosim.errors import InputError
+from pam_cosim.measurement.experiment import RecordingTable
+from pam_cosim.measurement.formats import is_text, read_table
+from pam_cosim.measurement.table import Column, Layout, Table
+from pam_cosim.measurement.text_table import text_columns
+from pam_cosim.units import seconds
+from pam_cosim.wording import did_you_mean, listed, shown
+
+_C = CRITERIA.recognition
+
+
+@dataclass(frozen=True)
+class Source:
+    """One recording: its file, its table, and the columns of text that are left out."""
+
+    file: Path
+    table: Table
+    texts: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Found:
+    """A column of that name in every recording that has it.
+
+    Attributes:
+        unit: as the registry of units has it; stated in the file, or guessed.
+        stated: the file states it so that it can be read.
+        meaning: None: nobody knows.
+        why: what ``meaning`` and ``unit`` were guessed from, in sentences without a subject.
+        known: share of its words that are known.
+        values: numbers in its unit by the number of the recording.
+    """
+
+    name: str
+    unit: str
+    stated: bool
+    meaning: Meaning | None
+    values: dict[int, Array]
+    why: tuple[str, ...] = ()
+    absolute: bool = False
+    known: float = 0.0
+    places: dict[int, Column] = field(default_factory=dict)
+
+    @property
+    def every(self) -> Array:
+        """All its numbers."""
+        return np.concatenate([*self.values.values(), np.empty(0)])
+
+    @cached_property
+    def held(self) -> bool:
+        """It hardly moves within runs beside what it does between them, or steps from one value to another."""
+        whole = span(self.every)
+        own = max(span(one) for one in self.values.values())
+        return (
+            whole == 0.0
+            or own <= _C.imposed * whole
+            or all(is_held(one) or is_constant(one) for one in self.values.values())
+        )
+
+    @cached_property
+    def whole(self) -> bool:
+        """It lacks so few samples that it may be meant as an input."""
+        return float(np.mean(np.isnan(self.every))) <= _C.gaps
+
+    def of(self, kind: str, *roles: str) -> bool:
+        """Whether it is of a kind, with just these roles."""
+        return self.meaning == Meaning(kind, frozenset(roles))
+
+
+def read_sources(files: Sequence[Path], stated: RecordingTable) -> list[Source]:
+    """Reads every file; columns of text are left out.
+
+    Raises:
+        InputError: as the readers, with file, line and column.
+    """
+    layout = Layout(
+        encoding=stated.encoding,
+        separator=stated.separator,
+        decimal=stated.decimal,
+        names=None if stated.names is None else tuple(stated.names),
+        header_line=stated.header_line,
+        units_line=stated.units_line,
+        table=stated.table,
+        ignore=tuple(stated.ignore or ()),
+    )
+    sources = []
+    for file in files:
+        try:
+            texts = text_columns(file, layout) if is_text(file) else ()
+            table = read_table(file, replace(layout, ignore=(*layout.ignore, *texts)))
+        except InputError as error:
+            here = " (here: --recording KEY=VALUE)" if "[recording]" in error.message else ""
+            raise InputError(f"{error.message}{here}", error.file, error.line, error.column) from None
+        if not table.columns:
+            raise InputError("there is no column of numbers", file)
+        sources.append(Source(file, table, texts))
+    return sources
+
+
+def find_columns(sources: Sequence[Source], asked: Mapping[str, str]) -> list[Found]:
+    """Every column of numbers and what it is; ``asked`` are columns by the names that the user gave them.
+
+    Raises:
+        InputError: a column that is asked for is in no file.
+    """
+    names = dict.fromkeys(name for source in sources for name in source.table.columns)
+    columns = [_found(name, sources) for name in names]
+    columns = _time(_valves(_supply(columns)), sources, asked.get("time"))
+    _check_alike(columns, sources)
+    return columns
+
+
+def _check_alike(columns: Sequence[Found], sources: Sequence[Source]) -> None:
+    """Raises InputError where recordings call the same quantity by different names: one would be lost."""
+    for one in columns:
+        for other in columns:
+            if one.meaning is not None and one.meaning == other.meaning and not one.values.keys() & other.values.keys():
+                there, here = sources[min(one.values)].file.name, sources[min(other.values)].file
+                message = f"{there} calls the {one.meaning} {shown(one.name)}; files of one kind are drafted together"
+                raise InputError(message, here, None, other.name)
+
+
+def _found(name: str, sources: Sequence[Source]) -> Found:
+    places = {i: s.table.columns[name] for i, s in enumerate(sources) if name in s.table.columns}
+    units = {column.unit for column in places.values()}
+    first = next(iter(places.values()))
+    reading = read_heading(name, first.unit)
+    values = {i: column.values for i, column in places.items() if np.isfinite(column.values).any()}
+    one = Found(
+        name, reading.unit, reading.written and len(units) == 1, reading.meaning, values,
+        absolute=reading.absolute, known=reading.known, places=places,
+    )  # fmt: skip
+    if len(units) > 1:
+        other = next(i for i, column in places.items() if column.unit != first.unit)
+        message = (
+            f"its unit is {shown(first.unit)} in {sources[min(places)].file.name} and {shown(places[other].unit)} here"
+        )
+        raise InputError(f"{message}; draft data sets of their own", sources[other].file, None, name)
+    if not values:
+        return replace(one, meaning=None, why=("it is empty",))
+    if one.meaning is None:
+        return one
+    if reading.known == 0.0:
+        one = replace(one, why=(f"its unit is {reading.unit}",))
+    if not reading.unit:
+        return _with_unit(one)
+    if not one.stated:
+        one = replace(one, why=(*one.why, f"unit {reading.unit} by its name"))
+    return one
+
+
+def _with_unit(one: Found) -> Found:
+    """A column without a unit, which its numbers suggest."""
+    assert one.meaning is not None
+    kind = one.meaning.kind
+    if kind == "current" and is_switch(one.every):
+        one = replace(one, meaning=Meaning("command", one.meaning.roles), why=(*one.why, "it has two values"))
+        kind = "command"
+    if kind == "time":
+        return one
+    if kind == "voltage":
+        return replace(one, meaning=None)
+    largest = float(np.nanmax(np.abs(one.every))) if np.isfinite(one.every).any() else 0.0
+    unit = usual_unit(kind, largest)
+    why = f"no unit is written; numbers up to {largest:.4g} are taken as {unit}" if unit else ""
+    return replace(one, unit=unit, why=(*one.why, why) if why else one.why)
+
+
+def _supply(columns: list[Found]) -> list[Found]:
+    """Of two pressures of which none is called so, the one that stays above the other is the supply's."""
+    plain = [c for c in columns if c.of("pressure") and c.unit]
+    if (
+        len(plain) != 2
+        or any(c.of("pressure", "supply") for c in columns)
+        or plain[0].values.keys() != plain[1].values.keys()
+    ):
+        return columns
+    for one, other in (plain, plain[::-1]):
+        if one.unit == other.unit and _feeds(one.every, other.every):
+            meaning = Meaning("pressure", frozenset({"supply"}))
+            made = replace(one, meaning=meaning, why=(*one.why, f"it stays above '{other.name}' and varies little"))
+            return [made if c is one else c for c in columns]
+    return columns
+
+
+def _feeds(one: Array, other: Array) -> bool:
+    """Whether one pressure stays above another and varies little."""
+    steady = float(np.nanmin(one)) > 0.0 and span(one) < _C.steady * float(np.nanmean(one))
+    return steady and float(np.mean(one >= other)) > _C.held and span(other) > span(one)
+
+
+def _valves(columns: list[Found]) -> list[Found]:
+    """Of two signals of valves that do not say which, the first is the inlet's; one alone is too."""
+    for kind in ("current", "command"):
+        of_kind = [c for c in columns if c.meaning is not None and c.meaning.kind == kind]
+        bare = [c for c in of_kind if c.of(kind)]
+        if bare and len(of_kind) <= 2:
+            taken = {role for c in of_kind if c.meaning for role in c.meaning.roles}
+            left = [role for role in ("inlet", "exhaust") if role not in taken]
+            for column, role in zip(bare, left, strict=False):
+                why = f"the {role} valve's, " + (
+                    "as the first of two" if role == "inlet" else "as the other one is not"
+                )
+                why = why if len(of_kind) > 1 else "the only one: the inlet valve's"
+                made = replace(column, meaning=Meaning(kind, frozenset({role})), why=(*column.why, why))
+                columns = [made if c is column else c for c in columns]
+    return columns
+
+
+def _time(columns: list[Found], sources: Sequence[Source], asked: str | None) -> list[Found]:
+    """The columns with one of time at most, and its unit."""
+    if asked is not None:
+        wanted = next((c for c in columns if c.name == asked), None)
+        if wanted is None:
+            raise InputError(f"no file has a column {shown(asked)}; {did_you_mean(asked, [c.name for c in columns])}")
+        why = wanted.why
+    else:
+        likely = [c for c in columns if c.of("time") and _rises(c)]
+        wanted, why = max(likely, key=lambda c: c.known, default=None), ()
+        if wanted is None:
+            wanted = next((c for c in columns if c.meaning is None and _rises(c) and _fits_time(c)), None)
+            why = ("its numbers rise from row to row",)
+        if wanted is None:
+            wanted = next((c for c in columns if c.of("time")), None)  # Its fault is told when it is read.
+            why = ()
+    rest = [_no_time(c) if c.of("time") else c for c in columns]
+    if wanted is None:
+        return rest
+    unit, more = (wanted.unit, wanted.why) if wanted.unit and fits(wanted.unit, "time") else _unit_of_time(wanted)
+    made = replace(wanted, meaning=Meaning("time"), unit=unit, why=(*why, *more))
+    return [made if c.name == wanted.name else c for c in rest]
+
+
+def _no_time(column: Found) -> Found:
+    """Beside a column of time, a capital T is a temperature."""
+    if column.name.strip() != "T" or column.unit:
+        return replace(column, meaning=None, why=())
+    return _with_unit(replace(column, meaning=Meaning("temperature"), why=("another column is the time",)))
+
+
+def _fits_time(column: Found) -> bool:
+    return not column.unit or fits(column.unit, "time")
+
+
+def _rises(column: Found) -> bool:
+    return bool(column.values) and all(
+        len(one) > 1 and bool((np.diff(one) >= 0).all()) and one[-1] > one[0] for one in column.values.values()
+    )
+
+
+def _unit_of_time(column: Found) -> tuple[str, tuple[str, ...]]:
+    steps = np.concatenate([np.diff(one) for one in column.values.values()] or [np.empty(0)])
+    step = float(np.median(steps[np.isfinite(steps)])) if np.isfinite(steps).any() else 0.0
+    whole = bool((column.every == np.round(column.every)).all())
+    unit = (
+        "ms"
+        if whole and max((len(one) for one in column.values.values()), default=0) >= CRITERIA.noise.fewest_samples
+        else "s"
+    )
+    return unit, (f"no unit is written; steps of {step:.4g} are taken as {unit}",)
+
+
+def check_time(columns: Sequence[Found], sources: Sequence[Source], recording: RecordingTable) -> Found | None:
+    """The column of time; None where an interval is stated instead.
+
+    Raises:
+        InputError: there is neither.
+    """
+    time = next((c for c in columns if c.of("time")), None)
+    if recording.interval is not None:
+        seconds(recording.interval)
+        return None
+    for i, source in enumerate(sources):
+        if time is None or i not in time.values:
+            hint = "say which by --column time=NAME, or --recording interval='1 ms' where rows are evenly apart"
+            texts = f"; {listed(map(shown, source.texts))} is text, dates are not read" if source.texts else ""
+            message = f"there is no column of time among {listed(source.table.columns)}{texts}; {hint}"
+            raise InputError(message, source.file, source.table.header_line)
+    return time

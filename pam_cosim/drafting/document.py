@@ -1,0 +1,237 @@
+"""``experiment.toml`` as an experienced user would write it, with a remark beside whatever was guessed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from textwrap import wrap
+
+from pam_cosim.drafting.mapping import Entry
+from pam_cosim.drafting.noise import Sigma
+from pam_cosim.drafting.roles import Role
+from pam_cosim.drafting.values import Told, text_of
+from pam_cosim.interface import Interface, Variable
+from pam_cosim.measurement.experiment import RecordingTable
+from pam_cosim.measurement.toml_text import toml_key, toml_string
+
+_WIDTH = 110
+
+
+@dataclass(frozen=True)
+class Draft:
+    """Everything that the file says.
+
+    Attributes:
+        entries: of ``[columns]``.
+        ignored: names of columns that are not read, and why.
+        sigmas: by signals that count; ``shown`` are compared only.
+        stated: parameters that the user states.
+        told: by recording, what it tells of itself.
+        interpolation: of each recording's inputs.
+        resample: proposed for long recordings.
+        having: which recordings have the column of a signal, if only empty.
+    """
+
+    title: str
+    model: str
+    why_model: str
+    interface: Interface
+    recording: RecordingTable
+    entries: Mapping[str, Entry]
+    ignored: Mapping[str, str]
+    sigmas: Mapping[str, Sigma]
+    shown: Sequence[str]
+    stated: Mapping[str, str]
+    unfed: Sequence[str]
+    free: Mapping[str, Variable]
+    perhaps: Mapping[str, Variable]
+    to_state: Mapping[str, Variable]
+    files: Sequence[str]
+    roles: Sequence[Role]
+    told: Sequence[Mapping[str, Told]]
+    interpolation: Sequence[str]
+    resample: str = ""
+    having: Mapping[str, Sequence[int]] = field(default_factory=dict)
+
+
+def document(draft: Draft) -> str:
+    """The text."""
+    blocks = [_head(draft), _recording(draft), _columns(draft), _signals(draft), _parameters(draft), _fit(draft)]
+    blocks += [_run(draft, i) for i in range(len(draft.files))]
+    return "\n\n".join("\n".join(lines) for block in blocks if (lines := list(block))) + "\n"
+
+
+def remark(text: str) -> list[str]:
+    """Lines of a comment; what does not print is left out, so that no text of a file ends it."""
+    plain = " ".join("".join(c if c.isprintable() else " " for c in text).split())
+    return [f"# {line}" for line in wrap(plain, _WIDTH)]
+
+
+def _guessed(what: str, why: str) -> list[str]:
+    return remark(f"guessed: {what}, because {why}" if what else f"guessed: {why}")
+
+
+def _head(draft: Draft) -> Iterator[str]:
+    yield from remark("Drafted by pam-cosim new. Whatever was guessed is marked; check it and take the mark away.")
+    yield f"title = {toml_string(draft.title)}"
+    yield from remark(draft.why_model)
+    yield f"model = {toml_string(draft.model)}"
+
+
+def _recording(draft: Draft) -> Iterator[str]:
+    stated = draft.recording.model_dump(exclude_none=True, exclude_unset=True)
+    stated.pop("ignore", None)
+    if not stated and not draft.ignored and not draft.resample:
+        return
+    yield "[recording]"
+    if draft.resample:
+        yield from remark(
+            "A long recording: means over this would make a fit quicker, if it is short beside what happens."
+        )
+        yield f"# resample = {_value(draft.resample)}"
+    for name, value in stated.items():
+        yield f"{name} = {_value(value)}"
+    for name, why in draft.ignored.items():
+        yield from remark(f"not read: {name}, {why}")
+    if draft.ignored:
+        yield f"ignore = {_value(list(draft.ignored))}"
+
+
+def _columns(draft: Draft) -> Iterator[str]:
+    shared = [entry for entry in draft.entries.values() if not _own(draft, entry) and _told(entry)]
+    if shared:
+        yield "[columns]"
+    for entry in shared:
+        yield from _entry(entry, next(iter(entry.zero.values()), None))
+
+
+def _own(draft: Draft, entry: Entry) -> bool:
+    """Whether the entry differs between recordings, or is of some only."""
+    having = draft.having.get(entry.name, range(len(draft.files)))
+    zeros = set(entry.zero.values())
+    return len(having) < len(draft.files) or len(zeros) > 1 or (bool(zeros) and len(entry.zero) < len(having))
+
+
+def _told(entry: Entry) -> bool:
+    renamed = entry.column is not None and entry.column != entry.name
+    return bool(renamed or entry.unit or entry.formula or entry.zero)
+
+
+def _entry(entry: Entry, zero: tuple[float, float] | None) -> Iterator[str]:
+    if entry.why:
+        yield from _guessed(f"{entry.name} is {entry.column or entry.formula}", "; ".join(entry.why))
+    cells = []
+    if entry.formula is not None:
+        cells.append(f"formula = {toml_string(entry.formula)}")
+    elif entry.column is not None and entry.column != entry.name:
+        cells.append(f"column = {toml_string(entry.column)}")
+    if entry.unit and entry.formula is None:
+        cells.append(f"unit = {toml_string(entry.unit)}")
+    if zero is not None:
+        cells.append(f'zero = {{ from = "{seconds(zero[0])}", to = "{seconds(zero[1])}" }}')
+    yield f"{toml_key(entry.name)} = {{ {', '.join(cells)} }}"
+
+
+def seconds(time: float) -> str:
+    """A time without needless digits."""
+    return f"{time:.6f}".rstrip("0").rstrip(".") + " s"
+
+
+def _signals(draft: Draft) -> Iterator[str]:
+    for name, sigma in draft.sigmas.items():
+        yield f"[signals.{toml_key(name)}]"
+        if sigma.value is None:
+            yield from remark(f"sigma is left out: {sigma.why}")
+            continue
+        yield from _guessed("sigma", f"it is {sigma.why}")
+        yield f"sigma = {_quantity(sigma.value, draft.interface.outputs[name].unit, 3)}"
+    for name in draft.shown:
+        yield from remark(f"{name} is compared and not fitted; a table [signals.{name}] would change that")
+
+
+def _parameters(draft: Draft) -> Iterator[str]:
+    lines = [f"{toml_string(name)} = {_value(value)}" for name, value in draft.stated.items()]
+    inputs = [
+        (name, v) for name, v in draft.interface.inputs.items() if name in draft.unfed and name not in draft.stated
+    ]
+    rest = {
+        n: v for n, v in draft.to_state.items() if n not in draft.stated and not all(n in told for told in draft.told)
+    }
+    if not lines and not inputs and not rest:
+        return
+    yield "[parameters]"
+    yield from lines
+    for name, variable in inputs:
+        yield from remark("no column was recognised as this input: the bench's default is used until you state yours")
+        yield _commented(name, variable)
+    if rest:
+        yield from remark("The bench's own values, not those of your rig: state yours, above all geometry and load.")
+    for name, variable in rest.items():
+        yield _commented(name, variable)
+
+
+def _commented(name: str, variable: Variable) -> str:
+    said = " ".join(remark(variable.description)).removeprefix("# ")
+    return f"# {toml_string(name)} = {_quantity(variable.start or 0.0, variable.unit, 6)}   # {said}: state yours"
+
+
+def _fit(draft: Draft) -> Iterator[str]:
+    known = set(draft.stated) | {name for told in draft.told for name in told}
+    free = {name: v for name, v in draft.free.items() if name not in known}
+    more = {name: v for name, v in draft.perhaps.items() if name not in known}
+    if not free and not more:
+        return
+    yield "[fit]"
+    if free:
+        yield from _guessed("", "free are calibrations, lag and droop, which only a fit tells; bounds are the model's")
+    for name, variable in free.items():
+        yield f"{_bounds(name, variable)}   {' '.join(remark(variable.description))}"
+    if more:
+        yield from remark("more that may be left free:")
+    for name, variable in more.items():
+        yield f"# {_bounds(name, variable)}   {' '.join(remark(variable.description))}"
+
+
+def _bounds(name: str, variable: Variable) -> str:
+    low, high = (_quantity(one or 0.0, variable.unit, 6) for one in (variable.min, variable.max))
+    return f"{toml_string(name)} = {{ min = {low}, max = {high} }}"
+
+
+def _run(draft: Draft, i: int) -> Iterator[str]:
+    yield "[[runs]]"
+    yield f"file = {toml_string(draft.files[i])}"
+    role = draft.roles[i]
+    if role.why:
+        yield from _guessed("held out", role.why)
+    yield f'role = "{role.role}"'
+    if draft.interpolation[i] != "linear":
+        yield from _guessed("inputs keep their value until the next sample", "they step and stay")
+        yield f'interpolation = "{draft.interpolation[i]}"'
+    told = draft.told[i]
+    if told:
+        yield "[runs.parameters]"
+    for name, one in told.items():
+        yield from _guessed(name, one.why)
+        yield f"{toml_string(name)} = {_value(one.value)}"
+    own = [e for e in draft.entries.values() if _own(draft, e) and i in draft.having.get(e.name, ()) and _told(e)]
+    if own:
+        yield "[runs.columns]"
+    for entry in own:
+        yield from _entry(entry, entry.zero.get(i))
+
+
+def _quantity(value: float, unit: str, digits: int) -> str:
+    return _value(text_of(float(f"{value:.{digits}g}"), unit))
+
+
+def _value(value: object) -> str:
+    """A TOML value; what is a plain number stands without quotes."""
+    if isinstance(value, list):
+        return f"[{', '.join(map(_value, value))}]"
+    if isinstance(value, int):
+        return str(value)
+    text = str(value)
+    try:
+        return f"{float(text):.12g}" if text.strip()[:1].isdigit() or text.strip()[:1] in "-.+" else toml_string(text)
+    except ValueError:
+        return toml_string(text)

@@ -1,0 +1,166 @@
+"""A new data set from recordings: what is recognised becomes ``experiment.toml`` and is read as any other."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.compiler import ClassTree
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.drafting import values
+from pam_cosim.drafting.bench import Bench, class_name, take_bench
+from pam_cosim.drafting.choice import meaning_of
+from pam_cosim.drafting.document import Draft, document
+from pam_cosim.drafting.folder import beside, check_place, copy_files, put, read_draft
+from pam_cosim.drafting.mapping import Course, Mapped, map_columns
+from pam_cosim.drafting.noise import Sigma, sigma_of
+from pam_cosim.drafting.rest import is_held, is_switch
+from pam_cosim.drafting.roles import roles
+from pam_cosim.drafting.telling import NewDataSet, guesses, next_commands, to_check
+from pam_cosim.drafting.wishes import Known, Wishes, known
+from pam_cosim.errors import InputError
+from pam_cosim.interface import Interface, Variable
+from pam_cosim.measurement.experiment import FILE_NAME
+from pam_cosim.units import UnitError
+
+_NAME = re.compile(r"'([^']*)'|([A-Za-z_]\w*)", re.ASCII)
+
+
+def draft(
+    folder: Path,
+    files: Sequence[Path],
+    wishes: Wishes,
+    tree: ClassTree,
+    describe: Callable[[str], Interface],
+    extra: Sequence[Path] = (),
+) -> NewDataSet:
+    """Drafts the data set and puts it in place.
+
+    Args:
+        folder: missing or empty.
+        files: one recording each; they are copied.
+        wishes: what the user says.
+        tree: the library and the user's files.
+        describe: gives the interface of a model.
+        extra: further Modelica files that the model needs; only named in what to type next.
+
+    Raises:
+        InputError: whatever cannot be used, with file, line and column; nothing is written then.
+    """
+    check_place(folder)
+    recorded = known(files, wishes)
+    with beside(folder) as place:
+        bench = take_bench(place, class_name(folder), wishes, recorded, tree, describe)
+        copies = copy_files(files, place)
+        try:
+            values.check(recorded.stated, bench.interface)
+        except UnitError as error:
+            raise InputError(f"--parameter {error}") from None
+        mapped = map_columns(bench.choice, bench.interface, recorded)
+        made = _content(wishes.title or folder.resolve().name, bench, recorded, mapped, copies)
+        (place / FILE_NAME).write_text(document(made), encoding="utf-8", newline="\n")
+        data = read_draft(place, dict(zip(copies, files, strict=True)), describe)
+        put(place, folder)
+    told = guesses(made, bench.choice, recorded.time), to_check(made, mapped, bench.choice)
+    return NewDataSet(folder, data, bench.name, *told, next_commands(folder, extra))
+
+
+def _content(title: str, bench: Bench, recorded: Known, mapped: Mapped, copies: Sequence[str]) -> Draft:
+    """What the file says."""
+    interface, choice = bench.interface, bench.choice
+    told = _told(bench, recorded, mapped)
+    traits = [{name: one.number for name, one in run.items()} for run in told]
+    outputs = [name for name in interface.outputs if name in choice.outputs or name in recorded.formulas]
+    shown = [name for name in outputs if len(outputs) > 1 and _is_temperature(interface.outputs[name])]
+    return Draft(
+        title=title,
+        model=bench.name,
+        why_model=bench.why,
+        interface=interface,
+        recording=recorded.recording,
+        entries=mapped.entries,
+        ignored=_ignored(bench, recorded, mapped),
+        sigmas={name: _sigma(name, bench, recorded, mapped) for name in outputs if name not in shown},
+        shown=shown,
+        stated=recorded.stated,
+        unfed=choice.unfed,
+        free=values.free(interface),
+        perhaps=values.perhaps(interface),
+        to_state=values.to_state(interface),
+        files=copies,
+        roles=roles(mapped.courses, interface, traits),
+        told=told,
+        interpolation=[_interpolation(course.inputs) for course in mapped.courses],
+        resample=_means(mapped.courses),
+        having={name: sorted(column.places) for name, column in choice.fed.items()},
+    )
+
+
+def _told(bench: Bench, recorded: Known, mapped: Mapped) -> list[dict[str, values.Told]]:
+    """What each recording tells of itself, as far as the user does not state it."""
+    interface = bench.interface
+    left = [column for column in recorded.columns if column not in bench.choice.fed.values()]
+    of_names = values.in_names(recorded.files, interface)
+    of_columns = values.recorded(left, interface, len(recorded.sources))
+    told = [
+        {**values.starts(course, interface), **names, **columns}
+        for course, names, columns in zip(mapped.courses, of_names, of_columns, strict=True)
+    ]
+    return [{name: one for name, one in run.items() if name not in recorded.stated} for run in told]
+
+
+def _is_temperature(variable: Variable) -> bool:
+    """A thermometer lags behind the gas: it is compared, and nothing is fitted to it."""
+    meaning = meaning_of(variable)
+    return meaning is not None and meaning.kind == "temperature"
+
+
+def _sigma(name: str, bench: Bench, recorded: Known, mapped: Mapped) -> Sigma:
+    if name in recorded.formulas:
+        return Sigma(None, "it is of a formula of yours: the software estimates it from the samples")
+    return sigma_of(name, bench.interface.outputs[name].unit, mapped.courses, recorded.files)
+
+
+def _interpolation(inputs: Mapping[str, Array]) -> str:
+    """``previous`` where inputs keep their values between steps."""
+    steps = [values for values in inputs.values() if is_held(values) or is_switch(values)]
+    return "previous" if steps else "linear"
+
+
+def _means(courses: Sequence[Course]) -> str:
+    """An interval that leaves as many rows as a fit needs; "" where there are no more."""
+    longest = max(courses, key=lambda one: len(one.time))
+    if len(longest.time) <= CRITERIA.recognition.long:
+        return ""
+    interval = float(np.ptp(longest.time)) / CRITERIA.recognition.long
+    return f"{float(f'{1e3 * interval:.1g}'):g} ms"
+
+
+def _ignored(bench: Bench, recorded: Known, mapped: Mapped) -> dict[str, str]:
+    """Columns that are not read, and why."""
+    choice = bench.choice
+    used = {entry.column for entry in mapped.entries.values()} | {c.name for c in choice.fed.values()}
+    for entry in mapped.entries.values():  # Quantities stand in double quotes, names bare or in single ones.
+        named = _NAME.findall(re.sub(r'"[^"]*"', "", entry.formula or ""))
+        used |= {quoted or bare for quoted, bare in named}
+    ignored = {name: "a column of text" for source in recorded.sources for name in source.texts}
+    by_meaning = {column.meaning: name for name, column in choice.fed.items()}
+    for column in recorded.columns:
+        if column.name in used:
+            continue
+        if column.meaning is None:
+            why = "nobody knows what it is"
+        elif column.meaning.kind == "voltage":
+            why = "a voltage; a formula under [columns] can scale it"
+        elif column.meaning in by_meaning:
+            name = by_meaning[column.meaning]
+            why = f"it could be {name} too; --column {name}='{column.name}' would take it"
+        else:
+            parameter = "ambient" in column.meaning.roles or column.meaning.kind == "mass"
+            why = f"{column.meaning}, " + ("a parameter" if parameter else "which this bench neither takes nor shows")
+        ignored[column.name] = why
+    return ignored

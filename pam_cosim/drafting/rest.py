@@ -1,0 +1,144 @@
+"""Where a recording is at rest, and what it looks like otherwise: held, stepping, a switch."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import isfinite, sqrt
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.measurement.noise import estimate_noise, record_step
+
+_C = CRITERIA.recognition
+
+
+@dataclass(frozen=True)
+class Rest:
+    """Samples ``start`` to ``stop`` of a run, in which nothing moves."""
+
+    start: int
+    stop: int
+
+    @property
+    def count(self) -> int:
+        """How many samples."""
+        return self.stop - self.start
+
+
+def span(values: Array) -> float:
+    """Largest less smallest value."""
+    present = values[np.isfinite(values)]
+    return float(np.ptp(present)) if present.size else 0.0
+
+
+def noise_of(time: Array, values: Array) -> float:
+    """Standard deviation as ``estimate_noise`` has it, of pieces of a long recording; 0: not known."""
+    count, most = len(values), _C.noise_samples
+    starts = [0] if count <= most * _C.noise_pieces else np.linspace(0, count - most, _C.noise_pieces).astype(int)
+    size = count if len(starts) == 1 else most
+    found = [estimate_noise(time[s : s + size], values[s : s + size]) for s in starts]
+    known = [one for one in found if isfinite(one)]
+    return float(np.median(known)) if known else 0.0
+
+
+def moving(time: Array, values: Array) -> np.ndarray:
+    """(n,) whether a signal moves there: means over neighbouring windows differ by more than noise lets them."""
+    count = len(values)
+    window = max(_C.fewest_in_window, min(round(_C.window * count), _C.most_in_window))
+    moves = np.zeros(count, dtype=bool)
+    if count < 2 * window or span(values) == 0.0:
+        return moves
+    filled = _filled(values)
+    sums = np.concatenate([[0.0], np.cumsum(filled - filled[0])])
+    means = (sums[window:] - sums[:-window]) / window
+    change = np.abs(means[window:] - means[:-window])
+    band = max(_C.still_noise * noise_of(time, filled) * sqrt(2.0 / window), _C.still * span(filled))
+    edges = np.zeros(count + 1)
+    at = np.flatnonzero(change > band)
+    half = window // 2  # The motion lies about the border of the two windows; at the ends, anywhere in them.
+    np.add.at(edges, np.where(at == 0, 0, at + half), 1.0)
+    np.add.at(edges, np.where(at == len(change) - 1, count, at + 2 * window - half), -1.0)
+    return np.asarray(np.cumsum(edges[:-1]) > 0.0)
+
+
+def rests(time: Array, columns: Sequence[Array]) -> list[Rest]:
+    """The intervals in which no column moves, of enough samples to tell noise by."""
+    still = np.ones(len(time), dtype=bool)
+    for values in columns:
+        still &= ~moving(time, values)
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], still, [False]]).astype(int)))
+    ends = [Rest(int(a), int(b)) for a, b in zip(edges[::2], edges[1::2], strict=True)]
+    known = [(values, noise_of(time, values), _C.still * span(values)) for values in columns]
+    return [level for one in ends for level in _levels(one, known)]
+
+
+def _levels(rest: Rest, columns: Sequence[tuple[Array, float, float]]) -> list[Rest]:
+    """The interval, cut into halves as long as these differ: a slow drift is no rest."""
+    if rest.count < CRITERIA.noise.fewest_samples:
+        return []
+    middle = (rest.start + rest.stop) // 2
+    halves = Rest(rest.start, middle), Rest(middle, rest.stop)
+    band = _C.still_noise * 2.0 / sqrt(rest.count)
+    for values, noise, least in columns:
+        one, other = (values[half.start : half.stop] for half in halves)
+        if not (np.isfinite(one).any() and np.isfinite(other).any()):
+            continue
+        if abs(float(np.nanmean(other)) - float(np.nanmean(one))) > max(band * noise, least):
+            return [level for half in halves for level in _levels(half, columns)]
+    return [rest]
+
+
+def noise_at_rest(time: Array, values: Array, rest: Rest) -> tuple[float, float]:
+    """Standard deviation at rest and the step of the record (0: none); 0 where the samples show neither."""
+    most = _C.noise_samples * _C.noise_pieces
+    inside = slice(rest.start, min(rest.stop, rest.start + most))
+    step = record_step(values[:most])
+    sigma = estimate_noise(time[inside], values[inside])
+    if not isfinite(sigma):
+        steps = np.diff(values[inside])
+        sigma = sqrt(float(np.nanmean(steps**2)) / 2.0) if np.isfinite(steps).any() else 0.0
+    sigma = max(sigma, step / sqrt(12.0))
+    return (sigma, step) if sigma > _C.noiseless * span(values) else (0.0, 0.0)
+
+
+def correlation(one: Mapping[int, Array], other: Mapping[int, Array]) -> float:
+    """Between two signals of several recordings, each less its mean in the recording; 0 where one is constant."""
+    pairs = [(one[i] - np.nanmean(one[i]), other[i] - np.nanmean(other[i])) for i in other if i in one]
+    a, b = (np.concatenate(side) for side in zip(*pairs, strict=True)) if pairs else (np.zeros(1), np.zeros(1))
+    known = np.isfinite(a) & np.isfinite(b)
+    norm = sqrt(float(np.sum(a[known] ** 2) * np.sum(b[known] ** 2)))
+    return float(np.sum(a[known] * b[known])) / norm if norm else 0.0
+
+
+def is_constant(values: Array) -> bool:
+    """Whether a column is noise about one value."""
+    count = np.arange(len(values), dtype=float)
+    return span(values) <= _C.constant * noise_of(count, values)
+
+
+def is_switch(values: Array) -> bool:
+    """Whether a column has two values only."""
+    present = values[np.isfinite(values)]
+    return (
+        bool(present.size) and len(np.unique(present[:: max(1, len(present) // 100_000)])) <= 2 and span(values) > 0.0
+    )
+
+
+def is_held(values: Array) -> bool:
+    """Whether a column keeps its value between steps, and takes some, each within one sample."""
+    if span(values) == 0.0:
+        return False
+    changed = np.abs(np.diff(values[np.isfinite(values)])) > _C.still * span(values)
+    alone = int(changed.sum()) - int((changed[1:] & changed[:-1]).sum())
+    return bool(changed.any()) and float(np.mean(~changed)) >= _C.held and 2 * alone > int(changed.sum())
+
+
+def _filled(values: Array) -> Array:
+    present = np.isfinite(values)
+    if present.all():
+        return values
+    places = np.arange(len(values))
+    return np.asarray(np.interp(places, places[present], values[present]))

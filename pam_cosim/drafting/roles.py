@@ -1,0 +1,116 @@
+"""Which recordings are held out: they differ from those that are fitted, and lie within what those span."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.drafting.mapping import Course
+from pam_cosim.drafting.rest import is_constant, span
+from pam_cosim.interface import Interface
+from pam_cosim.units import format_quantity
+
+_C = CRITERIA.recognition
+
+
+@dataclass(frozen=True)
+class Role:
+    """``fit`` or ``holdout``, and why."""
+
+    role: str
+    why: str = ""
+
+
+@dataclass(frozen=True)
+class _Trait:
+    """One number of each recording, such as the mean of an input; NaN where it has none."""
+
+    name: str
+    unit: str
+    values: Array
+
+
+def roles(courses: Sequence[Course], interface: Interface, own: Sequence[dict[str, float]] = ()) -> list[Role]:
+    """One for each recording.
+
+    A quarter is held out, each the one that differs most from its nearest neighbour among those that are fitted while
+    every trait of it (level, span and pace of each signal, and what is known of the run) lies between theirs; where
+    there is none, the one that lies least outside.
+    """
+    count = len(courses)
+    made = [Role("fit") for _ in courses]
+    if count < _C.runs_to_hold_out:
+        return made
+    traits = [t for t in _traits(courses, interface, own) if np.isfinite(t.values).all() and _differ(t.values)]
+    if not traits:
+        made[-1] = Role("holdout", "the last: as far as is seen, all are alike")
+        return made
+    scaled = np.array([(t.values - t.values.min()) / span(t.values) for t in traits]).T
+    left = list(range(count))
+    for _ in range(max(1, round(_C.held_out * count))):
+        order = sorted((_outside(scaled, left, i), -_apart(scaled, left, i), i) for i in left)
+        outside, _, chosen = order[0]
+        left.remove(chosen)
+        made[chosen] = Role("holdout", _why(traits, scaled, left, chosen, outside))
+    return made
+
+
+def _traits(courses: Sequence[Course], interface: Interface, own: Sequence[dict[str, float]]) -> list[_Trait]:
+    variables = {**interface.inputs, **interface.outputs, **interface.parameters}
+    traits = []
+    for name in dict.fromkeys(name for course in courses for name in course.every):
+        unit = variables[name].unit
+        values = [course.every.get(name) for course in courses]
+        whole = span(np.concatenate([v for v in values if v is not None]))
+        held = all(v is None or span(v) <= _C.imposed * whole or is_constant(v) for v in values)
+        traits.append(_Trait(f"mean of {name}", unit, _each(values, lambda v: float(np.nanmean(v)))))
+        if held:
+            continue
+        traits.append(_Trait(f"span of {name}", unit, _each(values, span)))
+        paces = [
+            np.nan
+            if v is None
+            else float(np.nansum(np.abs(np.diff(v[:: max(1, len(v) // 200)])))) / (float(np.ptp(c.time)) or np.inf)
+            for c, v in zip(courses, values, strict=True)
+        ]
+        traits.append(_Trait(f"pace of {name}", f"{unit}/s", np.array(paces)))
+    for name in dict.fromkeys(name for values in own for name in values):
+        traits.append(_Trait(name, variables[name].unit, np.array([values.get(name, np.nan) for values in own])))
+    return traits
+
+
+def _each(values: Sequence[Array | None], number: Callable[[Array], float]) -> Array:
+    return np.array([np.nan if v is None or not np.isfinite(v).any() else number(v) for v in values])
+
+
+def _differ(values: Array) -> bool:
+    return span(values) > _C.alike * float(np.max(np.abs(values)))
+
+
+def _outside(scaled: Array, left: Sequence[int], one: int) -> float:
+    """How far a recording lies outside what the others span, summed over the traits."""
+    others = scaled[[i for i in left if i != one]]
+    low, high = others.min(axis=0), others.max(axis=0)
+    return round(float(np.sum(np.maximum(low - scaled[one], 0.0) + np.maximum(scaled[one] - high, 0.0))), 9)
+
+
+def _apart(scaled: Array, left: Sequence[int], one: int) -> float:
+    """Distance to the nearest other."""
+    others = scaled[[i for i in left if i != one]]
+    return float(np.min(np.sqrt(np.sum((others - scaled[one]) ** 2, axis=1))))
+
+
+def _why(traits: Sequence[_Trait], scaled: Array, left: Sequence[int], one: int, outside: float) -> str:
+    """The trait in which it differs most from its nearest neighbour, and whether it lies within."""
+    near = min(left, key=lambda i: float(np.sum((scaled[i] - scaled[one]) ** 2)))
+    most = int(np.argmax(np.abs(scaled[near] - scaled[one])))
+    trait = traits[most]
+    value = format_quantity(float(trait.values[one]), trait.unit)
+    others = [format_quantity(float(end(trait.values[left])), trait.unit) for end in (np.min, np.max)]
+    place = "within" if outside == 0.0 else "near"
+    theirs = " to ".join(others)
+    return f"it lies {place} what the fitted runs span and differs from each: {trait.name} {value}, theirs {theirs}"

@@ -1,0 +1,115 @@
+"""What is told of a new data set: what was recognised, what was guessed, what to check and to type next."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from shlex import quote
+
+from pam_cosim.drafting import values
+from pam_cosim.drafting.choice import Choice
+from pam_cosim.drafting.columns import Found
+from pam_cosim.drafting.document import Draft
+from pam_cosim.drafting.mapping import Mapped
+from pam_cosim.measurement import DataSet
+from pam_cosim.units import format_quantity
+from pam_cosim.wording import Printed, listed
+
+
+@dataclass(frozen=True)
+class Guess:
+    """One line of what is told: a column or a run, what it is taken for, and why ("": the file says so)."""
+
+    what: str
+    taken_as: str
+    why: str = ""
+
+
+@dataclass(frozen=True)
+class NewDataSet(Printed):
+    """What was written.
+
+    Attributes:
+        folder: of the data set.
+        data: as it reads from there.
+        model: the bench, as ``experiment.toml`` names it.
+        guesses: what each column, run and signal was taken for.
+        to_check: sentences about what only the experimenter knows.
+        next_commands: to type next.
+    """
+
+    folder: Path
+    data: DataSet
+    model: str
+    guesses: tuple[Guess, ...]
+    to_check: tuple[str, ...]
+    next_commands: tuple[str, ...]
+
+    def __str__(self) -> str:
+        rows = [(g.what, g.taken_as, g.why) for g in self.guesses]
+        widths = [max(len(row[k]) for row in rows) for k in (0, 1)]
+        lines = [f"{self.folder}: {_counted(len(self.data.runs))}, bench {self.model}"]
+        lines += [f"  {a:<{widths[0]}}  {b:<{widths[1]}}  {c}".rstrip() for a, b, c in rows]
+        lines += ["to check, and to state in experiment.toml:", *(f"  - {one}" for one in self.to_check)]
+        return "\n".join([*lines, "next:", *(f"  {one}" for one in self.next_commands)])
+
+
+def _counted(runs: int) -> str:
+    return f"{runs} run" if runs == 1 else f"{runs} runs"
+
+
+def guesses(made: Draft, choice: Choice, time: Found | None) -> tuple[Guess, ...]:
+    """A line for each column, for the noise of each signal, and for each recording that is held out."""
+    rows = []
+    for name, entry in made.entries.items():
+        column = choice.fed.get(name) or (time if name == "time" else None)
+        unit = f" [{column.unit}]" if column is not None and column.unit else ""
+        what = column.name if column is not None else entry.formula or ""
+        kind = "" if name == "time" else " (input)" if name in made.interface.inputs else " (measured)"
+        rows.append(Guess(what, f"{name}{unit}{kind}", "guessed: " + "; ".join(entry.why) if entry.why else ""))
+    rows += [Guess(name, "not read", why) for name, why in made.ignored.items()]
+    for name, sigma in made.sigmas.items():
+        unit = made.interface.outputs[name].unit
+        noise = "left out" if sigma.value is None else format_quantity(sigma.value, unit)
+        rows.append(Guess(f"sigma of {name}", noise, f"guessed: {sigma.why}"))
+    rows += [
+        Guess(file, role.role, f"guessed: {role.why}")
+        for file, role in zip(made.files, made.roles, strict=True)
+        if role.why
+    ]
+    return tuple(rows)
+
+
+def to_check(made: Draft, mapped: Mapped, choice: Choice) -> tuple[str, ...]:
+    """What only the experimenter knows."""
+    said = []
+    unknown = [n for n in made.to_state if n not in made.stated and not all(n in told for told in made.told)]
+    open_names = [n for n in unknown if values.is_geometry(made.to_state[n])]
+    if open_names:
+        said.append(
+            f"geometry and load are the bench's own until you state yours under [parameters]: {listed(open_names)}"
+        )
+    if made.why_model:
+        said.append(made.why_model.removeprefix("guessed: ") + "; --model takes another")
+    for name in choice.unfed:
+        if name not in made.stated:
+            said.append(f"no column was recognised as the input {name}: state its value, or --column {name}=...")
+    if not any(role.role == "holdout" for role in made.roles):
+        said.append(f"nothing is held out of {_counted(len(made.roles))}: nothing checks a fit on data it has not seen")
+    under = [f for f, c in zip(made.files, mapped.courses, strict=True) if c.first_rest is None]
+    if under:
+        said.append(f"not at rest at the start, where the model is: {listed(under)}")
+    free = [name for name in made.free if name not in made.stated]
+    said.append(
+        f"free for the fit: {listed(free)}"
+        if free
+        else "nothing is free: see [fit] for what may be, or let diagnose look"
+    )
+    return tuple(said)
+
+
+def next_commands(folder: Path, extra: Sequence[Path]) -> tuple[str, ...]:
+    """Commands, with the files that they need."""
+    more = "".join(f" --file {quote(str(file))}" for file in extra)
+    return tuple(f"pam-cosim {word} {quote(str(folder))}{more}" for word in ("compare", "check", "diagnose"))

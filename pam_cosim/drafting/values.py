@@ -1,0 +1,162 @@
+"""Parameters: what the user states, what the files say of a run, what stays to be stated, what is left free."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.drafting.choice import meaning_of
+from pam_cosim.drafting.columns import Found
+from pam_cosim.drafting.mapping import Course
+from pam_cosim.drafting.rest import is_constant, noise_of, span
+from pam_cosim.drafting.words import UNITS, Meaning, fits, read_variable
+from pam_cosim.interface import Interface, Variable
+from pam_cosim.units import UnitError, convert, parse_quantity, readable_factor, readable_unit
+
+_C = CRITERIA.recognition
+# What a rule, scales, a thermometer or a gauge tells, or the maker's drawing: it is stated, not fitted.
+_MEASURED = ("m", "m2", "m3", "kg", "kg.m2", "K", "Pa", "N")
+_OPEN = ("calibration", "effective area", "discharge coefficient", "pressure lost per mass flow", "time constant")
+_PERHAPS = ("polytropic", "coefficient of friction", "film coefficient", "damping", "friction")
+_CHOSEN = ("filter",)
+_GEOMETRY = ("m", "m2", "m3", "kg", "kg.m2", "1", "")
+_IN_NAME = re.compile(r"(?<![A-Za-z0-9])(\d+(?:[.,]\d+)?)[ _-]?([A-Za-z]+)(?![A-Za-z])")
+
+
+@dataclass(frozen=True)
+class Told:
+    """A value that is known of one recording: as text for the file, and why."""
+
+    value: str
+    number: float
+    why: str
+
+
+def text_of(value: float, unit: str) -> str:
+    """A value [SI] as ``experiment.toml`` has it, in a unit that is easy to read."""
+    number = f"{value * readable_factor(unit):.6g}"
+    shown = readable_unit(unit)
+    shown = {"mm²": "mm2", "L": "l"}.get(shown, shown)
+    return f"{number} {shown}".strip()
+
+
+def starts(course: Course, interface: Interface) -> dict[str, Told]:
+    """Start values that a recording tells: what is called ``NAME_start`` and is of its kind begins as NAME begins."""
+    told = {}
+    for name, parameter in interface.parameters.items():
+        short = name.rpartition(".")[2]
+        meaning = read_variable(short, parameter.description, parameter.unit)
+        signal = _signal(short.removesuffix("_start"), meaning, course, interface)
+        if not short.endswith("_start") or signal is None:
+            continue
+        values, unit = course.every[signal], parameter.unit
+        rest = course.first_rest
+        part = values[rest.start : rest.stop] if rest else values[np.isfinite(values)][:1]
+        first, usual = float(np.nanmean(part)), parameter.start or 0.0
+        low = -np.inf if parameter.min is None else parameter.min
+        if abs(first - usual) > max(_C.still * span(values), _C.away * noise_of(course.time, values)) and first >= low:
+            told[name] = Told(text_of(first, unit), first, f"{signal} begins so")
+    return told
+
+
+def _signal(name: str, meaning: Meaning | None, course: Course, interface: Interface) -> str | None:
+    """The recorded signal of that name and meaning: a force is a force, imposed as ``F_load`` or not."""
+    variables = {**interface.inputs, **interface.outputs}
+    alike = [
+        one for one, values in course.every.items()
+        if name in (one, one.partition("_")[0]) and meaning is not None and meaning == meaning_of(variables[one])
+        and np.isfinite(values).any()
+    ]  # fmt: skip
+    return alike[0] if alike else None
+
+
+def recorded(columns: Sequence[Found], interface: Interface, count: int) -> list[dict[str, Told]]:
+    """Loads and ambient conditions that columns hold, by recording, where one parameter only can be meant."""
+    told: list[dict[str, Told]] = [{} for _ in range(count)]
+    for column in columns:
+        meaning = column.meaning
+        if meaning is None or not (meaning.kind == "mass" or "ambient" in meaning.roles) or not column.unit:
+            continue
+        unit = UNITS[meaning.kind]
+        alike = [
+            name
+            for name, v in interface.parameters.items()
+            if v.unit == unit and meaning == read_variable(name.rpartition(".")[2], v.description, v.unit)
+        ]
+        for i, values in column.values.items():
+            steady = span(values) == 0.0 or is_constant(values) or "ambient" in meaning.roles
+            if len(alike) == 1 and steady and np.isfinite(values).any():
+                mean = float(np.nanmean(convert(values, column.unit, unit)))
+                told[i][alike[0]] = Told(text_of(mean, unit), mean, f"{column.name} was recorded, and this is its mean")
+    return told
+
+
+def in_names(files: Sequence[Path], interface: Interface) -> list[dict[str, Told]]:
+    """Loads that the names of the files tell, where they differ and one parameter only can be meant."""
+    masses = [n for n, v in interface.parameters.items() if v.unit == "kg" and "mass" in v.description.casefold()]
+    if len(masses) != 1:
+        return [{} for _ in files]
+    found = [_mass(file.stem) for file in files]
+    if any(one is None for one in found):
+        return [{} for _ in files]
+    why = "the file's name says so"
+    return [{masses[0]: Told(one, parse_quantity(one, "kg"), why)} for one in found if one is not None]
+
+
+def _mass(stem: str) -> str | None:
+    for number, unit in _IN_NAME.findall(stem):
+        if unit in ("kg", "g") and fits(unit, "mass"):
+            return f"{number.replace(',', '.')} {unit}"
+    return None
+
+
+def to_state(interface: Interface) -> dict[str, Variable]:
+    """Parameters that somebody with a rule and scales can state, of parts that stand in the bench itself."""
+    return {
+        name: v
+        for name, v in interface.parameters.items()
+        if v.start is not None and name.count(".") <= 1 and not name.endswith("_start") and v.min is not None
+        and name not in {*free(interface), *perhaps(interface)}
+        and not any(word in v.description.casefold() for word in _CHOSEN)
+    }  # fmt: skip
+
+
+def is_geometry(variable: Variable) -> bool:
+    """Whether it is of a size, a count or a mass."""
+    return variable.unit in _GEOMETRY
+
+
+def free(interface: Interface) -> dict[str, Variable]:
+    """Parameters that only a fit tells: calibrations, discharge, lag and droop, by what is said of them."""
+    return _told_by_fit(interface, _OPEN)
+
+
+def perhaps(interface: Interface) -> dict[str, Variable]:
+    """Others that may be left free."""
+    return _told_by_fit(interface, _PERHAPS)
+
+
+def _told_by_fit(interface: Interface, words: Sequence[str]) -> dict[str, Variable]:
+    return {
+        name: v
+        for name, v in interface.parameters.items()
+        if v.min is not None and v.max is not None and v.unit not in _MEASURED and name.count(".") == 1
+        and any(word in v.description.casefold() for word in words)
+        and not any(word in v.description.casefold() for word in _CHOSEN)
+    }  # fmt: skip
+
+
+def check(stated: Mapping[str, str], interface: Interface) -> None:
+    """Raises UnitError where a stated value has a unit that does not fit; names are checked when all is read."""
+    for name, value in stated.items():
+        variable = {**interface.parameters, **interface.inputs}.get(name)
+        if variable is not None:
+            try:
+                parse_quantity(value, variable.unit)
+            except UnitError as error:
+                raise UnitError(f"{name}: {error}") from None

@@ -1,0 +1,221 @@
+"""The words by which people call what they measure, in English, German and French, and what they mean.
+
+The same words read the headings of a recording and the descriptions of a bench's inputs and outputs, so that one finds
+the other. Folded: small letters without accents. A long word may stand within another ("Muskeldruck"), a short one
+stands alone.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from dataclasses import dataclass
+from math import inf
+
+from pam_cosim.measurement.table import is_unit
+from pam_cosim.units import UnitError, convert
+
+UNITS = {
+    "time": "s", "pressure": "Pa", "contraction": "m", "length": "m", "ratio": "1", "force": "N", "mass": "kg",
+    "temperature": "K", "current": "A", "command": "1", "voltage": "V", "angle": "rad",
+}  # fmt: skip
+"""What can be measured, and its SI unit."""
+
+_KINDS = {
+    "time": "=t =time =zeit =temps =sec =sek time zeit temps elapsed",
+    "pressure": "=p =pm =pk pressure druck pression press",
+    "temperature": "=temp temperature temperatur thermo",
+    "current": "=i =u =strom =courant current strom courant intensite",
+    "command": "valve ventil vanne schalt switch solenoid =pwm duty command befehl commande relais relay =cmd =u",
+    "force": "=f =fz =fx =last =load =charge force kraft effort loadcell kraftmess zugkraft =pull traction",
+    "ratio": "=eps epsilon strain ratio dehnung stauchung verhaltnis",
+    "contraction": "=x =s =z =y =dx =dl =weg =hub =pos =disp contraction kontraktion displacement "
+    "verschiebung verkurzung verkuerzung raccourcissement deplacement stroke position weggeber "
+    "wegsensor laser course travel shortening",
+    "length": "=l =len =lange length laenge lange longueur",
+    "mass": "=mass =masse =gewicht weight gewicht poids",
+    "angle": "angle winkel",
+    "voltage": "voltage spannung",
+}  # fmt: skip
+_ROLES = {
+    "supply": "supply source versorgung vordruck netzdruck alimentation reservoir tank upstream kessel =sup =src",
+    "set": "=set =sp =soll =ref =cmd setpoint soll consigne target desired reference wanted demand told command befehl",
+    "inlet": "=in =inl =ein inlet intake einlass zuluft admission beluft belueft fill fullen gonflage remplissage",
+    "exhaust": "=out =ex =exh =aus =vent exhaust outlet auslass abluft entluft entlueft echappement purge vidange",
+    "ambient": "ambient room umgebung raumtemp raumluft ambiant atmos outside labor",
+}  # fmt: skip
+_OF_VALVES = ("inlet", "exhaust")
+_SAID_IN_PASSING = frozenset(
+    ["a", "as", "at", "by", "in", "is", "it", "of", "off", "on", "out", "that", "the", "to", "up"]
+)
+_SPELLINGS = {
+    "bara": "bar", "bar(a)": "bar", "bar(g)": "bar", "bar a": "bar", "bar g": "bar", "bar abs": "bar", "bar rel": "bar",
+    "bar abs.": "bar", "bar (abs)": "bar", "kpaa": "kPa", "kpa abs": "kPa", "psia": "psi", "sec": "s", "sek": "s",
+    "sek.": "s", "secs": "s", "seconds": "s", "sekunden": "s", "secondes": "s", "msec": "ms", "kpa": "kPa",
+    "mpa": "MPa", "bar": "bar", "mbar": "mbar", "psi": "psi", "newton": "N", "n": "N", "celsius": "degC", "c": "degC",
+    "degc": "degC", "grad c": "degC", "deg c": "degC", "ampere": "A", "amp": "A", "volt": "V", "volts": "V",
+    "mm": "mm", "cm": "cm", "millimeter": "mm", "prozent": "%", "percent": "%", "kelvin": "K", "v": "V", "a": "A",
+}  # fmt: skip
+_ABSOLUTE = re.compile(r"\babs|\b(bar|psi|kpa)\s*\(?a\b", re.IGNORECASE)
+
+
+# Unit that numbers without one most likely have, by their largest magnitude: of a laboratory's muscle.
+_USUAL: dict[str, tuple[tuple[float, str], ...]] = {
+    "pressure": ((1.2, "MPa"), (15.0, "bar"), (2e3, "kPa"), (inf, "Pa")),
+    "contraction": ((0.7, "m"), (inf, "mm")),
+    "length": ((0.7, "m"), (inf, "mm")),
+    "ratio": ((1.0, ""), (inf, "%")),
+    "command": ((1.0, ""), (inf, "%")),
+    "force": ((inf, "N"),),
+    "mass": ((inf, "kg"),),
+    "temperature": ((200.0, "degC"), (inf, "K")),
+    "current": ((2.0, "A"), (inf, "mA")),
+}
+
+
+@dataclass(frozen=True)
+class Meaning:
+    """What a column or a variable is: a kind of ``UNITS`` and what tells it from others of its kind."""
+
+    kind: str
+    roles: frozenset[str] = frozenset()
+
+    def __str__(self) -> str:
+        return " ".join([*sorted(self.roles), self.kind])
+
+
+@dataclass(frozen=True)
+class Reading:
+    """What a heading says.
+
+    Attributes:
+        meaning: None where no word is known.
+        unit: as pint reads it; "" where none is written.
+        written: the unit as it stands in the file's place for units is ``unit``.
+        absolute: it says that the pressure is absolute.
+        known: how many of its words are known, of all: the larger share names it better.
+    """
+
+    meaning: Meaning | None
+    unit: str
+    written: bool
+    absolute: bool = False
+    known: float = 0.0
+
+
+def folded(text: str) -> str:
+    """Small letters without accents."""
+    plain = unicodedata.normalize("NFKD", text.casefold())
+    return "".join(c for c in plain if not unicodedata.combining(c))
+
+
+def read_heading(name: str, unit: str) -> Reading:
+    """What a column is, by its name and unit."""
+    stated = known_unit(unit)
+    if not unit.strip():
+        stated, name = _unit_in_name(name)
+    small = [folded(word) for word in split_words(name)]
+    meaning = _meaning(small, stated)
+    known = [word for i, word in enumerate(small) if _kinds_of(word, i) or _roles_of([word])]
+    share = len(known) / len(small) if small else 0.0
+    absolute = bool(_ABSOLUTE.search(f"{name} {unit}"))
+    return Reading(meaning, stated, bool(stated) and stated == unit.strip(), absolute, share)
+
+
+def read_variable(name: str, description: str, unit: str) -> Meaning | None:
+    """What an input or output of a bench is, by its unit and what is said of it."""
+    said = [folded(word) for word in split_words(description)]
+    words = [folded(word) for word in split_words(name)] + [word for word in said if word not in _SAID_IN_PASSING]
+    return _meaning(words, unit or "1", exact=True)
+
+
+def known_unit(unit: str) -> str:
+    """The unit as the registry of units has it; "" where it is none."""
+    text = unit.strip()
+    usual = _SPELLINGS.get(folded(text), "")
+    if usual and not (is_unit(text) and folded(usual) == folded(text)):
+        return usual
+    return text if text and is_unit(text) and not text.isdigit() else usual
+
+
+def usual_unit(kind: str, largest: float) -> str:
+    """The unit that numbers of a kind most likely have, by their largest magnitude."""
+    return next((unit for most, unit in _USUAL.get(kind, ()) if largest <= most), "")
+
+
+def fits(unit: str, kind: str) -> bool:
+    """Whether numbers of this unit are of that kind."""
+    try:
+        convert(0.0, unit, UNITS[kind])
+    except UnitError:
+        return False
+    return True
+
+
+def split_words(text: str) -> list[str]:
+    """``uDruck_1``, ``p kPa`` and ``SollDruck`` in words; numbers are left out."""
+    apart = re.sub(r"(?<=[a-zäöüß])(?=[A-Z][a-zäöü])", " ", text)
+    return [
+        word for word in re.split(r"[\W_]+|(?<=[^\W\d])(?=\d)|(?<=\d)(?=[^\W\d])", apart) if word and not word.isdigit()
+    ]
+
+
+def _unit_in_name(name: str) -> tuple[str, str]:
+    """A unit that stands behind a name, and the name without: ``p_kPa``, ``source kPa gauge``."""
+    parts = [part for part in re.split(r"[\W_]+", name) if part]
+    for place in range(len(parts) - 1, 0, -1):
+        part, rest = parts[place], parts[:place] + parts[place + 1 :]
+        kinds = set(_kinds_in([folded(word) for one in rest for word in split_words(one)]))
+        unit = known_unit(part) if len(part) > 1 or is_unit(part) else ""
+        if not unit or (_roles_of([folded(part)]) and not kinds & {"length"}):
+            continue
+        among = {kind for kind in UNITS if fits(unit, kind)}
+        if among & (kinds or set(UNITS)) and (kinds or len(part) > 1) or "voltage" in among:
+            return unit, " ".join(rest)
+    return "", name
+
+
+def _meaning(words: list[str], unit: str, *, exact: bool = False) -> Meaning | None:
+    named = _kinds_in(words)
+    possible = [kind for kind in UNITS if unit and fits(unit, kind)]
+    if not unit:
+        kind = named[0] if named else None
+        kind = "command" if "command" in named and kind in ("current", "contraction") else kind
+    else:
+        kind = next((one for one in named if one in possible), None)
+        if kind is None and named and set(named) & {"contraction", "length"} and "ratio" in possible:
+            kind = "ratio"
+        if kind is None and possible and (not exact or possible[0] != "ratio"):
+            kind = "contraction" if "contraction" in possible else possible[0] if "ratio" not in possible else None
+        if kind == "mass" and "force" in named:
+            kind = "force"
+        if kind in ("contraction", "ratio", "command") and "ratio" in possible:
+            shares = {"ratio", "contraction", "length"} & set(named)
+            kind = "ratio" if shares else "command" if "command" in named else None
+        if kind is None and "force" in named and "mass" in possible:
+            kind = "force"
+    if kind is None:
+        return None
+    roles = _roles_of(words)
+    roles -= set() if kind in ("command", "current") else set(_OF_VALVES)
+    roles &= set(_OF_VALVES) if kind in ("command", "current") else roles
+    return Meaning(kind, frozenset(roles))
+
+
+def _kinds_in(words: list[str]) -> list[str]:
+    return [kind for i, word in enumerate(words) for kind in _kinds_of(word, i)]
+
+
+def _kinds_of(word: str, place: int) -> list[str]:
+    """What a word means; one letter means something at the beginning only."""
+    if len(word) == 1 and place > 0:
+        return []
+    return [kind for kind, listed in _KINDS.items() if _among(word, listed)]
+
+
+def _roles_of(words: list[str]) -> set[str]:
+    return {role for role, listed in _ROLES.items() if any(_among(word, listed) for word in words)}
+
+
+def _among(word: str, listed: str) -> bool:
+    return any(word == one[1:] if one[0] == "=" else one in word for one in listed.split())

@@ -1,0 +1,85 @@
+"""Headings of English, German and French labs, and descriptions of variables, mean the same things."""
+
+from __future__ import annotations
+
+import pytest
+
+from pam_cosim.drafting.words import read_heading, read_variable, usual_unit
+
+
+@pytest.mark.parametrize(
+    ("name", "unit", "meaning", "read_unit"),
+    [
+        ("Zeit", "s", "time", "s"),
+        ("temps écoulé", "ms", "time", "ms"),
+        ("Muskeldruck", "bar", "pressure", "bar"),
+        ("Versorgungsdruck", "bar", "supply pressure", "bar"),
+        ("pression d'alimentation", "kPa", "supply pressure", "kPa"),
+        ("Solldruck", "bar", "set pressure", "bar"),
+        ("consigne", "bar", "set pressure", "bar"),
+        ("p_set", "kPa", "set pressure", "kPa"),
+        ("pressure_command", "bar", "set pressure", "bar"),
+        ("source_kPa_gauge", "", "supply pressure", "kPa"),
+        ("knee_r_kPa_gauge", "", "pressure", "kPa"),
+        ("hip_l_kPa", "", "pressure", "kPa"),
+        ("CH1", "bar", "pressure", "bar"),
+        ("p abs", "bar", "pressure", "bar"),
+        ("x_mm", "", "contraction", "mm"),
+        ("Weg", "mm", "contraction", "mm"),
+        ("déplacement", "mm", "contraction", "mm"),
+        ("Kontraktion", "%", "ratio", "%"),
+        ("Longueur", "mm", "length", "mm"),
+        ("Laenge", "", "length", ""),
+        ("Kraft", "N", "force", "N"),
+        ("load", "kg", "force", "kg"),
+        ("Raumtemperatur", "°C", "ambient temperature", "°C"),
+        ("I_ein", "mA", "inlet current", "mA"),
+        ("Ventilstrom Auslass", "A", "exhaust current", "A"),
+        ("vanne admission", "", "inlet command", ""),
+        ("valve in", "", "inlet command", ""),
+        ("PWM", "%", "command", "%"),
+        ("pressure V", "", "voltage", "V"),
+        ("Druck", "Bar", "pressure", "bar"),
+        ("Bemerkung", "", "None", ""),
+        ("knee_r_rad", "", "None", "rad"),
+        ("p_min", "", "pressure", ""),
+    ],
+)
+def test_headings(name: str, unit: str, meaning: str, read_unit: str) -> None:
+    reading = read_heading(name, unit)
+    assert (str(reading.meaning), reading.unit) == (meaning, read_unit)
+
+
+@pytest.mark.parametrize(
+    ("name", "description", "unit", "meaning"),
+    [
+        ("u_in", "Current of the inlet valve", "A", "inlet current"),
+        ("v2", "Command of the exhaust valve: 0 shut, 1 open", "1", "exhaust command"),
+        ("q", "Gauge pressure of the source, as it droops", "Pa", "supply pressure"),
+        ("p", "Gauge pressure in the muscle", "Pa", "pressure"),
+        ("w", "Set point of the regulator, gauge", "Pa", "set pressure"),
+        ("s", "Imposed contraction", "m", "contraction"),
+        ("eps", "Contraction ratio", "1", "ratio"),
+        ("L", "Length", "m", "length"),
+        ("R", "Pull of the muscle", "N", "force"),
+    ],
+)
+def test_variables(name: str, description: str, unit: str, meaning: str) -> None:
+    assert str(read_variable(name, description, unit)) == meaning
+
+
+def test_absolute_and_known() -> None:
+    assert read_heading("Druck 1", "bar a").absolute and read_heading("p", "bar abs").absolute
+    assert not read_heading("p", "bar").absolute
+    assert read_heading("Muskeldruck", "bar").known > read_heading("p Kanal sieben", "bar").known
+
+
+@pytest.mark.parametrize(
+    ("kind", "largest", "unit"),
+    [("pressure", 0.6, "MPa"), ("pressure", 6.0, "bar"), ("pressure", 600.0, "kPa"), ("force", 600.0, "N"),
+     ("contraction", 0.05, "m"), ("contraction", 50.0, "mm"), ("temperature", 25.0, "degC"),
+     ("temperature", 300.0, "K"),
+     ("current", 0.35, "A"), ("current", 350.0, "mA"), ("ratio", 0.2, ""), ("ratio", 20.0, "%")],
+)  # fmt: skip
+def test_units_by_magnitude(kind: str, largest: float, unit: str) -> None:
+    assert usual_unit(kind, largest) == unit
