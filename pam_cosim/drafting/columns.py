@@ -287,7 +287,8 @@ def check_time(columns: Sequence[Found], sources: Sequence[Source], recording: R
         return None
     for i, source in enumerate(sources):
         if time is None or i not in time.values:
-            hint = "say which by --column time=NAME, or --recording interval='1 ms' where rows are evenly apart"
+            hint = "say which by --column time=NAME, or --recording interval='1 ms' where rows are evenly apart; "
+            hint += 'a run of kind = "static" needs none, and is written by hand'
             texts = f"; {listed(map(shown, source.texts))} is text, dates are not read" if source.texts else ""
             message = f"there is no column of time among {listed(source.table.columns)}{texts}; {hint}"
             raise InputError(message, source.file, source.table.header_line)
