@@ -129,7 +129,8 @@ class Diagnosis(Printed):
                 )
         lines += [f"  {n} = {e}" for n, e in self.final.parameters.items()]
         if self.untried:
-            more = ", ".join(" + ".join(names) for names in self.untried)
+            first = [" + ".join(names) for names in self.untried[: CRITERIA.search.first_tried]]
+            more = ", ".join(first) + (f" and {len(self.untried) - len(first)} more" * (len(self.untried) > len(first)))
             lines.append(f"  The time limit ended the search; what would have been tried next: {more}")
         lines += [f"  look first: {doubt.text}" for doubt in self.final.comparison.doubts]
         lines += [f"  not looked for: {listed(names)}: {why}" for why, names in self.not_tried_by_reason.items()]
@@ -246,12 +247,13 @@ def _not_tried(
         return {}
     shown = {search.family[p.effect] for p in selection.probes if not p.silent}
     failed = {f.family for f in search.failed}
+    late = {search.family[name] for names in selection.untried for name in names}
     reasons = {}
     for family in dict.fromkeys(e.family for e in shelf):
         if all(e.name in excluded for e in shelf if e.family == family):
             reasons[family] = "excluded"
         elif family not in looked_at | failed:
-            reasons[family] = "the model has no place for them"
+            reasons[family] = "the time was over" if family in late else "the model has no place for them"
         elif family in looked_at - shown:
             reasons[family] = f"nothing that was measured{' at rest' if search.at_rest else ''} shows them"
     return reasons

@@ -117,8 +117,16 @@ class _Models:
         return [replace(c, fit=replace(c.fit, linear=None)) for c in self.known.values()]
 
     def probe(self) -> None:
-        """What each effect does beside the base model."""
-        self.probes = self.search.probed(self.base, (), [e.name for e in self.search.shelf])
+        """What each effect does beside the base model; if the time is limited, those that stand for a family first."""
+        every = [e.name for e in self.search.shelf]
+        step = len(every)
+        if self.deadline < math.inf:
+            every.sort(key=lambda name: name not in self.search.broadest)
+            step = CRITERIA.search.first_tried
+        for at in range(0, len(every), max(step, 1)):
+            if at and self._late([(name,) for name in every[at:]]):
+                break
+            self.probes += self.search.probed(self.base, (), every[at : at + step])
         if self.search.failed and not self.probes:
             failed = self.search.failed[-1]
             raise SimulationFailure(f"no effect could be tried; {failed.effect}: {failed.failure}")

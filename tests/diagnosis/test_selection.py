@@ -69,6 +69,17 @@ def test_the_time_limit_ends_the_search_and_says_what_was_not_tried() -> None:
     selection = select_effects(pair, pair.fitted(()), deadline=time.monotonic())
     assert selection.untried
     assert not pair.tried
+    looks = sum(count for _, count in pair.looks)
+    assert 0 < looks < len(SHELF)  # the first are looked at whatever the time
+    assert len(selection.probes) == looks
+
+
+def test_what_stands_for_a_family_is_looked_at_first_where_time_is_short() -> None:
+    pair = world({"LinearBladder": 5.0})
+    short = select_effects(pair, pair.fitted(()), deadline=time.monotonic() + 1e6)
+    every = select_effects(pair, pair.fitted(()))
+    assert [p.effect for p in short.probes[: len(pair.broadest)]] == pair.broadest
+    assert {p.effect for p in short.probes} == {p.effect for p in every.probes}
 
 
 def test_the_same_answer_twice() -> None:
