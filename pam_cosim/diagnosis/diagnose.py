@@ -194,7 +194,7 @@ def diagnose(
     others: list[Plan] = []
     if selected:
         others = _others(data, selected[-1], rivals(base, selected[-1], tried, search.family, search.choice), sources)
-    verdict = judge(base, selected, [c for c, _ in others], tried)
+    verdict = judge(base, selected, [c for c, _ in others], tried, search.family)
     last = selected[-1] if selected else None
     verdict = replace(verdict, probability=confidence(base, last, tried, search.family, search.choice, verdict))
     present = last.fit if last else base

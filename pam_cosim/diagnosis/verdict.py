@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import exp, isnan
+from types import MappingProxyType
 from typing import Literal
 
 from pam_cosim.criteria import CRITERIA
@@ -153,12 +154,23 @@ def _checked(fit: Fit) -> bool:
 
 
 def judge(
-    base: Fit, selected: Sequence[Candidate], others: Sequence[Candidate], tried: Sequence[Candidate] = ()
+    base: Fit,
+    selected: Sequence[Candidate],
+    others: Sequence[Candidate],
+    tried: Sequence[Candidate] = (),
+    family: Mapping[str, str] = MappingProxyType({}),
 ) -> Verdict:
-    """Turns the effects that were ``selected``, rivals of the last one and all that were tried into a verdict.
+    """Turns the effects that were ``selected``, rivals of the model with them and all that were tried into a verdict.
 
     What leaves structure is unknown, whatever its rivals: that two families fail alike does not make one of them the
     answer.
+
+    Args:
+        base: the model without effects, fitted.
+        selected: models that add one effect after another.
+        others: rivals of the last of them.
+        tried: all models.
+        family: of the effects of rivals with several.
     """
     if not selected:
         if unexplained(base):
@@ -169,7 +181,10 @@ def judge(
     effects = tuple(c.effect for c in selected)
     share = explained(base, last.fit)
     text = f"{' + '.join(effects)} removes {100 * share:.1f} % of the squared error beyond the noise"
-    names = " and ".join([last.family, *(c.family for c in others)])
+    known = {**family, **{c.effect: c.family for c in (*selected, *others)}}
+    instead = [tuple(e for e in c.effects if e not in effects) or (c.effect,) for c in others]
+    ours = [e for e in effects if not any(e in c.effects for c in others)] or [last.effect]
+    names = " and ".join(" + ".join(dict.fromkeys(known[e] for e in part)) for part in (ours, *instead))
     if incomplete(last.fit):
         dominant = dominant_effect(base, tried)
         if dominant is not None and dominant.effects == last.effects and not others:
@@ -178,8 +193,8 @@ def judge(
         also = f" Nor can these data separate {names}, and none of them is the answer." if others else ""
         return Verdict("unknown", families, effects, text + also)
     if others:
-        families += tuple(c.family for c in others)
-        effects += tuple(c.effect for c in others)
+        effects = tuple(dict.fromkeys((*effects, *(e for part in instead for e in part))))
+        families = tuple(dict.fromkeys((*families, *(known[e] for part in instead for e in part))))
         return Verdict("ambiguous", families, effects, f"These data cannot separate {names}.")
     loud = last.fit.residuals["fit"].chi2_reduced
     noise = f"; the noise is {loud**0.5:.2g} times the stated one" if loud > CRITERIA.fit.loud else ""

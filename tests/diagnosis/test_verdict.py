@@ -63,6 +63,18 @@ def test_ambiguous_names_all() -> None:
     assert "leak and offset" in verdict.reason
 
 
+def test_ambiguous_names_what_a_rival_has_instead_and_nothing_twice() -> None:
+    first = candidate("Creep", fitted(2.0, holdout=2.0), "creep")
+    best = candidate("Clock", fitted(1.0, holdout=1.02), "clock_offset", before=("Creep",))
+    rival = candidate("Clock", fitted(1.001, holdout=1.001), "clock_offset", before=("Spring", "Leak"))
+    family = {"Spring": "elasticity", "Leak": "leak", "Creep": "creep", "Clock": "clock_offset"}
+    verdict = judge(BASE, [first, best], [rival], family=family)
+    assert verdict.kind == "ambiguous"
+    assert verdict.families == ("creep", "clock_offset", "elasticity", "leak")
+    assert verdict.effects == ("Creep", "Clock", "Spring", "Leak")
+    assert "cannot separate creep and elasticity + leak" in verdict.reason
+
+
 def test_unknown_without_and_with_effects() -> None:
     nothing = judge(BASE, [], [])
     assert (nothing.kind, nothing.families) == ("unknown", ())
