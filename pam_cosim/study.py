@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -103,13 +104,14 @@ def read(folder: Path | str, *, model: str | None = None, files: Paths = ()) -> 
     Raises:
         InputError: with file, line and column of what cannot be used.
     """
-    known: dict[str, Interface] = {}
-
-    def described(name: str) -> Interface:
-        return known.setdefault(name, describe(name, files))
-
+    described = _described(files)
     data = read_data_set(Path(folder), described, model=model, benches=lambda: benches(files))
-    return replace(data, domain=_domain(data.model, known[data.model], files))
+    return replace(data, domain=_domain(data.model, described(data.model), files))
+
+
+def _described(files: Paths) -> Callable[[str], Interface]:
+    """Gives the interface of a model by its name, and builds each but once."""
+    return cache(lambda name: describe(name, files))
 
 
 def _domain(model: str, interface: Interface, files: Paths) -> Domain:
@@ -391,15 +393,10 @@ def new(
     Raises:
         InputError: whatever cannot be used, with file, line and column; nothing is written then.
     """
-    known: dict[str, Interface] = {}
-
-    def described(name: str) -> Interface:
-        return known.setdefault(name, describe(name, files))
-
     stated = {name: str(value) for name, value in (parameters or {}).items()}
     wishes = Wishes(title, model, columns, stated, recording, muscle)
     paths = [Path(one) for one in recordings]
-    made = draft(Path(folder), paths, wishes, read_library(files=_paths(files)), described, _paths(files))
+    made = draft(Path(folder), paths, wishes, read_library(files=_paths(files)), _described(files), _paths(files))
     return replace(made, data=read(folder, files=files))
 
 

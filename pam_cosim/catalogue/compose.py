@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from pam_cosim.catalogue.effects import EffectClass, effect_classes, unknown_terms
-from pam_cosim.catalogue.place import is_effect, origins, qualified
+from pam_cosim.catalogue.place import is_connector, is_effect, origins, qualified, surrounds
 from pam_cosim.compiler import ClassTree, Part, Slot, Structure, names, read_structure
 from pam_cosim.compiler.printing import string_text
 from pam_cosim.errors import InputError
@@ -64,13 +64,9 @@ class _Draft:
         return bool(hosts)
 
     def _surrounded(self, effect: EffectClass) -> bool:
-        """Whether the model declares what the effect takes from its surroundings (Modelica 3.6, section 5.4)."""
-        inner = {c.name: c.type for c in self.tree.components(self.structure.model) if "inner" in c.prefixes}
-        return all(
-            c.name in inner and self.tree.is_subtype(inner[c.name], c.type)
-            for c in self.tree.components(effect.qualified_name)
-            if "outer" in c.prefixes
-        )
+        """Whether the model declares what the effect takes from its surroundings."""
+        outer = [(c.name, c.type) for c in self.tree.components(effect.qualified_name) if "outer" in c.prefixes]
+        return surrounds(self.tree, self.structure.model, outer)
 
     def _lies_beside(self, effect: EffectClass) -> bool:
         bases = [b for b in self.tree.bases(effect.qualified_name) if self._is_effect(b)]
@@ -98,7 +94,7 @@ class _Draft:
 
     def _hosts(self, effect: EffectClass) -> list[tuple[Part, str]]:
         bases = self.tree.bases(effect.qualified_name)
-        needed = {c.name for c in self.tree.components(effect.qualified_name) if self._is_connector(c.type)}
+        needed = self._connectors(effect.qualified_name)
         hosts = []
         for part in self.structure.parts:
             if not part.path or names.parent(part.path) or is_effect(part.bases):
@@ -122,12 +118,8 @@ class _Draft:
         for connector in sorted(self._connectors(terminals)):
             self.connections.append(f"connect({name}.{connector}, {host.path}.{connector})")
 
-    def _is_connector(self, name: str) -> bool:
-        info = self.tree.classes.get(name)
-        return info is not None and info.kind == "connector"
-
     def _connectors(self, name: str) -> set[str]:
-        return {c.name for c in self.tree.components(name) if self._is_connector(c.type)}
+        return {c.name for c in self.tree.components(name) if is_connector(self.tree, c.type)}
 
     def _free_name(self, wanted: str) -> str:
         name, number = wanted, 1

@@ -60,3 +60,14 @@ def qualified(tree: ClassTree, model: str) -> str:
 def meant(model: str, packages: Sequence[str]) -> list[str]:
     """What a name may stand for, the likeliest first."""
     return [*(f"{p}.{BENCHES}.{model}" for p in packages), model, *(f"{p}.{model}" for p in packages)]
+
+
+def is_connector(tree: ClassTree, name: str) -> bool:
+    """Whether a class is a connector."""
+    return name in tree.classes and tree.classes[name].kind == "connector"
+
+
+def surrounds(tree: ClassTree, model: str, needed: Iterable[tuple[str, str]]) -> bool:
+    """Whether a model declares ``inner`` what is looked for by name and type (Modelica 3.6, section 5.4)."""
+    inner = {c.name: c.type for c in tree.components(model) if "inner" in c.prefixes}
+    return all(name in inner and tree.is_subtype(inner[name], type_) for name, type_ in needed)

@@ -13,6 +13,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from html import escape
 
+from pam_cosim.catalogue.place import surrounds
 from pam_cosim.catalogue.rig_parts import (
     FRAME,
     RigPart,
@@ -246,8 +247,7 @@ class _Composer:
         for frame in frames:
             if self.static != any(c.name == BRANCH and "input" in c.prefixes for c in tree.components(frame)):
                 continue
-            around = {c.name: c.type for c in tree.components(frame) if "inner" in c.prefixes}
-            if all(name in around and tree.is_subtype(around[name], type_) for name, type_ in needed):
+            if surrounds(tree, frame, needed):
                 return frame
         missing = ", ".join(sorted(name for name, _ in needed))
         raise ModelError(f"no class that extends {base} declares what these parts look for around them: {missing}")

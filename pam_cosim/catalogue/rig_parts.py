@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from pam_cosim.catalogue.effects import component_name
-from pam_cosim.catalogue.place import libraries
+from pam_cosim.catalogue.place import is_connector, libraries
 from pam_cosim.compiler import ClassTree, names
 from pam_cosim.compiler.class_tree import ComponentInfo
 from pam_cosim.errors import InputError
@@ -112,11 +112,7 @@ def _bare(name: str) -> str:
 
 def connectors(tree: ClassTree, name: str) -> list[ComponentInfo]:
     """The public connectors of a class, in the order of their declaration."""
-    return [
-        c
-        for c in tree.components(name)
-        if "protected" not in c.prefixes and c.type in tree.classes and tree.classes[c.type].kind == "connector"
-    ]
+    return [c for c in tree.components(name) if "protected" not in c.prefixes and is_connector(tree, c.type)]
 
 
 def told(tree: ClassTree, name: str) -> list[ComponentInfo]:

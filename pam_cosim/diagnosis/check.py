@@ -5,30 +5,25 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import numpy as np
 
-from pam_cosim.catalogue import domain_of
-from pam_cosim.compiler import read_library
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import FailedTrial
 from pam_cosim.diagnosis.could_be_measured import Option, everything
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.resolution import Rows, Shown, Told
-from pam_cosim.diagnosis.search import Search, every_effect
-from pam_cosim.diagnosis.trial import run_stated
-from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.diagnosis.search import Search
+from pam_cosim.diagnosis.subject import subject_of
+from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import base_parameters, linearised, rows_of_series
 from pam_cosim.fitting.objective import Objective
-from pam_cosim.fmu import build_model
-from pam_cosim.measurement import DataSet, complete_noise
-from pam_cosim.names import is_fmu, is_modelica
-from pam_cosim.simulation import Simulator
+from pam_cosim.measurement import DataSet
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, listed
-from pam_cosim.workers import on_one_thread, wake
+from pam_cosim.workers import on_one_thread
 
 
 @dataclass(frozen=True)
@@ -202,15 +197,10 @@ def check(
         InputError: the model cannot be compiled, or lacks a parameter that is to be fitted.
         SimulationFailure: the model cannot be simulated at its start values.
     """
-    name = model or data.model
-    if is_fmu(name):
-        raise InputError("effects can be looked at in a Modelica model only; an FMU can be compared and fitted", name)
-    wake(workers, run_stated.__module__)
-    sources = tuple([*files, Path(name)] if is_modelica(name) else files)
-    tree = read_library(files=sources)
-    data = complete_noise(replace(data, domain=domain_of(tree, name)))
-    with Simulator(build_model(name, files, sensitivities=data.free_names, where_smooth=True)) as simulator:
-        shelf = every_effect(tree, name, sources, data, simulator.interface)
+    subject = subject_of(data, model, files, workers)
+    data, name = subject.data, subject.name
+    with subject.simulator() as simulator:
+        shelf = subject.effects(simulator.interface)
         possible = everything(simulator, data)
         free = base_parameters(possible.data, simulator.interface)
         tolerance = CRITERIA.search.screening_tolerance
@@ -220,7 +210,7 @@ def check(
     if base is None:
         raise SimulationFailure(objective.first_failure)
     say(Message(f"looking at what each of {len(shelf)} effects does at its stated strength"))
-    search = Search(tree, name, shelf, possible.data, sources, say, workers)
+    search = Search(subject.tree, name, shelf, possible.data, subject.sources, say, workers)
     probes = search.stated(base, count)
     belongs = [possible.option[run.name, signal] for run, signal in objective.series]
     samples: Counter[Option] = Counter()

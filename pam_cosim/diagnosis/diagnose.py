@@ -9,9 +9,8 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from pam_cosim.catalogue import EffectClass, domain_of
+from pam_cosim.catalogue import EffectClass
 from pam_cosim.comparison import without_outliers
-from pam_cosim.compiler import read_library
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial, role_summary
 from pam_cosim.diagnosis.choice import meant
@@ -20,20 +19,18 @@ from pam_cosim.diagnosis.explanation import LearnedModel, learned_term, ledger_o
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.missing_term import MissingTerm, missing_term
 from pam_cosim.diagnosis.next_experiment import NextExperiment, Plan, told_apart
-from pam_cosim.diagnosis.search import Search, describe_fit, every_effect
+from pam_cosim.diagnosis.search import Search, describe_fit
 from pam_cosim.diagnosis.selection import Selection, select_effects
-from pam_cosim.diagnosis.trial import run_trial
+from pam_cosim.diagnosis.subject import subject_of
 from pam_cosim.diagnosis.verdict import Verdict, confidence, explained, judge, rivals
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit, FitOptions, fit
-from pam_cosim.fmu import build_model
 from pam_cosim.ledger import Ledger
-from pam_cosim.measurement import ROLES, DataSet, complete_noise, error_in
-from pam_cosim.names import is_fmu, is_modelica
+from pam_cosim.measurement import ROLES, DataSet, error_in
 from pam_cosim.simulation import Simulator
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, listed
-from pam_cosim.workers import on_one_thread, wake
+from pam_cosim.workers import on_one_thread
 
 
 @dataclass(frozen=True)
@@ -172,20 +169,15 @@ def diagnose(
         InputError: the model cannot be compiled, or lacks a parameter that is to be fitted; an unknown family.
         SimulationFailure: the base model cannot be simulated at all.
     """
-    began, name = time.monotonic(), model or data.model
-    if is_fmu(name):
-        raise InputError("effects can be added to a Modelica model only; an FMU can be compared and fitted", name)
-    wake(workers, run_trial.__module__)
-    sources = tuple([*files, Path(name)] if is_modelica(name) else files)
-    tree = read_library(files=sources)
-    data = complete_noise(replace(data, domain=domain_of(tree, name)))
-    with Simulator(build_model(name, files, sensitivities=data.free_names, where_smooth=True)) as simulator:
-        shelf = every_effect(tree, name, sources, data, simulator.interface)
+    began, subject = time.monotonic(), subject_of(data, model, files, workers)
+    data, name, sources = subject.data, subject.name, subject.sources
+    with subject.simulator() as simulator:
+        shelf = subject.effects(simulator.interface)
         excluded = _meant(shelf, data, "exclude", data.excluded, exclude)
         expected = _meant(shelf, data, "expect", data.expected, expect)
         data, base, outliers = _base(simulator, data, say)
     search = Search(
-        tree, name, [e for e in shelf if e.name not in excluded], data, sources, say, workers, expected=expected
+        subject.tree, name, [e for e in shelf if e.name not in excluded], data, sources, say, workers, expected=expected
     )
     search = replace(search, at_rest=all(run.is_static for run in data.runs))
     selection = select_effects(search, base, began + (math.inf if time_limit is None else time_limit))

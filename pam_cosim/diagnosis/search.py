@@ -9,7 +9,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TypeVar
 
-from pam_cosim.catalogue import EffectClass, compose_on, effect_classes, origins, qualified
+from pam_cosim.catalogue import EffectClass, compose_on, qualified
 from pam_cosim.comparison import without_outliers
 from pam_cosim.compiler import ClassTree, Structure, library_hash, read_structure
 from pam_cosim.criteria import CRITERIA
@@ -17,10 +17,8 @@ from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
 from pam_cosim.diagnosis.choice import Choice
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.probing import Probe, Stated
-from pam_cosim.diagnosis.stated import stated_parameters
 from pam_cosim.diagnosis.trial import Trial, crashed, run_afar, run_probe, run_stated
 from pam_cosim.fitting import Fit, Linear
-from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet
 from pam_cosim.units import format_quantity
 from pam_cosim.workers import run_tasks
@@ -175,14 +173,6 @@ class Search:
                 trial = Trial(own[m.effects[-1]], m.effects, composition, self.data, m.start, self.files)
                 trials.append(replace(trial, further_start=m.further, library=self.library))
         return trials
-
-
-def every_effect(
-    tree: ClassTree, model: str, files: Sequence[Path], data: DataSet, interface: Interface
-) -> list[EffectClass]:
-    """All effects that a model may lack: those of the library, of ``files``, and wrong parameters that are stated."""
-    shelf = effect_classes(tree, origins(read_structure(qualified(tree, model), files=files).parts))
-    return [*shelf, *stated_parameters(data, interface)]
 
 
 def told(c: Candidate | FailedTrial) -> Message:

@@ -7,10 +7,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.table import Column, Layout, Table, headed, same_length
+from pam_cosim.measurement.table import Column, Layout, Table, headed, same_length, since_first
 
 
 def read_parquet(file: Path, stated: Layout) -> Table:
@@ -41,14 +40,9 @@ def _columns(table: Any, stated: Layout, file: Path) -> Iterator[Column]:
         if not stated.keeps(field.name, name):
             continue
         if is_time:
-            yield Column(name, "s", _seconds(column), field.name)
+            yield Column(name, "s", since_first(column.to_numpy()), field.name)
         elif types.is_integer(field.type) or types.is_floating(field.type):
             yield Column(name, unit, np.array(column.to_numpy(), dtype=float), field.name)
         else:
             message = f"it holds {field.type} and no numbers; leave it out: [recording] ignore = [...]"
             raise InputError(message, file, None, name)
-
-
-def _seconds(column: Any) -> NDArray[np.float64]:
-    times = column.to_numpy()  # NaT where one is missing becomes NaN.
-    return np.asarray((times - times[:1]) / np.timedelta64(1, "s"), dtype=float)

@@ -159,3 +159,8 @@ def check_names(names: Sequence[str], count: int, file: Path) -> None:
     """Raises InputError where stated ``names`` are not as many as the columns."""
     if len(names) != count:
         raise InputError(f"names has {len(names)} headings, the file has {count} columns", file)
+
+
+def since_first(times: NDArray[np.datetime64]) -> NDArray[np.float64]:
+    """(n,) seconds since the first of some times of day; NaN where one is missing."""
+    return np.asarray((times - times[:1]) / np.timedelta64(1, "s"), dtype=float)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.table import TIME, Column, Layout, Table, headed, same_length
+from pam_cosim.measurement.table import TIME, Column, Layout, Table, headed, same_length, since_first
 from pam_cosim.wording import listed, shown
 
 
@@ -51,7 +51,7 @@ def _column(channel: Any, stated: Layout, file: Path) -> Column | None:
         return None
     values = np.asarray(channel[:])
     if values.dtype.kind == "M":
-        return Column(name, "s", (values - values[:1]) / np.timedelta64(1, "s"), channel.name)
+        return Column(name, "s", since_first(values), channel.name)
     if values.dtype.kind not in "fiu":
         raise InputError("it holds no numbers; leave it out: [recording] ignore = [...]", file, None, name)
     return Column(name, unit, values.astype(float), channel.name)

@@ -194,9 +194,7 @@ def _fits(cells: list[str], count: int, kept: list[int]) -> bool:
     return all(not cells[i] or _NUMBER.fullmatch(cells[i]) for i in kept)
 
 
-def _header(
-    separator: str, above: list[_Row], ends: list[str], comments: list[Line], stated: Layout
-) -> _Header | str:
+def _header(separator: str, above: list[_Row], ends: list[str], comments: list[Line], stated: Layout) -> _Header | str:
     """The header of rows such as ``ends``, or why there is none."""
     count = len(ends)
     if stated.names is not None:

@@ -81,9 +81,7 @@ def test_a_start_that_is_not_allowed_is_an_error(kind: str, fmi: str, folder: Pa
 
 
 @pytest.mark.parametrize("fmi", VERSIONS)
-def test_model_exchange_ends_at_an_accepted_step(
-    fmi: str, folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_model_exchange_ends_at_an_accepted_step(fmi: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """What the FMU says is read where FMPy prints it: its proxy keeps a logger of ours longer than that lives."""
     arguments = {"fmi_type": "ModelExchange", "output_interval": 0.1, "debug_logging": True}
     path = str(_built("Growing", fmi, folder))

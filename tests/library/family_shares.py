@@ -122,9 +122,7 @@ def _off(one: Free) -> list[dict[str, float]]:
     return [{one.name: min(max(v, one.low), one.high)} for v in values if one.low < v < one.high or one.logarithmic]
 
 
-def shares(
-    family: str, number: int, names: Sequence[str] = (), plan: Plan = (), thorough: bool = False
-) -> list[Share]:
+def shares(family: str, number: int, names: Sequence[str] = (), plan: Plan = (), thorough: bool = False) -> list[Share]:
     """What effects of the catalogue leave of a random member: by default the general member of its family.
 
     ``thorough``: where more than ``ENOUGH`` is left, the fit is tried again from more starts.

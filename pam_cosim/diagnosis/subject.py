@@ -1,0 +1,70 @@
+"""What a study of effects begins with: the model, the library that it is of, and the data with their noise."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from pam_cosim.catalogue import EffectClass, domain_of, effect_classes, origins, qualified
+from pam_cosim.compiler import ClassTree, Part, read_library, read_structure
+from pam_cosim.diagnosis.stated import stated_parameters
+from pam_cosim.diagnosis.trial import run_trial
+from pam_cosim.errors import InputError
+from pam_cosim.fmu import build_model
+from pam_cosim.interface import Interface
+from pam_cosim.measurement import DataSet, complete_noise
+from pam_cosim.names import is_fmu, is_modelica
+from pam_cosim.simulation import Simulator
+from pam_cosim.workers import wake
+
+
+@dataclass(frozen=True)
+class Subject:
+    """A model whose effects are asked for, and the measurement.
+
+    Attributes:
+        name: of the model.
+        files: further Modelica files, as stated. sources: with the model's own.
+        tree: the Modelica library with these.
+        data: with noise levels, and the words of the model's field.
+    """
+
+    name: str
+    files: tuple[Path, ...]
+    sources: tuple[Path, ...]
+    tree: ClassTree
+    data: DataSet
+
+    def simulator(self) -> Simulator:
+        """The model, with slopes by the free parameters where it is smooth."""
+        return Simulator(build_model(self.name, self.files, sensitivities=self.data.free_names, where_smooth=True))
+
+    def effects(self, interface: Interface) -> list[EffectClass]:
+        """All that the model may lack: effects of the library and of files, and wrong parameters that are stated."""
+        shelf = effect_classes(self.tree, origins(self._parts()))
+        return [*shelf, *stated_parameters(self.data, interface)]
+
+    def _parts(self) -> Sequence[Part]:
+        return read_structure(qualified(self.tree, self.name), files=self.sources).parts
+
+
+def subject_of(data: DataSet, model: str | None, files: Sequence[Path], workers: int | None) -> Subject:
+    """The model, by default the bench of the data set, and the data; processes for trials start meanwhile.
+
+    Args:
+        data: the measurement.
+        model: default: the bench of the data set.
+        files: further Modelica files.
+        workers: number of processes; 0: this one alone.
+
+    Raises:
+        InputError: an FMU.
+    """
+    name = model or data.model
+    if is_fmu(name):
+        raise InputError("effects can be added to a Modelica model only; an FMU can be compared and fitted", name)
+    wake(workers, run_trial.__module__)
+    sources = tuple([*files, Path(name)] if is_modelica(name) else files)
+    tree = read_library(files=sources)
+    return Subject(name, tuple(files), sources, tree, complete_noise(replace(data, domain=domain_of(tree, name))))
