@@ -197,7 +197,7 @@ def check(
         InputError: the model cannot be compiled, or lacks a parameter that is to be fitted.
         SimulationFailure: the model cannot be simulated at its start values.
     """
-    subject = subject_of(data, model, files, workers)
+    subject = subject_of(data, model, files, workers, say)
     data, name = subject.data, subject.name
     with subject.simulator() as simulator:
         shelf = subject.effects(simulator.interface)

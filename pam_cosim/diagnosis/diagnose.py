@@ -169,7 +169,7 @@ def diagnose(
         InputError: the model cannot be compiled, or lacks a parameter that is to be fitted; an unknown family.
         SimulationFailure: the base model cannot be simulated at all.
     """
-    began, subject = time.monotonic(), subject_of(data, model, files, workers)
+    began, subject = time.monotonic(), subject_of(data, model, files, workers, say)
     data, name, sources = subject.data, subject.name, subject.sources
     with subject.simulator() as simulator:
         shelf = subject.effects(simulator.interface)

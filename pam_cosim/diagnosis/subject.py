@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from pam_cosim.catalogue import EffectClass, domain_of, effect_classes, origins, qualified
 from pam_cosim.compiler import ClassTree, Part, read_library, read_structure
+from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.stated import stated_parameters
 from pam_cosim.diagnosis.trial import run_trial
 from pam_cosim.errors import InputError
 from pam_cosim.fmu import build_model
 from pam_cosim.interface import Interface
-from pam_cosim.measurement import DataSet, complete_noise
+from pam_cosim.measurement import DataSet, complete_noise, condensed
 from pam_cosim.names import is_fmu, is_modelica
 from pam_cosim.simulation import Simulator
 from pam_cosim.workers import wake
@@ -49,14 +50,19 @@ class Subject:
         return read_structure(qualified(self.tree, self.name), files=self.sources).parts
 
 
-def subject_of(data: DataSet, model: str | None, files: Sequence[Path], workers: int | None) -> Subject:
+def subject_of(
+    data: DataSet, model: str | None, files: Sequence[Path], workers: int | None, say: Callable[[Message], None]
+) -> Subject:
     """The model, by default the bench of the data set, and the data; processes for trials start meanwhile.
+
+    Very many rows become means (``measurement.condensed``).
 
     Args:
         data: the measurement.
         model: default: the bench of the data set.
         files: further Modelica files.
         workers: number of processes; 0: this one alone.
+        say: told where rows become means.
 
     Raises:
         InputError: an FMU.
@@ -67,4 +73,7 @@ def subject_of(data: DataSet, model: str | None, files: Sequence[Path], workers:
     wake(workers, run_trial.__module__)
     sources = tuple([*files, Path(name)] if is_modelica(name) else files)
     tree = read_library(files=sources)
+    data, said = condensed(data)
+    if said:
+        say(Message(said))
     return Subject(name, tuple(files), sources, tree, complete_noise(replace(data, domain=domain_of(tree, name))))

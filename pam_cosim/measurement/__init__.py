@@ -1,5 +1,6 @@
 """The measurement room: a folder with ``experiment.toml`` and CSV files becomes a ``DataSet``."""
 
+from pam_cosim.measurement.condensing import condensed
 from pam_cosim.measurement.data_set import ROLES, DataSet, FreeParameter, Prior, Role, Run, Signal, Transform
 from pam_cosim.measurement.experiment import error_in
 from pam_cosim.measurement.noise import complete_noise, estimate_noise, record_step, with_noise
@@ -18,6 +19,7 @@ __all__ = [
     "Signal",
     "Transform",
     "complete_noise",
+    "condensed",
     "error_in",
     "estimate_noise",
     "record_step",

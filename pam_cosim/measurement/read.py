@@ -14,8 +14,7 @@ from pam_cosim.measurement.inside import file_inside
 from pam_cosim.measurement.parameters import free_parameter, known_values
 from pam_cosim.measurement.points import Points
 from pam_cosim.measurement.read_run import read_points, read_run
-from pam_cosim.measurement.recording import Averaged
-from pam_cosim.measurement.resampling import noise_of_mean
+from pam_cosim.measurement.resampling import with_noise_of_means
 from pam_cosim.names import BRANCH, is_file
 from pam_cosim.units import UnitError, parse_quantity
 from pam_cosim.wording import did_you_mean, shown
@@ -58,7 +57,7 @@ def read_data_set(
         folder=document.file.parent,
         title=content.title or document.file.parent.resolve().name,
         model=name,
-        signals=_with_means(_signals(document, interface, runs), runs),
+        signals=with_noise_of_means(_signals(document, interface, runs), runs),
         parameters=known,
         fit=free | {one.name: one for several in own for one in several},
         runs=runs,
@@ -116,18 +115,6 @@ def _signals(document: ExperimentFile, interface: Interface, runs: tuple[Run, ..
     measured = [name for run in runs for name in run.measurements]
     names = dict.fromkeys([*declared, *measured])
     return {name: _signal(document, name, interface.outputs[name].unit) for name in names}
-
-
-def _with_means(signals: dict[str, Signal], runs: Sequence[Run]) -> dict[str, Signal]:
-    """Stated noise is that of a sample: where runs hold means of several, that of the run with the fewest counts."""
-    changed = dict(signals)
-    for name, signal in signals.items():
-        means = [run.averaged.get(name, Averaged(1)) for run in runs if name in run.measurements]
-        fewest = min(means, key=lambda one: one.samples, default=Averaged(1))
-        if signal.sigma is not None and fewest.samples > 1:
-            step = fewest.step if 2.0 * signal.sigma < fewest.step else 0.0
-            changed[name] = replace(signal, sigma=noise_of_mean(signal.sigma, fewest), step=step)
-    return changed
 
 
 def _signal(document: ExperimentFile, name: str, unit: str) -> Signal:

@@ -6,6 +6,7 @@ little within the interval. An input that steps keeps the time and both values o
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from math import sqrt
 
@@ -14,6 +15,7 @@ from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
+from pam_cosim.measurement.data_set import Run, Signal
 from pam_cosim.measurement.noise import record_step
 from pam_cosim.measurement.recording import Averaged, Recording, locked
 from pam_cosim.simulation.inputs import Interpolation
@@ -78,6 +80,18 @@ def noise_of_mean(sigma: float, averaged: Averaged) -> float:
     if 2.0 * sigma >= averaged.step:
         return sqrt((sigma**2 + rounding) / averaged.samples)
     return sqrt(sigma**2 / averaged.samples + rounding)
+
+
+def with_noise_of_means(signals: Mapping[str, Signal], runs: Sequence[Run]) -> dict[str, Signal]:
+    """Stated noise is that of a sample: where runs hold means of several, that of the run with the fewest counts."""
+    changed = dict(signals)
+    for name, signal in signals.items():
+        means = [run.averaged.get(name, Averaged(1)) for run in runs if name in run.measurements]
+        fewest = min(means, key=lambda one: one.samples, default=Averaged(1))
+        if signal.sigma is not None and fewest.samples > 1:
+            step = fewest.step if 2.0 * signal.sigma < fewest.step else 0.0
+            changed[name] = replace(signal, sigma=noise_of_mean(signal.sigma, fewest), step=step)
+    return changed
 
 
 def _jumps(recording: Recording, most: int) -> _Places:

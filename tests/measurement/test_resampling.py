@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
+import pandas as pd
 import pytest
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement import complete_noise, read_data_set
+from pam_cosim.measurement import DataSet, complete_noise, condensed, read_data_set
+from pam_cosim.measurement.condensing import MOST_ROWS
 from pam_cosim.measurement.recording import Averaged, Recording
 from pam_cosim.measurement.resampling import noise_of_mean, resampled
 from tests.measurement.bench import MODEL, describe
@@ -109,3 +111,31 @@ def test_in_a_data_set(tmp_path):
     with pytest.raises(InputError) as caught:
         read_data_set(tmp_path, describe)
     assert (caught.value.line, caught.value.file) == (5, file)
+
+
+def long_data(tmp_path, u: np.ndarray, sigma: str = "") -> DataSet:
+    time = np.arange(len(u)) / 1000
+    x = 5e-3 * np.sin(time) + np.random.default_rng(3).normal(0, 1e-4, len(time))
+    rows = pd.DataFrame({"time [s]": time, "u_in [A]": u, "p_supply [kPa]": 200.0, "x [mm]": 1e3 * x})
+    rows.to_csv(tmp_path / "run.csv", index=False)
+    (tmp_path / "experiment.toml").write_text(f'model = "{MODEL}"\n{sigma}[[runs]]\nfile = "run.csv"\n')
+    return read_data_set(tmp_path, describe)
+
+
+def test_a_search_takes_means_of_very_many_rows(tmp_path):
+    time = np.arange(0.0, 120.0, 1e-3)
+    data = long_data(tmp_path, np.where(time % 20 < 10, 0.35, 0.0), '[signals.x]\nsigma = "0.1 mm"\n')
+    means, said = condensed(data)
+    assert said.startswith("120000 rows are more than a search needs: it takes means over 0.004 s")
+    assert 0.9 * MOST_ROWS < len(means.runs[0].time) < 1.1 * MOST_ROWS
+    assert means.signals["x"].sigma == pytest.approx(1e-4 / 2)
+    assert len(np.flatnonzero(np.diff(means.runs[0].inputs["u_in"]))) == 11
+    assert condensed(means)[0] is means
+
+
+def test_a_search_keeps_every_row_of_pulses_and_of_few_rows(tmp_path):
+    pulses = (np.arange(120_000) % 4 < 1) * 0.35
+    data = long_data(tmp_path, pulses)
+    assert condensed(data)[0] is data
+    data = long_data(tmp_path, pulses[:MOST_ROWS])
+    assert condensed(data)[0] is data
