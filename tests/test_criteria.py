@@ -33,6 +33,8 @@ DECIDE_NOTHING = {
     "_NOTHING_NEW": "rank of a matrix, far from what noise leaves",
     "_WEAK": "the same",
     "_ZEROS": "the atmosphere and the ice point",
+    "_ROUNDS": "how often a linear problem is solved again from where it led",
+    "_INSIDE": "keeps a step off the samples beside it",
     "_SAME": "digits in which two values of a run are one condition of a table",
 }
 BY_NAME = {c.name: c for c in every_criterion()}

@@ -53,6 +53,7 @@ class Diagnosis(Printed):
         learned: likewise, a formula for what is missing and the model with it: a description, no cause.
         untried: effects of the models that promised to be better when the time limit ended the search.
         not_tried: families that were not looked for, with the reason.
+        step_times: steps of commands that stand between two samples, to which the search gave a time.
     """
 
     data: DataSet
@@ -70,6 +71,7 @@ class Diagnosis(Printed):
     learned: LearnedModel | None = None
     untried: tuple[tuple[str, ...], ...] = ()
     not_tried: dict[str, str] = field(default_factory=dict)
+    step_times: int = 0
 
     @property
     def final(self) -> Fit:
@@ -83,6 +85,14 @@ class Diagnosis(Printed):
         for family, why in self.not_tried.items():
             families.setdefault(why, []).append(family)
         return families
+
+    @property
+    def said_of_steps(self) -> str:
+        """What was done about commands that step between two samples."""
+        return (
+            f"{self.step_times} steps of commands came between two samples: each was given the time in its interval "
+            "that leaves least; log commands when they change, or faster"
+        )
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
@@ -98,6 +108,7 @@ class Diagnosis(Printed):
             "verdict": self.verdict.as_dict(),
             "doubts": [vars(doubt) for doubt in self.final.comparison.doubts],
             "outliers": self.outliers,
+            "step_times": self.step_times,
             "next_experiment": self.next_experiment.as_dict() if self.next_experiment else None,
             "missing_term": self._missing(),
             "untried": [list(names) for names in self.untried],
@@ -129,6 +140,8 @@ class Diagnosis(Printed):
             first = [" + ".join(names) for names in self.untried[: CRITERIA.search.first_tried]]
             more = ", ".join(first) + (f" and {len(self.untried) - len(first)} more" * (len(self.untried) > len(first)))
             lines.append(f"  The time limit ended the search; what would have been tried next: {more}")
+        if self.step_times:
+            lines.append(f"  {self.said_of_steps}")
         lines += [f"  look first: {doubt.text}" for doubt in self.final.comparison.doubts]
         lines += [f"  not looked for: {listed(names)}: {why}" for why, names in self.not_tried_by_reason.items()]
         if self.learned is not None:
@@ -180,7 +193,14 @@ def diagnose(
         subject.tree, name, [e for e in shelf if e.name not in excluded], data, sources, say, workers, expected=expected
     )
     search = replace(search, at_rest=all(run.is_static for run in data.runs))
-    selection = select_effects(search, base, began + (math.inf if time_limit is None else time_limit))
+    deadline = began + (math.inf if time_limit is None else time_limit)
+    selection, timed = select_effects(search, base, deadline), None
+    if selection.timed is not None:
+        timed = selection.timed
+        say(Message(f"{timed.steps} steps of commands come between samples, where they leave least: all begins anew"))
+        with subject.simulator() as simulator:
+            data, base, outliers = _base(simulator, timed.data, say)
+        selection = select_effects(replace(search, data=data), base, deadline, clocks=False)
     search, base, data = selection.search, selection.base, selection.search.data
     selected, tried = list(selection.path), list(selection.tried)
     others: list[Plan] = []
@@ -213,6 +233,7 @@ def diagnose(
         learned=learned,
         untried=selection.untried,
         not_tried=_not_tried(shelf, excluded, search, selection),
+        step_times=timed.steps if timed else 0,
     )
 
 

@@ -17,6 +17,7 @@ from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
 from pam_cosim.diagnosis.choice import Choice
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.probing import Probe, Stated
+from pam_cosim.diagnosis.step_times import Retimed, Retiming, nothing_found, run_retiming, steps_between
 from pam_cosim.diagnosis.trial import Trial, crashed, run_afar, run_probe, run_stated
 from pam_cosim.fitting import Fit, Linear
 from pam_cosim.measurement import DataSet
@@ -102,6 +103,11 @@ class Search:
         broad = [e.name for e in self.shelf if e.general or e.family not in covered]
         return [name for name in broad if name not in self.unseen]
 
+    @cached_property
+    def loose_steps(self) -> int:
+        """How many commands step between two samples, all runs together."""
+        return steps_between(self.data)
+
     def probed(self, fitted: Fit, has: Sequence[str], effects: Sequence[str]) -> list[Probe]:
         """What each of some effects does to the samples beside a fitted model, which has others."""
         trials = [t.screening() for t in self._trials([Wanted((*has, name), fitted.values) for name in effects])]
@@ -126,6 +132,13 @@ class Search:
         """The search without samples that are outliers beside a fit, which shows more than worse ones; and how many."""
         data, counts = without_outliers(self.data, fit.comparison.runs, CRITERIA.noise.outliers_together)
         return (replace(self, data=data) if counts else self), counts
+
+    def with_step_times(self, models: Sequence[tuple[tuple[str, ...], Fit]]) -> list[Retimed]:
+        """Models by their effects, fitted again, each step of a command where between two samples it serves best."""
+        made = [(effects, fit, compose_on(self.tree, self.structure, effects)) for effects, fit in models]
+        tasks = [Retiming(e, own, self.data, fit, self.files, self.library) for e, fit, own in made if own is not None]
+        results = run_tasks(run_retiming, tasks, nothing_found, lambda _: None, self.workers)
+        return [r for r in results if r is not None]
 
     def briefly(self, models: Sequence[Wanted]) -> list[Candidate]:
         """Models with these effects, a few steps from these values: enough to tell whether they promise anything."""

@@ -31,6 +31,7 @@ from pam_cosim.diagnosis.expectation import Addition, Additions, Beside, Expecte
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.probing import Probe
 from pam_cosim.diagnosis.search import Search, Wanted
+from pam_cosim.diagnosis.step_times import Retimed
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Fit, Linear
 
@@ -46,6 +47,8 @@ class Selection:
         untried: effects of the models that promised to be better when the time was over, the most promising first.
         outliers: how many single samples were set aside on the way, by signal.
         probes: what each effect does beside the base model; none where nothing had to be looked for.
+        timed: the data with commands that step between two samples at the times that explain what else remains, to
+            select from anew; None: as they are.
     """
 
     search: Search
@@ -55,15 +58,17 @@ class Selection:
     untried: tuple[tuple[str, ...], ...] = ()
     outliers: Mapping[str, int] = field(default_factory=dict)
     probes: tuple[Probe, ...] = ()
+    timed: Retimed | None = None
 
 
-def select_effects(search: Search, base: Fit, deadline: float = math.inf) -> Selection:
+def select_effects(search: Search, base: Fit, deadline: float = math.inf, clocks: bool = True) -> Selection:
     """The effects that are needed.
 
     Args:
         search: tries effects.
         base: the model without them, fitted, with its linear model.
         deadline: of ``time.monotonic``, after which no more models are fitted, but those that the answer needs.
+        clocks: whether steps of commands may find their times between two samples.
 
     Raises:
         SimulationFailure: no effect could be tried at all.
@@ -82,6 +87,9 @@ def select_effects(search: Search, base: Fit, deadline: float = math.inf) -> Sel
         models.set_outliers_aside()
         if not models.unsolved():
             break
+        timed = models.with_step_times(count) if clocks else None
+        if timed is not None:
+            return Selection(models.search, models.base, outliers=models.outliers, timed=timed)
         if 1 < count < CRITERIA.search.most_effects:
             models.look_again()
     return Selection(
@@ -192,6 +200,31 @@ class _Models:
         """Whether the best model leaves structure, or there is none."""
         best = self._best()
         return best is None or self._leaves_structure(best)
+
+    def with_step_times(self, count: int) -> Retimed | None:
+        """The model that leaves noise once each step of a command comes when it serves best within its interval.
+
+        If it has at most so many effects, and no model with one more, each step counted as a parameter, promises more.
+        """
+        if not self.search.loose_steps or self._late([]):
+            return None
+        models = sorted(self.known.values(), key=lambda c: (self._evidence(c), c.effects))
+        own = [(c.effects, c.fit) for c in models if len(c.effects) == count][: CRITERIA.search.leading_families]
+        self.search.say(Message("giving each step of a command its time between two samples"))
+        timed = self.search.with_step_times([((), self.base)] * (count == 1) + own)
+        timed = [r for r in timed if not unexplained(r.fit)]
+        if not timed:
+            return None
+        at, noise = scale([*self._fits, *(r.fit for r in timed)]), self._noise()
+        hopes = [self._evidence(c, at) for c in (None, *self.known.values())]
+        for e in self._promising(count + 1):
+            start = self.known.get(e.start)
+            hopes.append(self._hoped(start.fit if start else self.base, start, e, noise, at))
+        costs = {
+            r.effects: evidence(r.fit, at, r.effects, self.search.choice) + r.steps * at.penalty(r.fit) for r in timed
+        }
+        best = min(timed, key=lambda r: (len(r.effects), costs[r.effects], r.effects))
+        return best if costs[best.effects] < min(hopes) else None
 
     def set_outliers_aside(self) -> None:
         """Samples that the best model shows to be outliers, which worse ones hid: none is judged by them any more."""

@@ -193,19 +193,23 @@ def free_parameters(trial: Trial, interface: Interface) -> tuple[tuple[Free, ...
     The strength of an unknown effect is uncertain by orders of magnitude: each parameter of the tried effect is
     started at its stated value, and at ten times more and less; in all combinations where they are few.
     """
-    free = list(base_parameters(trial.data, interface))
-    known = {f.name for f in free}
-    spread: list[list[tuple[str, float]]] = []
-    for effect, names in trial.composition.parameters.items():
-        for name in names:
-            if name in known:
-                continue
-            parameter = _own(name, interface)
-            free.append(parameter)
-            if effect == trial.effect.name:
-                spread.append([(name, s) for s in _orders(parameter)])
-    moved = [_from(f, trial.start) for f in free]
+    moved = [_from(f, trial.start) for f in every_parameter(trial.data, trial.composition, interface)]
+    base = {f.name for f in base_parameters(trial.data, interface)}
+    tried = set(trial.composition.parameters[trial.effect.name]) - base
+    spread = [
+        [(f.name, s) for s in _orders(f)]
+        for f in every_parameter(trial.data, trial.composition, interface)
+        if f.name in tried
+    ]
     return tuple(moved), [dict(trial.further_start)] * bool(trial.further_start) + _combined(spread)
+
+
+def every_parameter(data: DataSet, composition: Composition, interface: Interface) -> list[Free]:
+    """The free parameters of the data set, and those of the effects of a model."""
+    free = list(base_parameters(data, interface))
+    known = {f.name for f in free}
+    own = [name for names in composition.parameters.values() for name in names]
+    return [*free, *(_own(name, interface) for name in own if name not in known)]
 
 
 def _own(name: str, interface: Interface) -> Free:

@@ -6,6 +6,7 @@ from pam_cosim.measurement.experiment import error_in
 from pam_cosim.measurement.noise import complete_noise, estimate_noise, record_step, with_noise
 from pam_cosim.measurement.read import read_data_set
 from pam_cosim.measurement.recording import Recording, read_recording
+from pam_cosim.measurement.steps import between_samples, with_step_times
 from pam_cosim.measurement.write import write_data_set
 
 __all__ = [
@@ -18,6 +19,7 @@ __all__ = [
     "Run",
     "Signal",
     "Transform",
+    "between_samples",
     "complete_noise",
     "condensed",
     "error_in",
@@ -26,5 +28,6 @@ __all__ = [
     "read_data_set",
     "read_recording",
     "with_noise",
+    "with_step_times",
     "write_data_set",
 ]

@@ -14,10 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement.data_set import Run, Signal
 from pam_cosim.measurement.noise import record_step
 from pam_cosim.measurement.recording import Averaged, Recording, locked
+from pam_cosim.measurement.steps import jumps as jumps_of
 from pam_cosim.simulation.inputs import Interpolation
 from pam_cosim.units import format_quantity
 
@@ -35,7 +35,7 @@ def resampled(recording: Recording, interval: float, interpolation: Interpolatio
     wanted = max(1, round((time[-1] - time[0]) / interval))
     if 2 * wanted > count:
         return recording
-    jumps = _jumps(recording, wanted)
+    jumps = jumps_of(recording.inputs, wanted)
     starts = _starts(time, jumps, interval)
     sizes = np.diff(starts, append=count)
     middle = np.add.reduceat(time, starts) / sizes
@@ -92,16 +92,6 @@ def with_noise_of_means(signals: Mapping[str, Signal], runs: Sequence[Run]) -> d
             step = fewest.step if 2.0 * signal.sigma < fewest.step else 0.0
             changed[name] = replace(signal, sigma=noise_of_mean(signal.sigma, fewest), step=step)
     return changed
-
-
-def _jumps(recording: Recording, most: int) -> _Places:
-    """Indices after which an input steps: differences far beyond the others, the largest few left out of these."""
-    steps = np.zeros(len(recording.time) - 1, dtype=bool)
-    for values in recording.inputs.values():
-        size = np.abs(np.diff(values))
-        usual = np.partition(size, len(size) - most)[: len(size) - most]
-        steps |= size > CRITERIA.noise.outlier_far * sqrt(float(np.mean(usual**2)))
-    return np.flatnonzero(steps)
 
 
 def _starts(time: Array, jumps: _Places, interval: float) -> _Places:

@@ -96,7 +96,7 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
         signals=signal_rows(diagnosis.data),
         scores=score_rows(diagnosis.final.comparison),
         runs_in_words=[run.describe() for run in diagnosis.data.runs],
-        notes=[*_outlier_notes(diagnosis), *diagnosis.data.notes()],
+        notes=[*_sample_notes(diagnosis), *diagnosis.data.notes()],
         failures=diagnosis.final.failures,
         equations=diagnosis.path[-1].equations if diagnosis.path else "",
         provenance=provenance(diagnosis.data, diagnosis.model),
@@ -205,8 +205,10 @@ def _parameter_rows(diagnosis: Diagnosis) -> list[Row]:
     return rows
 
 
-def _outlier_notes(diagnosis: Diagnosis) -> list[str]:
-    return [
+def _sample_notes(diagnosis: Diagnosis) -> list[str]:
+    """What was done about commands between samples and about outliers."""
+    steps = [diagnosis.said_of_steps] if diagnosis.step_times else []
+    return steps + [
         f"{count} {'sample' if count == 1 else 'samples'} of {name}, far off the neighbours, "
         f"{'was' if count == 1 else 'were'} set aside as {'an outlier' if count == 1 else 'outliers'}"
         for name, count in diagnosis.outliers.items()

@@ -1,0 +1,241 @@
+"""When commands stepped that stand between two samples, as the measured signals tell beside a model.
+
+A model to which each step comes at another time within its interval moves the signals, to first order, by the slopes of
+its outputs with respect to these times. The times and the free parameters that leave least are a bounded linear least
+squares problem; with the times put into the data the model is fitted again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import lsq_linear
+
+from pam_cosim.arrays import Array
+from pam_cosim.catalogue import Composition
+from pam_cosim.comparison import simulate_run
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.diagnosis.trial import every_parameter
+from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.fitting import Fit, FitOptions, Free, fit
+from pam_cosim.fitting.objective import Objective
+from pam_cosim.fmu import build_source
+from pam_cosim.measurement import DataSet, Run, between_samples, with_step_times
+from pam_cosim.names import parameter_of
+from pam_cosim.simulation import Simulator
+
+_ROUNDS = 2  # the second from where the first one ended
+_INSIDE = 1e-3  # of an interval, that a step keeps from the samples at its ends
+
+
+@dataclass(frozen=True)
+class Retiming:
+    """A fitted model beside which the steps are to find their times.
+
+    Attributes:
+        effects: that the model has. composition: its text.
+        data: the measurement, with noise levels.
+        fit: of the model.
+        files: further Modelica files. library: ``compiler.library_hash()``.
+    """
+
+    effects: tuple[str, ...]
+    composition: Composition
+    data: DataSet
+    fit: Fit
+    files: tuple[Path, ...] = ()
+    library: str = ""
+
+
+@dataclass(frozen=True)
+class Retimed:
+    """What came of it.
+
+    Attributes:
+        effects: that the model has.
+        steps: how many steps found a time.
+        data: the measurement with the times. fit: of the model to these.
+    """
+
+    effects: tuple[str, ...]
+    steps: int
+    data: DataSet
+    fit: Fit
+
+
+def steps_between(data: DataSet) -> int:
+    """How many commands step between two samples, all runs together."""
+    return sum(len(between_samples(run)) for run in data.runs)
+
+
+def nothing_found(task: Retiming) -> Retimed | None:
+    """The result where a model cannot be simulated."""
+    return None
+
+
+def run_retiming(task: Retiming) -> Retimed | None:
+    """Finds the times beside the model, fits it with them, and both once more.
+
+    None where they do less, in the first run, than a further effect has to, or the model cannot be simulated.
+    """
+    names = tuple(dict.fromkeys(map(parameter_of, task.fit.parameters)))
+    text, name = task.composition.text, task.composition.name
+    try:
+        source = build_source(name, text, task.files, sensitivities=names, library=task.library, lean=True)
+        with Simulator(source) as simulator:
+            return _retimed(task, simulator)
+    except (SimulationFailure, InputError):
+        return nothing_found(task)
+
+
+def _retimed(task: Retiming, simulator: Simulator) -> Retimed | None:
+    free, own, numbers = every_parameter(task.data, task.composition, simulator.interface), task.fit, CRITERIA.search
+    clock = _Clock(simulator, task.data, own.values)
+    start = _at(free, own)
+    if not clock.promises(start):
+        return None
+    options = FitOptions(
+        evaluations=numbers.screening_evaluations, descents=1, precision=numbers.precision, rules=False, leeway=True
+    )
+    for _ in range(_ROUNDS):
+        start = clock.set_by(start)
+        own = fit(simulator, clock.data, start, options=options)
+        start = _at(free, own)
+    return Retimed(task.effects, clock.steps, clock.data, own)
+
+
+def _at(free: Sequence[Free], fit: Fit) -> list[Free]:
+    return [replace(f, start=min(max(fit.values.get(f.name, f.start), f.low), f.high)) for f in free]
+
+
+class _Clock:
+    """A data set whose steps come at times that can be moved within their intervals."""
+
+    def __init__(self, simulator: Simulator, data: DataSet, values: Mapping[str, float]) -> None:
+        self._simulator, self._values, self._recorded = simulator, values, data
+        self._rows = [between_samples(run) for run in data.runs]
+        self._low = [run.time[rows] for run, rows in zip(data.runs, self._rows, strict=True)]
+        self._high = [run.time[rows + 1] for run, rows in zip(data.runs, self._rows, strict=True)]
+        self._times = [(low + high) / 2 for low, high in zip(self._low, self._high, strict=True)]
+        self.steps = sum(map(len, self._rows))
+        self.data = self._with(self._times)
+        self._slopes: dict[int, Array] = {}
+
+    def _with(self, times: Sequence[Array]) -> DataSet:
+        moved = zip(self._recorded.runs, self._rows, times, strict=True)
+        return replace(self._recorded, runs=tuple(with_step_times(run, rows, t) for run, rows, t in moved))
+
+    def _signals(self, run: Run) -> list[str]:
+        return [name for name, one in self.data.signals.items() if one.fitted and run.sample_count(name)]
+
+    def _slopes_of(self, i: int) -> Array:
+        """(samples, steps) of a run's samples by the times of its steps, in noise standard deviations a second.
+
+        About the middles of the intervals and the values that all began with.
+        """
+        if i not in self._slopes:
+            times = (self._low[i] + self._high[i]) / 2
+            before = self._simulated(i, times)
+            columns = [np.zeros((len(before), 0))]
+            for k, shift in enumerate((self._high[i] - times) / 2):
+                moved = times.copy()
+                moved[k] += shift
+                columns.append(((self._simulated(i, moved) - before) / shift)[:, None])
+            self._slopes[i] = np.column_stack(columns)
+        return self._slopes[i]
+
+    def _simulated(self, i: int, times: Array) -> Array:
+        """Samples of a run that steps at these times, in noise standard deviations."""
+        run, tolerance = (
+            with_step_times(self._recorded.runs[i], self._rows[i], times),
+            CRITERIA.fit.difference_tolerance,
+        )
+        signals = self._signals(run)
+        model = simulate_run(self._simulator, self.data, run, self._values, tolerance, signals).model
+        parts = [np.zeros(0)]
+        for name in signals:
+            sigma = self.data.signals[name].sigma
+            assert sigma is not None, "fits need a noise level; see measurement.with_noise"
+            parts.append(model[name][np.isfinite(run.measurements[name])] / sigma)
+        return np.concatenate(parts)
+
+    def _about(self, runs: Sequence[Run], free: Sequence[Free]) -> tuple[Array, Array, tuple[Array, Array]]:
+        """Samples minus model of some runs, the model's slopes by the parameters, and how far these can go."""
+        objective = Objective(self._simulator, self.data, runs, free, None, CRITERIA.fit.difference_tolerance)
+        z = np.array([f.to_z(f.start) for f in free])
+        residual = objective.residuals(z)
+        if not np.all(np.isfinite(residual)):
+            raise SimulationFailure(objective.first_failure)
+        low, high = objective.bounds
+        slopes = -objective.jacobian(z, residual)
+        return residual[: objective.size], slopes[: objective.size], (low - z, high - z)
+
+    def promises(self, free: Sequence[Free]) -> bool:
+        """Whether times of its steps take from the first fitted run that has any as much as an effect has to."""
+        fitted = (i for i, run in enumerate(self.data.runs) if run.role == "fit" and len(self._rows[i]))
+        first = next(fitted, None)
+        if first is None:
+            return False
+        residual, slopes, room = self._about([self.data.runs[first]], free)
+        change, times = self._solved([first], [slopes], [residual], room)
+        left = residual - slopes @ change - self._slopes_of(first) @ (times[first] - self._times[first])
+        excess = float(residual @ residual) - len(residual)
+        return float(left @ left) - len(left) < CRITERIA.search.step * excess
+
+    def set_by(self, free: Sequence[Free]) -> list[Free]:
+        """Moves the steps to where they and the free parameters leave least of the samples, to first order.
+
+        Returns the parameters, to start from where they are then.
+        """
+        residual, slopes, room = self._about(self.data.runs, free)
+        ends = np.cumsum([0, *(sum(run.sample_count(s) for s in self._signals(run)) for run in self.data.runs)])
+        parts = [slice(a, b) for a, b in zip(ends[:-1], ends[1:], strict=True)]
+        fitted = [i for i, run in enumerate(self.data.runs) if run.role == "fit"]
+        rows = [slopes[parts[i]] for i in fitted]
+        change, times = self._solved(fitted, rows, [residual[parts[i]] for i in fitted], room)
+        for i in range(len(self.data.runs)):
+            if i not in times and len(self._rows[i]):
+                left = residual[parts[i]] - slopes[parts[i]] @ change
+                times |= self._solved([i], [slopes[parts[i]][:, :0]], [left], (room[0][:0], room[1][:0]))[1]
+        self._times = [times.get(i, t) for i, t in enumerate(self._times)]
+        self.data = self._with(self._times)
+        z = [min(max(f.to_z(f.start) + c, f.to_z(f.low)), f.to_z(f.high)) for f, c in zip(free, change, strict=True)]
+        return [replace(f, start=f.to_value(c)) for f, c in zip(free, z, strict=True)]
+
+    def _solved(
+        self, runs: Sequence[int], rows: Sequence[Array], left: Sequence[Array], room: tuple[Array, Array]
+    ) -> tuple[Array, dict[int, Array]]:
+        """The change of the parameters and the times of the steps of some runs that leave least, all within bounds."""
+        counts = [len(self._rows[i]) for i in runs]
+        at = np.cumsum([rows[0].shape[1], *counts])
+        matrix = np.zeros((sum(map(len, left)), at[-1]))
+        row = 0
+        for n, i in enumerate(runs):
+            here = slice(row, row + len(left[n]))
+            matrix[here, : at[0]], matrix[here, at[n] : at[n + 1]] = rows[n], self._slopes_of(i)
+            row += len(left[n])
+        now = np.concatenate([np.zeros(0), *(self._times[i] for i in runs)])
+        edges = [(self._low[i], self._high[i], _INSIDE * (self._high[i] - self._low[i])) for i in runs]
+        low = np.concatenate([room[0], np.concatenate([a + e for a, _, e in edges]) - now])
+        high = np.concatenate([room[1], np.concatenate([b - e for _, b, e in edges]) - now])
+        step = _bounded(matrix, np.concatenate(left), low, high)
+        own = step[at[0] :] + now
+        return step[: at[0]], {i: own[at[n] - at[0] : at[n + 1] - at[0]] for n, i in enumerate(runs)}
+
+
+def _bounded(matrix: Array, left: Array, low: Array, high: Array) -> Array:
+    """What makes least of ``left`` within bounds; a column without a slope stays."""
+    size = np.linalg.norm(matrix, axis=0)
+    felt: NDArray[np.bool_] = size > 0
+    step = np.zeros(matrix.shape[1])
+    if felt.any():
+        triangle: Array = np.asarray(np.linalg.qr(np.column_stack([matrix[:, felt] / size[felt], left]), mode="r"))
+        n = int(felt.sum())
+        edges = (np.minimum(low, 0.0)[felt] * size[felt], np.maximum(high, 0.0)[felt] * size[felt])
+        edges = (edges[0] - 1e-12, edges[1] + 1e-12)
+        step[felt] = lsq_linear(triangle[:n, :n], triangle[:n, n], edges).x / size[felt]
+    return step
