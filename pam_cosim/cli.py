@@ -26,6 +26,7 @@ from pam_cosim.commands.observe import observe
 from pam_cosim.commands.simulate import simulate
 from pam_cosim.commands.sweep import sweep
 from pam_cosim.commands.track import track
+from pam_cosim.commands.workbench import workbench
 from pam_cosim.errors import InputError, SimulationFailure
 
 app = typer.Typer(
@@ -48,7 +49,7 @@ def version(
 
 
 _RUN = (build, describe, simulate, sweep, couple, linearise, bode, observe, track)
-_STUDY = (new, check, compare, fit, diagnose, add, effects, bench)
+_STUDY = (new, check, compare, fit, diagnose, add, effects, bench, workbench)
 for _command in _RUN + _STUDY:
     app.command()(_command)
 

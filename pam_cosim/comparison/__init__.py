@@ -14,7 +14,7 @@ from pam_cosim.comparison.residual_statistics import (
 )
 from pam_cosim.comparison.residuals import RunComparison, simulate_run, start_time
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
-from pam_cosim.comparison.where import Rule, where
+from pam_cosim.comparison.where import Rule, sitting, where
 
 __all__ = [
     "STATISTICS",
@@ -37,6 +37,7 @@ __all__ = [
     "score",
     "series_of",
     "simulate_run",
+    "sitting",
     "start_time",
     "stated_of",
     "where",

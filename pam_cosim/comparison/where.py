@@ -168,10 +168,14 @@ def _bands(name: str, variable: Variable, values: Array) -> list[tuple[str, Mask
     return bands
 
 
-def _rules(signal: str, samples: _Samples) -> list[Rule]:
+def _candidates(samples: _Samples) -> list[tuple[str, Mask]]:
+    """What a rule can say: each condition, and each phase with another condition."""
     phases, others = samples.conditions
-    candidates = [*phases, *others]
-    candidates += [(f"{a}, {b}", m & n) for a, m in phases for b, n in others]
+    return [*phases, *others, *((f"{a}, {b}", m & n) for a, m in phases for b, n in others)]
+
+
+def _rules(signal: str, samples: _Samples) -> list[Rule]:
+    candidates = _candidates(samples)
     left = samples.excess.copy()
     total, count = float(left.sum()), len(left)
     rules: list[Rule] = []
@@ -191,3 +195,31 @@ def _rules(signal: str, samples: _Samples) -> list[Rule]:
         rules.append(Rule(signal, text, float(samples.excess[mask].sum()) / total, float(mask.sum()) / count))
         left = np.where(mask, 0.0, left)
     return rules
+
+
+def sitting(
+    rule: Rule,
+    runs: Sequence[RunComparison],
+    signals: Mapping[str, Signal],
+    outputs: Mapping[str, Variable],
+    domain: Domain,
+    inputs: Mapping[str, Variable] | None = None,
+) -> dict[str, list[tuple[float, float]]]:
+    """Where a rule of ``where`` holds, which was called with the same: ranges of the time [s] of each run by name.
+
+    Of points at rest, ranges of what they are drawn over.
+    """
+    samples = _collect(runs, signals[rule.signal], outputs, domain, inputs or {})
+    mask = None if samples is None else next((m for text, m in _candidates(samples) if text == rule.rule), None)
+    ranges: dict[str, list[tuple[float, float]]] = {}
+    at = 0
+    for r in runs if mask is not None else ():
+        if not r.run.sample_count(rule.signal):
+            continue
+        time = r.run.time[np.isfinite(r.residual(rule.signal))]
+        edges = np.flatnonzero(np.diff(mask[at : at + len(time)].astype(int), prepend=0, append=0))
+        at += len(time)
+        if len(edges):
+            pairs = edges.reshape(-1, 2)
+            ranges[r.run.name] = [(float(time[first]), float(time[end - 1])) for first, end in pairs]
+    return ranges

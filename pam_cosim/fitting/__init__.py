@@ -3,7 +3,7 @@
 from pam_cosim.fitting.combinations import Combination
 from pam_cosim.fitting.estimate import Estimate, estimates
 from pam_cosim.fitting.fit import Fit, fit, profile
-from pam_cosim.fitting.free import Free, base_parameters
+from pam_cosim.fitting.free import Free, base_parameters, model_parameter
 from pam_cosim.fitting.linear import Linear, linearised, residual_rows, rows_of_series
 from pam_cosim.fitting.methods import METHODS, Record, summary
 from pam_cosim.fitting.options import FitOptions
@@ -30,6 +30,7 @@ __all__ = [
     "estimates",
     "fit",
     "linearised",
+    "model_parameter",
     "profile",
     "read_parameters",
     "residual_rows",

@@ -10,6 +10,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.measurement import DataSet, Prior, Run, Transform
 from pam_cosim.names import is_ratio, parameter_of
+from pam_cosim.wording import did_you_mean
 
 
 @dataclass(frozen=True)
@@ -72,6 +73,23 @@ class Free:
     def slope(self, z: float) -> float:
         """Derivative of the value with respect to the search coordinate."""
         return self.to_value(z) if self.logarithmic else self._scale
+
+
+def model_parameter(name: str, interface: Interface) -> Free:
+    """A parameter between the bounds that the model itself declares; or the ratio of one to what is stated of it.
+
+    Raises:
+        InputError: the model has no such parameter, or it declares no bounds of it.
+    """
+    if is_ratio(name):
+        low, start, high = CRITERIA.search.stated_ratio
+        return Free(name, low, high, start, "1", start - 1)
+    v = interface.parameters.get(name)
+    if v is None:
+        raise InputError(f"{interface.model} has no parameter '{name}'; {did_you_mean(name, interface.parameters)}")
+    if v.min is None or v.max is None or v.start is None:
+        raise InputError(f"'{name}' of {interface.model} has no bounds: state them under [fit] of the data set")
+    return Free(name, v.min, v.max, v.start, v.unit, v.nominal)
 
 
 def base_parameters(data: DataSet, interface: Interface) -> tuple[Free, ...]:

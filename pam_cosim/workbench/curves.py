@@ -1,0 +1,72 @@
+"""Curves of a comparison for a screen: in shown units, long ones thinned to the lowest and highest of each part."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.comparison import Comparison
+from pam_cosim.measurement import DataSet
+from pam_cosim.units import readable_factor
+from pam_cosim.workbench.protocol import Curve
+
+MOST_POINTS = 4000  # of a curve, one for each pixel of the widest screens
+
+
+def measured_curves(data: DataSet) -> list[Curve]:
+    """Times and measured signals of all runs."""
+    curves = []
+    for run in data.runs:
+        time = shown_times(np.arange(1.0, len(run.time) + 1) if run.is_static else run.time)
+        for name, values in run.measurements.items():
+            curves.append(Curve(run.name, name, {"time": time, "values": thinned(values * _factor(data, name))}))
+    return curves
+
+
+def model_curves(comparison: Comparison) -> list[Curve]:
+    """Modelled signals and residuals of all runs."""
+    return [
+        Curve(
+            r.run.name,
+            name,
+            {
+                "values": thinned(r.model[name] * _factor(comparison.data, name)),
+                "residual": thinned(r.residual(name) * _factor(comparison.data, name)),
+            },
+        )
+        for r in comparison.runs
+        for name in r.run.measurements
+    ]
+
+
+def _factor(data: DataSet, name: str) -> float:
+    return readable_factor(data.signals[name].unit)
+
+
+def shown_times(time: Array) -> Array:
+    """Times that belong to ``thinned`` values: evenly within each part."""
+    parts = _parts(len(time))
+    if parts is None:
+        return time
+    first, last = time[parts[:-1]], time[parts[1:] - 1]
+    return np.stack([first + (last - first) / 4, first + 3 * (last - first) / 4], axis=1).ravel()
+
+
+def thinned(values: Array) -> Array:
+    """``values``, or where they are many the lowest and the highest of each part, in the order in which they came."""
+    parts = _parts(len(values))
+    if parts is None:
+        return values
+    known = np.isfinite(values)
+    low, high = np.where(known, values, np.inf), np.where(known, values, -np.inf)
+    bottom, top = np.minimum.reduceat(low, parts[:-1]), np.maximum.reduceat(high, parts[:-1])
+    first = [np.argmin(low[a:b]) <= np.argmax(high[a:b]) for a, b in zip(parts[:-1], parts[1:], strict=True)]
+    pairs = np.where(np.array(first)[:, None], np.stack([bottom, top], 1), np.stack([top, bottom], 1))
+    return np.where(np.isfinite(pairs), pairs, np.nan).ravel()
+
+
+def _parts(count: int) -> np.ndarray | None:
+    """Edges of the parts; None: all are shown."""
+    if count <= MOST_POINTS:
+        return None
+    return np.linspace(0, count, MOST_POINTS // 2 + 1).round().astype(int)

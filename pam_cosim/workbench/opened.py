@@ -1,0 +1,89 @@
+"""A model with some effects, composed, built and kept ready to run."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from pam_cosim import study
+from pam_cosim.catalogue import compose
+from pam_cosim.compiler import read_library
+from pam_cosim.errors import InputError
+from pam_cosim.files import write_text
+from pam_cosim.fitting import Free, base_parameters, model_parameter
+from pam_cosim.measurement import DataSet
+from pam_cosim.names import is_modelica, is_ratio
+from pam_cosim.simulation import AnySimulator
+
+
+@dataclass(frozen=True)
+class Opened:
+    """A model ready to run.
+
+    Attributes:
+        model: the base model. effects: what it has beside.
+        name: what a call of the public API takes for the model with its effects: the base model, or a Modelica file.
+        files: further Modelica files that such a call needs.
+        simulator: of that.
+        parameters: what may be moved by a slider or a fit, by name.
+        origin: the effect that brought a parameter, by its name; none for those of the base model.
+        text: Modelica source of the model with effects; "" without any.
+    """
+
+    model: str
+    effects: tuple[str, ...]
+    name: str
+    files: tuple[Path, ...]
+    simulator: AnySimulator
+    parameters: dict[str, Free]
+    origin: dict[str, str]
+    text: str
+
+
+def composed(
+    model: str, effects: Sequence[str], files: Sequence[Path], name: str | None = None
+) -> tuple[str, dict[str, tuple[str, ...]]]:
+    """Modelica source of a model with effects, and the parameters of each.
+
+    Raises:
+        InputError: an effect that there is not, or that finds no place in the model.
+    """
+    sources = [*files, Path(model)] if is_modelica(model) else list(files)
+    composition = compose(read_library(files=sources), model, effects, name, files=sources)
+    if composition is None:
+        raise InputError(f"{model} has no place for {', '.join(effects)} together")
+    return composition.text, composition.parameters
+
+
+def open_model(data: DataSet, model: str, effects: Sequence[str], files: Sequence[Path], scratch: Path) -> Opened:
+    """Composes and builds a model with effects; its source is put into the folder ``scratch``.
+
+    Raises:
+        InputError: as ``composed``, or a model that lacks what the data set fits.
+    """
+    own, text, name, needed = {}, "", model, tuple(files)
+    if effects:
+        text, own = composed(model, effects, files)
+        title = text.split(maxsplit=2)[1]
+        file = scratch / f"{title}.mo"
+        write_text(file, text)
+        name, needed = str(file), (*files, Path(model)) if is_modelica(model) else tuple(files)
+    simulator = study.opened(name, needed)
+    try:
+        parameters = {free.name: free for free in base_parameters(data, simulator.interface)}
+        origin = {}
+        for effect, names in own.items():
+            for one in names:
+                if one not in parameters:
+                    parameters[one] = model_parameter(one, simulator.interface)
+                    origin[one] = effect
+    except BaseException:
+        simulator.close()
+        raise
+    return Opened(model, tuple(effects), name, needed, simulator, parameters, origin, text)
+
+
+def without_ratios(effects: Sequence[str]) -> tuple[str, ...]:
+    """The effects that are part of a model: a ratio to what is stated is none."""
+    return tuple(name for name in effects if not is_ratio(name))

@@ -1,0 +1,356 @@
+"""What passes between a session and its windows, as data: events, and the binary frames of curves.
+
+A page sends commands, JSON objects such as ``{"id": 7, "do": "set", "values": {"valve.C_A": 0.7}}``; the answer is an
+event ``answer`` with that ``id`` to the window that asked, and whatever changes is told to all windows. Every event is
+a JSON object whose key ``event`` names it: the class's name in lower case. Values are in the shown units (``unit``
+beside them), times in seconds; a number that does not exist is null.
+
+A frame of curves is one binary message: the length of a header (unsigned, 4 bytes, little-endian), the header (JSON,
+padded with spaces so that what follows begins at a multiple of 4 bytes), then 32-bit floats. The header is
+``{"event": "curves", "kind": kind, "version": n, "answers": id, "label": text, "runs": [{"name": run, "signals":
+[{"name": signal, "n": count, "values_at": place, ...}]}]}``, places in floats. In a frame of kind "measured" each
+signal has ``time_at`` too; in one of kind "model", or "reference" (the model as it was before the last step),
+``residual_at``. The values are those at the times of the measured ones; missing samples are NaN.
+"""
+
+from __future__ import annotations
+
+import json
+import struct
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields, is_dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+
+Json = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Event:
+    """Something that is told to windows."""
+
+    kept: ClassVar[bool] = False
+    """Whether a window that opens later is told the last one of its kind."""
+
+    def as_dict(self) -> Json:
+        """Plain data for JSON."""
+        return {"event": type(self).__name__.lower(), **_plain(self)}
+
+    def message(self) -> str:
+        """The message as it is sent."""
+        return json.dumps(self.as_dict(), allow_nan=False)
+
+
+@dataclass(frozen=True)
+class ShownRun:
+    """A run.
+
+    Attributes:
+        duration: [s]; of points at rest, their number.
+        static: points at rest, drawn over ``along``.
+        describe: a line about it.
+        parameters: what is known of it, as text.
+    """
+
+    name: str
+    role: str
+    duration: float
+    static: bool
+    along: str
+    samples: int
+    describe: str
+    parameters: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class ShownSignal:
+    """A measured signal.
+
+    Attributes:
+        quantity: what it is, in the words of the model.
+        noise: standard deviation of its instrument [unit].
+        use: "fitted", or "compared".
+    """
+
+    name: str
+    unit: str
+    quantity: str
+    noise: float | None
+    noise_text: str
+    use: str
+
+
+@dataclass(frozen=True)
+class ShownParameter:
+    """A parameter with a slider.
+
+    Attributes:
+        name: in the model, with "@" and a run where it is of one run alone.
+        unit: shown; ``value``, ``start``, ``low``, ``high`` and the interval are in it.
+        start: where it began.
+        free: a fit moves it.
+        effect: that brought it; None: the base model.
+        logarithmic: a slider moves it by order of magnitude.
+        low95, high95: 95 % interval of the last fit, as long as the value is that of the fit.
+        text: value and interval as the report has them.
+        remark: what to know of the value, such as that it is at its bound.
+    """
+
+    name: str
+    unit: str
+    value: float
+    start: float
+    low: float
+    high: float
+    free: bool
+    description: str
+    effect: str | None = None
+    logarithmic: bool = False
+    low95: float | None = None
+    high95: float | None = None
+    text: str = ""
+    remark: str = ""
+
+
+@dataclass(frozen=True)
+class ShownEffect:
+    """An effect of the catalogue.
+
+    Attributes:
+        equation: its equations, Modelica text.
+        fingerprint: how it shows, in words. source: where it is from, likewise.
+        on: it is in the model. fits: it finds a place in it.
+    """
+
+    name: str
+    family: str
+    balance: str
+    description: str
+    equation: str
+    fingerprint: str
+    source: str
+    on: bool
+    fits: bool
+
+
+@dataclass(frozen=True)
+class Study(Event):
+    """All that moves seldom.
+
+    Attributes:
+        state: "open", or "drop" where there is no data set yet.
+        model: the base model. with_effects: what is shown now, in words.
+        notes: what a reader of results should know of the data.
+        benches: models to choose from. methods: of a fit.
+        file: what the model was written to, relative to the folder; None: it was not.
+    """
+
+    kept = True
+    title: str
+    folder: str
+    state: str
+    model: str = ""
+    with_effects: str = ""
+    runs: tuple[ShownRun, ...] = ()
+    signals: tuple[ShownSignal, ...] = ()
+    parameters: tuple[ShownParameter, ...] = ()
+    effects: tuple[ShownEffect, ...] = ()
+    families: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    benches: tuple[str, ...] = ()
+    methods: tuple[str, ...] = ()
+    file: str | None = None
+
+
+@dataclass(frozen=True)
+class Steps(Event):
+    """What was done so far, a line ``{"text"}`` each; saved: it has been saved as it is."""
+
+    kept = True
+    steps: tuple[Json, ...]
+    saved: bool
+
+
+@dataclass(frozen=True)
+class Level:
+    """Of one signal, in its unit: root mean square error and noise; the chi-square is the reduced one."""
+
+    rms: float | None
+    noise: float | None
+    chi2: float | None
+    text: str
+    noise_text: str
+
+
+@dataclass(frozen=True)
+class Rung:
+    """One step of the error ladder: by signal, on the runs of each role."""
+
+    label: str
+    fit: dict[str, Level]
+    holdout: dict[str, Level]
+    chi2_fit: float | None
+    chi2_holdout: float | None
+
+
+@dataclass(frozen=True)
+class Scores(Event):
+    """How far the model is from the measurement.
+
+    Attributes:
+        scores: by role and signal.
+        runs: root mean square errors by run and signal. sizes: of each run, in noise standard deviations.
+        ladder: the steps that were done; the last rung is the standing model, which moves with the sliders.
+        failed: runs that could not be simulated, ``{"run", "text"}``; then everything else is as it was.
+        values: of the parameters.
+    """
+
+    kept = True
+    version: int
+    scores: dict[str, dict[str, Level]]
+    runs: dict[str, dict[str, float]]
+    sizes: dict[str, float | None]
+    ladder: tuple[Rung, ...]
+    values: dict[str, float]
+    failed: tuple[Json, ...] = ()
+
+
+@dataclass(frozen=True)
+class Rule:
+    """Where error sits: shares of the squared error beyond the noise and of the samples; where that is, by run [s]."""
+
+    id: int
+    signal: str
+    rule: str
+    error_share: float
+    time_share: float
+    text: str
+    ranges: dict[str, list[tuple[float, float]]]
+
+
+@dataclass(frozen=True)
+class Where(Event):
+    """Rules that hold most of the error."""
+
+    kept = True
+    version: int
+    rules: tuple[Rule, ...]
+
+
+@dataclass(frozen=True)
+class Busy(Event):
+    """A long thing has begun: "fit", "diagnose", "check" or "build"; ``began``: seconds since the epoch."""
+
+    kept = True
+    what: str
+    text: str
+    began: float
+
+
+@dataclass(frozen=True)
+class Idle(Event):
+    """It has ended: "done", "stopped" or "failed"."""
+
+    what: str
+    end: str
+    seconds: float
+
+
+@dataclass(frozen=True)
+class Told(Event):
+    """A line of progress, as a terminal prints it; kind: "headline", or "detail" below the last one."""
+
+    text: str
+    kind: str
+
+    def as_dict(self) -> Json:
+        """Its name on the page is ``message``."""
+        return super().as_dict() | {"event": "message"}
+
+
+@dataclass(frozen=True)
+class Failed(Event):
+    """What is wrong and what to do, in a sentence, and where."""
+
+    text: str
+    file: str = ""
+    line: int | None = None
+    column: str = ""
+    during: str = ""
+
+
+def _plain(value: Any) -> Any:
+    if is_dataclass(value) and not isinstance(value, type):
+        return {f.name: _plain(getattr(value, f.name)) for f in fields(value)}
+    if isinstance(value, Mapping):
+        return {str(k): _plain(v) for k, v in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(v) for v in value]
+    if isinstance(value, np.generic):
+        value = value.item()
+    if isinstance(value, float) and not np.isfinite(value):
+        return None
+    return value
+
+
+def answer(number: Any, result: Json | None = None, failed: Failed | None = None) -> str:
+    """The message to the window that sent a command with this ``id``."""
+    told = None if failed is None else _plain(failed)
+    return json.dumps({"event": "answer", "id": number, "failed": told, **_plain(result or {})}, allow_nan=False)
+
+
+@dataclass(frozen=True)
+class Curve:
+    """Of one run and signal: its arrays by what they are, "time", "values" or "residual", all of one length."""
+
+    run: str
+    signal: str
+    arrays: dict[str, Array]
+
+
+def frame(kind: str, version: int, curves: Sequence[Curve], label: str = "", answers: Any = None) -> bytes:
+    """The binary message with these curves."""
+    runs: dict[str, list[Json]] = {}
+    parts: list[Array] = []
+    places: dict[int, int] = {}
+    at = 0
+    for c in curves:
+        told: Json = {"name": c.signal}
+        for what, values in c.arrays.items():
+            if id(values) not in places:
+                places[id(values)] = at
+                parts.append(values)
+                at += len(values)
+            told |= {"n": len(values), f"{what}_at": places[id(values)]}
+        runs.setdefault(c.run, []).append(told)
+    named = [{"name": run, "signals": signals} for run, signals in runs.items()]
+    header = json.dumps(
+        {"event": "curves", "kind": kind, "version": version, "answers": answers, "label": label, "runs": named}
+    ).encode()
+    header += b" " * (-len(header) % 4)
+    body = np.concatenate(parts).astype("<f4") if parts else np.zeros(0, "<f4")
+    return struct.pack("<I", len(header)) + header + body.tobytes()
+
+
+def read_frame(message: bytes) -> tuple[Json, dict[tuple[str, str, str], Array]]:
+    """Header of a frame, and its arrays by run, signal and what they are.
+
+    Raises:
+        ValueError: not a frame.
+    """
+    try:
+        (length,) = struct.unpack_from("<I", message)
+        header: Json = json.loads(message[4 : 4 + length])
+    except struct.error as problem:
+        raise ValueError("not a frame of curves") from problem
+    floats = np.frombuffer(message[4 + length :], "<f4").astype(float)
+    arrays = {}
+    for run in header["runs"]:
+        for signal in run["signals"]:
+            for key, at in signal.items():
+                if key.endswith("_at"):
+                    arrays[run["name"], signal["name"], key.removesuffix("_at")] = floats[at : at + signal["n"]]
+    return header, arrays

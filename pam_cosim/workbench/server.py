@@ -1,0 +1,190 @@
+"""The page of a session and the socket to it, on this machine alone."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import json
+import socket
+import webbrowser
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import uvicorn
+from starlette.applications import Starlette
+from starlette.requests import Request
+from starlette.responses import FileResponse, PlainTextResponse, Response
+from starlette.routing import Mount, Route, WebSocketRoute
+from starlette.staticfiles import StaticFiles
+from starlette.types import ASGIApp
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.workbench.guard import Guard, new_token
+from pam_cosim.workbench.protocol import Failed, answer
+from pam_cosim.workbench.session import Session
+
+PAGE = Path(__file__).parent / "page"
+HOST = "127.0.0.1"
+MOST_WAITING = 256  # messages that a window may be behind before it is told to begin anew
+
+
+class Window:
+    """One websocket: what it is to be told waits in a queue, of which frames that were overtaken are left out."""
+
+    def __init__(self, socket: WebSocket, loop: asyncio.AbstractEventLoop) -> None:
+        self.socket, self.loop = socket, loop
+        self.waiting: asyncio.Queue[str | bytes] = asyncio.Queue()
+
+    def tell(self, message: str | bytes) -> None:
+        """From any thread."""
+        with contextlib.suppress(RuntimeError):  # the server has ended
+            self.loop.call_soon_threadsafe(self.waiting.put_nowait, message)
+
+    async def send(self) -> None:
+        """Sends what comes, as long as somebody listens."""
+        while True:
+            await _send(self.socket, await self.waiting.get())
+            if self.waiting.qsize() > MOST_WAITING:
+                await self.socket.close(1013, "too far behind")
+                return
+
+    async def receive(self, session: Session) -> None:
+        """Takes commands and answers each when it is done."""
+        while True:
+            text = await self.socket.receive_text()
+            try:
+                command = json.loads(text)
+                if not isinstance(command, dict):
+                    raise ValueError
+            except (ValueError, RecursionError):
+                self.tell(answer(None, failed=Failed("a command is a JSON object")))
+                continue
+            number = command.get("id")
+            number = number if isinstance(number, (int, str)) else None
+            future = session.do(command)
+            future.add_done_callback(lambda done, number=number: self.tell(_answer(done, number)))  # type: ignore[misc]
+
+
+def _answer(done: Any, number: Any) -> str:
+    if done.cancelled():
+        return answer(number, failed=Failed("the workbench is being closed"))
+    problem = done.exception()
+    return answer(number, done.result()) if problem is None else answer(number, failed=failed_by(problem))
+
+
+def failed_by(problem: BaseException) -> Failed:
+    """What went wrong, in words, and where."""
+    if isinstance(problem, InputError):
+        place = "" if problem.file is None else Path(str(problem.file)).name
+        column = "" if problem.column is None else str(problem.column)
+        return Failed(problem.message, place, problem.line, column)
+    if isinstance(problem, SimulationFailure):
+        return Failed(f"the simulation failed: {problem}")
+    return Failed(f"something went wrong that should not ({type(problem).__name__}: {problem})")
+
+
+async def _send(socket: WebSocket, message: str | bytes) -> None:
+    if isinstance(message, str):
+        await socket.send_text(message)
+    else:
+        await socket.send_bytes(message)
+
+
+def application(session: Session, token: str, page: Path = PAGE) -> ASGIApp:
+    """The server of a session, as an ASGI application."""
+
+    async def index(request: Request) -> Response:
+        return FileResponse(page / "index.html")
+
+    async def connect(socket: WebSocket) -> None:
+        await socket.accept()
+        window = Window(socket, asyncio.get_running_loop())
+        end = session.subscribe(window.tell)
+        sending = asyncio.create_task(window.send())
+        try:
+            await window.receive(session)
+        except (WebSocketDisconnect, RuntimeError):
+            pass
+        finally:
+            end()
+            sending.cancel()
+
+    async def missing(request: Request, problem: Exception) -> Response:
+        return PlainTextResponse("there is no such page\n", 404)
+
+    app = Starlette(
+        routes=[
+            Route("/", index),
+            Mount("/page", StaticFiles(directory=page)),
+            WebSocketRoute("/socket", connect),
+        ],
+        exception_handlers={404: missing},
+    )
+    return Guard(app, token)
+
+
+def serve(
+    folder: Path,
+    *,
+    model: str | None = None,
+    files: Sequence[Path] = (),
+    port: int = 0,
+    browser: bool = True,
+    tell: Callable[[str], None] = print,
+) -> None:
+    """Opens a study and serves its page until it is interrupted.
+
+    Args:
+        folder: of the data set.
+        model: default: the bench of the data set.
+        files: further Modelica files.
+        port: 0: a free one.
+        browser: whether to open the page.
+        tell: is told the address, and other things worth knowing.
+
+    Raises:
+        InputError: the data set cannot be read, or the port is taken.
+    """
+    listener = _listener(port)
+    token = new_token()
+    address = f"http://{HOST}:{listener.getsockname()[1]}/?token={token}"
+    with listener, Session(folder, model=model, files=files) as session:
+        tell(f"the workbench is open at {address}")
+        tell("end it with Ctrl-C; whoever has the address can use it")
+        config = uvicorn.Config(
+            _opening(application(session, token), address if browser else None),
+            log_level="warning", lifespan="on", ws_max_size=1 << 20, timeout_graceful_shutdown=1,
+        )  # fmt: skip
+        server = uvicorn.Server(config)
+        with contextlib.suppress(KeyboardInterrupt):
+            server.run(sockets=[listener])
+
+
+def _listener(port: int) -> socket.socket:
+    listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+    listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    try:
+        listener.bind((HOST, port))
+    except OSError as problem:
+        listener.close()
+        raise InputError(f"port {port} cannot be used: {problem.strerror}; choose another one with --port") from problem
+    return listener
+
+
+def _opening(app: ASGIApp, address: str | None) -> ASGIApp:
+    """The application, which opens the page in a browser when it is ready."""
+
+    async def opened(scope: Any, receive: Any, send: Any) -> None:
+        if scope["type"] != "lifespan":
+            await app(scope, receive, send)
+            return
+        await receive()
+        if address is not None:
+            asyncio.get_running_loop().run_in_executor(None, webbrowser.open, address)
+        await send({"type": "lifespan.startup.complete"})
+        await receive()
+        await send({"type": "lifespan.shutdown.complete"})
+
+    return opened

@@ -1,0 +1,194 @@
+"""A session's state as the events that a page shows."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from pam_cosim.comparison import Comparison, SignalScore, chi2_reduced, score
+from pam_cosim.comparison import Rule as FoundRule
+from pam_cosim.fitting import METHODS, Free
+from pam_cosim.measurement import ROLES, DataSet, Run
+from pam_cosim.reporting.wording import estimate_texts, percent, quantity_text, remark, unit_text
+from pam_cosim.units import readable_factor
+from pam_cosim.workbench.opened import Opened
+from pam_cosim.workbench.protocol import (
+    Level,
+    Rule,
+    Rung,
+    Scores,
+    ShownEffect,
+    ShownParameter,
+    ShownRun,
+    ShownSignal,
+    Steps,
+    Study,
+    Where,
+)
+from pam_cosim.workbench.state import State
+
+
+def label_of(state: State) -> str:
+    """The standing model in words."""
+    return "base model" if not state.effects else "with " + " + ".join(state.effects)
+
+
+def study_event(state: State, opened: Opened, effects: Sequence[ShownEffect], benches: Sequence[str]) -> Study:
+    """All that moves seldom."""
+    data = state.data
+    return Study(
+        title=data.title,
+        folder=str(data.folder.resolve().name),
+        state="open",
+        model=state.model,
+        with_effects=label_of(state),
+        runs=tuple(_run(run) for run in data.runs),
+        signals=tuple(_signals(data, opened)),
+        parameters=tuple(_parameter(free, state, opened) for free in opened.parameters.values()),
+        effects=tuple(effects),
+        families=tuple(dict.fromkeys(e.family for e in effects)),
+        notes=data.notes(),
+        benches=tuple(benches),
+        methods=tuple(METHODS),
+        file=state.file,
+    )
+
+
+def steps_event(state: State, saved: bool) -> Steps:
+    """What was done."""
+    return Steps(tuple({"text": str(step)} for step in state.steps), saved)
+
+
+def _run(run: Run) -> ShownRun:
+    return ShownRun(
+        name=run.name,
+        role=run.role,
+        duration=float(run.time[-1] - run.time[0]) if not run.is_static else float(len(run.time)),
+        static=run.is_static,
+        along=run.along.name if run.along else "",
+        samples=len(run.time),
+        describe=run.describe(),
+        parameters=tuple(f"{name} = {value:.4g}" for name, value in run.parameters.items()),
+    )
+
+
+def _signals(data: DataSet, opened: Opened) -> list[ShownSignal]:
+    outputs = opened.simulator.interface.outputs
+    return [
+        ShownSignal(
+            name=name,
+            unit=unit_text(s.unit),
+            quantity=outputs[name].description or name,
+            noise=None if s.sigma is None else s.sigma * readable_factor(s.unit),
+            noise_text=quantity_text(s.sigma, s.unit),
+            use="fitted" if s.fitted else "compared",
+        )
+        for name, s in data.signals.items()
+    ]
+
+
+def value_of(free: Free, state: State) -> float:
+    """What a parameter stands at [SI]."""
+    return state.values.get(free.name, free.start)
+
+
+def _parameter(free: Free, state: State, opened: Opened) -> ShownParameter:
+    factor = readable_factor(free.unit)
+    variable = opened.simulator.interface.parameters.get(free.parameter)
+    value = value_of(free, state)
+    estimate = state.fit.parameters.get(free.name) if state.fit else None
+    if estimate is not None and estimate.value != value:
+        estimate = None
+    text, interval = estimate_texts(estimate) if estimate else ("", "")
+    known = estimate is not None and estimate.determined and math.isfinite(estimate.high - estimate.low)
+    return ShownParameter(
+        name=free.name,
+        unit=unit_text(free.unit),
+        value=value * factor,
+        start=free.start * factor,
+        low=free.low * factor,
+        high=free.high * factor,
+        free=state.free is None or free.name in state.free,
+        description=variable.description if variable else "",
+        effect=opened.origin.get(free.name),
+        logarithmic=free.logarithmic,
+        low95=estimate.low * factor if estimate and known else None,
+        high95=estimate.high * factor if estimate and known else None,
+        text=f"{text} ({interval})" if interval else text,
+        remark=remark(estimate) if estimate else "",
+    )
+
+
+def rung_of(label: str, comparison: Comparison) -> Rung:
+    """A comparison as a step of the error ladder."""
+    by_role = {role: _levels(comparison.scores[role], comparison.data) for role in ROLES}
+    return Rung(
+        label,
+        by_role["fit"],
+        by_role["holdout"],
+        _finite(comparison.chi2_reduced("fit")),
+        _finite(comparison.chi2_reduced("holdout")),
+    )
+
+
+def _levels(scores: dict[str, SignalScore], data: DataSet) -> dict[str, Level]:
+    levels = {}
+    for name, s in scores.items():
+        unit = data.signals[name].unit
+        factor = readable_factor(unit)
+        levels[name] = Level(
+            _finite(s.rmse * factor),
+            _finite(s.noise_rmse * factor),
+            _finite(s.chi2_reduced),
+            quantity_text(s.rmse, unit),
+            quantity_text(s.noise_rmse, unit),
+        )
+    return levels
+
+
+def scores_event(state: State, opened: Opened, comparison: Comparison, version: int) -> Scores:
+    """How far the standing model is from the measurement."""
+    data = comparison.data
+    now = rung_of(label_of(state), comparison)
+    by_run = {r.run.name: score([r], data.signals) for r in comparison.runs}
+    return Scores(
+        version=version,
+        scores={"fit": now.fit, "holdout": now.holdout},
+        runs={
+            run: {n: s.rmse * readable_factor(data.signals[n].unit) for n, s in scores.items()}
+            for run, scores in by_run.items()
+        },
+        sizes={
+            run: _root(chi2_reduced({n: s for n, s in scores.items() if data.signals[n].fitted}))
+            for run, scores in by_run.items()
+        },
+        ladder=(*state.rungs, now),
+        values={f.name: value_of(f, state) * readable_factor(f.unit) for f in opened.parameters.values()},
+    )
+
+
+def where_event(
+    rules: Sequence[FoundRule], ranges: Sequence[dict[str, list[tuple[float, float]]]], version: int
+) -> Where:
+    """Where the error sits."""
+    shown = (
+        Rule(
+            number,
+            r.signal,
+            r.rule,
+            r.error_share,
+            r.time_share,
+            f"{percent(r.error_share)} of the error of {r.signal} in {percent(r.time_share)} of the samples: {r.rule}",
+            times,
+        )
+        for number, (r, times) in enumerate(zip(rules, ranges, strict=True))
+    )
+    return Where(version, tuple(shown))
+
+
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None
+
+
+def _root(value: float) -> float | None:
+    return math.sqrt(value) if math.isfinite(value) and value >= 0 else None

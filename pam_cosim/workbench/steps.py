@@ -1,0 +1,71 @@
+"""What a person did, step by step: data that can be saved, repeated and printed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from pam_cosim.wording import shown
+
+SET, SWITCH, CHOOSE, FIT, DIAGNOSE, TAKE, ADD, ROLES = (
+    "set", "switch", "choose", "fit", "diagnose", "take", "add", "roles"
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Step:
+    """One thing that was done, with all that it takes to do it again.
+
+    Attributes:
+        do: what.
+        arguments: plain data: names, and values [SI] by name.
+    """
+
+    do: str
+    arguments: Mapping[str, Any] = field(default_factory=dict)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain data for JSON."""
+        return {"do": self.do, **self.arguments}
+
+    def __str__(self) -> str:
+        told = self.arguments
+        match self.do:
+            case "set":
+                return "set " + ", ".join(f"{name} = {value:.4g}" for name, value in told["values"].items())
+            case "switch":
+                return "with " + " + ".join(told["effects"]) if told["effects"] else "without effects"
+            case "choose":
+                return f"model {told['model']}"
+            case "fit":
+                return f"fit ({told['method']}): {', '.join(told['free'])}"
+            case "take":
+                return f"took {' + '.join(told['effects'])} from the ranking"
+            case "add":
+                return f"added {' + '.join(told['effects'])}: {told['file']}"
+            case "roles":
+                return "roles: " + ", ".join(f"{run} {role}" for run, role in told["roles"].items())
+        return self.do
+
+
+def step_of(content: Any) -> Step:
+    """A step from plain data.
+
+    Raises:
+        ValueError: it is none.
+    """
+    if not isinstance(content, dict) or content.get("do") not in (SET, SWITCH, CHOOSE, FIT, DIAGNOSE, TAKE, ADD, ROLES):
+        raise ValueError(f"{shown(content)} is no step of a study")
+    return Step(content["do"], {key: value for key, value in content.items() if key != "do"})
+
+
+def with_step(steps: Sequence[Step], step: Step) -> tuple[Step, ...]:
+    """The steps and one more; values set one after another are one step."""
+    last = steps[-1] if steps else None
+    if last is not None and step.do == last.do == SET:
+        merged = {**last.arguments["values"], **step.arguments["values"]}
+        return (*steps[:-1], Step(SET, {"values": merged}))
+    if last is not None and step.do == last.do == SWITCH:
+        return (*steps[:-1], step)
+    return (*steps, step)
