@@ -212,8 +212,10 @@ def sitting(
     samples = _collect(runs, signals[rule.signal], outputs, domain, inputs or {})
     mask = None if samples is None else next((m for text, m in _candidates(samples) if text == rule.rule), None)
     ranges: dict[str, list[tuple[float, float]]] = {}
+    if mask is None:
+        return ranges
     at = 0
-    for r in runs if mask is not None else ():
+    for r in runs:
         if not r.run.sample_count(rule.signal):
             continue
         time = r.run.time[np.isfinite(r.residual(rule.signal))]

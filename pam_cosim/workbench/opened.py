@@ -62,7 +62,8 @@ def open_model(data: DataSet, model: str, effects: Sequence[str], files: Sequenc
     Raises:
         InputError: as ``composed``, or a model that lacks what the data set fits.
     """
-    own, text, name, needed = {}, "", model, tuple(files)
+    own: dict[str, tuple[str, ...]] = {}
+    text, name, needed = "", model, tuple(files)
     if effects:
         text, own = composed(model, effects, files)
         title = text.split(maxsplit=2)[1]
