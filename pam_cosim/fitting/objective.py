@@ -129,7 +129,7 @@ class Objective:
             self._note(failure)
             return self._broken()
         residuals = self._with_priors(z, self._weighted(runs, every))
-        self._saw(residuals)
+        self._saw(z, residuals)
         if np.all(np.isfinite(residuals)):
             self._latest = (z.tobytes(), residuals, self._exact_jacobian(z, runs) if any(self._exact) else None)
             return residuals
@@ -144,9 +144,9 @@ class Objective:
         off = [(prior.mean - self.free[i].to_value(float(z[i]))) / prior.sd for i, prior in self._priors]
         return np.append(residuals, off)
 
-    def _saw(self, residuals: Array) -> None:
+    def _saw(self, z: Array, residuals: Array) -> None:
         chi2 = float(residuals @ residuals) / max(self.size, 1)
-        self.tracker.saw(self.evaluations, chi2, lambda: self._rmse(residuals))
+        self.tracker.saw(self.evaluations, chi2, lambda: self._rmse(residuals), lambda: self.values(z))
 
     def _rmse(self, residuals: Array) -> dict[str, float]:
         """Rms error of each signal [SI]."""
@@ -162,7 +162,7 @@ class Objective:
     def cost(self, z: Array) -> float:
         """The squared residuals of all runs, without slopes; infinite where a simulation breaks down."""
         residuals = self.plain_residuals(z)
-        self._saw(residuals)
+        self._saw(z, residuals)
         return float(residuals @ residuals) if np.all(np.isfinite(residuals)) else np.inf
 
     def plain_residuals(self, z: Array) -> Array:

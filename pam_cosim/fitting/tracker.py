@@ -20,12 +20,14 @@ class Standing:
         chi2_reduced: chi-square, with the priors' part, by the number of samples.
         rmse: rms error of each fitted signal [SI], by name.
         units: SI units of the signals, by name.
+        values: of the parameters there [SI], by name.
     """
 
     evaluations: int
     chi2_reduced: float
     rmse: dict[str, float]
     units: dict[str, str]
+    values: dict[str, float] = field(default_factory=dict)
 
     def __str__(self) -> str:
         errors = [f"{n} off by {format_quantity(e, self.units.get(n, ''))} rms" for n, e in self.rmse.items()]
@@ -71,14 +73,23 @@ class Tracker:
         self.descents: list[float] = []
         self._lowest: list[tuple[int, float]] = []
         self._rmse: dict[str, float] = {}
+        self._values: dict[str, float] = {}
 
-    def saw(self, evaluations: int, chi2_reduced: float, rmse: Callable[[], dict[str, float]] | None) -> None:
+    def saw(
+        self,
+        evaluations: int,
+        chi2_reduced: float,
+        rmse: Callable[[], dict[str, float]] | None,
+        values: Callable[[], dict[str, float]] = dict,
+    ) -> None:
         """A point was simulated; ``rmse`` None: it was known from before, and nobody needs to be told."""
         if np.isfinite(chi2_reduced) and (not self._lowest or chi2_reduced < self._lowest[-1][1]):
             self._lowest.append((evaluations, chi2_reduced))
-            self._rmse = rmse() if rmse is not None and self.progress is not None else self._rmse
+            if rmse is not None and self.progress is not None:
+                self._rmse, self._values = rmse(), values()
         if rmse is not None and self.progress is not None and self._lowest:
-            self.progress(Standing(evaluations, self._lowest[-1][1], dict(self._rmse), self.units))
+            lowest = self._lowest[-1][1]
+            self.progress(Standing(evaluations, lowest, dict(self._rmse), self.units, dict(self._values)))
 
     @property
     def convergence(self) -> Convergence:
