@@ -17,7 +17,7 @@ from pam_cosim.comparison import Comparison
 from pam_cosim.comparison import compare as _compare
 from pam_cosim.compiler import read_library
 from pam_cosim.compiler.names import last
-from pam_cosim.diagnosis import Check, Diagnosis, Message
+from pam_cosim.diagnosis import Check, Diagnosis, Listener, Message
 from pam_cosim.diagnosis import check as _check
 from pam_cosim.diagnosis import diagnose as _diagnose
 from pam_cosim.domain import Domain
@@ -233,6 +233,7 @@ def diagnose(
     *,
     files: Paths = (),
     say: Callable[[Message], None] = lambda message: None,
+    progress: Listener | None = None,
     workers: int | None = None,
     explain: bool = True,
     time_limit: Setting | None = None,
@@ -241,7 +242,8 @@ def diagnose(
 ) -> Diagnosis:
     """Finds the effect that ``model`` (default: the bench of the data set) lacks; see ``diagnosis.diagnose``.
 
-    ``say`` is told each step and each result as a line of text (``print`` will do) that knows which of them it is.
+    ``say`` is told each step and each result as a line of text (``print`` will do) that knows which of them it is;
+    ``progress`` is told the same as data, and the verdict and the ledger as they come: a ``diagnosis.Event`` each.
     ``time_limit`` ([s], or with a unit) ends the search with the best verdict so far, which says what was not tried.
     ``exclude`` and ``expect`` name families or effects that are known not to be missing, or that are likely, with those
     of the data set.
@@ -254,6 +256,7 @@ def diagnose(
         model,
         files=files,
         say=say,
+        progress=progress,
         workers=workers,
         explain=explain,
         time_limit=limit,

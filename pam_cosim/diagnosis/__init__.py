@@ -3,6 +3,20 @@
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
 from pam_cosim.diagnosis.check import Check, Help, check
 from pam_cosim.diagnosis.diagnose import Diagnosis, diagnose
+from pam_cosim.diagnosis.events import (
+    BaseFitted,
+    CandidateTried,
+    EffectsLookedAt,
+    Event,
+    FittingBegun,
+    Judged,
+    LedgerKept,
+    Listener,
+    LookFirst,
+    NothingTried,
+    OutliersSetAside,
+    Remark,
+)
 from pam_cosim.diagnosis.explanation import LearnedModel
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.missing_term import LeftInSignal, MissingTerm
@@ -12,17 +26,29 @@ from pam_cosim.diagnosis.verdict import Verdict
 
 __all__ = [
     "Alike",
+    "BaseFitted",
     "Candidate",
+    "CandidateTried",
     "Check",
     "Diagnosis",
+    "EffectsLookedAt",
+    "Event",
     "FailedTrial",
+    "FittingBegun",
     "Help",
+    "Judged",
     "Known",
     "LearnedModel",
+    "LedgerKept",
     "LeftInSignal",
+    "Listener",
+    "LookFirst",
     "Message",
     "MissingTerm",
     "NextExperiment",
+    "NothingTried",
+    "OutliersSetAside",
+    "Remark",
     "Shown",
     "Told",
     "Verdict",

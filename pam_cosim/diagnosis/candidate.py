@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from pam_cosim.comparison import SignalScore
 from pam_cosim.fitting import Estimate, Fit
 from pam_cosim.measurement import ROLES
+from pam_cosim.units import format_quantity
 
 
 @dataclass(frozen=True)
@@ -92,3 +94,13 @@ def role_summary(fit: Fit, role: str) -> dict[str, object] | None:
         return None
     chi2 = fit.comparison.chi2_reduced(role)
     return {"chi2_reduced": chi2, "signals": {n: s.as_dict() for n, s in scores.items()}}
+
+
+def describe_fit(fit: Fit) -> str:
+    """Root mean square errors of a fit in units a person reads, and the reduced chi-square of the runs of each role."""
+    scores = fit.comparison.scores["fit"]
+    signals = fit.comparison.data.signals
+    errors = ", ".join(f"{n} {format_quantity(s.rmse, signals[n].unit)}" for n, s in scores.items())
+    text = f"rms error {errors}, chi2 {fit.comparison.chi2_reduced('fit'):.4g}"
+    holdout = fit.comparison.chi2_reduced("holdout")
+    return text if math.isnan(holdout) else f"{text} (holdout {holdout:.4g})"

@@ -13,6 +13,7 @@ import numpy as np
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import FailedTrial
 from pam_cosim.diagnosis.could_be_measured import Option, everything
+from pam_cosim.diagnosis.events import Remark
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.resolution import Rows, Shown, Told
 from pam_cosim.diagnosis.search import Search
@@ -209,7 +210,7 @@ def check(
         base = linearised(objective, np.array([f.to_z(f.start) for f in free]), count)
     if base is None:
         raise SimulationFailure(objective.first_failure)
-    say(Message(f"looking at what each of {len(shelf)} effects does at its stated strength"))
+    say(Remark(f"looking at what each of {len(shelf)} effects does at its stated strength").message)
     search = Search(subject.tree, name, shelf, possible.data, subject.sources, say, workers)
     probes = search.stated(base, count)
     belongs = [possible.option[run.name, signal] for run, signal in objective.series]

@@ -14,12 +14,13 @@ from pam_cosim.comparison import without_outliers
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial, role_summary
 from pam_cosim.diagnosis.choice import meant
+from pam_cosim.diagnosis.events import BaseFitted, Judged, LedgerKept, Listener, LookFirst, OutliersSetAside, listened
 from pam_cosim.diagnosis.evidence import incomplete, rank
 from pam_cosim.diagnosis.explanation import LearnedModel, learned_term, ledger_of
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.missing_term import MissingTerm, missing_term
 from pam_cosim.diagnosis.next_experiment import NextExperiment, Plan, told_apart
-from pam_cosim.diagnosis.search import Search, describe_fit
+from pam_cosim.diagnosis.search import Search
 from pam_cosim.diagnosis.selection import Selection, select_effects
 from pam_cosim.diagnosis.subject import subject_of
 from pam_cosim.diagnosis.verdict import Verdict, confidence, explained, judge, rivals
@@ -158,6 +159,7 @@ def diagnose(
     *,
     files: Sequence[Path] = (),
     say: Callable[[Message], None] = lambda message: None,
+    progress: Listener | None = None,
     workers: int | None = None,
     explain: bool = True,
     time_limit: float | None = None,
@@ -171,6 +173,7 @@ def diagnose(
         model: the base model; default the bench of the data set.
         files: further Modelica files, whose effects are tried too.
         say: told what happens, line by line: texts that know whether they are a headline or a result (``Message``).
+        progress: told the same as data, and more that no line is printed of: an ``Event`` each.
         workers: number of processes; 0: this one alone.
         explain: whether to keep a ledger and to describe what no effect explains; the verdict is the same. Points at
             rest have no ledger.
@@ -182,6 +185,7 @@ def diagnose(
         InputError: the model cannot be compiled, or lacks a parameter that is to be fitted; an unknown family.
         SimulationFailure: the base model cannot be simulated at all.
     """
+    say, tell = listened(say, progress), progress or (lambda event: None)
     began, subject = time.monotonic(), subject_of(data, model, files, workers, say)
     data, name, sources = subject.data, subject.name, subject.sources
     with subject.simulator() as simulator:
@@ -209,10 +213,13 @@ def diagnose(
     verdict = judge(base, selected, [c for c, _ in others], tried, search.family)
     last = selected[-1] if selected else None
     verdict = replace(verdict, probability=confidence(base, last, tried, search.family, search.choice, verdict))
+    tell(Judged(verdict, base, tuple(rank(base, tried)), tuple(selected)))
     present = last.fit if last else base
     added = [c.effect for c in selected]
     explain = explain and not any(run.is_static for run in data.runs)  # balances are kept over time
     ledger = ledger_of(search, (), base) if explain and verdict.kind != "none_missing" else None
+    if ledger is not None:
+        tell(LedgerKept(ledger))
     learned, unexplained = None, verdict.kind == "unknown" or verdict.remainder
     if explain and unexplained:
         learned = _learned(search, ledger, base, added, present)
@@ -304,12 +311,11 @@ def _base(simulator: Simulator, data: DataSet, say: Callable[[Message], None]) -
     base = fit(simulator, data, options=options)
     data, outliers = without_outliers(data, base.comparison.runs)
     if outliers:
-        counts = ", ".join(f"{count} of {name}" for name, count in outliers.items())
-        say(Message(f"single samples far off their neighbours are set aside: {counts}"))
+        say(OutliersSetAside(outliers).message)
         base = fit(simulator, data, options=options)
-    say(Message(f"base model refitted: {describe_fit(base)}"))
+    say(BaseFitted(base).message)
     for doubt in base.comparison.doubts:
-        say(Message(f"look first: {doubt.text}"))
+        say(LookFirst(doubt).message)
     return data, base, outliers
 
 

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
+from pam_cosim.diagnosis.events import Remark
 from pam_cosim.diagnosis.evidence import rank
 from pam_cosim.diagnosis.learning import LearnedTerm, learn, refitted, try_learned
-from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.search import Search
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
@@ -36,7 +36,7 @@ def ledger_of(search: Search, effects: Sequence[str], present: Fit) -> Ledger | 
             search.data, present.values, search.model, effects=effects, files=search.files, tree=search.tree
         )
     except (InputError, ArithmeticError, ValueError) as problem:  # numpy reports a singular system as a ValueError
-        search.say(Message(f"no ledger could be kept: {problem}"))
+        search.say(Remark(f"no ledger could be kept: {problem}").message)
         return None
 
 
@@ -47,22 +47,22 @@ def learned_term(search: Search, ledger: Ledger | None, effects: Sequence[str], 
     try:
         term = learn(ledger, tree=search.tree)
         if not term.terms:
-            search.say(
-                Message(f"no formula could be found for what is missing: nothing explains the {term.balance} term")
-            )
+            why = f"nothing explains the {term.balance} term"
+            search.say(Remark(f"no formula could be found for what is missing: {why}").message)
             return None
         with tempfile.TemporaryDirectory(prefix="pam-cosim-") as folder:
             attempt = try_learned(
                 term, search.data, Path(folder), search.model, effects=effects, start=present.values, files=search.files
             )
     except (InputError, ArithmeticError, ValueError) as problem:
-        search.say(Message(f"no formula could be found for what is missing: {problem}"))
+        search.say(Remark(f"no formula could be found for what is missing: {problem}").message)
         return None
     if isinstance(attempt, FailedTrial):
-        search.say(Message(f"the model with the formula for what is missing could not be fitted: {attempt.failure}"))
+        why = f"the model with the formula for what is missing could not be fitted: {attempt.failure}"
+        search.say(Remark(why).message)
         return None
     entry = ledger.entry(term.balance)
     assert entry is not None, "the term was learned from it"
     term = refitted(term, entry, attempt, search.tree)
-    search.say(Message(f"described, not explained: {term}"))
+    search.say(Remark(f"described, not explained: {term}").message)
     return LearnedModel(term, rank(present, [attempt])[0])

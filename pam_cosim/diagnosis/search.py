@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -15,13 +14,13 @@ from pam_cosim.compiler import ClassTree, Structure, library_hash, read_structur
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
 from pam_cosim.diagnosis.choice import Choice
+from pam_cosim.diagnosis.events import CandidateTried, EffectsLookedAt, FittingBegun
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.probing import Probe, Stated
 from pam_cosim.diagnosis.step_times import Retimed, Retiming, nothing_found, run_retiming, steps_between
 from pam_cosim.diagnosis.trial import Trial, crashed, run_afar, run_probe, run_stated
 from pam_cosim.fitting import Fit, Linear
 from pam_cosim.measurement import DataSet
-from pam_cosim.units import format_quantity
 from pam_cosim.workers import run_tasks
 
 Look = TypeVar("Look")
@@ -112,8 +111,7 @@ class Search:
         """What each of some effects does to the samples beside a fitted model, which has others."""
         trials = [t.screening() for t in self._trials([Wanted((*has, name), fitted.values) for name in effects])]
         trials = [replace(t, beside=fitted.linear) for t in trials]
-        beside = f" beside {' + '.join(has)}" * bool(has)
-        self.say(Message(f"looking at what each of {len(trials)} effects would change{beside}"))
+        self.say(EffectsLookedAt(len(trials), tuple(has)).message)
         return self._looked(run_probe, trials)
 
     def stated(self, beside: Linear, rows: int) -> list[Stated]:
@@ -168,7 +166,7 @@ class Search:
 
     def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:
         if trials:
-            self.say(Message(f"fitting {how}: {len(trials)} model{'s' if len(trials) > 1 else ''}"))
+            self.say(FittingBegun(len(trials), how).message)
         results = run_tasks(run_afar, trials, crashed, lambda c: self.say(told(c)), self.workers)
         self.failed.extend(c for c in results if isinstance(c, FailedTrial))
         return [self._with_data(c) for c in results if isinstance(c, Candidate)]
@@ -190,15 +188,4 @@ class Search:
 
 def told(c: Candidate | FailedTrial) -> Message:
     """A candidate in a line."""
-    result = f"could not be fitted: {c.failure}" if isinstance(c, FailedTrial) else describe_fit(c.fit)
-    return Message(f"{' + '.join(c.effects)} ({c.family}): {result}", detail=True)
-
-
-def describe_fit(fit: Fit) -> str:
-    """Root mean square errors of a fit in units a person reads, and the reduced chi-square of the runs of each role."""
-    scores = fit.comparison.scores["fit"]
-    signals = fit.comparison.data.signals
-    errors = ", ".join(f"{n} {format_quantity(s.rmse, signals[n].unit)}" for n, s in scores.items())
-    text = f"rms error {errors}, chi2 {fit.comparison.chi2_reduced('fit'):.4g}"
-    holdout = fit.comparison.chi2_reduced("holdout")
-    return text if math.isnan(holdout) else f"{text} (holdout {holdout:.4g})"
+    return CandidateTried(c).message

@@ -17,6 +17,7 @@ from dataclasses import dataclass, field, replace
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.diagnosis.events import NothingTried
 from pam_cosim.diagnosis.evidence import (
     Scale,
     coherent,
@@ -28,7 +29,6 @@ from pam_cosim.diagnosis.evidence import (
     unexplained,
 )
 from pam_cosim.diagnosis.expectation import Addition, Additions, Beside, Expected, addition, reduction
-from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.probing import Probe
 from pam_cosim.diagnosis.search import Search, Wanted
 from pam_cosim.diagnosis.step_times import Retimed
@@ -74,7 +74,7 @@ def select_effects(search: Search, base: Fit, deadline: float = math.inf, clocks
         SimulationFailure: no effect could be tried at all.
     """
     if not any(coherent(s) for s in base.tested.values()):
-        search.say(Message("what remains is noise: no effect is tried"))
+        search.say(NothingTried().message)
         return Selection(search, base)
     models = _Models(search, base, deadline)
     models.probe()

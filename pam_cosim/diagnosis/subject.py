@@ -8,6 +8,7 @@ from pathlib import Path
 
 from pam_cosim.catalogue import EffectClass, domain_of, effect_classes, origins, qualified
 from pam_cosim.compiler import ClassTree, Part, read_library, read_structure
+from pam_cosim.diagnosis.events import Remark
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.stated import stated_parameters
 from pam_cosim.diagnosis.trial import run_trial
@@ -75,5 +76,5 @@ def subject_of(
     tree = read_library(files=sources)
     data, said = condensed(data)
     if said:
-        say(Message(said))
+        say(Remark(said).message)
     return Subject(name, tuple(files), sources, tree, complete_noise(replace(data, domain=domain_of(tree, name))))
