@@ -1,0 +1,40 @@
+// The dialog that writes the model with its effects as a Modelica file.
+
+import { make } from "./element.js";
+
+export class AddDialog {
+  constructor(dialog, ask) {
+    Object.assign(this, { dialog, ask });
+  }
+
+  /** `effects`: names of those that are on; `model`: short name of the base model. */
+  open(effects, model) {
+    const close = make("button", { type: "button", onclick: () => this.dialog.close() }, effects.length ? "Cancel" : "Close");
+    const heading = make("h2", { id: "add-heading" }, "Write the model with its effects");
+    if (!effects.length) {
+      this.dialog.replaceChildren(heading, make("p", {}, "No effect is switched on. Switch one on at the right, or take one from the ranking of a diagnosis."), close);
+      this.dialog.showModal();
+      return;
+    }
+    this.name = make("input", { type: "text", required: true, value: `${model}${effects.join("")}.mo`.replace(/[^\w.]/g, ""), "aria-label": "File" });
+    const form = make("form", { onsubmit: (event) => this.write(event, effects) }, make("p", {}, `${model} with ${effects.join(" and ")}, as a Modelica class in the folder of the data set.`),
+      make("label", { class: "line" }, "file", this.name), this.problem = make("p", { class: "caution", hidden: true, role: "alert" }),
+      make("p", { class: "buttons" }, close, make("button", { type: "submit", class: "main" }, "Write")));
+    this.dialog.replaceChildren(heading, form);
+    this.dialog.showModal();
+  }
+
+  async write(event, effects) {
+    event.preventDefault();
+    const failed = (problem) => Object.assign(this.problem, { hidden: false, textContent: problem.text });
+    await this.ask("add", { effects, file: this.name.value.trim() }, failed);
+  }
+
+  /** The file that was written. */
+  wrote({ file, text }) {
+    if (!this.dialog.open) return;
+    const close = make("button", { type: "button", class: "main", onclick: () => this.dialog.close() }, "Close");
+    this.dialog.replaceChildren(make("h2", { id: "add-heading" }, `${file} is written`), make("pre", { tabIndex: 0 }, make("code", {}, text)), make("p", { class: "buttons" }, close));
+    close.focus();
+  }
+}

@@ -1,0 +1,136 @@
+// The middle of the page: for each signal measured against model, residual and error map, all zoomed together.
+
+import { drawAxis, drawNames } from "./axis-charts.js";
+import { make, say } from "./element.js";
+import { cellAt, cellsOf, drawMap, timesIn } from "./error-map.js";
+import { quantity } from "./numbers.js";
+import { palette } from "./palette.js";
+import { followKeys, followPointer } from "./pointer.js";
+import { drawSignal, readOut, scale } from "./signal-chart.js";
+
+const MAP = "Mean of measured − model in the times that are shown, in standard deviations of the noise (σ). Click a cell to light up when the rig was there.";
+const KEYS = "Curves. Arrows move, plus and minus zoom, Home shows all runs, Shift and arrows read values.";
+
+export class Curves {
+  constructor(host, view) {
+    Object.assign(this, { host, view, signals: [], rows: [], frames: {}, asked: 0, colours: palette(), version: -1 });
+    this.names = make("canvas", { class: "names", "aria-hidden": "true" });
+    this.axis = make("canvas", { class: "axis", "aria-hidden": "true" });
+    this.stack = make("div", { class: "stack", tabIndex: 0, role: "group", "aria-label": KEYS });
+    host.append(this.names, this.stack, this.axis);
+    followKeys(this.stack, view);
+    view.listeners.push(() => this.later());
+    new ResizeObserver(() => this.later()).observe(host);
+    matchMedia("(resolution: 1dppx)").addEventListener("change", () => this.later());
+  }
+
+  /** Runs and signals of a study. */
+  study(study) {
+    const key = JSON.stringify(study.signals.map((s) => [s.name, s.unit, s.quantity, s.noise, s.use]));
+    this.runs = study.runs;
+    if (key !== this.key) {
+      this.key = key;
+      this.signals = study.signals;
+      this.rows = study.signals.map((signal) => this.row(signal));
+      this.stack.replaceChildren(...this.rows.map((row) => row.element));
+    }
+    this.lay();
+  }
+
+  /** A frame of curves. */
+  frame(frame) {
+    if (frame.kind === "model" && frame.version < this.version) return;
+    if (frame.kind === "model") this.version = frame.version;
+    this.frames[frame.kind] = frame.runs.size ? frame.runs : null;
+    if (frame.kind === "reference") this.label = frame.label;
+    if (frame.kind === "measured") this.lay();
+    this.later();
+  }
+
+  lay() {
+    const measured = this.frames.measured;
+    if (!measured || !this.runs) return;
+    this.view.lay(
+      this.runs.filter((run) => measured.has(run.name)).map((run) => {
+        const times = [...measured.get(run.name).values()].map((s) => s.time).filter((time) => time?.length);
+        const [low, high] = [Math.min(...times.map((t) => t[0])), Math.max(...times.map((t) => t.at(-1)))];
+        return { name: run.name, role: run.role, low, high, points: run.static };
+      }),
+    );
+  }
+
+  theme() {
+    this.colours = palette();
+    this.later();
+  }
+
+  row(signal) {
+    const canvas = make("canvas", { class: "curve", role: "img", "aria-label": `${signal.name}, measured and model` });
+    const map = make("canvas", { class: "map", role: "img", "aria-label": `Mean residual of ${signal.name} over the plane of two signals`, title: MAP });
+    const readout = make("span", { class: "readout" });
+    const unit = signal.unit ? ` [${signal.unit}]` : "";
+    const use = signal.use === "compared" ? "compared, not fitted" : "";
+    const head = make("div", { class: "row-head" },
+      make("span", { class: "name" }, signal.name), make("span", {}, `${signal.quantity ?? ""}${unit}`.trim()),
+      make("span", { class: "soft" }, use), readout);
+    const element = make("div", { class: "signal" }, head, make("div", { class: "charts" }, canvas, map));
+    const row = { signal, canvas, map, readout, element, box: null };
+    followPointer(canvas, this.view, (range) => this.select(range));
+    map.addEventListener("click", (event) => this.cell(row, event));
+    return row;
+  }
+
+  select(range) {
+    this.range = range;
+    this.later();
+  }
+
+  cell(row, event) {
+    const cell = row.box ? cellAt(row.box, event.offsetX, event.offsetY) : -1;
+    this.view.light(cell < 0 ? null : timesIn(cell, this.view, row.signal, this.plane(), this.frames));
+  }
+
+  plane() {
+    return this.signals.slice(0, 2);
+  }
+
+  later() {
+    this.asked ||= requestAnimationFrame(() => {
+      this.asked = 0;
+      this.draw();
+    });
+  }
+
+  draw() {
+    if (this.host.hidden || !this.frames.measured) return;
+    const { view, frames, colours } = this;
+    drawNames(this.names, view, colours);
+    const flat = this.plane().length < 2 || !frames.model;
+    this.host.classList.toggle("flat", flat);
+    for (const row of this.rows) {
+      drawSignal(row.canvas, view, row.signal, frames, colours);
+      this.selection(row.canvas);
+      row.box = flat ? null : drawMap(row.map, cellsOf(view, row.signal, this.plane(), frames), this.plane(), colours);
+      say(row.readout, this.words(readOut(view, row.signal, frames), row.signal));
+    }
+    drawAxis(this.axis, view, view.runs.every((run) => run.points) ? "point" : "time [s]", colours);
+    document.dispatchEvent(new CustomEvent("drawn", { detail: { version: this.version } }));
+  }
+
+  selection(canvas) {
+    if (!this.range) return;
+    const across = scale(this.view, canvas.clientWidth), g = canvas.getContext("2d");
+    const [a, b] = this.range.map(across.to);
+    Object.assign(g, { fillStyle: this.colours.soft, globalAlpha: 0.25 });
+    g.fillRect(Math.min(a, b), 0, Math.abs(b - a), canvas.clientHeight);
+    g.globalAlpha = 1;
+  }
+
+  words(there, signal) {
+    if (!there) return "";
+    const at = there.run.points ? `point ${there.at}` : `${there.at.toFixed(3)} s`;
+    const part = (word, value) => (value === undefined ? "" : `${word} ${quantity(value, signal.unit)}`);
+    return [`${there.run.name}, ${at}`, part("measured", there.measured), part("model", there.model), part("left", there.residual)]
+      .filter(Boolean).join(" · ");
+  }
+}

@@ -1,0 +1,174 @@
+// Puts the page together: what comes from the server goes to the parts that show it, what is pressed goes back.
+
+import { AddDialog } from "./add.js";
+import { Balances } from "./balances.js";
+import { Connection, Newest } from "./connection.js";
+import { Curves } from "./curves.js";
+import { Diagnosis } from "./diagnosis.js";
+import { DropPage } from "./drop.js";
+import { Effects } from "./effects.js";
+import { byId, make, say } from "./element.js";
+import { Ladder } from "./ladder.js";
+import { clock } from "./numbers.js";
+import { Parameters } from "./parameters.js";
+import { Rules, Runs } from "./runs.js";
+import { StudyPage } from "./study.js";
+import { tabs } from "./tabs.js";
+import { theme } from "./theme.js";
+import { View } from "./view.js";
+
+const view = new View();
+let study = null, busy = null, connected = false;
+
+/** Sends a command; what is wrong is said at the top, or to `failed`. The answer, or null. */
+async function ask(what, values = {}, failed = alert) {
+  try {
+    const answer = await connection.ask(what, values);
+    return answer ?? {};
+  } catch (problem) {
+    failed(problem);
+    return null;
+  }
+}
+
+const newest = new Newest((values) => ask("set", { values }));
+const set = (values) => newest.give(values);
+
+const parts = {
+  curves: new Curves(byId("curves"), view),
+  ladder: new Ladder(byId("ladder")),
+  runs: new Runs(byId("run-list"), view, ask),
+  rules: new Rules(byId("rule-list"), view, ask),
+  parameters: new Parameters(byId("parameters"), set, ask),
+  effects: new Effects(byId("effects"), ask),
+  diagnosis: new Diagnosis(byId("diagnosis"), ask),
+  balances: new Balances(byId("balances")),
+  study: new StudyPage(byId("study"), ask),
+  add: new AddDialog(byId("add-dialog"), ask),
+  drop: new DropPage(byId("drop"), ask),
+};
+
+const showTab = tabs(byId("tabs"), (id) => {
+  byId("whole").hidden = byId("legend").hidden = id !== "curves";
+  if (id === "curves") parts.curves.later();
+  if (id === "balances") parts.balances.draw();
+});
+
+const hear = {
+  study(event) {
+    study = event;
+    const drop = event.state === "drop";
+    byId("drop").hidden = !drop;
+    byId("desk").hidden = byId("ladder").hidden = drop;
+    byId("actions").classList.toggle("none", drop);
+    say(byId("title"), event.title || "Workbench");
+    say(byId("model"), drop ? "" : [event.model.split(".").at(-1), event.with_effects].filter(Boolean).join(", "));
+    document.title = `${event.title || "Workbench"} – pam-cosim`;
+    if (drop) parts.drop.study(event);
+    else for (const part of [parts.curves, parts.ladder, parts.runs, parts.parameters, parts.effects, parts.diagnosis, parts.study]) part.study(event);
+    lock();
+  },
+  scores(event) {
+    parts.ladder.show(event);
+    parts.runs.show(event);
+    parts.parameters.values(event.values);
+    for (const { run, text } of event.failed ?? []) alert({ text: `${run}: ${text}` });
+    if (!event.failed?.length && byId("alert").dataset.of === "run") byId("alert").hidden = true;
+  },
+  where: (event) => parts.rules.show(event),
+  busy(event) {
+    busy = { ...event, since: performance.now() };
+    if (event.what === "diagnose") {
+      parts.diagnosis.begin();
+      showTab("diagnosis");
+    }
+    status(event.text);
+    lock();
+  },
+  idle(event) {
+    busy = null;
+    status(event.text ?? "Ready");
+    lock();
+  },
+  progress(event) {
+    parts.parameters.values(event.values);
+    if (event.text) status(event.text);
+  },
+  message(event) {
+    if (busy?.what !== "fit") parts.diagnosis.message(event);
+    status(event.text);
+  },
+  candidate: (event) => parts.diagnosis.candidate(event),
+  ranking: (event) => parts.diagnosis.take(event),
+  verdict(event) {
+    parts.diagnosis.show(event);
+  },
+  ledger: (event) => parts.balances.show(event),
+  added(event) {
+    parts.add.wrote(event);
+    parts.study.wrote(event);
+    status(`${event.file} is written`);
+  },
+  saved: (event) => status(`Saved as ${event.file}`),
+  steps(event) {
+    parts.study.did(event.steps);
+    byId("undo").dataset.none = String(!event.steps.length);
+    say(byId("save"), event.saved && event.steps.length ? "Saved" : "Save");
+    lock();
+  },
+  draft: (event) => parts.drop.draft(event),
+  failed: alert,
+};
+
+const connection = new Connection(
+  (event) => hear[event.event]?.(event),
+  (frame) => {
+    parts.curves.frame(frame);
+    if (frame.kind !== "measured") legend();
+  },
+  (open) => {
+    connected = open;
+    status(open ? "Ready" : "The connection is lost; trying again …");
+    lock();
+  },
+);
+
+function alert(problem) {
+  const place = [problem.file, problem.line ? `line ${problem.line}` : "", problem.column ? `column ${problem.column}` : ""].filter(Boolean).join(", ");
+  say(byId("alert-text"), [place, problem.text].filter(Boolean).join(": "));
+  byId("alert").hidden = false;
+}
+
+function status(text) {
+  say(byId("status-text"), text ?? "");
+}
+
+function lock() {
+  const held = Boolean(busy) || !connected;
+  for (const id of ["fit", "diagnose", "add", "undo", "save"]) byId(id).disabled = held || !study;
+  byId("undo").disabled ||= byId("undo").dataset.none === "true";
+  byId("stop").disabled = !busy;
+  for (const part of [parts.parameters, parts.effects, parts.diagnosis]) part.lock(held);
+  document.body.classList.toggle("busy", Boolean(busy));
+}
+
+function legend() {
+  const before = parts.curves.frames.reference;
+  const entry = (name, words) => make("span", { class: `key ${name}` }, words);
+  byId("legend").replaceChildren(entry("measured", "measured"), entry("model", "model"), before ? entry("before", parts.curves.label || "before") : "", make("span", {}, "below: measured − model, band ± 2 σ of the noise"));
+}
+
+byId("fit").addEventListener("click", () => ask("fit", { method: parts.parameters.fitBy?.value ?? "least-squares", free: parts.parameters.free() }));
+byId("diagnose").addEventListener("click", () => ask("diagnose", parts.diagnosis.wishes()));
+byId("stop").addEventListener("click", () => ask("stop"));
+byId("add").addEventListener("click", () => parts.add.open(parts.effects.on(), study.model.split(".").at(-1)));
+byId("undo").addEventListener("click", () => ask("undo"));
+byId("save").addEventListener("click", () => ask("save"));
+byId("whole").addEventListener("click", () => view.whole());
+byId("alert-close").addEventListener("click", () => (byId("alert").hidden = true));
+theme(byId("theme"), () => {
+  parts.curves.theme();
+  parts.ladder.theme();
+  parts.balances.draw();
+});
+setInterval(() => say(byId("status-time"), busy ? clock((performance.now() - busy.since) / 1000) : ""), 500);

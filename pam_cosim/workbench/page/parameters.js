@@ -1,0 +1,134 @@
+// Right: the bench, how to fit, and each parameter with its slider, bounds and interval.
+
+import { make } from "./element.js";
+import { number, plain } from "./numbers.js";
+
+const STEPS = 1000; // of a slider
+const USUAL = "least-squares";
+const DECADES = 1.3; // of the bounds, from which on a slider moves by order of magnitude
+
+export class Parameters {
+  /** `set(values)` sends values, `ask` commands. */
+  constructor(host, set, ask) {
+    Object.assign(this, { host, set, ask, rows: new Map(), busy: false });
+  }
+
+  study(study) {
+    const key = JSON.stringify([study.model, study.benches, study.methods, study.parameters.map((p) => [p.name, p.unit, p.effect])]);
+    if (key !== this.key) {
+      this.key = key;
+      this.build(study);
+    }
+    for (const p of study.parameters) this.rows.get(p.name)?.take(p);
+    this.lock(this.busy);
+  }
+
+  build(study) {
+    this.rows.clear();
+    const free = study.parameters.filter((p) => p.free), held = study.parameters.filter((p) => !p.free);
+    const rows = (list) => list.map((p) => {
+      const row = new Row(p, this.set, this.ask);
+      this.rows.set(p.name, row);
+      return row.element;
+    });
+    const further = make("details", { hidden: !held.length }, make("summary", {}, `${held.length} more, held`), rows(held));
+    this.reset = make("button", { type: "button", onclick: () => this.ask("reset", { names: [...this.rows.keys()] }) }, "Reset");
+    this.host.replaceChildren(
+      make("h2", {}, "Model"), this.bench(study), this.method(study),
+      make("div", { class: "head" }, make("h2", {}, "Parameters"), this.reset),
+      study.parameters.length ? make("div", { class: "parameters" }, rows(free), further)
+        : make("p", { class: "soft" }, "No parameter is free: name some under [fit] in experiment.toml."));
+  }
+
+  bench(study) {
+    const names = [...new Set([study.model.split(".").at(-1), ...study.benches])];
+    const short = study.model.split(".").at(-1);
+    this.choice = make("select", { id: "bench", onchange: (e) => this.ask("choose", { model: e.target.value }) },
+      names.map((name) => make("option", { value: name, selected: name === short }, name)));
+    return make("label", { class: "line" }, "bench", this.choice);
+  }
+
+  method(study) {
+    if (!study.methods?.length) return "";
+    this.fitBy = make("select", { id: "method" }, study.methods.map((name) => make("option", { value: name, selected: name === USUAL }, name)));
+    return make("label", { class: "line" }, "fit by", this.fitBy);
+  }
+
+  /** Values while something runs. */
+  values(values) {
+    for (const [name, value] of Object.entries(values ?? {})) this.rows.get(name)?.move(value);
+  }
+
+  free() {
+    return [...this.rows].filter(([, row]) => row.fitted.checked).map(([name]) => name);
+  }
+
+  lock(busy) {
+    this.busy = busy;
+    for (const control of this.host.querySelectorAll("input, select, button")) control.disabled = busy;
+  }
+}
+
+class Row {
+  constructor(p, set, ask) {
+    Object.assign(this, { p, set });
+    const label = `${p.name}${p.unit ? `, ${p.unit}` : ""}`;
+    this.fitted = make("input", { type: "checkbox", checked: p.free, title: "A fit may move it", "aria-label": `A fit may move ${p.name}` });
+    this.number = make("input", { type: "number", step: "any", "aria-label": label, onchange: () => this.typed() });
+    this.slider = make("input", { type: "range", min: "0", max: String(STEPS), step: "1", "aria-label": label, "data-parameter": p.name, oninput: () => this.dragged() });
+    this.band = make("div", { class: "interval" });
+    this.note = make("p", { class: "note" });
+    this.element = make("div", { class: "parameter", title: p.description ?? "" },
+      make("div", { class: "parameter-head" }, make("label", {}, this.fitted, make("code", {}, p.name)),
+        p.effect ? make("small", { class: "soft" }, p.effect) : "", this.number, make("span", { class: "unit" }, p.unit)),
+      make("div", { class: "track" }, this.band, this.slider), this.note);
+    this.take(p);
+  }
+
+  take(p) {
+    this.p = p;
+    const room = p.low > 0 && Math.log10(p.high / p.low) > DECADES;
+    this.logarithmic = p.logarithmic ?? room;
+    this.move(p.value);
+    const known = Number.isFinite(p.low95) && Number.isFinite(p.high95) && p.low95 !== null && p.high95 !== null;
+    this.band.hidden = !known;
+    if (known) {
+      const [a, b] = [p.low95, p.high95].map((v) => Math.min(1, Math.max(0, this.share(v))));
+      this.band.style.left = `calc(8px + (100% - 16px) * ${a})`;
+      this.band.style.width = `calc((100% - 16px) * ${Math.max(b - a, 0.004)})`;
+    }
+    const interval = known ? `95 %: ${number(p.low95)} … ${number(p.high95)}` : "";
+    this.note.replaceChildren(make("span", {}, number(p.low)), make("span", { class: p.remark ? "remark" : "" }, [interval, p.remark].filter(Boolean).join("; ")),
+      make("span", {}, number(p.high)));
+  }
+
+  move(value) {
+    if (document.activeElement !== this.number) this.number.value = plain(value);
+    if (!this.held) this.slider.value = String(Math.round(STEPS * this.share(value)));
+    this.slider.setAttribute("aria-valuetext", `${number(value)} ${this.p.unit}`.trim());
+  }
+
+  dragged() {
+    this.held = true;
+    clearTimeout(this.release);
+    this.release = setTimeout(() => (this.held = false), 300);
+    const value = this.at(Number(this.slider.value) / STEPS);
+    this.number.value = plain(value);
+    this.set({ [this.p.name]: Number(plain(value)) });
+  }
+
+  typed() {
+    const value = Number(this.number.value);
+    if (this.number.value.trim() !== "" && Number.isFinite(value)) this.set({ [this.p.name]: value });
+  }
+
+  share(value) {
+    const { low, high } = this.p;
+    return this.logarithmic ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low);
+  }
+
+  at(share) {
+    const { low, high } = this.p;
+    return this.logarithmic ? low * (high / low) ** share : low + share * (high - low);
+  }
+}

@@ -1,0 +1,194 @@
+// One signal over time: measured and model above, what is left of it below, on one canvas.
+
+import { begin, lower, text, trace, within } from "./drawing.js";
+import { number, tickLabels, ticks } from "./numbers.js";
+
+export const LEFT = 52, RIGHT = 8; // px, the same in all charts, so that times stand above each other
+const SHARE = 0.66; // of the height for the curves, the rest for the residual
+const DOTS = 6; // px between samples from which on each is a dot
+const PADDING = 0.06;
+
+/** The place on the canvas of a value of the common axis, and back. */
+export function scale(view, width) {
+  const factor = (width - LEFT - RIGHT) / (view.to - view.from);
+  return { to: (place) => LEFT + (place - view.from) * factor, back: (x) => view.from + (x - LEFT) / factor };
+}
+
+/**
+ * Draws one signal. `curves` holds `measured`, `model` and `reference`: what `readFrame` gives as `runs`, or null.
+ */
+export function drawSignal(canvas, view, signal, curves, colours) {
+  const { g, width, height } = begin(canvas);
+  if (width < LEFT + 20) return;
+  const across = scale(view, width);
+  const runs = view.visible().map((run) => ({ run, ...ofRun(curves, run.name, signal.name) })).filter((r) => r.measured?.time);
+  const upper = { top: 6, bottom: Math.round(height * SHARE) - 4 };
+  const under = { top: Math.round(height * SHARE) + 6, bottom: height - 4 };
+  const shapes = runs.map((r) => ({ ...r, range: within(r.measured.time, view.from - r.run.shift, view.to - r.run.shift) }));
+
+  grounds(g, view, across, height, colours, width);
+  const value = linear(limits(shapes, upperArrays), upper);
+  const left = linear(symmetric(shapes, signal.noise), under);
+  gridLines(g, value, upper, width, colours, Math.max(2, Math.floor((upper.bottom - upper.top) / 28)));
+  noiseBand(g, left, signal, view, across, colours);
+  residualAxis(g, left, under, width, colours);
+
+  g.save();
+  g.beginPath();
+  g.rect(LEFT, 0, width - LEFT - RIGHT, height);
+  g.clip();
+  for (const s of shapes) {
+    const toX = (t) => across.to(t + s.run.shift);
+    measured(g, s, toX, value, colours);
+    if (s.reference?.values) line(g, s, s.reference.values, toX, value, colours.before, 1.2, [4, 3]);
+    if (s.model?.values) line(g, s, s.model.values, toX, value, colours.model, 1.7, [], s.run.points);
+    if (s.reference?.residual) line(g, s, s.reference.residual, toX, left, colours.before, 0.8, []);
+    if (s.model?.residual) line(g, s, s.model.residual, toX, left, colours.model, 1.1, [], s.run.points);
+  }
+  cursorLine(g, view, across, height, colours);
+  g.restore();
+}
+
+/** What stands at the cursor: `{at, measured, model, residual}`, or null. */
+export function readOut(view, signal, curves) {
+  const there = view.cursor === null ? null : view.at(view.cursor);
+  if (!there) return null;
+  const { measured: m, model } = ofRun(curves, there.run.name, signal.name);
+  if (!m?.time?.length) return null;
+  let i = Math.min(lower(m.time, there.value), m.time.length - 1);
+  if (i > 0 && there.value - m.time[i - 1] < m.time[i] - there.value) i--;
+  return { run: there.run, at: m.time[i], measured: m.values[i], model: model?.values?.[i], residual: model?.residual?.[i] };
+}
+
+function ofRun(curves, run, signal) {
+  const of = (kind) => curves[kind]?.get(run)?.get(signal);
+  return { measured: of("measured"), model: of("model"), reference: of("reference") };
+}
+
+const upperArrays = (s) => [s.measured.values, s.model?.values, s.reference?.values];
+const residualArrays = (s) => [s.model?.residual, s.reference?.residual];
+
+function limits(shapes, arrays) {
+  let [low, high] = [Infinity, -Infinity];
+  for (const s of shapes) {
+    for (const values of arrays(s)) {
+      if (!values) continue;
+      for (let i = s.range[0]; i < s.range[1]; i++) {
+        const v = values[i];
+        if (v < low) low = v;
+        if (v > high) high = v;
+      }
+    }
+  }
+  if (!(high >= low)) return [0, 1];
+  const room = PADDING * (high - low) || Math.abs(high) * 0.1 || 1;
+  return [low - room, high + room];
+}
+
+function symmetric(shapes, noise) {
+  const [low, high] = limits(shapes, residualArrays);
+  const most = Math.max(-low, high, 3 * (noise ?? 0)) || 1;
+  return [-most, most];
+}
+
+function linear([low, high], { top, bottom }) {
+  const factor = (bottom - top) / (high - low);
+  return { low, high, to: (value) => bottom - (value - low) * factor };
+}
+
+function grounds(g, view, across, height, colours, width) {
+  for (const run of view.visible()) {
+    const [a, b] = [Math.max(across.to(run.start), LEFT), Math.min(across.to(run.start + run.span), width - RIGHT)];
+    g.fillStyle = run.role === "holdout" ? colours.band : colours.ground;
+    if (b > a) g.fillRect(a, 0, b - a, height);
+  }
+  g.fillStyle = colours.lit;
+  for (const [from, to] of view.lit) {
+    const [a, b] = [Math.max(across.to(from), LEFT), Math.min(across.to(to), width - RIGHT)];
+    if (b >= a) g.fillRect(a, 0, Math.max(b - a, 1), height);
+  }
+}
+
+function gridLines(g, y, area, width, colours, most) {
+  const values = ticks(y.low, y.high, most);
+  const labels = tickLabels(values);
+  g.lineWidth = 1;
+  values.forEach((value, i) => {
+    const at = Math.round(y.to(value)) + 0.5;
+    if (at < area.top || at > area.bottom) return;
+    horizontal(g, at, width, colours.line);
+    text(g, labels[i], LEFT - 6, at, colours.soft, { align: "right", base: "middle" });
+  });
+}
+
+function horizontal(g, at, width, colour) {
+  g.strokeStyle = colour;
+  g.beginPath();
+  g.moveTo(LEFT, at);
+  g.lineTo(width - RIGHT, at);
+  g.stroke();
+}
+
+function noiseBand(g, y, signal, view, across, colours) {
+  if (!signal.noise) return;
+  g.fillStyle = colours.line;
+  g.globalAlpha = 0.55;
+  for (const run of view.visible()) {
+    const [a, b] = [Math.max(across.to(run.start), LEFT), Math.min(across.to(run.start + run.span), across.to(view.to))];
+    g.fillRect(a, y.to(2 * signal.noise), b - a, y.to(-2 * signal.noise) - y.to(2 * signal.noise));
+  }
+  g.globalAlpha = 1;
+}
+
+function residualAxis(g, y, area, width, colours) {
+  horizontal(g, Math.round(y.to(0)) + 0.5, width, colours.soft);
+  const value = ticks(0, y.high, 5).findLast((v) => v <= 0.85 * y.high) || y.high;
+  const label = number(value, 2);
+  for (const [v, words] of [[value, label], [0, "0"], [-value, `−${label}`]]) {
+    text(g, words, LEFT - 6, y.to(v), colours.soft, { align: "right", base: "middle", size: 10 });
+  }
+}
+
+function measured(g, s, toX, y, colours) {
+  const { time, values } = s.measured;
+  const [first, last] = s.range;
+  const apart = last > first + 1 ? (toX(time[last - 1]) - toX(time[first])) / (last - first - 1) : DOTS;
+  Object.assign(g, { strokeStyle: colours.measured, fillStyle: colours.measured, lineWidth: 1.4 });
+  if (!s.run.points) {
+    g.beginPath();
+    trace(g, time, values, first, last, toX, y.to);
+    g.stroke();
+  }
+  if (apart >= DOTS || s.run.points) {
+    for (let i = first; i < last; i++) {
+      if (values[i] === values[i]) g.fillRect(toX(time[i]) - 1.75, y.to(values[i]) - 1.75, 3.5, 3.5);
+    }
+  }
+}
+
+function line(g, s, values, toX, y, colour, thick, dashes, points = false) {
+  Object.assign(g, { strokeStyle: colour, lineWidth: thick, lineJoin: "round" });
+  g.setLineDash(dashes);
+  g.beginPath();
+  trace(g, s.measured.time, values, ...s.range, toX, y.to);
+  g.stroke();
+  g.setLineDash([]);
+  if (!points) return;
+  for (let i = s.range[0]; i < s.range[1]; i++) {
+    if (values[i] !== values[i]) continue;
+    g.beginPath();
+    g.arc(toX(s.measured.time[i]), y.to(values[i]), 2.6, 0, 7);
+    g.stroke();
+  }
+}
+
+function cursorLine(g, view, across, height, colours) {
+  if (view.cursor === null) return;
+  g.strokeStyle = colours.ink;
+  g.lineWidth = 1;
+  g.beginPath();
+  const x = Math.round(across.to(view.cursor)) + 0.5;
+  g.moveTo(x, 0);
+  g.lineTo(x, height);
+  g.stroke();
+}
