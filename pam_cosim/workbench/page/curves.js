@@ -2,7 +2,7 @@
 
 import { drawAxis, drawNames } from "./axis-charts.js";
 import { make, say } from "./element.js";
-import { cellAt, cellsOf, drawMap, timesIn } from "./error-map.js";
+import { Plane, cellAt } from "./error-map.js";
 import { quantity } from "./numbers.js";
 import { palette } from "./palette.js";
 import { followKeys, followPointer } from "./pointer.js";
@@ -87,11 +87,15 @@ export class Curves {
 
   cell(row, event) {
     const cell = row.box ? cellAt(row.box, event.offsetX, event.offsetY) : -1;
-    this.view.light(cell < 0 ? null : timesIn(cell, this.view, row.signal, this.plane(), this.frames));
+    this.view.light(cell < 0 ? null : this.plane.times(this.view, row.signal, cell));
   }
 
-  plane() {
-    return this.signals.slice(0, 2);
+  /** The plane of the first two signals, divided anew for each model. */
+  divided() {
+    const { measured, model } = this.frames;
+    if (this.signals.length < 2 || !model) return null;
+    if (this.plane?.model !== model || this.plane.signals[0] !== this.signals[0]) this.plane = new Plane(this.signals.slice(0, 2), measured, model);
+    return this.plane;
   }
 
   later() {
@@ -105,12 +109,12 @@ export class Curves {
     if (this.host.hidden || !this.frames.measured) return;
     const { view, frames, colours } = this;
     drawNames(this.names, view, colours);
-    const flat = this.plane().length < 2 || !frames.model;
-    this.host.classList.toggle("flat", flat);
+    const plane = this.divided();
+    this.host.classList.toggle("flat", !plane);
     for (const row of this.rows) {
       drawSignal(row.canvas, view, row.signal, frames, colours);
       this.selection(row.canvas);
-      row.box = flat ? null : drawMap(row.map, cellsOf(view, row.signal, this.plane(), frames), this.plane(), colours);
+      row.box = plane?.draw(row.map, view, row.signal, colours) ?? null;
       say(row.readout, this.words(readOut(view, row.signal, frames), row.signal));
     }
     drawAxis(this.axis, view, view.runs.every((run) => run.points) ? "point" : "time [s]", colours);
@@ -130,7 +134,7 @@ export class Curves {
     if (!there) return "";
     const at = there.run.points ? `point ${there.at}` : `${there.at.toFixed(3)} s`;
     const part = (word, value) => (value === undefined ? "" : `${word} ${quantity(value, signal.unit)}`);
-    return [`${there.run.name}, ${at}`, part("measured", there.measured), part("model", there.model), part("left", there.residual)]
+    return [`${there.run.name}, ${at}`, part("measured", there.measured), part("model", there.model), part("difference", there.residual)]
       .filter(Boolean).join(" · ");
   }
 }

@@ -1,5 +1,6 @@
 // What every chart draws: lines thinned to pixels, bands, axes.
 
+const OUT = 0.6; // px by which a sample must stand out of its column to be drawn
 const FONT = "system-ui, sans-serif";
 
 /** Makes a canvas as sharp as the screen; its size in CSS pixels. */
@@ -20,38 +21,39 @@ export function text(g, words, x, y, colour, { align = "left", base = "alphabeti
   g.fillText(words, x, y);
 }
 
-/** A path through the samples between two indices, thinned to the lowest and highest of each pixel column. */
+/**
+ * A path through the samples between two indices, thinned to a point for each pixel column, and to its lowest and highest
+ * where these stand out: strokes are what costs time.
+ */
 export function trace(g, xs, ys, first, last, toX, toY) {
-  let column = NaN, low = 0, high = 0, leave = 0, pen = false;
+  const offset = toX(0), factor = toX(1) - offset;
+  let column = NaN, low = 0, high = 0, enter = 0, leave = 0;
   const flush = () => {
-    if (Number.isNaN(column)) return;
-    if (high > low) {
-      g.lineTo(column, low);
-      g.lineTo(column, high);
-      g.lineTo(column, leave);
-    }
+    if (low < Math.min(enter, leave) - OUT) g.lineTo(column, low);
+    if (high > Math.max(enter, leave) + OUT) g.lineTo(column, high);
+    g.lineTo(column, leave);
   };
   for (let i = first; i < last; i++) {
     const value = ys[i];
     if (value !== value) {
-      flush();
+      if (column === column) flush();
       column = NaN;
-      pen = false;
       continue;
     }
-    const x = Math.round(2 * toX(xs[i])) / 2, y = toY(value);
-    if (x !== column) {
-      flush();
-      if (pen) g.lineTo(x, y);
-      else g.moveTo(x, y);
-      [column, low, high, pen] = [x, y, y, true];
-    } else {
+    const exact = offset + factor * xs[i], y = toY(value);
+    const x = Math.round(exact);
+    if (x === column) {
       if (y < low) low = y;
-      if (y > high) high = y;
+      else if (y > high) high = y;
+      leave = y;
+    } else {
+      if (column === column) flush();
+      else g.moveTo(x, y);
+      column = x;
+      low = high = enter = leave = y;
     }
-    leave = y;
   }
-  flush();
+  if (column === column) flush();
 }
 
 /** Indices [first, last) of the sorted `xs` that lie in a range, with a neighbour on each side. */

@@ -155,7 +155,7 @@ function lock() {
 function legend() {
   const before = parts.curves.frames.reference;
   const entry = (name, words) => make("span", { class: `key ${name}` }, words);
-  byId("legend").replaceChildren(entry("measured", "measured"), entry("model", "model"), before ? entry("before", parts.curves.label || "before") : "", make("span", {}, "below: measured − model, band ± 2 σ of the noise"));
+  byId("legend").replaceChildren(entry("measured", "measured"), entry("model", "model"), before ? entry("before", parts.curves.label || "before") : "", make("span", {}, "below: measured − model, ± 2 σ"));
 }
 
 byId("fit").addEventListener("click", () => ask("fit", { method: parts.parameters.fitBy?.value ?? "least-squares", free: parts.parameters.free() }));

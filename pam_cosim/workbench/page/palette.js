@@ -8,11 +8,11 @@ export function palette() {
   return Object.fromEntries(NAMES.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
 }
 
-/** A colour from cold over the middle to warm for -1 ... 1. */
+/** A colour [red, green, blue] from cold over the middle to warm for -1 ... 1. */
 export function diverging(colours, value) {
   const share = Math.min(1, Math.abs(value)) ** 0.75;
   const [from, to] = [rgb(colours.middle), rgb(value < 0 ? colours.cold : colours.warm)];
-  return `rgb(${from.map((c, i) => Math.round(c + (to[i] - c) * share)).join(" ")})`;
+  return from.map((c, i) => Math.round(c + (to[i] - c) * share));
 }
 
 function rgb(hex) {

@@ -167,7 +167,7 @@ function measured(g, s, toX, y, colours) {
 }
 
 function line(g, s, values, toX, y, colour, thick, dashes, points = false) {
-  Object.assign(g, { strokeStyle: colour, lineWidth: thick, lineJoin: "round" });
+  Object.assign(g, { strokeStyle: colour, lineWidth: thick, lineJoin: "bevel" });
   g.setLineDash(dashes);
   g.beginPath();
   trace(g, s.measured.time, values, ...s.range, toX, y.to);
