@@ -22,7 +22,7 @@ from pam_cosim.comparison import Comparison, ConditionTable
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, write_bytes
-from pam_cosim.fitting import Fit, Profiles, Record
+from pam_cosim.fitting import Fit, Leeway, Profiles, Record
 from pam_cosim.ledger import Ledger
 from pam_cosim.simulation import Trajectory
 
@@ -97,6 +97,12 @@ def _converter(arrays: dict[Any, Any]) -> Converter:
 
     converter.register_unstructure_hook_func(_is_array, put)
     converter.register_structure_hook_func(_is_array, lambda reference, _: arrays[reference["array"]])
+    converter.register_unstructure_hook(
+        Leeway, lambda v: {"cost": v.cost, "shifts": [[*key, put(shift)] for key, shift in v.shifts.items()]}
+    )
+    converter.register_structure_hook(
+        Leeway, lambda v, _: Leeway({(r, s): arrays[a["array"]] for r, s, a in v["shifts"]}, float(v["cost"]))
+    )
     converter.register_unstructure_hook(Path, str)
     converter.register_structure_hook(Path, lambda text, _: Path(text))
     include_subclasses(Record, converter, union_strategy=configure_tagged_union)

@@ -24,15 +24,15 @@ from pam_cosim.domain import Domain
 from pam_cosim.drafting import NewDataSet, Wishes, draft
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, make_folder, write_bytes, write_text
-from pam_cosim.fitting import Fit, FitOptions, Profiles, Progress, base_parameters
+from pam_cosim.fitting import Fit, FitOptions, Profiles, Progress, base_parameters, with_free
 from pam_cosim.fitting import fit as _fit
 from pam_cosim.fitting import profile as _profile
 from pam_cosim.fmu import build_model, read_interface
-from pam_cosim.interface import Interface
+from pam_cosim.interface import Interface, Variable
 from pam_cosim.measurement import DataSet, complete_noise, read_data_set
 from pam_cosim.names import is_fmu, is_modelica, is_ratio, parameter_of
 from pam_cosim.products import Product
-from pam_cosim.settings import Setting, resolve
+from pam_cosim.settings import Setting, resolve, value_of
 from pam_cosim.simulation import Inputs, IsolatedSimulator, Simulator, Trajectory
 from pam_cosim.simulation.fmpy_engine import run_with_fmpy
 from pam_cosim.sources import Source, inputs_of
@@ -98,15 +98,19 @@ def benches(files: Paths = ()) -> list[str]:
     return [last(bench) for bench in _benches(read_library(files=_paths(files)))]
 
 
-def read(folder: Path | str, *, model: str | None = None, files: Paths = ()) -> DataSet:
+def read(
+    folder: Path | str, *, model: str | None = None, files: Paths = (), roles: Mapping[str, str] | None = None
+) -> DataSet:
     """Reads a data set and checks it against its bench (or against ``model``).
 
+    ``roles``: "fit" or "holdout" by run, where it shall be another one than the data set says.
+
     Raises:
-        InputError: with file, line and column of what cannot be used.
+        InputError: with file, line and column of what cannot be used; no such run or role.
     """
     described = _described(files)
     data = read_data_set(Path(folder), described, model=model, benches=lambda: benches(files))
-    return replace(data, domain=_domain(data.model, described(data.model), files))
+    return replace(data.with_roles(roles or {}), domain=_domain(data.model, described(data.model), files))
 
 
 def _described(files: Paths) -> Callable[[str], Interface]:
@@ -148,6 +152,8 @@ def _of_runs(parameters: Mapping[str, Setting], data: DataSet, interface: Interf
                     f"{data.title} has no run '{run}', of which '{name}' would be; {did_you_mean(run, known)}"
                 )
             values[name] = resolve({parameter: value}, interface)[parameter]
+        elif is_ratio(name) and parameter_of(name) in interface.settable:
+            values[name] = value_of(value, Variable(name, "1"))
         else:
             values |= resolve({name: value}, interface)
     return values
@@ -159,6 +165,8 @@ def fit(
     *,
     method: str = "least-squares",
     starts: int = 0,
+    free: Sequence[str] | None = None,
+    start: Mapping[str, Setting] | None = None,
     parameters: Mapping[str, Setting] | None = None,
     files: Paths = (),
     progress: Progress | None = None,
@@ -174,6 +182,9 @@ def fit(
             "differential-evolution": from the best point of that search; "particle-swarm": from the best particle of a
             swarm over the bounds (Dzahir and Yamamoto 2019). ``Fit.search`` keeps what such a search found by itself.
         starts: points spread over the bounds that "multi-start" follows, each to its end; default: a few of 16.
+        free: names of what is fitted, instead of all that the data set leaves free: some of these, or parameters for
+            which the model itself states bounds, such as those of an effect. The others are held where they start.
+        start: where parameters start, or are held, by name; a number [SI] or a text with a unit.
         parameters: further values to use, as in ``simulate``.
         files: further Modelica files.
         progress: called after each simulation with the ``Standing``, which prints itself: ``print`` will do.
@@ -189,13 +200,28 @@ def fit(
         raise InputError(f"starts are for the method multi-start, not for {method}")
     if starts < 0:
         raise InputError(f"a fit cannot begin at {starts} points")
+    data = _freed(data, model, free, start, files)
     with opened(model or data.model, files, data.free_names, timeout) as simulator:
-        free = base_parameters(data, simulator.interface)
-        if not free:
+        chosen = base_parameters(data, simulator.interface)
+        if not chosen:
             raise InputError("nothing to fit: name the free parameters under [fit]", data.folder / "experiment.toml")
         data, fixed = complete_noise(data), resolve(parameters or {}, simulator.interface)
         options, kept = FitOptions(method, starts=starts), Path(resume) if resume is not None else None
-        return _fit(simulator, data, free, fixed=fixed, options=options, progress=progress, resume=kept)
+        return _fit(simulator, data, chosen, fixed=fixed, options=options, progress=progress, resume=kept)
+
+
+def _freed(
+    data: DataSet,
+    model: str | None,
+    free: Sequence[str] | None,
+    start: Mapping[str, Setting] | None,
+    files: Paths,
+) -> DataSet:
+    """The data set with other free parameters, or starts, where they are asked for."""
+    if free is None and not start:
+        return data
+    interface = describe(model or data.model, files)
+    return with_free(data, interface, free, _of_runs(start or {}, data, interface))
 
 
 def profile(
@@ -239,6 +265,8 @@ def diagnose(
     time_limit: Setting | None = None,
     exclude: Sequence[str] = (),
     expect: Sequence[str] = (),
+    free: Sequence[str] | None = None,
+    start: Mapping[str, Setting] | None = None,
 ) -> Diagnosis:
     """Finds the effect that ``model`` (default: the bench of the data set) lacks; see ``diagnosis.diagnose``.
 
@@ -246,13 +274,13 @@ def diagnose(
     ``progress`` is told the same as data, and the verdict and the ledger as they come: a ``diagnosis.Event`` each.
     ``time_limit`` ([s], or with a unit) ends the search with the best verdict so far, which says what was not tried.
     ``exclude`` and ``expect`` name families or effects that are known not to be missing, or that are likely, with those
-    of the data set.
+    of the data set. ``free`` and ``start`` are as for ``fit``.
     """
     limit, files = _seconds(time_limit, "time limit"), _paths(files)
     if limit is not None and not limit > 0:
         raise InputError(f"the time limit must be longer than nothing: {time_limit}")
     return _diagnose(
-        data,
+        _freed(data, model, free, start, files),
         model,
         files=files,
         say=say,

@@ -13,6 +13,7 @@ from rich.markup import escape
 
 from pam_cosim import study
 from pam_cosim.analysis import FrequencyResponse, LinearModel, Observation, Tracking
+from pam_cosim.arguments import parse_pairs
 from pam_cosim.diagnosis import Message
 from pam_cosim.files import check_distinct, check_spared, check_writable, identity
 from pam_cosim.measurement import DataSet
@@ -32,6 +33,17 @@ ReportOption = Annotated[Path | None, typer.Option("--report", help="Write a sel
 SetOption = Annotated[
     list[str] | None,
     typer.Option("--set", help='NAME=VALUE, with a unit such as "5 kg": a parameter, or an input held constant.'),
+]
+RoleOption = Annotated[
+    list[str] | None,
+    typer.Option("--role", help="RUN=fit or RUN=holdout, other than the data set says; may be repeated."),
+]
+FreeOption = Annotated[
+    list[str] | None,
+    typer.Option("--free", help="Fit this parameter, and only those named so: of the data set, or with bounds."),
+]
+StartOption = Annotated[
+    list[str] | None, typer.Option("--start", help="NAME=VALUE: where a parameter starts, or is held; with a unit.")
 ]
 TimeoutOption = Annotated[
     float | None,
@@ -53,9 +65,9 @@ def check_results(*outputs: Path | None, sources: Iterable[Path | str | None] = 
     check_spared(named, [source for source in sources if source is not None])
 
 
-def read_data(data: Path, model: str | None, files: list[Path] | None) -> DataSet:
+def read_data(data: Path, model: str | None, files: list[Path] | None, roles: list[str] | None = None) -> DataSet:
     """The data set; no result may replace one of its files."""
-    read = study.read(data, model=model, files=files or [])
+    read = study.read(data, model=model, files=files or [], roles=parse_pairs(roles or []))
     check_spared(results, [read.model, *read.files])
     return read
 

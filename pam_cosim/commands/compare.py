@@ -8,12 +8,15 @@ from typing import Annotated
 import typer
 
 from pam_cosim import study
+from pam_cosim.arguments import parse_pairs
 from pam_cosim.commands.common import (
     Data,
     FilesOption,
     JsonOption,
     ModelOption,
     ReportOption,
+    RoleOption,
+    SetOption,
     TimeoutOption,
     check_results,
     read_data,
@@ -40,6 +43,8 @@ def compare(
     table_plot: Annotated[Path | None, typer.Option(help="Draw that table as PNG.")] = None,
     json: JsonOption = None,
     report: ReportOption = None,
+    settings: SetOption = None,
+    roles: RoleOption = None,
     files: FilesOption = None,
     timeout: TimeoutOption = None,
 ) -> None:
@@ -47,9 +52,9 @@ def compare(
     if table is None and (table_csv or table_plot):
         raise InputError("--table-csv and --table-plot need --table ROWS COLUMNS, two parameters of the runs")
     check_results(json, report, table_csv, table_plot, sources=[model, params, *(against or []), *(files or [])])
-    values = read_parameters(params) if params else {}
+    values: dict[str, float | str] = {**(read_parameters(params) if params else {}), **parse_pairs(settings or [])}
     earlier = [(path.stem, read_comparison(path)) for path in against or []]
-    read = read_data(data, model, files)
+    read = read_data(data, model, files, roles)
     comparison = study.compare(read, model, values, files=files or [], timeout=timeout)
     typer.echo(str(comparison))
     for line in against_lines(comparison, earlier):

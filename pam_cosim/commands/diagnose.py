@@ -8,12 +8,16 @@ from typing import Annotated
 import typer
 
 from pam_cosim import study
+from pam_cosim.arguments import parse_pairs
 from pam_cosim.commands.common import (
     Data,
     FilesOption,
+    FreeOption,
     JsonOption,
     ModelOption,
     ReportOption,
+    RoleOption,
+    StartOption,
     check_results,
     console,
     read_data,
@@ -38,6 +42,9 @@ def diagnose(
     learned: Annotated[
         Path | None, typer.Option("--learned", help="Write the formula for what no effect explains as Modelica.")
     ] = None,
+    free: FreeOption = None,
+    start: StartOption = None,
+    roles: RoleOption = None,
     files: FilesOption = None,
     workers: Annotated[int | None, typer.Option(help="Processes; default: all processors.")] = None,
     time_limit: Annotated[
@@ -52,7 +59,7 @@ def diagnose(
     check_results(json, report, following, learned, sources=[model, *(files or [])])
     if learned is not None and learned.suffix != ".mo":
         raise InputError("the formula is written as Modelica: name a file that ends in .mo", learned)
-    read = read_data(data, model, files)
+    read = read_data(data, model, files, roles)
     with console.status("refitting the base model") as status:
         say = teller(status)
         diagnosis = study.diagnose(
@@ -64,6 +71,8 @@ def diagnose(
             time_limit=time_limit,
             exclude=exclude or [],
             expect=expect or [],
+            free=free,
+            start=parse_pairs(start or []),
         )
     typer.echo(diagnosis_text(diagnosis))
     if json:

@@ -8,11 +8,15 @@ from typing import Annotated
 import typer
 
 from pam_cosim import study
+from pam_cosim.arguments import parse_pairs
 from pam_cosim.commands.common import (
     Data,
     FilesOption,
+    FreeOption,
     JsonOption,
     ModelOption,
+    RoleOption,
+    StartOption,
     TimeoutOption,
     check_results,
     console,
@@ -45,18 +49,23 @@ def fit(
         Path | None,
         typer.Option(help="Keep every simulation's outcome here; the same command goes on where it was interrupted."),
     ] = None,
+    free: FreeOption = None,
+    start: StartOption = None,
+    roles: RoleOption = None,
     files: FilesOption = None,
     timeout: TimeoutOption = None,
 ) -> None:
     """Fit the parameters that the data set leaves free."""
     check_results(output, json, plot, profile, resume, sources=[model, *(files or [])])
-    read = read_data(data, model, files)
+    read = read_data(data, model, files, roles)
     with console.status("fitting") as status:
         fitted = study.fit(
             read,
             model,
             method=method,
             starts=starts,
+            free=free,
+            start=parse_pairs(start or []),
             files=files or [],
             timeout=timeout,
             progress=lambda standing: status.update(f"fitting: {standing}"),

@@ -1,6 +1,6 @@
 """Trajectory and data set -> residuals, scores, and where the error sits."""
 
-from pam_cosim.comparison.compare import Comparison, compare
+from pam_cosim.comparison.compare import Comparison, compare, scored
 from pam_cosim.comparison.condition_table import STATISTICS, Condition, ConditionTable, Statistic, write_tables
 from pam_cosim.comparison.doubts import Doubt
 from pam_cosim.comparison.outliers import outliers, without_outliers
@@ -35,6 +35,7 @@ __all__ = [
     "reproducibility",
     "residual_statistics",
     "score",
+    "scored",
     "series_of",
     "simulate_run",
     "sitting",

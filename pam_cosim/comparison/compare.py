@@ -12,6 +12,7 @@ from pam_cosim.comparison.residuals import RunComparison, simulate_run
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.comparison.where import Rule, where
 from pam_cosim.errors import InputError
+from pam_cosim.interface import Interface
 from pam_cosim.measurement import ROLES, DataSet
 from pam_cosim.simulation import AnySimulator
 from pam_cosim.units import format_quantity
@@ -150,12 +151,24 @@ def compare(
     """
     known = dict(parameters or {})
     runs = tuple(simulate_run(simulator, data, run, known, tolerance) for run in data.runs)
-    outputs = simulator.interface.outputs
-    sits = where(runs, data.signals, outputs, data.domain, simulator.interface.inputs) if rules else []
-    settable = simulator.interface.settable
+    return scored(simulator.interface, data, known, runs, rules=rules)
+
+
+def scored(
+    interface: Interface,
+    data: DataSet,
+    parameters: Mapping[str, float],
+    runs: Sequence[RunComparison],
+    *,
+    rules: bool = True,
+) -> Comparison:
+    """Scores runs that were simulated with ``parameters`` [SI] of the model with ``interface``; see ``compare``."""
+    known = dict(parameters)
+    sits = where(runs, data.signals, interface.outputs, data.domain, interface.inputs) if rules else []
+    settable = interface.settable
     named = dict.fromkeys([*known, *(name for run in data.runs for name in run.parameters)])
     units = {name: settable[name].unit for name in named if name in settable}
-    return Comparison(simulator.interface.model, data, known, runs, _scores(data, runs), tuple(sits), units)
+    return Comparison(interface.model, data, known, tuple(runs), _scores(data, runs), tuple(sits), units)
 
 
 def _scores(data: DataSet, runs: Sequence[RunComparison]) -> dict[str, dict[str, SignalScore]]:

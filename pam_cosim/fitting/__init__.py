@@ -1,9 +1,11 @@
 """Data set and model -> fitted parameters with intervals."""
 
+from pam_cosim.fitting.chosen import with_free
 from pam_cosim.fitting.combinations import Combination
 from pam_cosim.fitting.estimate import Estimate, estimates
 from pam_cosim.fitting.fit import Fit, fit, profile
 from pam_cosim.fitting.free import Free, base_parameters, model_parameter
+from pam_cosim.fitting.leeway import Leeway
 from pam_cosim.fitting.linear import Linear, linearised, residual_rows, rows_of_series
 from pam_cosim.fitting.methods import METHODS, Record, summary
 from pam_cosim.fitting.options import FitOptions
@@ -20,6 +22,7 @@ __all__ = [
     "Fit",
     "FitOptions",
     "Free",
+    "Leeway",
     "Linear",
     "Profile",
     "Profiles",
@@ -37,5 +40,6 @@ __all__ = [
     "rows_of_series",
     "spread_starts",
     "summary",
+    "with_free",
     "write_parameters",
 ]

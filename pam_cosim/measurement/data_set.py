@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Literal, get_args
 
@@ -11,12 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.domain import Domain
+from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import FILE_NAME
 from pam_cosim.measurement.recording import Averaged
 from pam_cosim.names import is_ratio, parameter_of
 from pam_cosim.simulation.inputs import Interpolation
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import Printed
+from pam_cosim.wording import Printed, did_you_mean, shown
 
 Role = Literal["fit", "holdout"]
 ROLES: tuple[Role, ...] = get_args(Role)
@@ -191,6 +192,24 @@ class DataSet(Printed):
     def holdout_runs(self) -> tuple[Run, ...]:
         """The runs that are only judged."""
         return tuple(run for run in self.runs if run.role == "holdout")
+
+    def with_roles(self, roles: Mapping[str, str]) -> DataSet:
+        """The same where these runs are fitted, or held out.
+
+        Raises:
+            InputError: no such run or role, or no run would be left to fit.
+        """
+        known = [run.name for run in self.runs]
+        for name, role in roles.items():
+            if name not in known:
+                raise InputError(f"{self.title} has no run {shown(name)}; {did_you_mean(str(name), known)}")
+            if role not in ROLES:
+                raise InputError(f"{shown(role)} is no role of a run; it is one of {', '.join(ROLES)}")
+        by_name = {name: one for name, role in roles.items() for one in ROLES if one == role}
+        runs = tuple(replace(run, role=by_name.get(run.name, run.role)) for run in self.runs)
+        if roles and not any(run.role == "fit" for run in runs):
+            raise InputError("no run would be left to fit")
+        return replace(self, runs=runs) if roles else self
 
     def parameters_of(self, run: Run, fitted: Mapping[str, float] | None = None) -> dict[str, float]:
         """What to simulate ``run`` with [SI]: stated start values, ``fitted``, what is known of it, its own ones.

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from pam_cosim.comparison import Comparison, score
 from pam_cosim.measurement import ROLES
-from pam_cosim.reporting.diagnosis_page import rule_rows
+from pam_cosim.reporting.diagnosis_rows import rule_rows
 from pam_cosim.reporting.figures.bars import where_picture
 from pam_cosim.reporting.figures.curves import curve_pictures
 from pam_cosim.reporting.figures.layer import rivals

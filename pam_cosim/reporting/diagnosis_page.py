@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
-from pam_cosim.comparison import Rule
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import Candidate, Diagnosis
 from pam_cosim.diagnosis.verdict import explained
-from pam_cosim.measurement import ROLES
+from pam_cosim.reporting.diagnosis_rows import (
+    candidate_row,
+    missing_rows,
+    parameter_rows,
+    rule_rows,
+    summary_rows,
+    was_added,
+)
 from pam_cosim.reporting.figures.bars import Bar, balance_picture, ranking_picture, where_picture
 from pam_cosim.reporting.figures.curves import curve_pictures
 from pam_cosim.reporting.figures.ladder import Rung, ladder_picture
@@ -30,21 +35,10 @@ from pam_cosim.reporting.meaning import (
 from pam_cosim.reporting.next_run import next_run
 from pam_cosim.reporting.page import provenance, render, score_rows, signal_rows
 from pam_cosim.reporting.style import Picture, balance_colours
-from pam_cosim.reporting.wording import (
-    NOTHING,
-    estimate_texts,
-    fixed,
-    number,
-    percent,
-    quantity_text,
-    remark,
-    unit_text,
-    words,
-)  # fmt: skip
+from pam_cosim.reporting.wording import number, words
 
 _MOST_BARS = 20
 _MOST_ROWS = 12
-Row = dict[str, str]
 
 
 def diagnosis_report(diagnosis: Diagnosis) -> str:
@@ -52,7 +46,7 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
     signals = list(diagnosis.data.signals.values())
     layers = layers_of(diagnosis)
     fitted = diagnosis.candidates
-    shown = [i < _MOST_ROWS or _added(diagnosis, c) for i, c in enumerate(fitted)]
+    shown = [i < _MOST_ROWS or was_added(diagnosis.path, c) for i, c in enumerate(fitted)]
     palette = balance_colours(
         diagnosis.data.domain.balances, [*diagnosis.balance, *(c.balance for c in diagnosis.candidates)]
     )
@@ -71,7 +65,7 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
         reason=diagnosis.verdict.reason,
         probability=probability_sentence(diagnosis.verdict),
         meaning=meaning(diagnosis.verdict, diagnosis.data.domain),
-        summary=_summary(diagnosis),
+        summary=summary_rows(diagnosis),
         ladder=ladder_picture(rungs_of(diagnosis), signals),
         curves=curve_pictures(layers),
         residuals=residual_pictures(layers),
@@ -79,20 +73,20 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
         rules=rule_rows(rules),
         ranking=_ranking_picture(diagnosis, fitted, palette),
         very_strong=number(CRITERIA.evidence.very_strong, 2),
-        candidates=[_candidate_row(diagnosis, c) for c, s in zip(fitted, shown, strict=True) if s],
-        others=[_candidate_row(diagnosis, c) for c, s in zip(fitted, shown, strict=True) if not s],
+        candidates=[candidate_row(diagnosis.base, c, diagnosis.path) for c, s in zip(fitted, shown, strict=True) if s],
+        others=[candidate_row(diagnosis.base, c, diagnosis.path) for c, s in zip(fitted, shown, strict=True) if not s],
         failed=[
             {"effect": " + ".join(c.effects), "family": words(c.family), "reason": c.failure or "no reason was given"}
             for c in diagnosis.failed
         ],
-        parameters=_parameter_rows(diagnosis),
+        parameters=parameter_rows(diagnosis),
         added=bool(diagnosis.path),
         balance=balance_picture(diagnosis.balance, palette) if any(diagnosis.balance.values()) else None,
         map=residual_map(layers, signals),
         ledger=ledger_part(diagnosis),
         learned=learned_part(diagnosis),
         next_experiment=next_run(diagnosis.next_experiment),
-        missing_term=_missing_term(diagnosis),
+        missing_term=missing_rows(diagnosis),
         signals=signal_rows(diagnosis.data),
         scores=score_rows(diagnosis.final.comparison),
         runs_in_words=[run.describe() for run in diagnosis.data.runs],
@@ -115,94 +109,20 @@ def rungs_of(diagnosis: Diagnosis) -> list[Rung]:
     return [Rung("base model", diagnosis.base.comparison.scores), *added]
 
 
-def rule_rows(rules: Sequence[Rule]) -> list[Row]:
-    """Where the error sits, as a table."""
-    return [
-        {"signal": r.signal, "rule": r.rule, "error": percent(r.error_share), "time": percent(r.time_share)}
-        for r in rules
-    ]
-
-
 def _effects(diagnosis: Diagnosis) -> str:
     return " + ".join(c.effect for c in diagnosis.path)
-
-
-def _summary(diagnosis: Diagnosis) -> list[Row]:
-    rows = []
-    for role in ROLES:
-        for name, before in diagnosis.base.comparison.scores[role].items():
-            after = diagnosis.final.comparison.scores[role].get(name) if diagnosis.path else None
-            unit = diagnosis.data.signals[name].unit
-            rows.append(
-                {
-                    "name": name if diagnosis.data.signals[name].fitted else f"{name} (not fitted)",
-                    "role": role,
-                    "before": quantity_text(before.rmse, unit),
-                    "after": NOTHING if after is None else quantity_text(after.rmse, unit),
-                    "noise": quantity_text(before.noise_rmse, unit),
-                    "chi2_before": number(before.chi2_reduced),
-                    "chi2_after": NOTHING if after is None else number(after.chi2_reduced),
-                }
-            )
-    return rows
-
-
-def _share(diagnosis: Diagnosis, candidate: Candidate) -> float:
-    return explained(diagnosis.base, candidate.fit)
-
-
-def _added(diagnosis: Diagnosis, candidate: Candidate) -> bool:
-    return any(candidate.effects == c.effects for c in diagnosis.path)
 
 
 def _ranking_picture(diagnosis: Diagnosis, fitted: Sequence[Candidate], palette: Mapping[str, str]) -> Picture | None:
     if not fitted:
         return None
+    base, path = diagnosis.base, diagnosis.path
     bars = [
-        Bar(f"{' + '.join(c.effects)} ({words(c.family)})", _share(diagnosis, c), c.balance, _added(diagnosis, c))
+        Bar(f"{' + '.join(c.effects)} ({words(c.family)})", explained(base, c.fit), c.balance, was_added(path, c))
         for c in fitted
     ]
     runs = "holdout" if diagnosis.base.residuals["holdout"].samples else "fitted"
     return ranking_picture(bars[:_MOST_BARS], palette, max(len(bars) - _MOST_BARS, 0), runs)
-
-
-def _candidate_row(diagnosis: Diagnosis, c: Candidate) -> dict[str, Any]:
-    own = []
-    for name, e in c.parameters.items():
-        value, interval = estimate_texts(e)
-        note = remark(e) or f"{interval}"
-        own.append(f"{name} = {value} {unit_text(e.unit)}".rstrip() + f" ({note})")
-    return {
-        "effect": " + ".join(c.effects),
-        "family": words(c.family),
-        "balance": words(c.balance),
-        "delta_bic": fixed(c.delta_bic),
-        "explained": percent(_share(diagnosis, c)),
-        "chi2": number(c.fit.comparison.chi2_reduced("fit")),
-        "holdout": number(c.fit.comparison.chi2_reduced("holdout")),
-        "own": own,
-        "added": _added(diagnosis, c),
-    }
-
-
-def _parameter_rows(diagnosis: Diagnosis) -> list[Row]:
-    origin = {name: c.effect for c in diagnosis.path for name in c.own_parameters}
-    rows = []
-    for name, estimate in diagnosis.final.parameters.items():
-        value, interval = estimate_texts(estimate)
-        before = diagnosis.base.parameters.get(name)
-        rows.append(
-            {
-                "name": name,
-                "origin": origin.get(name, "base model"),
-                "base": NOTHING if before is None else estimate_texts(before)[0],
-                "value": value,
-                "interval": interval,
-                "unit": unit_text(estimate.unit),
-                "remark": remark(estimate),
-            }
-        )
-    return rows
 
 
 def _sample_notes(diagnosis: Diagnosis) -> list[str]:
@@ -214,20 +134,3 @@ def _sample_notes(diagnosis: Diagnosis) -> list[str]:
         for name, count in diagnosis.outliers.items()
         if count
     ]
-
-
-def _missing_term(diagnosis: Diagnosis) -> dict[str, Any] | None:
-    missing = diagnosis.missing_term
-    if missing is None:
-        return None
-    rows = [
-        {
-            "name": name,
-            "rmse": quantity_text(s.rmse, diagnosis.data.signals[name].unit),
-            "size": number(s.noise_standard_deviations),
-            "with": s.correlates_with or NOTHING,
-            "correlation": number(s.correlation, 2),
-        }
-        for name, s in missing.signals.items()
-    ]
-    return {"balance": words(missing.balance or ""), "rows": rows, "where": rule_rows(missing.where)}

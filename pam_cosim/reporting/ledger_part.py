@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from pam_cosim.diagnosis import Diagnosis
@@ -18,13 +19,17 @@ def ledger_part(diagnosis: Diagnosis) -> dict[str, Any] | None:
     ledger = diagnosis.ledger
     if ledger is None:
         return None
+    return {"picture": _picture(ledger), **ledger_words(ledger, [c.balance for c in diagnosis.path])}
+
+
+def ledger_words(ledger: Ledger, added: Sequence[str]) -> dict[str, Any]:
+    """The same but for the picture; ``added``: the balances of the effects that were added."""
     return {
-        "picture": _picture(ledger),
         "sentence": ledger_sentence(ledger),
         "rows": [_row(e) for e in ledger.entries],
         "meanings": [_sign(e) for e in ledger.entries if e.meaning],
         "readings": [_reading(r) for r in ledger.readings],
-        "notes": [*_disagreement(diagnosis, ledger), *ledger.notes],
+        "notes": [*_disagreement(added, ledger), *ledger.notes],
     }
 
 
@@ -87,9 +92,9 @@ def _reading(r: Reading) -> dict[str, str]:
     }
 
 
-def _disagreement(diagnosis: Diagnosis, ledger: Ledger) -> list[str]:
+def _disagreement(balances: Sequence[str], ledger: Ledger) -> list[str]:
     """Where the effects that were added act elsewhere than the ledger says: both explain the samples."""
-    added = [b for b in dict.fromkeys(c.balance for c in diagnosis.path) if b not in ledger.failing]
+    added = [b for b in dict.fromkeys(balances) if b not in ledger.failing]
     if not added or not ledger.failing:
         return []
     return [

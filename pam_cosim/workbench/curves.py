@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison import Comparison
+from pam_cosim.comparison import RunComparison
 from pam_cosim.measurement import DataSet
 from pam_cosim.units import readable_factor
 from pam_cosim.workbench.protocol import Curve
@@ -23,18 +25,18 @@ def measured_curves(data: DataSet) -> list[Curve]:
     return curves
 
 
-def model_curves(comparison: Comparison) -> list[Curve]:
+def model_curves(runs: Sequence[RunComparison], data: DataSet) -> list[Curve]:
     """Modelled signals and residuals of all runs."""
     return [
         Curve(
             r.run.name,
             name,
             {
-                "values": thinned(r.model[name] * _factor(comparison.data, name)),
-                "residual": thinned(r.residual(name) * _factor(comparison.data, name)),
+                "values": thinned(r.model[name] * _factor(data, name)),
+                "residual": thinned(r.residual(name) * _factor(data, name)),
             },
         )
-        for r in comparison.runs
+        for r in runs
         for name in r.run.measurements
     ]
 

@@ -12,7 +12,7 @@ from pam_cosim.compiler import read_library
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_text
 from pam_cosim.fitting import Free, base_parameters, model_parameter
-from pam_cosim.measurement import DataSet
+from pam_cosim.measurement import DataSet, FreeParameter
 from pam_cosim.names import is_modelica, is_ratio
 from pam_cosim.simulation import AnySimulator
 
@@ -29,6 +29,7 @@ class Opened:
         parameters: what may be moved by a slider or a fit, by name.
         origin: the effect that brought a parameter, by its name; none for those of the base model.
         text: Modelica source of the model with effects; "" without any.
+        declared: what the data set leaves free.
     """
 
     model: str
@@ -39,6 +40,11 @@ class Opened:
     parameters: dict[str, Free]
     origin: dict[str, str]
     text: str
+    declared: tuple[tuple[str, FreeParameter], ...]
+
+    def is_of(self, data: DataSet, model: str, effects: Sequence[str]) -> bool:
+        """Whether it is this model, for these data."""
+        return (self.model, self.effects) == (model, tuple(effects)) and self.declared == tuple(data.fit.items())
 
 
 def composed(
@@ -82,7 +88,7 @@ def open_model(data: DataSet, model: str, effects: Sequence[str], files: Sequenc
     except BaseException:
         simulator.close()
         raise
-    return Opened(model, tuple(effects), name, needed, simulator, parameters, origin, text)
+    return Opened(model, tuple(effects), name, needed, simulator, parameters, origin, text, tuple(data.fit.items()))
 
 
 def without_ratios(effects: Sequence[str]) -> tuple[str, ...]:

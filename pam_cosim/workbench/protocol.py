@@ -34,10 +34,12 @@ class Event:
 
     kept: ClassVar[bool] = False
     """Whether a window that opens later is told the last one of its kind."""
+    every: ClassVar[bool] = False
+    """Whether it is told all of them, since the last long thing began."""
 
     def as_dict(self) -> Json:
         """Plain data for JSON."""
-        return {"event": type(self).__name__.lower(), **_plain(self)}
+        return {"event": type(self).__name__.lower(), **plain(self)}
 
     def message(self) -> str:
         """The message as it is sent."""
@@ -91,7 +93,6 @@ class ShownParameter:
         name: in the model, with "@" and a run where it is of one run alone.
         unit: shown; ``value``, ``start``, ``low``, ``high`` and the interval are in it.
         start: where it began.
-        free: a fit moves it.
         effect: that brought it; None: the base model.
         logarithmic: a slider moves it by order of magnitude.
         low95, high95: 95 % interval of the last fit, as long as the value is that of the fit.
@@ -105,7 +106,6 @@ class ShownParameter:
     start: float
     low: float
     high: float
-    free: bool
     description: str
     effect: str | None = None
     logarithmic: bool = False
@@ -242,12 +242,14 @@ class Where(Event):
 
 @dataclass(frozen=True)
 class Busy(Event):
-    """A long thing has begun: "fit", "diagnose", "check" or "build"; ``began``: seconds since the epoch."""
+    """A long thing goes on: "fit", "diagnose" or "check"; ``began``: seconds since the epoch; ``held``: it was stopped
+    and can be resumed."""
 
     kept = True
     what: str
     text: str
     began: float
+    held: bool = False
 
 
 @dataclass(frozen=True)
@@ -263,6 +265,7 @@ class Idle(Event):
 class Told(Event):
     """A line of progress, as a terminal prints it; kind: "headline", or "detail" below the last one."""
 
+    every = True
     text: str
     kind: str
 
@@ -282,13 +285,14 @@ class Failed(Event):
     during: str = ""
 
 
-def _plain(value: Any) -> Any:
+def plain(value: Any) -> Any:
+    """Plain data for JSON; a number that does not exist is None."""
     if is_dataclass(value) and not isinstance(value, type):
-        return {f.name: _plain(getattr(value, f.name)) for f in fields(value)}
+        return {f.name: plain(getattr(value, f.name)) for f in fields(value)}
     if isinstance(value, Mapping):
-        return {str(k): _plain(v) for k, v in value.items()}
+        return {str(k): plain(v) for k, v in value.items()}
     if isinstance(value, (list, tuple)):
-        return [_plain(v) for v in value]
+        return [plain(v) for v in value]
     if isinstance(value, np.generic):
         value = value.item()
     if isinstance(value, float) and not np.isfinite(value):
@@ -296,10 +300,142 @@ def _plain(value: Any) -> Any:
     return value
 
 
+@dataclass(frozen=True)
+class Progress(Event):
+    """Where a fit stands: simulations so far, and the lowest point; scores and curves of it come as always."""
+
+    iteration: int
+    rms: dict[str, float]
+    chi2: float
+    values: dict[str, float]
+    text: str
+
+
+@dataclass(frozen=True)
+class Candidate(Event):
+    """A model of a diagnosis as it is tried: state "fitted" or "failed" (``reason``).
+
+    Attributes:
+        explained: part of the squared error beyond the noise that it takes away; ``delta_bic`` against the base model.
+        rms: of each signal on the fitted runs [shown unit].
+        brief: fitted in a few steps only.
+    """
+
+    every = True
+    effects: tuple[str, ...]
+    family: str
+    balance: str
+    text: str
+    explained: float | None
+    explained_text: str
+    delta_bic: float | None
+    rms: dict[str, float]
+    brief: bool
+    state: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class Ranking(Event):
+    """All models that were fitted, best first: rows of texts as the report has them.
+
+    Each has ``effect``, ``family``, ``balance``, ``explained``, ``delta_bic``, ``chi2``, ``holdout``, ``own`` and
+    ``added``, and for the page ``effects`` as a list, ``number`` to take it by, and ``share`` and ``bic`` as numbers.
+    """
+
+    kept = True
+    candidates: tuple[Json, ...]
+    failed: tuple[Json, ...]
+    final: bool
+
+
+@dataclass(frozen=True)
+class Verdict(Event):
+    """The answer with its reasons, in the words and rows of the report.
+
+    Attributes:
+        kind, kind_name, headline, error, reason, probability, meaning, compared, not_tried: sentences.
+        effects: what was found, to be added. instrument: what is said of an instrument; "": it is physics.
+        summary: the error before and after. parameters: fitted, with intervals.
+        next: the next experiment, as ``reporting.next_run`` has it; None: there is none to make.
+        learned: the formula for what no effect explains. missing: what is left in words.
+        complete: whether balances and formula are known already.
+    """
+
+    kept = True
+    kind: str
+    kind_name: str
+    headline: str
+    reason: str
+    probability: str
+    meaning: str
+    families: tuple[str, ...]
+    effects: tuple[str, ...]
+    error: str = ""
+    compared: str = ""
+    not_tried: str = ""
+    instrument: str = ""
+    doubts: tuple[str, ...] = ()
+    summary: tuple[Json, ...] = ()
+    parameters: tuple[Json, ...] = ()
+    next: Json | None = None
+    learned: Json | None = None
+    missing: Json | None = None
+    balance: dict[str, float] | None = None
+    equations: str = ""
+    complete: bool = False
+
+
+@dataclass(frozen=True)
+class Ledger(Event):
+    """Which balance fails, in words and as curves.
+
+    Attributes:
+        sentence, rows, meanings, readings, notes: as the report has them.
+        courses: for each balance ``{"balance", "unit", "runs": [{"run", "time", "term", "low", "high"}], "against":
+            [{"name", "unit", "points": [[...], [...]], "at": [...], "mean": [...], "low": [...], "high": [...]}]}``:
+            the missing term over time with two standard deviations, and over its variables, as points and as means.
+    """
+
+    kept = True
+    sentence: str
+    rows: tuple[Json, ...]
+    meanings: tuple[str, ...]
+    readings: tuple[Json, ...]
+    notes: tuple[str, ...]
+    courses: tuple[Json, ...]
+
+
+@dataclass(frozen=True)
+class Checked(Event):
+    """What the data can tell about the model before any fit, as text."""
+
+    kept = True
+    text: str
+
+
+@dataclass(frozen=True)
+class Added(Event):
+    """A Modelica file was written: its name in the study's folder, and its text."""
+
+    kept = True
+    file: str
+    text: str
+    effects: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Saved(Event):
+    """The steps were written to a file of the study's folder; ``time`` in seconds since the epoch."""
+
+    file: str
+    time: float
+
+
 def answer(number: Any, result: Json | None = None, failed: Failed | None = None) -> str:
     """The message to the window that sent a command with this ``id``."""
-    told = None if failed is None else _plain(failed)
-    return json.dumps({"event": "answer", "id": number, "failed": told, **_plain(result or {})}, allow_nan=False)
+    told = None if failed is None else plain(failed)
+    return json.dumps({"event": "answer", "id": number, "failed": told, **plain(result or {})}, allow_nan=False)
 
 
 @dataclass(frozen=True)

@@ -20,10 +20,11 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
-from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.errors import InputError
 from pam_cosim.workbench.guard import Guard, new_token
 from pam_cosim.workbench.protocol import Failed, answer
 from pam_cosim.workbench.session import Session
+from pam_cosim.workbench.work import failed_by
 
 PAGE = Path(__file__).parent / "page"
 HOST = "127.0.0.1"
@@ -74,17 +75,6 @@ def _answer(done: Any, number: Any) -> str:
     return answer(number, done.result()) if problem is None else answer(number, failed=failed_by(problem))
 
 
-def failed_by(problem: BaseException) -> Failed:
-    """What went wrong, in words, and where."""
-    if isinstance(problem, InputError):
-        place = "" if problem.file is None else Path(str(problem.file)).name
-        column = "" if problem.column is None else str(problem.column)
-        return Failed(problem.message, place, problem.line, column)
-    if isinstance(problem, SimulationFailure):
-        return Failed(f"the simulation failed: {problem}")
-    return Failed(f"something went wrong that should not ({type(problem).__name__}: {problem})")
-
-
 async def _send(socket: WebSocket, message: str | bytes) -> None:
     if isinstance(message, str):
         await socket.send_text(message)
@@ -101,7 +91,7 @@ def application(session: Session, token: str, page: Path = PAGE) -> ASGIApp:
     async def connect(socket: WebSocket) -> None:
         await socket.accept()
         window = Window(socket, asyncio.get_running_loop())
-        end = session.subscribe(window.tell)
+        end = await asyncio.wrap_future(session.subscribe(window.tell))
         sending = asyncio.create_task(window.send())
         try:
             await window.receive(session)
@@ -167,6 +157,7 @@ def _listener(port: int) -> socket.socket:
     listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         listener.bind((HOST, port))
+        listener.listen()  # whoever is told the address may come before the server begins
     except OSError as problem:
         listener.close()
         raise InputError(f"port {port} cannot be used: {problem.strerror}; choose another one with --port") from problem

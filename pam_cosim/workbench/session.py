@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import shutil
 import tempfile
 import threading
@@ -13,34 +14,31 @@ from pathlib import Path
 from typing import Any
 
 from pam_cosim import study
-from pam_cosim.catalogue import effect_classes, origins, qualified
-from pam_cosim.catalogue.compose import compose_on
-from pam_cosim.comparison import Comparison, compare, sitting, where
-from pam_cosim.compiler import read_library, read_structure
+from pam_cosim.comparison import Comparison, RunComparison, scored, simulate_run, sitting, where
 from pam_cosim.errors import InputError
-from pam_cosim.fitting import Free
 from pam_cosim.measurement import complete_noise
-from pam_cosim.names import is_fmu, is_modelica
-from pam_cosim.settings import value_of as setting_of
-from pam_cosim.units import readable_factor
 from pam_cosim.wording import did_you_mean, shown
-from pam_cosim.workbench.catalogue import shown_effect
+from pam_cosim.workbench.catalogue import Catalogue
 from pam_cosim.workbench.curves import measured_curves, model_curves
+from pam_cosim.workbench.doing import COMMANDS
+from pam_cosim.workbench.job import Worker
 from pam_cosim.workbench.opened import Opened, open_model
-from pam_cosim.workbench.protocol import Event, Json, ShownEffect, frame
-from pam_cosim.workbench.shown import label_of, scores_event, steps_event, study_event, value_of, where_event
-from pam_cosim.workbench.state import State
-from pam_cosim.workbench.steps import SET, Step, with_step
+from pam_cosim.workbench.protocol import Json, Study, frame
+from pam_cosim.workbench.shown import rung_of, scores_event, steps_event, study_event, where_event
+from pam_cosim.workbench.state import State, standing_label, with_rung
+from pam_cosim.workbench.steps import Step
+from pam_cosim.workbench.windows import Listener, Windows
+from pam_cosim.workbench.work import Work
 
-QUIET = 0.2  # [s] without a new value after which it is said where the error sits
-Listener = Callable[[str | bytes], None]
+QUIET = 0.3  # [s] without a new value after which it is said where the error sits
+MOST_BACK = 100  # steps that can be taken back
 
 
 class Session:
     """A study with its windows.
 
     Every command runs in one thread, in the order in which they came; values that are set while others are being drawn
-    wait as one, so that dragging a slider never makes a queue.
+    wait as one, so that dragging a slider never makes a queue. What takes long runs in a process of its own.
 
     Args:
         folder: of the data set.
@@ -53,35 +51,40 @@ class Session:
 
     def __init__(self, folder: Path, *, model: str | None = None, files: Sequence[Path] = ()) -> None:
         self.folder, self.files = Path(folder), tuple(Path(f) for f in files)
-        self._scratch = Path(tempfile.mkdtemp(prefix="pam-cosim-workbench-"))
+        self.windows, self.catalogue = Windows(), Catalogue(self.files)
+        self.worker = Worker()
+        self.work = Work(self)
+        self.scratch = Path(tempfile.mkdtemp(prefix="pam-cosim-workbench-"))
+        self.past: list[State] = []
+        self.saved: tuple[Step, ...] | None = None
         self._thread = ThreadPoolExecutor(1, thread_name_prefix="study")
         self._lock = threading.Lock()
-        self._listeners: list[Listener] = []
-        self._kept: dict[str, str | bytes] = {}
-        self._wanted: dict[str, Any] = {}
-        self._drawing: Future[None] | None = None
+        self._wanted: Json = {}
         self._version = 0
-        self._opened: Opened | None = None
+        self._looking = False
+        self._open: Opened | None = None
         self._comparison: Comparison | None = None
-        self._effects: dict[str, tuple[ShownEffect, ...]] = {}
-        self._past: list[State] = []
-        self._saved = False
-        self._benches = tuple(study.benches(self.files))
         try:
-            data = complete_noise(study.read(self.folder, model=model, files=self.files))
-            self.state = State(data, model or data.model)
-            self._thread.submit(self._open).result()
+            self._thread.submit(self._begin, model).result()
         except BaseException:
             self.close()
             raise
 
+    def _begin(self, model: str | None) -> None:
+        data = complete_noise(study.read(self.folder, model=model, files=self.files))
+        self.benches = tuple(study.benches(self.files))
+        self.first = self.state = State(data, model or data.model)
+        self._install(self.state)
+        self.worker.wake()
+
     def close(self) -> None:
         """Ends everything; nothing is saved by it."""
         self._thread.shutdown(wait=True, cancel_futures=True)
-        if self._opened is not None:
-            self._opened.simulator.close()
-            self._opened = None
-        shutil.rmtree(self._scratch, ignore_errors=True)
+        self.worker.end()
+        if self._open is not None:
+            self._open.simulator.close()
+            self._open = None
+        shutil.rmtree(self.scratch, ignore_errors=True)
 
     def __enter__(self) -> Session:
         return self
@@ -89,36 +92,173 @@ class Session:
     def __exit__(self, *problem: object) -> None:
         self.close()
 
-    # --- windows
+    # what the commands use
 
-    def subscribe(self, listener: Listener) -> Callable[[], None]:
-        """Tells a new window all that there is, and from now on what happens; returns what ends that.
+    @property
+    def opened(self) -> Opened:
+        """The standing model, ready to run."""
+        assert self._open is not None
+        return self._open
+
+    @property
+    def comparison(self) -> Comparison:
+        """The standing model against the measurement."""
+        assert self._comparison is not None
+        return self._comparison
+
+    @property
+    def version(self) -> int:
+        """Number of what was drawn last."""
+        return self._version
+
+    def submit(self, method: Callable[..., None], *arguments: Any) -> None:
+        """Does something in the study's thread, if there still is one."""
+        with suppress(RuntimeError):
+            self._thread.submit(self._guarded, method, *arguments)
+
+    def _guarded(self, method: Callable[..., None], *arguments: Any) -> None:
+        try:
+            method(*arguments)
+        except Exception as problem:  # there is no command that it could be answered to
+            self.work.failed(problem)
+
+    def later(self, seconds: float, method: Callable[..., None], *arguments: Any) -> None:
+        """Does something in the study's thread after some time."""
+        timer = threading.Timer(seconds, self.submit, (method, *arguments))
+        timer.daemon = True
+        timer.start()
+
+    def enter(self, state: State) -> None:
+        """Makes a state the present one, a step after the one before: all that depends on it is made anew, or nothing.
+
+        Raises:
+            InputError: there is no such model.
+            SimulationFailure: a run cannot be simulated.
+        """
+        before, standing = self.state, self.comparison
+        if before.milestone:
+            state = replace(state, rungs=with_rung(state.rungs, rung_of(before.milestone, standing)))
+        self._install(state)
+        if len(state.steps) > len(before.steps) or not self.past:
+            self.past = [*self.past[-MOST_BACK:], before]
+
+    def back(self, state: State) -> None:
+        """Makes a state the present one that stood before, or that was loaded."""
+        self._install(state)
+
+    def _install(self, state: State) -> None:
+        old = self._open
+        same = old is not None and old.is_of(state.data, state.model, state.effects)
+        fresh = old if same else open_model(state.data, state.model, state.effects, self.files, self.scratch)
+        assert fresh is not None
+        try:
+            comparison = self._scored(state, fresh, self._simulated(state, fresh))
+        except BaseException:
+            if not same:
+                fresh.simulator.close()
+            raise
+        if old is not None and not same:
+            old.simulator.close()
+        if self._comparison is None or state.data is not self.state.data:
+            self.windows.send(frame("measured", self._version, measured_curves(state.data)), "measured")
+        self.state, self._open, self._comparison = state, fresh, comparison
+        self.draw()
+        self.tell_study()
+
+    def move(self, state: State) -> None:
+        """As ``enter`` where only values are set: the curves are drawn before anything else is reckoned."""
+        before, standing = self.state, self.comparison
+        runs = self._simulated(state, self.opened)
+        self._version += 1
+        self._draw(state, runs)
+        if before.milestone:
+            state = replace(state, rungs=with_rung(state.rungs, rung_of(before.milestone, standing)))
+        if len(state.steps) > len(before.steps):
+            self.past = [*self.past[-MOST_BACK:], before]
+        self.state, self._comparison = state, self._scored(state, self.opened, runs)
+        self._tell_scores()
+
+    def draw(self) -> None:
+        """Draws the standing model."""
+        self._version += 1
+        self._draw(self.state, self.comparison.runs)
+        self._tell_scores()
+
+    def draw_passing(self, values: Mapping[str, float]) -> None:
+        """Draws the standing model at other values, without making them those of the study."""
+        passing = replace(self.state, values={**self.state.values, **values}, milestone="")
+        runs = self._simulated(passing, self.opened)
+        self._version += 1
+        self._draw(passing, runs)
+        comparison = self._scored(passing, self.opened, runs)
+        self.windows.tell(scores_event(passing, self.opened, comparison, self._version))
+
+    def _simulated(self, state: State, opened: Opened) -> tuple[RunComparison, ...]:
+        values = dict(state.values)
+        return tuple(simulate_run(opened.simulator, state.data, run, values) for run in state.data.runs)
+
+    def _scored(self, state: State, opened: Opened, runs: Sequence[RunComparison]) -> Comparison:
+        """The same as ``study.compare`` finds, but for where the error sits."""
+        return scored(opened.simulator.interface, state.data, state.values, runs, rules=False)
+
+    def _draw(self, state: State, runs: Sequence[RunComparison]) -> None:
+        label = standing_label(state)
+        self.windows.send(frame("model", self._version, model_curves(runs, state.data), label), "model")
+
+    def _tell_scores(self) -> None:
+        self.windows.tell(scores_event(self.state, self.opened, self.comparison, self._version))
+        self.tell_steps()
+        if not self._looking:
+            self._looking = True
+            self.later(QUIET, self._tell_where, self._version)
+
+    def tell_steps(self) -> None:
+        """Tells what was done."""
+        self.windows.tell(steps_event(self.state, self.is_saved))
+
+    def tell_study(self) -> None:
+        """Tells all that moves seldom."""
+        self.windows.tell(self._study())
+        before = self.state.before
+        if before is None:
+            self.windows.forget("reference")
+        else:
+            curves = model_curves(before.runs, before.data)
+            self.windows.send(frame("reference", self._version, curves, "before"), "reference")
+
+    def _study(self) -> Study:
+        state = self.state
+        return study_event(state, self.opened, self.catalogue.shown(state.model, state.effects), self.benches)
+
+    def subscribe(self, listener: Listener) -> Future[Callable[[], None]]:
+        """Adds a window, which is told all that there is; what the future holds takes it away.
 
         The listener is called from other threads and must not wait.
         """
-        with self._lock:
-            for message in self._kept.values():
-                listener(message)
-            self._listeners.append(listener)
 
-        def end() -> None:
-            with self._lock, suppress(ValueError):
-                self._listeners.remove(listener)
+        def begin() -> Callable[[], None]:
+            self.windows.keep(self._study())
+            return self.windows.subscribe(listener)
 
-        return end
+        return self._thread.submit(begin)
 
-    def _tell(self, event: Event) -> None:
-        kept = type(event).__name__ if event.kept else None
-        self._send(event.message(), kept)
+    def _tell_where(self, version: int) -> None:
+        """Says where the error sits, as soon as nothing newer has been drawn for a while."""
+        if version != self._version or self._wanted:
+            self.later(QUIET, self._tell_where, self._version)
+            return
+        self._looking = False
+        interface, data = self.opened.simulator.interface, self.state.data
+        about = (self.comparison.runs, data.signals, interface.outputs, data.domain, interface.inputs)
+        rules = where(*about)
+        self.windows.tell(where_event(rules, [sitting(rule, *about) for rule in rules], version))
 
-    def _send(self, message: str | bytes, keep_as: str | None = None) -> None:
-        with self._lock:
-            if keep_as is not None:
-                self._kept[keep_as] = message
-            for listener in self._listeners:
-                listener(message)
+    @property
+    def is_saved(self) -> bool:
+        """Whether the study has been saved as it is."""
+        return self.saved == self.state.steps
 
-    # --- commands
+    # what a page uses
 
     def do(self, command: Mapping[str, Any]) -> Future[Json]:
         """Takes a command of a page; the future holds what is answered.
@@ -126,193 +266,37 @@ class Session:
         Its exceptions are ``InputError`` and ``SimulationFailure``.
         """
         name = command.get("do")
-        method = getattr(self, f"_do_{name}", None) if isinstance(name, str) and name.isidentifier() else None
-        if method is None:
-            known = [one.removeprefix("_do_") for one in dir(self) if one.startswith("_do_")]
-            failed: Future[Json] = Future()
-            failed.set_exception(InputError(f"there is no command {shown(name)}; {did_you_mean(str(name), known)}"))
-            return failed
-        if name == "set":
-            return self._want(command.get("values"))
-        arguments = {str(k): v for k, v in command.items() if k not in ("do", "id")}
-        return self._thread.submit(self._checked, method, arguments)
-
-    def _checked(self, method: Callable[..., Json | None], arguments: Json) -> Json:
+        if not isinstance(name, str) or name not in COMMANDS:
+            return _refused(InputError(f"there is no command {shown(name)}; {did_you_mean(str(name), COMMANDS)}"))
+        arguments = {str(key): value for key, value in command.items() if key not in ("do", "id")}
         try:
-            return method(**arguments) or {}
+            inspect.signature(COMMANDS[name]).bind(self, **arguments)
         except TypeError as problem:
-            if "argument" in str(problem):
-                raise InputError(f"the command cannot be used: {problem}") from None
-            raise
-
-    def wait(self) -> None:
-        """Returns when all that was asked for is done, but for what takes long."""
-        self._thread.submit(lambda: None).result()
-
-    # --- values
-
-    def _want(self, values: Any) -> Future[Json]:
+            return _refused(InputError(f"the command {name} cannot be used: {problem}"))
+        if name != "set":
+            return self._thread.submit(self._done, name, arguments)
+        values = arguments["values"]
         if not isinstance(values, Mapping):
-            failed: Future[Json] = Future()
-            failed.set_exception(InputError("set wants values by name"))
-            return failed
+            return _refused(InputError("set wants numbers by name"))
         with self._lock:
-            self._wanted |= {str(name): value for name, value in values.items()}
-        return self._thread.submit(self._draw_wanted)
+            self._wanted |= {str(one): value for one, value in values.items()}
+        return self._thread.submit(self._set_wanted)
 
-    def _draw_wanted(self) -> Json:
+    def _set_wanted(self) -> Json:
         with self._lock:
             wanted, self._wanted = self._wanted, {}
-        if wanted:
-            self._set(wanted)
-        return {"version": self._version}
+        return self._done("set", {"values": wanted}) if wanted else {"version": self._version}
 
-    def _do_set(self, values: Json) -> Json:
-        raise NotImplementedError  # ``do`` keeps the newest of these
+    def _done(self, name: str, arguments: Json) -> Json:
+        result = COMMANDS[name](self, **arguments)
+        return {"version": self._version, **(result or {})}
 
-    def _set(self, shown_values: Mapping[str, Any]) -> None:
-        assert self._opened is not None
-        values: dict[str, float] = {}
-        for name, number in shown_values.items():
-            free = self._parameter(name)
-            values[name] = self._number(free, number)
-        state = self.state
-        step = Step(SET, {"values": values})
-        changed = replace(state, values={**state.values, **values}, steps=with_step(state.steps, step))
-        self._enter(changed, merge=bool(state.steps and state.steps[-1].do == SET))
+    def wait(self) -> None:
+        """Returns when all commands are done, but for what takes long."""
+        self._thread.submit(lambda: None).result()
 
-    def _parameter(self, name: str) -> Free:
-        assert self._opened is not None
-        known = self._opened.parameters
-        if name not in known:
-            raise InputError(f"there is no parameter {shown(name)} to set; {did_you_mean(name, known)}")
-        return known[name]
 
-    def _number(self, free: Free, value: Any) -> float:
-        assert self._opened is not None
-        variable = self._opened.simulator.interface.settable.get(free.parameter)
-        if isinstance(value, bool) or not isinstance(value, (int, float)) or not -1e300 < value < 1e300:
-            raise InputError(f"{shown(f'{free.name}={value}')}: the value must be a finite number")
-        number = float(value) / readable_factor(free.unit)
-        if variable is not None and free.name == free.parameter:
-            return setting_of(number, variable)
-        return number
-
-    def _do_reset(self, names: Sequence[str] | None = None) -> Json:
-        assert self._opened is not None
-        chosen = list(self._opened.parameters) if names is None else list(names)
-        starts = {name: self._parameter(name).start for name in chosen}
-        step = Step(SET, {"values": starts})
-        self._enter(
-            replace(self.state, values={**self.state.values, **starts}, steps=with_step(self.state.steps, step))
-        )
-        return {"version": self._version}
-
-    # --- models
-
-    def _do_switch(self, effects: Sequence[str]) -> Json:
-        self._change_model(self.state.model, tuple(dict.fromkeys(map(str, effects))), "switch")
-        return {"version": self._version}
-
-    def _do_choose(self, model: str) -> Json:
-        self._change_model(str(model), (), "choose")
-        return {"version": self._version}
-
-    def _change_model(self, model: str, effects: tuple[str, ...], do: str) -> None:
-        state = self.state
-        step = Step("switch", {"effects": list(effects)}) if do == "switch" else Step("choose", {"model": model})
-        changed = replace(
-            state, model=model, effects=effects, steps=with_step(state.steps, step), before=self._comparison, file=None
-        )
-        self._enter(changed)
-
-    def _enter(self, state: State, *, merge: bool = False) -> None:
-        """Makes a state the present one: everything that depends on it is made anew, or nothing is."""
-        opened, before = self._opened, self.state
-        other = opened is None or (state.model, state.effects) != (opened.model, opened.effects)
-        fresh = open_model(state.data, state.model, state.effects, self.files, self._scratch) if other else opened
-        assert fresh is not None
-        try:
-            comparison = self._compared(state, fresh)
-        except BaseException:
-            if other:
-                fresh.simulator.close()
-            raise
-        if other and opened is not None:
-            opened.simulator.close()
-        if not merge:
-            self._past.append(before)
-        self.state, self._opened, self._comparison = state, fresh, comparison
-        self._draw(other or not merge)
-
-    def _compared(self, state: State, opened: Opened) -> Comparison:
-        values = {f.name: value_of(f, state) for f in opened.parameters.values()}
-        return compare(opened.simulator, state.data, values, rules=False)
-
-    def _do_undo(self) -> Json:
-        if not self._past:
-            raise InputError("there is no step to take back")
-        state = self._past.pop()
-        self._enter(state, merge=True)
-        return {"version": self._version}
-
-    # --- what is told
-
-    def _open(self) -> None:
-        self._opened = open_model(self.state.data, self.state.model, (), self.files, self._scratch)
-        self._comparison = self._compared(self.state, self._opened)
-        self._send(frame("measured", 0, measured_curves(self.state.data)), "measured")
-        self._draw(True)
-
-    def _draw(self, all_of_it: bool) -> None:
-        assert self._opened is not None and self._comparison is not None
-        self._version += 1
-        self._send(frame("model", self._version, model_curves(self._comparison), label_of(self.state)), "model")
-        self._tell(scores_event(self.state, self._opened, self._comparison, self._version))
-        if all_of_it:
-            self._tell_study()
-            if self.state.before is not None:
-                self._send(frame("reference", self._version, model_curves(self.state.before), "before"), "reference")
-        self._tell(steps_event(self.state, self._saved))
-        self._later(QUIET, self._tell_where, self._version)
-
-    def _later(self, seconds: float, method: Callable[..., None], *arguments: Any) -> None:
-        """Does something in the study's thread after some time, if there still is one."""
-
-        def begin() -> None:
-            with suppress(RuntimeError):
-                self._thread.submit(method, *arguments)
-
-        timer = threading.Timer(seconds, begin)
-        timer.daemon = True
-        timer.start()
-
-    def _tell_study(self) -> None:
-        assert self._opened is not None
-        self._tell(study_event(self.state, self._opened, self._catalogue(), self._benches))
-
-    def _tell_where(self, version: int) -> None:
-        """Says where the error sits, unless something newer is drawn already."""
-        with self._lock:
-            if version != self._version or self._wanted:
-                return
-        assert self._opened is not None and self._comparison is not None
-        interface, data = self._opened.simulator.interface, self.state.data
-        about = (self._comparison.runs, data.signals, interface.outputs, data.domain, interface.inputs)
-        rules = where(*about)
-        self._tell(where_event(rules, [sitting(rule, *about) for rule in rules], version))
-
-    def _catalogue(self) -> tuple[ShownEffect, ...]:
-        """Every effect of the model's library, and whether it finds a place in it."""
-        model = self.state.model
-        if is_fmu(model):
-            return ()
-        if model not in self._effects:
-            sources = [*self.files, Path(model)] if is_modelica(model) else list(self.files)
-            tree = read_library(files=sources)
-            structure = read_structure(qualified(tree, model), files=sources)
-            self._effects[model] = tuple(
-                shown_effect(e, (), compose_on(tree, structure, (e.name,)) is not None)
-                for e in effect_classes(tree, origins(structure.parts))
-            )
-        return tuple(replace(e, on=e.name in self.state.effects) for e in self._effects[model])
+def _refused(problem: Exception) -> Future[Json]:
+    refused: Future[Json] = Future()
+    refused.set_exception(problem)
+    return refused

@@ -25,12 +25,7 @@ from pam_cosim.workbench.protocol import (
     Study,
     Where,
 )
-from pam_cosim.workbench.state import State
-
-
-def label_of(state: State) -> str:
-    """The standing model in words."""
-    return "base model" if not state.effects else "with " + " + ".join(state.effects)
+from pam_cosim.workbench.state import State, label_of, standing_label, with_rung
 
 
 def study_event(state: State, opened: Opened, effects: Sequence[ShownEffect], benches: Sequence[str]) -> Study:
@@ -41,7 +36,7 @@ def study_event(state: State, opened: Opened, effects: Sequence[ShownEffect], be
         folder=str(data.folder.resolve().name),
         state="open",
         model=state.model,
-        with_effects=label_of(state),
+        with_effects=label_of(state.effects),
         runs=tuple(_run(run) for run in data.runs),
         signals=tuple(_signals(data, opened)),
         parameters=tuple(_parameter(free, state, opened) for free in opened.parameters.values()),
@@ -108,7 +103,6 @@ def _parameter(free: Free, state: State, opened: Opened) -> ShownParameter:
         start=free.start * factor,
         low=free.low * factor,
         high=free.high * factor,
-        free=state.free is None or free.name in state.free,
         description=variable.description if variable else "",
         effect=opened.origin.get(free.name),
         logarithmic=free.logarithmic,
@@ -149,7 +143,7 @@ def _levels(scores: dict[str, SignalScore], data: DataSet) -> dict[str, Level]:
 def scores_event(state: State, opened: Opened, comparison: Comparison, version: int) -> Scores:
     """How far the standing model is from the measurement."""
     data = comparison.data
-    now = rung_of(label_of(state), comparison)
+    now = rung_of(standing_label(state), comparison)
     by_run = {r.run.name: score([r], data.signals) for r in comparison.runs}
     return Scores(
         version=version,
@@ -162,7 +156,7 @@ def scores_event(state: State, opened: Opened, comparison: Comparison, version: 
             run: _root(chi2_reduced({n: s for n, s in scores.items() if data.signals[n].fitted}))
             for run, scores in by_run.items()
         },
-        ladder=(*state.rungs, now),
+        ladder=with_rung(state.rungs, now),
         values={f.name: value_of(f, state) * readable_factor(f.unit) for f in opened.parameters.values()},
     )
 

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from pam_cosim.comparison import Comparison
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import DataSet
 from pam_cosim.workbench.protocol import Rung
-from pam_cosim.workbench.steps import Step
+from pam_cosim.workbench.steps import Step, with_step
+
+AS_STATED = "as stated"
 
 
 @dataclass(frozen=True)
@@ -22,12 +24,12 @@ class State:
         model: the base model.
         effects: what it has beside, in the order in which they were switched on.
         values: of parameters, where they differ from where they begin, by name [SI].
-        free: names of what a fit moves; None: all that may be.
         fit: the last one, of this model.
-        diagnosis: the last one.
+        diagnosis: the last one; ``diagnosed``: the effects that the model had then.
         rungs: of the error ladder, the standing model not among them.
+        milestone: what the standing model is called on the ladder, as long as nothing is changed; "": it has no place.
         steps: done so far.
-        file: that the model with its effects was written to, relative to the folder of the study.
+        file: that the model with its effects was written to, by its name in the folder of the study.
         before: the model before the last change of its effects, to be drawn beside.
     """
 
@@ -35,10 +37,30 @@ class State:
     model: str
     effects: tuple[str, ...] = ()
     values: Mapping[str, float] = field(default_factory=dict)
-    free: tuple[str, ...] | None = None
     fit: Fit | None = None
     diagnosis: Diagnosis | None = None
+    diagnosed: tuple[str, ...] = ()
     rungs: tuple[Rung, ...] = ()
+    milestone: str = AS_STATED
     steps: tuple[Step, ...] = ()
     file: str | None = None
     before: Comparison | None = None
+
+    def after(self, step: Step, **changes: object) -> State:
+        """The state after a step."""
+        return replace(self, steps=with_step(self.steps, step), **changes)  # type: ignore[arg-type]
+
+
+def label_of(effects: tuple[str, ...]) -> str:
+    """A model in words."""
+    return "base model" if not effects else "with " + " + ".join(effects)
+
+
+def standing_label(state: State) -> str:
+    """What the standing model is called on the ladder."""
+    return state.milestone or f"{label_of(state.effects)}, by hand"
+
+
+def with_rung(rungs: tuple[Rung, ...], rung: Rung) -> tuple[Rung, ...]:
+    """The ladder with one more rung; one of the same name directly below gives way."""
+    return (*(rungs[:-1] if rungs and rungs[-1].label == rung.label else rungs), rung)

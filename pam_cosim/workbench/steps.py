@@ -8,7 +8,7 @@ from typing import Any
 
 from pam_cosim.wording import shown
 
-SET, SWITCH, CHOOSE, FIT, DIAGNOSE, TAKE, ADD, ROLES = (
+SET, SWITCH, CHOOSE, FIT, DIAGNOSE, TAKE, ADD, ROLES_STEP = (
     "set", "switch", "choose", "fit", "diagnose", "take", "add", "roles"
 )  # fmt: skip
 
@@ -55,7 +55,16 @@ def step_of(content: Any) -> Step:
     Raises:
         ValueError: it is none.
     """
-    if not isinstance(content, dict) or content.get("do") not in (SET, SWITCH, CHOOSE, FIT, DIAGNOSE, TAKE, ADD, ROLES):
+    if not isinstance(content, dict) or content.get("do") not in (
+        SET,
+        SWITCH,
+        CHOOSE,
+        FIT,
+        DIAGNOSE,
+        TAKE,
+        ADD,
+        ROLES_STEP,
+    ):
         raise ValueError(f"{shown(content)} is no step of a study")
     return Step(content["do"], {key: value for key, value in content.items() if key != "do"})
 

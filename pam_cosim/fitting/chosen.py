@@ -1,0 +1,54 @@
+"""A data set with other free parameters than it declares."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from pam_cosim.errors import InputError
+from pam_cosim.fitting.free import Free, base_parameters, model_parameter
+from pam_cosim.interface import Interface
+from pam_cosim.measurement import DataSet, FreeParameter, Run
+from pam_cosim.wording import did_you_mean
+
+
+def with_free(
+    data: DataSet, interface: Interface, free: Sequence[str] | None = None, start: Mapping[str, float] | None = None
+) -> DataSet:
+    """The data set in which just these parameters are free; what it leaves free besides is held where it starts.
+
+    Args:
+        data: the measurement.
+        interface: of the model.
+        free: names: of parameters that the data set declares free, or that the model itself gives bounds. None: those
+            of the data set.
+        start: where parameters start, or are held, by name [SI].
+
+    Raises:
+        InputError: the model has no such parameter, it has no bounds, or a start is of none of these.
+    """
+    known = {f.name: f for f in base_parameters(data, interface)}
+    names = tuple(known) if free is None else tuple(dict.fromkeys(free))
+    starts = dict(start or {})
+    every = known | {n: model_parameter(n, interface) for n in (*names, *starts) if n not in known}
+    stray = next((n for n in starts if n not in names and n not in known), None)
+    if stray is not None:
+        raise InputError(f"'{stray}' has a start and is not free; {did_you_mean(stray, [*names, *known])}")
+    moved = {n: replace(f, start=min(max(starts.get(n, f.start), f.low), f.high)) for n, f in every.items()}
+    held = {n: f for n, f in moved.items() if n not in names}
+    return replace(
+        data,
+        fit={n: _declared(moved[n]) if n not in data.fit or n in starts else data.fit[n] for n in names},
+        runs=tuple(_holding(run, held) for run in data.runs),
+    )
+
+
+def _declared(f: Free) -> FreeParameter:
+    return FreeParameter(f.name, f.low, f.high, f.start, f.unit, f.transform, f.prior, f.run)
+
+
+def _holding(run: Run, held: Mapping[str, Free]) -> Run:
+    """A run in which these are known."""
+    shared = {f.parameter: f.start for f in held.values() if not f.run}
+    own = {f.parameter: f.start for f in held.values() if f.run == run.name}
+    return replace(run, parameters=shared | run.parameters | own) if shared or own else run

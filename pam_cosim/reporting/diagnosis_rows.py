@@ -1,0 +1,118 @@
+"""What a diagnosis found, as the rows of tables: numbers with units, as a person reads them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from pam_cosim.comparison import Rule
+from pam_cosim.diagnosis import Candidate, Diagnosis
+from pam_cosim.diagnosis.verdict import explained
+from pam_cosim.fitting import Fit
+from pam_cosim.measurement import ROLES
+from pam_cosim.reporting.wording import (
+    NOTHING,
+    estimate_texts,
+    fixed,
+    number,
+    percent,
+    quantity_text,
+    remark,
+    unit_text,
+    words,
+)  # fmt: skip
+
+Row = dict[str, str]
+
+
+def rule_rows(rules: Sequence[Rule]) -> list[Row]:
+    """Where the error sits, as a table."""
+    return [
+        {"signal": r.signal, "rule": r.rule, "error": percent(r.error_share), "time": percent(r.time_share)}
+        for r in rules
+    ]
+
+
+def summary_rows(diagnosis: Diagnosis) -> list[Row]:
+    """The error of each signal on the runs of each role, before and after."""
+    rows = []
+    for role in ROLES:
+        for name, before in diagnosis.base.comparison.scores[role].items():
+            after = diagnosis.final.comparison.scores[role].get(name) if diagnosis.path else None
+            unit = diagnosis.data.signals[name].unit
+            rows.append(
+                {
+                    "name": name if diagnosis.data.signals[name].fitted else f"{name} (not fitted)",
+                    "role": role,
+                    "before": quantity_text(before.rmse, unit),
+                    "after": NOTHING if after is None else quantity_text(after.rmse, unit),
+                    "noise": quantity_text(before.noise_rmse, unit),
+                    "chi2_before": number(before.chi2_reduced),
+                    "chi2_after": NOTHING if after is None else number(after.chi2_reduced),
+                }
+            )
+    return rows
+
+
+def was_added(path: Sequence[Candidate], candidate: Candidate) -> bool:
+    """Whether a candidate is a step of the way to the verdict."""
+    return any(candidate.effects == c.effects for c in path)
+
+
+def candidate_row(base: Fit, c: Candidate, path: Sequence[Candidate]) -> dict[str, Any]:
+    """A line of the ranking, beside the base model; ``path``: what was added."""
+    own = []
+    for name, e in c.parameters.items():
+        value, interval = estimate_texts(e)
+        note = remark(e) or f"{interval}"
+        own.append(f"{name} = {value} {unit_text(e.unit)}".rstrip() + f" ({note})")
+    return {
+        "effect": " + ".join(c.effects),
+        "family": words(c.family),
+        "balance": words(c.balance),
+        "delta_bic": fixed(c.delta_bic),
+        "explained": percent(explained(base, c.fit)),
+        "chi2": number(c.fit.comparison.chi2_reduced("fit")),
+        "holdout": number(c.fit.comparison.chi2_reduced("holdout")),
+        "own": own,
+        "added": was_added(path, c),
+    }
+
+
+def parameter_rows(diagnosis: Diagnosis) -> list[Row]:
+    """The fitted parameters, with where they come from and what is known of them."""
+    origin = {name: c.effect for c in diagnosis.path for name in c.own_parameters}
+    rows = []
+    for name, estimate in diagnosis.final.parameters.items():
+        value, interval = estimate_texts(estimate)
+        before = diagnosis.base.parameters.get(name)
+        rows.append(
+            {
+                "name": name,
+                "origin": origin.get(name, "base model"),
+                "base": NOTHING if before is None else estimate_texts(before)[0],
+                "value": value,
+                "interval": interval,
+                "unit": unit_text(estimate.unit),
+                "remark": remark(estimate),
+            }
+        )
+    return rows
+
+
+def missing_rows(diagnosis: Diagnosis) -> dict[str, Any] | None:
+    """What is left that no effect explains; None where all is explained."""
+    missing = diagnosis.missing_term
+    if missing is None:
+        return None
+    rows = [
+        {
+            "name": name,
+            "rmse": quantity_text(s.rmse, diagnosis.data.signals[name].unit),
+            "size": number(s.noise_standard_deviations),
+            "with": s.correlates_with or NOTHING,
+            "correlation": number(s.correlation, 2),
+        }
+        for name, s in missing.signals.items()
+    ]
+    return {"balance": words(missing.balance or ""), "rows": rows, "where": rule_rows(missing.where)}

@@ -1,0 +1,103 @@
+"""The process in which a session fits and diagnoses: requests in; what happens, and an answer, out.
+
+It is apart so that it can be stopped at any moment and leaves nothing behind, and so that the page stays quick.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import pickle
+import signal
+import sys
+import threading
+import time
+from collections.abc import Callable
+from typing import Any
+
+from pam_cosim import study
+from pam_cosim.diagnosis import Event, Message
+from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.fitting import Standing
+from pam_cosim.simulation.keeper import ANSWER, PROGRESS, read_frame, write_frame
+from pam_cosim.simulation.worker import private_input, private_output
+from pam_cosim.workers import stop_workers
+
+_LOOK = 0.5  # [s] between two looks whether the server is still there
+_PACE = 0.05  # [s] between two standings of a fit that are told
+
+Tell = Callable[[object], None]
+
+
+def fit(tell: Tell, data: Any, model: str, options: dict[str, Any]) -> Any:
+    """``study.fit``, telling each ``Standing`` but for those that come too fast to be seen."""
+    told = 0.0
+
+    def progress(standing: Standing) -> None:
+        nonlocal told
+        if time.monotonic() - told >= _PACE:
+            told = time.monotonic()
+            tell(standing)
+
+    return study.fit(data, model, progress=progress, **options)
+
+
+def diagnose(tell: Tell, data: Any, model: str, options: dict[str, Any]) -> Any:
+    """``study.diagnose``, telling each line, and each event that no line is about."""
+
+    def progress(event: Event) -> None:
+        if not str(event):
+            tell(event)
+
+    return study.diagnose(data, model, say=tell, progress=progress, **options)
+
+
+def check(tell: Tell, data: Any, model: str, options: dict[str, Any]) -> Any:
+    """``study.check``, telling each line."""
+    return study.check(data, model, say=tell, **options)
+
+
+JOBS = {"fit": fit, "diagnose": diagnose, "check": check}
+
+
+def main() -> None:
+    """Serves one request after another until nobody asks any more."""
+    requests, channel = private_input(), private_output()
+    threading.Thread(target=_end_with, args=(os.getppid(),), daemon=True).start()
+
+    def tell(event: object) -> None:
+        said: object = event
+        if isinstance(event, Message):  # a text that is copied loses what it knows
+            said = ("line", str(event), event.detail, event.event)
+        write_frame(channel, PROGRESS, pickle.dumps(said))
+
+    while True:
+        try:
+            _, content = read_frame(requests)
+        except EOFError:
+            break
+        job, data, model, options = pickle.loads(content)
+        answer: tuple[bool, Any]
+        try:
+            answer = True, JOBS[job](tell, data, model, options)
+        except (InputError, SimulationFailure) as problem:
+            answer = False, problem
+        except Exception as defect:  # it is told, and the process goes on
+            answer = False, SimulationFailure(f"{type(defect).__name__}: {defect}")
+        write_frame(channel, ANSWER, pickle.dumps(answer))
+    stop_workers()
+
+
+def _end_with(parent: int) -> None:
+    """Ends this process and all that it started when the server is gone."""
+    while os.getppid() == parent:
+        time.sleep(_LOOK)
+    with contextlib.suppress(OSError, AttributeError):
+        os.killpg(0, signal.SIGKILL)
+    os._exit(1)
+
+
+if __name__ == "__main__":
+    with contextlib.suppress(BrokenPipeError, KeyboardInterrupt):
+        main()
+    sys.exit(0)

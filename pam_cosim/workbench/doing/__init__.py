@@ -1,0 +1,33 @@
+"""The commands of a page: each a function of the session and of what the command holds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from pam_cosim.workbench.doing.keeping import add, load, save, script
+from pam_cosim.workbench.doing.models import choose, roles, switch, take, undo, where
+from pam_cosim.workbench.doing.values import reset, set_values
+from pam_cosim.workbench.doing.working import check, diagnose, discard, fit, resume, stop
+
+COMMANDS: dict[str, Callable[..., dict[str, Any] | None]] = {
+    "add": add,
+    "check": check,
+    "choose": choose,
+    "diagnose": diagnose,
+    "discard": discard,
+    "fit": fit,
+    "load": load,
+    "reset": reset,
+    "resume": resume,
+    "roles": roles,
+    "save": save,
+    "script": script,
+    "set": set_values,
+    "stop": stop,
+    "switch": switch,
+    "take": take,
+    "undo": undo,
+    "where": where,
+}
+"""By name."""

@@ -1,0 +1,112 @@
+"""Adding effects as Modelica, saving and loading the study, and printing it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pam_cosim.errors import InputError
+from pam_cosim.files import write_text
+from pam_cosim.wording import shown
+from pam_cosim.workbench.doing.models import candidate_of, switch, take_candidate
+from pam_cosim.workbench.doing.words import names_of, text_of
+from pam_cosim.workbench.inside import inside
+from pam_cosim.workbench.opened import composed, without_ratios
+from pam_cosim.workbench.protocol import Added, Saved
+from pam_cosim.workbench.saving import load_state, save_state
+from pam_cosim.workbench.script import commands_of, python_of
+from pam_cosim.workbench.steps import ADD, Step
+
+if TYPE_CHECKING:
+    from pam_cosim.workbench.session import Session
+
+
+def add(
+    session: Session, effects: Sequence[str] | None = None, file: str | None = None, learned: bool = False
+) -> dict[str, Any]:
+    """Writes the model with effects as Modelica into the study's folder; default: those that are on.
+
+    Effects of the ranking are taken with the values that were fitted. ``learned``: the formula that the last diagnosis
+    found is written instead.
+    """
+    session.work.make_room()
+    if learned:
+        return _add_learned(session, file)
+    if effects is not None:
+        _have(session, names_of(effects, "add"))
+    state = session.state
+    on = without_ratios(state.effects)
+    if not state.effects:
+        raise InputError("there is no effect to add: switch one on, or diagnose first")
+    if not on:
+        raise InputError("what is stated of a parameter is no part of a model: correct it in the data set")
+    target = _target(session, file, default=composed(state.model, on, session.files)[0].split(maxsplit=2)[1])
+    text, _ = composed(state.model, on, session.files, target.stem)
+    _write(target, text)
+    session.back(state.after(Step(ADD, {"effects": list(on), "file": target.name}), file=target.name))
+    session.windows.tell(Added(target.name, text, on))
+    return {"file": target.name, "text": text}
+
+
+def _have(session: Session, effects: list[str]) -> None:
+    """Makes the model with these effects, beside those that the diagnosed one had, the standing one."""
+    state = session.state
+    if tuple(effects) == state.effects:
+        return
+    candidate = candidate_of(session, effects)
+    if candidate is None:
+        switch(session, effects)
+    elif (*state.diagnosed, *effects) != state.effects:
+        take_candidate(session, candidate)
+
+
+def _add_learned(session: Session, file: str | None) -> dict[str, Any]:
+    diagnosis = session.state.diagnosis
+    if diagnosis is None or diagnosis.learned is None:
+        raise InputError("nothing was learned that could be written")
+    term = diagnosis.learned.term
+    target = _target(session, file, default=term.name)
+    _write(target, term.modelica_source)
+    session.windows.tell(Added(target.name, term.modelica_source, ()))
+    return {"file": target.name, "text": term.modelica_source}
+
+
+def _target(session: Session, file: str | None, default: str) -> Path:
+    name = f"{default}.mo" if file is None else text_of(file, "add")
+    if not name.endswith(".mo"):
+        raise InputError(f"{shown(name)}: the model is written as Modelica: name a file that ends in .mo")
+    return inside(session.folder, name)
+
+
+def _write(target: Path, text: str) -> None:
+    if target.exists() and target.read_text(encoding="utf-8", errors="replace") != text:
+        raise InputError(f"there is another file {target.name} in the folder already; name a new one")
+    write_text(target, text)
+
+
+def save(session: Session) -> dict[str, Any]:
+    """Writes what was done, and its results, into the study's folder."""
+    session.work.check_free()
+    saved = save_state(session.state, session.folder)
+    session.saved = session.state.steps
+    session.windows.tell(Saved(saved.file, saved.time))
+    session.tell_steps()
+    return {"file": saved.file, "time": saved.time}
+
+
+def load(session: Session) -> None:
+    """Makes the saved study the standing one."""
+    session.work.make_room()
+    state = load_state(session.folder, session.first)
+    session.past = [*session.past, session.state]
+    session.back(state)
+    session.saved = state.steps
+    session.tell_steps()
+    session.work.tell_diagnosis()
+
+
+def script(session: Session) -> dict[str, Any]:
+    """The study as a Python script and as commands."""
+    place = (session.state, session.first.model, session.folder, session.files)
+    return {"python": python_of(*place), "commands": commands_of(*place)}

@@ -1,0 +1,27 @@
+"""Names that come from a page: of files of the study's folder, and of nothing else."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from pam_cosim.errors import InputError
+from pam_cosim.wording import shown
+
+_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_. ()+-]{0,99}")
+
+
+def inside(folder: Path, name: str) -> Path:
+    """The place of a file directly inside a folder.
+
+    Raises:
+        InputError: the name is not that of a file there: it has a separator, begins with a dot, or is a link.
+    """
+    if not _NAME.fullmatch(name) or name.endswith((" ", ".")):
+        raise InputError(
+            f"{shown(name)} cannot be the name of a file here: use letters, digits, dots, dashes and underscores"
+        )
+    place = folder / name
+    if place.is_symlink() or (place.exists() and not place.is_file()):
+        raise InputError(f"{shown(name)} is no regular file of the study's folder")
+    return place

@@ -1,0 +1,113 @@
+"""Something that takes long, in a process of its own that can be held, let go on, and ended."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import threading
+from collections.abc import Callable
+from typing import Any
+
+from pam_cosim.diagnosis import Message
+from pam_cosim.simulation.keeper import ANSWER, read_frame, write_frame
+
+CAN_HOLD = hasattr(signal, "SIGSTOP")
+_PATIENCE = 2.0  # [s] for the process to end when nobody asks any more
+
+Heard = Callable[[object], None]
+Done = Callable[[bool, Any], None]
+
+
+class JobEnded(RuntimeError):
+    """The process ended before it answered."""
+
+
+class Worker:
+    """A process that is started when it is first needed, kept for the next job, and started anew after it was ended."""
+
+    def __init__(self) -> None:
+        self._process: subprocess.Popen[bytes] | None = None
+        self._lock = threading.Lock()
+        self.held = False
+
+    def wake(self) -> subprocess.Popen[bytes]:
+        """The process, started where there is none; it loads while others go on."""
+        with self._lock:
+            if self._process is None or self._process.poll() is not None:
+                self.held = False
+                self._process = subprocess.Popen(
+                    [sys.executable, "-m", "pam_cosim.workbench.apart"],
+                    stdin=subprocess.PIPE, stdout=subprocess.PIPE, start_new_session=True,
+                )  # fmt: skip
+            return self._process
+
+    def run(self, job: str, data: Any, model: str, options: dict[str, Any], heard: Heard, done: Done) -> None:
+        """Begins a job; what it tells and how it ends is told to the two functions, from another thread.
+
+        ``done`` is called with whether it went well, and the result or the exception; not at all after ``end``.
+        """
+        process = self.wake()
+        content = pickle.dumps((job, data, model, options))
+        threading.Thread(target=self._follow, args=(process, content, heard, done), daemon=True).start()
+
+    def _follow(self, process: subprocess.Popen[bytes], content: bytes, heard: Heard, done: Done) -> None:
+        assert process.stdin is not None and process.stdout is not None
+        try:
+            write_frame(process.stdin, b"r", content)  # waits until the process has loaded
+            while True:
+                kind, content = read_frame(process.stdout)
+                said = pickle.loads(content)
+                if kind == ANSWER:
+                    break
+                heard(_unpacked(said))
+        except (EOFError, OSError, ValueError):
+            if self._process is process:
+                done(False, JobEnded("the process that did it ended without a word"))
+            return
+        if self._process is process:
+            done(*said)
+
+    def hold(self) -> bool:
+        """Lets the process and all that it started stand still where they are; False where that cannot be done."""
+        self.held = CAN_HOLD and self._signal("SIGSTOP")
+        return self.held
+
+    def go_on(self) -> None:
+        """Lets them go on from there."""
+        self._signal("SIGCONT")
+        self.held = False
+
+    def end(self) -> None:
+        """Ends the process and all that it started."""
+        with self._lock:
+            process, self._process = self._process, None
+        if process is None:
+            return
+        with contextlib.suppress(OSError, AttributeError):
+            os.killpg(process.pid, signal.SIGKILL)
+        process.kill()
+        process.wait(_PATIENCE)
+        for stream in (process.stdin, process.stdout):
+            if stream is not None:
+                with contextlib.suppress(OSError):
+                    stream.close()
+        self.held = False
+
+    def _signal(self, name: str) -> bool:
+        process = self._process
+        if process is None or process.poll() is not None:
+            return False
+        with contextlib.suppress(OSError):
+            os.killpg(process.pid, getattr(signal, name))
+            return True
+        return False
+
+
+def _unpacked(said: object) -> object:
+    if isinstance(said, tuple) and said and said[0] == "line":
+        return Message(said[1].removeprefix("  ") if said[2] else said[1], detail=said[2], event=said[3])
+    return said

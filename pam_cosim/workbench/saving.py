@@ -1,0 +1,162 @@
+"""A study of the workbench as files of its folder: what was done, and what came of it; written whole or not at all."""
+
+from __future__ import annotations
+
+import hashlib
+import time
+from collections.abc import Mapping
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from pam_cosim.diagnosis import Candidate, Diagnosis
+from pam_cosim.errors import InputError
+from pam_cosim.files import read_json, write_bytes, write_json
+from pam_cosim.fitting import Fit
+from pam_cosim.measurement import ROLES
+from pam_cosim.products import load, save
+from pam_cosim.workbench.inside import inside
+from pam_cosim.workbench.protocol import Level, Rung
+from pam_cosim.workbench.protocol import plain as as_plain
+from pam_cosim.workbench.state import State
+from pam_cosim.workbench.steps import step_of
+
+FILE = "workbench.json"
+_FORMAT = "pam-cosim workbench 1"
+_DAMAGE = (KeyError, TypeError, ValueError, AttributeError)
+
+
+@dataclass(frozen=True)
+class SavedStudy:
+    """Where a study was written, and when (seconds since the epoch)."""
+
+    file: str
+    time: float
+
+
+def lean(diagnosis: Diagnosis) -> Diagnosis:
+    """A diagnosis without the curves of candidates that were not added: their scores and values stay."""
+    way = {c.effects for c in diagnosis.path}
+
+    def bare(c: Candidate) -> Candidate:
+        if c.effects in way:
+            return c
+        comparison = replace(c.fit.comparison, data=replace(c.fit.comparison.data, runs=()), runs=())
+        return replace(c, fit=replace(c.fit, comparison=comparison, linear=None))
+
+    return replace(diagnosis, candidates=tuple(bare(c) for c in diagnosis.candidates))
+
+
+def save_state(state: State, folder: Path) -> SavedStudy:
+    """Writes a study into its folder: ``workbench.json``, and beside it the last fit and the last diagnosis.
+
+    Raises:
+        InputError: the folder cannot be written.
+    """
+    target = inside(folder, FILE)
+    before = _products(target)
+    content: dict[str, Any] = {
+        "format": _FORMAT,
+        "model": state.model,
+        "effects": list(state.effects),
+        "values": dict(state.values),
+        "diagnosed": list(state.diagnosed),
+        "milestone": state.milestone,
+        "file": state.file,
+        "roles": {run.name: run.role for run in state.data.runs},
+        "ladder": as_plain(state.rungs),
+        "steps": [step.as_dict() for step in state.steps],
+        "fit": _kept(state.fit, folder, "fit"),
+        "diagnosis": _kept(state.diagnosis, folder, "diagnosis"),
+        "time": time.time(),
+    }
+    write_json(target, content)
+    for name in before - {content["fit"], content["diagnosis"]}:
+        with suppress(OSError, InputError):
+            inside(folder, name).unlink()
+    return SavedStudy(target.name, content["time"])
+
+
+def _products(file: Path) -> set[str]:
+    """Names of the files that a saved study refers to."""
+    try:
+        content = read_json(file)
+        names = {content.get("fit"), content.get("diagnosis")}
+    except (InputError, AttributeError):
+        return set()
+    return {name for name in names if isinstance(name, str) and name.startswith("workbench-")}
+
+
+def _kept(product: Fit | Diagnosis | None, folder: Path, what: str) -> str | None:
+    """Writes a product under a name that says what is in it: a study refers to what was there when it was saved."""
+    if product is None:
+        return None
+    with TemporaryDirectory(prefix="pam-cosim-") as scratch:
+        content = save(product, Path(scratch) / "product.npz").read_bytes()
+    name = f"workbench-{what}-{hashlib.sha256(content).hexdigest()[:12]}.npz"
+    write_bytes(inside(folder, name), content)
+    return name
+
+
+def load_state(folder: Path, first: State) -> State:
+    """The study that was saved in a folder; ``first``: as it was opened, with the data.
+
+    Raises:
+        InputError: there is none, it was damaged, or it is of other data.
+    """
+    target = inside(folder, FILE)
+    content = read_json(target)
+    if not isinstance(content, Mapping) or content.get("format") != _FORMAT:
+        raise InputError("is no study that the workbench saved", target)
+    try:
+        return _state(content, folder, first)
+    except InputError:
+        raise
+    except _DAMAGE as problem:
+        raise InputError(f"the saved study was damaged: {problem}", target) from problem
+
+
+def _state(content: Mapping[str, Any], folder: Path, first: State) -> State:
+    roles = content["roles"]
+    if set(roles) != {run.name for run in first.data.runs} or not set(roles.values()) <= set(ROLES):
+        raise InputError("the saved study is of other runs than the data set has now", folder / FILE)
+    same = all(roles[run.name] == run.role for run in first.data.runs)
+    runs = tuple(replace(run, role=roles[run.name]) for run in first.data.runs)
+    fit, diagnosis = _product(content["fit"], folder, Fit), _product(content["diagnosis"], folder, Diagnosis)
+    return State(
+        data=first.data if same else replace(first.data, runs=runs),
+        model=_text(content["model"]),
+        effects=tuple(_text(e) for e in content["effects"]),
+        values={_text(name): float(value) for name, value in content["values"].items()},
+        fit=fit,
+        diagnosis=diagnosis,
+        diagnosed=tuple(_text(e) for e in content["diagnosed"]),
+        rungs=tuple(_rung(one) for one in content["ladder"]),
+        milestone=_text(content["milestone"]),
+        steps=tuple(step_of(one) for one in content["steps"]),
+        file=None if content["file"] is None else inside(folder, _text(content["file"])).name,
+    )
+
+
+def _text(value: Any) -> str:
+    if not isinstance(value, str):
+        raise TypeError(f"{value!r} is no text")
+    return value
+
+
+def _rung(content: Any) -> Rung:
+    by_role = {role: {name: Level(**level) for name, level in content[role].items()} for role in ROLES}
+    return Rung(
+        _text(content["label"]), by_role["fit"], by_role["holdout"], content["chi2_fit"], content["chi2_holdout"]
+    )
+
+
+def _product(name: Any, folder: Path, kind: type[Any]) -> Any:
+    if name is None:
+        return None
+    product = load(inside(folder, _text(name)))
+    if not isinstance(product, kind):
+        raise TypeError(f"{name} holds something else")
+    return product

@@ -1,0 +1,225 @@
+"""A study of the workbench as a Python script and as commands that repeat it, step by step, to the same numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from shlex import quote
+from typing import Any
+
+from pam_cosim.names import is_modelica
+from pam_cosim.workbench.opened import composed, without_ratios
+from pam_cosim.workbench.state import State
+from pam_cosim.workbench.steps import Step
+
+
+@dataclass
+class _Place:
+    """Where the steps have come to: the base model, its effects, and how the standing model is called.
+
+    Attributes:
+        held: values [SI] beside those of the file of a fit, ``fitted``.
+    """
+
+    base: str
+    files: tuple[Path, ...]
+    model: str = ""
+    effects: tuple[str, ...] = ()
+    diagnosed: tuple[str, ...] = ()
+    roles: dict[str, str] = field(default_factory=dict)
+    held: dict[str, float] = field(default_factory=dict)
+    fitted: str = ""
+    fits: int = 0
+    diagnoses: int = 0
+
+    def __post_init__(self) -> None:
+        self.model = self.base
+
+    def with_effects(self, effects: Sequence[str]) -> str | None:
+        """Gives the model effects; the file that it is then written to, None where it is the base model."""
+        self.effects, on = tuple(effects), without_ratios(effects)
+        if not on:
+            self.model = self.base
+            return None
+        text, _ = composed(self.base, on, self.files)
+        self.model = f"{text.split(maxsplit=2)[1]}.mo"
+        return self.model
+
+    @property
+    def further(self) -> tuple[str, ...]:
+        """Modelica files that the standing model needs beside its own."""
+        own = (self.base,) if self.model != self.base and is_modelica(self.base) else ()
+        return (*(str(f) for f in self.files), *own)
+
+
+# Python
+
+
+def python_of(state: State, base: str, folder: Path, files: Sequence[Path]) -> str:
+    """The study as a script, from the base model that it began with."""
+    place = _Place(base, tuple(files))
+    lines = [
+        f"# {_comment(state.data.title)}: what was done in the workbench, to be done again.",
+        "import pam_cosim as pam",
+        "",
+        f"folder = {str(folder)!r}",
+        f"files = {[str(f) for f in files]!r}",
+        f"data = pam.read(folder, model={place.base!r}, files=files)",
+        f"model = {place.base!r}",
+        "values = {}",
+        "comparison = pam.compare(data, model, values, files=files)",
+    ]
+    for step in state.steps:
+        lines += ["", f"# {_comment(step)}", *_python_step(step, place)]
+    lines += ["", "print(comparison)"]
+    return "\n".join(lines) + "\n"
+
+
+_COMPARED = "comparison = pam.compare(data, model, values, files=files)"
+
+
+def _python_step(step: Step, place: _Place) -> list[str]:
+    told = step.arguments
+    match step.do:
+        case "set":
+            return [f"values |= {_numbers(told['values'])}", _COMPARED]
+        case "switch":
+            return [*_python_effects(told["effects"], place), f"values = {_numbers(told['values'])}", _COMPARED]
+        case "choose":
+            place.base = told["model"]
+            return [*_python_effects((), place), "values = {}", _COMPARED]
+        case "roles":
+            place.roles |= told["roles"]
+            return [
+                f"data = pam.read(folder, model={place.base!r}, files=files, roles={place.roles!r})", _COMPARED
+            ]  # fmt: skip
+        case "fit":
+            options = f"method={told['method']!r}, free={told['free']!r}, start={_numbers(told['start'])}"
+            return [
+                f"fit = pam.fit(data, model, {options}, files=files)",
+                f"values |= {_numbers(told['start'])} | fit.values",
+                _COMPARED,
+            ]
+        case "diagnose":
+            place.diagnosed = place.effects
+            options = "".join(f"{name}={_value(v)}, " for name, v in told.items() if v or v == 0)
+            return [f"diagnosis = pam.diagnose(data, model, {options}files=files, say=print)", "print(diagnosis)"]
+        case "take":
+            effects = tuple(told["effects"])
+            return [
+                f"candidate = next(c for c in diagnosis.candidates if c.effects == {effects!r})",
+                *_python_effects((*place.diagnosed, *effects), place),
+                f"values = {_numbers(told['kept'])} | candidate.fit.values",
+                _COMPARED,
+            ]
+        case "add":
+            return [f"pam.add({told['effects']!r}, to={place.base!r}, output={told['file']!r}, files=files)"]
+    return []
+
+
+def _python_effects(effects: Sequence[str], place: _Place) -> list[str]:
+    file = place.with_effects(effects)
+    if file is None:
+        return [f"model, files = {place.base!r}, {[str(f) for f in place.files]!r}"]
+    on = list(without_ratios(effects))
+    return [
+        f"files = {[str(f) for f in place.files]!r}",
+        f"pam.add({on!r}, to={place.base!r}, output={file!r}, files=files)",
+        f"model, files = {file!r}, {list(place.further)!r}",
+    ]
+
+
+# commands
+
+
+def commands_of(state: State, base: str, folder: Path, files: Sequence[Path]) -> str:
+    """The study as commands for a shell, from the base model that it began with."""
+    place = _Place(base, tuple(files))
+    data = quote(str(folder))
+    lines = [
+        "#!/bin/sh",
+        f"# {_comment(state.data.title)}: what was done in the workbench, to be done again.",
+        "set -eu",
+        _command("compare", data, place),
+    ]
+    for step in state.steps:
+        lines += ["", f"# {_comment(step)}", *_command_step(step, place, data)]
+    return "\n".join(lines) + "\n"
+
+
+def _command_step(step: Step, place: _Place, data: str) -> list[str]:
+    told = step.arguments
+    match step.do:
+        case "set":
+            place.held |= told["values"]
+            return [_compare(data, place)]
+        case "switch":
+            place.held, place.fitted = dict(told["values"]), ""
+            return [*_command_effects(told["effects"], place), _compare(data, place)]
+        case "choose":
+            place.base, place.held, place.fitted = told["model"], {}, ""
+            return [*_command_effects((), place), _compare(data, place)]
+        case "roles":
+            place.roles |= told["roles"]
+            return [_compare(data, place)]
+        case "fit":
+            place.fits += 1
+            file = f"fit-{place.fits}.json"
+            options = [f"--method {told['method']}", *_free_words(told), f"-o {file}"]
+            place.fitted = file
+            place.held = {n: v for n, v in {**place.held, **told["start"]}.items() if n not in told["free"]}
+            return [_command("fit", data, place, *options), _compare(data, place)]
+        case "diagnose":
+            place.diagnosed = place.effects
+            place.diagnoses += 1
+            words = [f"--{key} {quote(name)}" for key in ("exclude", "expect") for name in told.get(key, ())]
+            limit = [f"--time-limit {quote(str(told['time_limit']))}"] if told.get("time_limit") is not None else []
+            report = f"--report diagnosis-{place.diagnoses}.html"
+            return [_command("diagnose", data, place, *limit, *words, *_free_words(told), report)]
+        case "take":
+            place.held, place.fitted = {**told["kept"], **told["values"]}, ""
+            return [*_command_effects((*place.diagnosed, *told["effects"]), place), _compare(data, place)]
+        case "add":
+            return [_add(told["effects"], told["file"], place)]
+    return []
+
+
+def _free_words(told: Mapping[str, Any]) -> list[str]:
+    free = [f"--free {quote(name)}" for name in told.get("free", ())]
+    return [*free, *(f"--start {quote(f'{name}={value!r}')}" for name, value in told.get("start", {}).items())]
+
+
+def _compare(data: str, place: _Place) -> str:
+    fitted = [f"--params {place.fitted}"] if place.fitted else []
+    return _command("compare", data, place, *fitted, *(f"--set {quote(f'{n}={v!r}')}" for n, v in place.held.items()))
+
+
+def _command(name: str, data: str, place: _Place, *options: str) -> str:
+    model = [f"--model {quote(place.model)}"]
+    further = [f"--file {quote(file)}" for file in place.further]
+    roles = [f"--role {quote(f'{run}={role}')}" for run, role in place.roles.items()]
+    return " ".join(["pam-cosim", name, data, *model, *further, *roles, *options])
+
+
+def _add(effects: Sequence[str], file: str, place: _Place) -> str:
+    further = [f"--file {quote(str(f))}" for f in place.files]
+    return " ".join(["pam-cosim add", *map(quote, effects), f"--to {quote(place.base)}", f"-o {quote(file)}", *further])
+
+
+def _command_effects(effects: Sequence[str], place: _Place) -> list[str]:
+    file = place.with_effects(effects)
+    return [] if file is None else [_add(without_ratios(effects), file, place)]
+
+
+def _numbers(values: Mapping[str, float]) -> str:
+    return "{" + ", ".join(f"{name!r}: {value!r}" for name, value in values.items()) + "}"
+
+
+def _value(value: Any) -> str:
+    return _numbers(value) if isinstance(value, Mapping) else repr(value)
+
+
+def _comment(text: object) -> str:
+    """A text that stays in its line, whatever is in it."""
+    return "".join(c if c.isprintable() else " " for c in str(text))
