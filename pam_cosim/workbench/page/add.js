@@ -7,8 +7,9 @@ export class AddDialog {
     Object.assign(this, { dialog, ask });
   }
 
-  /** `effects`: names of those that are on; `model`: short name of the base model. */
-  open(effects, model) {
+  /** `on`: effects that are on; `missing`: those of the last verdict; `model`: short name of the base model. */
+  open(on, missing, model) {
+    const effects = on.length ? on : missing;
     const close = make("button", { type: "button", onclick: () => this.dialog.close() }, effects.length ? "Cancel" : "Close");
     const heading = make("h2", { id: "add-heading" }, "Write the model with its effects");
     if (!effects.length) {
@@ -17,7 +18,7 @@ export class AddDialog {
       return;
     }
     this.name = make("input", { type: "text", required: true, value: `${model}${effects.join("")}.mo`.replace(/[^\w.]/g, ""), "aria-label": "File" });
-    const form = make("form", { onsubmit: (event) => this.write(event, effects) }, make("p", {}, `${model} with ${effects.join(" and ")}, as a Modelica class in the folder of the data set.`),
+    const form = make("form", { onsubmit: (event) => this.write(event, effects) }, make("p", {}, `${model} with ${effects.join(" and ")}, as a Modelica class in the folder of the data set.${on.length ? "" : " The verdict asks for it; the values are those that were fitted."}`),
       make("label", { class: "line" }, "file", this.name), this.problem = make("p", { class: "caution", hidden: true, role: "alert" }),
       make("p", { class: "buttons" }, close, make("button", { type: "submit", class: "main" }, "Write")));
     this.dialog.replaceChildren(heading, form);

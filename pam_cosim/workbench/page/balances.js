@@ -32,12 +32,14 @@ export class Balances {
   }
 
   course(course) {
-    const charts = course.variables.map((variable) => {
+    const charts = course.against.map((variable) => {
       const canvas = make("canvas", { class: "term", role: "img", "aria-label": `Missing term of the ${course.balance} balance over ${variable.name}` });
-      this.charts.push({ canvas, course, variable });
+      this.charts.push({ canvas, variable });
       return canvas;
     });
-    return make("section", {}, make("h3", {}, `Missing in the ${course.balance.replaceAll("_", " ")} balance`, course.unit ? ` [${course.unit}]` : ""), make("div", { class: "terms" }, charts));
+    const unit = course.unit ? ` [${course.unit}]` : "";
+    return make("section", {}, make("h3", {}, `What is missing in the ${course.balance} balance${unit}`), make("div", { class: "terms" }, charts),
+      make("p", { class: "soft" }, "Dots: instants. Line: means with two standard deviations."));
   }
 
   draw() {
@@ -47,23 +49,24 @@ export class Balances {
   }
 }
 
-function drawTerm({ canvas, course, variable }, colours) {
+function drawTerm({ canvas, variable }, colours) {
   const { g, width, height } = begin(canvas);
   const box = { left: AREA.left, right: width - AREA.right, top: AREA.top, bottom: height - AREA.bottom };
   if (box.right - box.left < 20) return;
-  const low = course.low ?? course.term, high = course.high ?? course.term;
-  const x = scaled(variable.values, box.left, box.right), y = scaled([...low, ...high, 0], box.bottom, box.top);
+  const { points: [xs, ys], at, mean, low, high } = variable;
+  const x = scaled(xs, box.left, box.right), y = scaled([...ys, ...low, ...high, 0], box.bottom, box.top);
   axis(g, x, y, box, variable, colours);
-  Object.assign(g, { strokeStyle: colours.line, fillStyle: colours.model });
-  course.term.forEach((term, i) => {
-    if (!Number.isFinite(term) || !Number.isFinite(variable.values[i])) return;
-    const at = x.to(variable.values[i]);
-    g.beginPath();
-    g.moveTo(at, y.to(low[i]));
-    g.lineTo(at, y.to(high[i]));
-    g.stroke();
+  g.fillStyle = colours.edge;
+  xs.forEach((value, i) => g.fillRect(x.to(value) - 1, y.to(ys[i]) - 1, 2, 2));
+  Object.assign(g, { strokeStyle: colours.model, fillStyle: colours.model, lineWidth: 1.5 });
+  g.beginPath();
+  at.forEach((value, i) => g.lineTo(x.to(value), y.to(mean[i])));
+  at.forEach((value, i) => {
+    g.moveTo(x.to(value), y.to(low[i]));
+    g.lineTo(x.to(value), y.to(high[i]));
   });
-  course.term.forEach((term, i) => Number.isFinite(term) && g.fillRect(x.to(variable.values[i]) - 1.25, y.to(term) - 1.25, 2.5, 2.5));
+  g.stroke();
+  at.forEach((value, i) => g.fillRect(x.to(value) - 2, y.to(mean[i]) - 2, 4, 4));
 }
 
 function scaled(values, from, to) {

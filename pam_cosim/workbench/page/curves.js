@@ -9,6 +9,7 @@ import { followKeys, followPointer } from "./pointer.js";
 import { drawSignal, readOut, scale } from "./signal-chart.js";
 
 const MAP = "Mean of measured − model in the times that are shown, in standard deviations of the noise (σ). Click a cell to light up when the rig was there.";
+const BELOW = "below: measured − model, band ± 2 σ of the noise";
 const KEYS = "Curves. Arrows move, plus and minus zoom, Home shows all runs, Shift and arrows read values.";
 
 export class Curves {
@@ -115,7 +116,7 @@ export class Curves {
       drawSignal(row.canvas, view, row.signal, frames, colours);
       this.selection(row.canvas);
       row.box = plane?.draw(row.map, view, row.signal, colours) ?? null;
-      say(row.readout, this.words(readOut(view, row.signal, frames), row.signal));
+      say(row.readout, this.words(readOut(view, row.signal, frames), row.signal) || (row === this.rows[0] ? BELOW : ""));
     }
     drawAxis(this.axis, view, view.runs.every((run) => run.points) ? "point" : "time [s]", colours);
     document.dispatchEvent(new CustomEvent("drawn", { detail: { version: this.version } }));

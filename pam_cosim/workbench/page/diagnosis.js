@@ -1,42 +1,43 @@
 // The diagnosis: what to leave out of it, what happens, the ranking as it grows, the verdict with its reasons.
 
-import { make, say, table } from "./element.js";
-import { number } from "./numbers.js";
+import { make, say } from "./element.js";
+import { ranking } from "./ranking.js";
 import { verdictParts } from "./verdict.js";
 
-const MOST_LINES = 400;
-const SHOWN = 14; // rows of the ranking before the rest is folded
+const MOST_LINES = 500;
 
 export class Diagnosis {
   constructor(host, ask) {
-    Object.assign(this, { host, ask, candidates: new Map(), lines: 0, busy: false });
+    Object.assign(this, { host, ask, busy: false, running: false });
     this.verdict = make("section", { class: "verdict", hidden: true, "aria-live": "polite" });
     this.ranking = make("section", { hidden: true });
     this.log = make("ol", { class: "log" });
-    this.logSection = make("details", { hidden: true, open: true }, make("summary", {}, "What happened"), this.log);
+    this.logSection = make("details", { hidden: true }, make("summary", {}, "What happened, line by line"), this.log);
     this.after = make("div", {});
+    this.checked = make("section", { hidden: true });
     this.options = this.form();
-    host.append(this.verdict, this.options, this.ranking, this.after, this.logSection);
+    host.append(this.verdict, this.options, this.checked, this.ranking, this.after, this.logSection);
   }
 
   form() {
-    this.limit = make("input", { type: "number", min: "0", step: "any", size: 5, placeholder: "none", "aria-label": "Time limit in minutes" });
+    this.limit = make("input", { type: "number", min: "0", step: "any", placeholder: "none", "aria-label": "Time limit in minutes" });
     this.exclude = make("div", { class: "families" });
     this.expect = make("div", { class: "families" });
+    this.check = make("button", { type: "button", onclick: () => this.ask("check") }, "Check");
     return make("details", { class: "options", open: true }, make("summary", {}, "Before a diagnosis"),
-      make("p", {}, "Diagnose refits the model, tries every effect of the catalogue beside it, and says which one the data ask for, or that nothing is missing, or that the catalogue does not hold it."),
+      make("p", {}, "Diagnose refits the model, tries every effect of the catalogue beside it, and says which one the data ask for, that nothing is missing, or that the catalogue does not hold it. It goes on when this page is closed."),
+      make("p", {}, "Check says first what these data can tell at all. ", this.check),
       make("label", { class: "line" }, "time limit", this.limit, "min"),
       make("details", {}, make("summary", {}, "Known not to be missing"), this.exclude),
       make("details", {}, make("summary", {}, "Likely to be missing"), this.expect));
   }
 
   study(study) {
-    const families = study.families ?? [...new Set((study.effects ?? []).map((e) => e.family))];
-    const key = families.join();
-    if (!families.length || key === this.key) return;
+    const key = (study.families ?? []).join();
+    if (!key || key === this.key) return;
     this.key = key;
     for (const host of [this.exclude, this.expect]) {
-      host.replaceChildren(...families.map((family) => make("label", {}, make("input", { type: "checkbox", value: family }), family.replaceAll("_", " "))));
+      host.replaceChildren(...study.families.map((family) => make("label", {}, make("input", { type: "checkbox", value: family }), family.replaceAll("_", " "))));
     }
   }
 
@@ -48,73 +49,61 @@ export class Diagnosis {
   }
 
   begin() {
-    this.candidates.clear();
-    this.lines = 0;
+    if (this.running) return;
+    this.running = true;
     this.log.replaceChildren();
     this.after.replaceChildren();
+    this.verdict.hidden = true;
     this.options.open = false;
-    Object.assign(this.verdict, { hidden: true });
-    this.drawRanking(true);
+    this.rank({ candidates: [], failed: [], final: false });
+  }
+
+  end() {
+    this.running = false;
+    if (!this.ranked?.candidates.length) this.ranking.hidden = true;
+    else this.rank(this.ranked);
   }
 
   message(line) {
     this.logSection.hidden = false;
-    this.log.append(make("li", { class: line.detail || line.kind === "detail" ? "detail" : "" }, line.text));
-    if (++this.lines > MOST_LINES) this.log.firstChild.remove();
+    this.log.append(make("li", { class: line.kind }, line.text));
+    if (this.log.childElementCount > MOST_LINES) this.log.firstChild.remove();
+    this.log.scrollTop = this.log.scrollHeight;
   }
 
   candidate(c) {
-    this.candidates.set(c.effects.join(" + "), c);
-    this.drawRanking(true);
+    this.latest = c.effects.join(" + ");
   }
 
-  take(ranking) {
-    this.candidates = new Map(ranking.candidates.map((c) => [c.effects.join(" + "), { ...c, state: c.failure ? "failed" : "fitted", reason: c.failure }]));
-    this.drawRanking(false);
-  }
-
-  drawRanking(running) {
-    const all = [...this.candidates.values()];
-    this.ranking.hidden = !running && !all.length;
-    const order = (c) => ({ fitted: 0, trying: 1, failed: 2 })[c.state ?? "fitted"];
-    if (running) all.sort((a, b) => order(a) - order(b) || (a.delta_bic ?? 0) - (b.delta_bic ?? 0));
-    const rows = all.map((c) => this.row(c, running));
-    const body = (part) => make("table", { class: "ranking" }, ranks(), make("tbody", {}, part));
-    const title = make("h2", {}, running ? "Effects as they are tried" : "Which effects explain it");
-    const waiting = running && !all.length ? make("p", { class: "soft" }, "The base model is fitted first.") : "";
-    const rest = rows.slice(SHOWN);
-    this.ranking.replaceChildren(title, waiting, rows.length ? body(rows.slice(0, SHOWN)) : "",
-      rest.length ? make("details", {}, make("summary", {}, `${rest.length} more, with less evidence`), body(rest)) : "",
-      rows.length ? make("p", { class: "soft" }, "Δ BIC: the evidence against the base model; negative is better, below −10 is very strong.") : "");
-  }
-
-  row(c, running) {
-    const bar = make("meter", { min: 0, max: 1, "aria-label": "error explained" });
-    bar.value = Math.max(0, Math.min(1, c.explained ?? 0));
-    const share = c.state === "trying" ? "…" : c.state === "failed" ? "failed" : `${Math.round(100 * (c.explained ?? 0))} %`;
-    const name = c.effects.join(" + ");
-    const use = running || c.state === "failed" || !c.effects.length ? "" : make("button", { type: "button", disabled: this.busy, onclick: () => this.ask("take", { candidate: c.effects }), "aria-label": `Take ${name} into the model` }, "Take");
-    return make("tr", { class: c.added ? "added" : c.state === "failed" ? "failed" : "", title: c.reason ?? (c.own ?? []).join("\n") },
-      make("td", {}, make("b", {}, name), make("small", {}, `${(c.family ?? "").replaceAll("_", " ")}${c.balance ? `, ${c.balance.replaceAll("_", " ")} balance` : ""}`)),
-      make("td", { class: "n" }, bar, make("span", { class: "share" }, share)),
-      make("td", { class: "n" }, number(c.delta_bic)), make("td", { class: "n" }, c.chi2 ?? ""), make("td", { class: "n" }, c.holdout ?? ""), make("td", {}, use));
+  rank(ranked) {
+    this.ranked = ranked;
+    this.ranking.hidden = !this.running && !ranked.candidates.length;
+    this.ranking.replaceChildren(...ranking(ranked, { running: this.running, latest: this.latest, busy: this.busy, take: (number) => this.ask("take", { candidate: number }) }));
   }
 
   show(verdict) {
     this.verdict.hidden = false;
     this.verdict.className = `verdict ${verdict.kind}`;
-    const { head, rest } = verdictParts(verdict);
+    const { head, rest } = verdictParts(verdict, () => this.ask("take", { candidate: verdict.effects }), () => this.ask("add", { learned: true }));
     this.verdict.replaceChildren(...head);
     this.after.replaceChildren(...rest);
     this.options.open = false;
-    this.logSection.open = false;
+  }
+
+  told(checked) {
+    this.checked.hidden = false;
+    this.checked.replaceChildren(make("h2", {}, "What these data can tell"), make("pre", {}, checked.text));
+    this.options.open = false;
+  }
+
+  forget() {
+    this.ranked = null;
+    this.verdict.hidden = this.ranking.hidden = true;
+    this.after.replaceChildren();
   }
 
   lock(busy) {
     this.busy = busy;
-    for (const control of this.host.querySelectorAll(".options input, .ranking button")) control.disabled = busy;
+    for (const control of this.host.querySelectorAll(".options input, .options button, .ranking button, .verdict button")) control.disabled = busy;
   }
 }
-
-const ranks = () => make("thead", {}, make("tr", {}, make("th", {}, "effects in the model"), make("th", { class: "n" }, "error explained"),
-  make("th", { class: "n" }, "Δ BIC"), make("th", { class: "n" }, "χ² fit"), make("th", { class: "n" }, "χ² held out"), make("th", {}, "")));

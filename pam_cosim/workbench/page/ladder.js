@@ -5,7 +5,9 @@ import { make, say } from "./element.js";
 import { number } from "./numbers.js";
 import { palette } from "./palette.js";
 
-const WIDEST = 46; // px, of a bar
+const WIDEST = 150; // px, of a step
+const LONGEST = 44; // px, of a rung
+const LOWEST = 0.75; // of the smallest error, where the scale begins
 const ROLES = ["fit", "holdout"];
 const WORDS = { fit: "fitted runs", holdout: "held out" };
 
@@ -51,7 +53,7 @@ export class Ladder {
         say(figures[role], score ? `${WORDS[role]} ${score.text}` : "");
       }
       say(figures.noise, signal.noise ? `noise ${signal.noise_text}` : "");
-      drawBars(canvas, this.scores.ladder, signal, colours);
+      drawRungs(canvas, this.scores.ladder ?? [], signal, colours);
     });
   }
 }
@@ -63,58 +65,46 @@ function panel(signal) {
   return { element: make("div", { class: "rungs" }, head, canvas), canvas, figures };
 }
 
-function drawBars(canvas, rungs, signal, colours) {
+/** The rungs on a logarithmic scale, so that a fall to the noise is seen from however far it comes. */
+function drawRungs(canvas, rungs, signal, colours) {
   const { g, width, height } = begin(canvas);
-  if (!rungs?.length) return;
-  const base = height - 16, top = 16;
-  const values = rungs.flatMap((rung) => ROLES.map((role) => error(rung, role, signal))).filter(Number.isFinite);
-  const most = Math.max(...values, 1.15 * (signal.noise ?? 0), 1e-12);
-  const y = (value) => base - (value / most) * (base - top);
-  const step = width / Math.max(rungs.length, 2.5);
-  const bar = Math.min(WIDEST, (step - 12) / 2);
-  g.fillStyle = colours.line;
-  g.fillRect(0, base, width, 1);
+  const known = rungs.flatMap((rung) => ROLES.map((role) => error(rung, role, signal))).filter((value) => value > 0);
+  if (!known.length) return;
+  const noise = signal.noise > 0 ? signal.noise : null;
+  const low = Math.log(LOWEST * Math.min(...known, noise ?? Infinity)), high = Math.log(Math.max(...known, noise ?? 0));
+  const base = height - 15;
+  const y = (value) => Math.round(base - ((Math.log(value) - low) / (high - low || 1)) * (base - 16));
+  if (noise) noiseLine(g, y(noise) + 0.5, width, colours);
+  const step = Math.min(width / rungs.length, WIDEST), long = Math.min(LONGEST, (step - 14) / 2);
   rungs.forEach((rung, i) => {
-    const roles = ROLES.filter((role) => Number.isFinite(error(rung, role, signal)));
-    const colour = i === 0 ? colours.before : colours.model;
-    roles.forEach((role, k) => {
-      const value = error(rung, role, signal), x = i * step + 4 + k * (bar + 2);
-      paintBar(g, x, y(value), bar, base, colour, role === "holdout");
-      text(g, number(value), x + bar / 2, y(value) - 3, colours.ink, { align: "center", size: bar < 30 ? 9 : 10 });
+    const colour = i === 0 && rungs.length > 1 ? colours.before : colours.model;
+    ROLES.forEach((role, k) => {
+      const value = error(rung, role, signal), x = i * step + k * (long + 5);
+      if (!(value > 0)) return;
+      drawRung(g, x, y(value), long, colour, role === "holdout");
+      text(g, number(value), x + long / 2, y(value) - 5, i === rungs.length - 1 ? colours.ink : colours.soft, { align: "center", size: 10 });
     });
-    text(g, shortened(g, rung.label, step - 6), i * step + 4, height - 3, colours.soft, { size: 10 });
+    text(g, shortened(g, rung.label, step - 8), i * step, height - 2, colours.soft, { size: 10 });
   });
-  noiseLine(g, signal.noise ? y(signal.noise) : null, width, colours);
+}
+
+function drawRung(g, x, y, long, colour, hollow) {
+  Object.assign(g, { fillStyle: colour, strokeStyle: colour, lineWidth: 1 });
+  if (hollow) g.strokeRect(x + 0.5, y - 1.5, long - 1, 4);
+  else g.fillRect(x, y - 2, long, 5);
 }
 
 const error = (rung, role, signal) => rung[role]?.[signal.name]?.rms;
 
-function paintBar(g, x, top, width, base, colour, hollow) {
-  Object.assign(g, { fillStyle: colour, strokeStyle: colour, lineWidth: 1 });
-  if (!hollow) return g.fillRect(x, top, width, base - top);
-  g.save();
-  g.beginPath();
-  g.rect(x, top, width, base - top);
-  g.clip();
-  g.beginPath();
-  for (let d = -(base - top); d < width; d += 5) {
-    g.moveTo(x + d, base);
-    g.lineTo(x + d + (base - top), top);
-  }
-  g.stroke();
-  g.restore();
-  return g.strokeRect(x + 0.5, top + 0.5, width - 1, Math.max(base - top - 1, 0));
-}
-
 function noiseLine(g, y, width, colours) {
-  if (y === null) return;
-  g.strokeStyle = colours.ink;
+  Object.assign(g, { strokeStyle: colours.ink, lineWidth: 1 });
   g.setLineDash([3, 2]);
   g.beginPath();
-  g.moveTo(0, Math.round(y) + 0.5);
-  g.lineTo(width, Math.round(y) + 0.5);
+  g.moveTo(0, y);
+  g.lineTo(width, y);
   g.stroke();
   g.setLineDash([]);
+  text(g, "noise", width, y - 3, colours.soft, { align: "right", size: 10 });
 }
 
 function shortened(g, words, room) {

@@ -18,12 +18,15 @@ import { theme } from "./theme.js";
 import { View } from "./view.js";
 
 const view = new View();
-let study = null, busy = null, connected = false;
+const NAMES = { fit: "The fit", diagnose: "The diagnosis", check: "The check" };
+const ENDS = { done: "is done", stopped: "was ended", failed: "has failed" };
+let study = null, busy = null, verdict = null, connected = false;
 
 /** Sends a command; what is wrong is said at the top, or to `failed`. The answer, or null. */
 async function ask(what, values = {}, failed = alert) {
   try {
     const answer = await connection.ask(what, values);
+    if (byId("alert").dataset.of === "command") byId("alert").hidden = true;
     return answer ?? {};
   } catch (problem) {
     failed(problem);
@@ -72,22 +75,23 @@ const hear = {
     parts.ladder.show(event);
     parts.runs.show(event);
     parts.parameters.values(event.values);
-    for (const { run, text } of event.failed ?? []) alert({ text: `${run}: ${text}` });
+    for (const { run, text } of event.failed ?? []) alert({ text: `${run}: ${text}`, run });
     if (!event.failed?.length && byId("alert").dataset.of === "run") byId("alert").hidden = true;
   },
   where: (event) => parts.rules.show(event),
   busy(event) {
-    busy = { ...event, since: performance.now() };
-    if (event.what === "diagnose") {
+    busy = event;
+    if (event.what === "diagnose" && !event.held) {
+      if (!parts.diagnosis.running) showTab("diagnosis");
       parts.diagnosis.begin();
-      showTab("diagnosis");
     }
-    status(event.text);
+    status(event.held ? `Stopped: ${event.text}. Resume lets it go on, End gives it up.` : event.text);
     lock();
   },
   idle(event) {
     busy = null;
-    status(event.text ?? "Ready");
+    if (event.what === "diagnose") parts.diagnosis.end();
+    status(ENDS[event.end] ? `${NAMES[event.what] ?? event.what} ${ENDS[event.end]} after ${event.seconds < 60 ? `${event.seconds.toFixed(1)} s` : `${clock(event.seconds)} min`}` : "Ready");
     lock();
   },
   progress(event) {
@@ -96,12 +100,17 @@ const hear = {
   },
   message(event) {
     if (busy?.what !== "fit") parts.diagnosis.message(event);
-    status(event.text);
+    if (busy && !busy.held) status(event.text);
   },
   candidate: (event) => parts.diagnosis.candidate(event),
-  ranking: (event) => parts.diagnosis.take(event),
+  ranking: (event) => parts.diagnosis.rank(event),
   verdict(event) {
+    verdict = event;
     parts.diagnosis.show(event);
+  },
+  checked(event) {
+    parts.diagnosis.told(event);
+    showTab("diagnosis");
   },
   ledger: (event) => parts.balances.show(event),
   added(event) {
@@ -136,7 +145,7 @@ const connection = new Connection(
 function alert(problem) {
   const place = [problem.file, problem.line ? `line ${problem.line}` : "", problem.column ? `column ${problem.column}` : ""].filter(Boolean).join(", ");
   say(byId("alert-text"), [place, problem.text].filter(Boolean).join(": "));
-  byId("alert").hidden = false;
+  Object.assign(byId("alert"), { hidden: false }).dataset.of = problem.run ? "run" : "command";
 }
 
 function status(text) {
@@ -147,7 +156,9 @@ function lock() {
   const held = Boolean(busy) || !connected;
   for (const id of ["fit", "diagnose", "add", "undo", "save"]) byId(id).disabled = held || !study;
   byId("undo").disabled ||= byId("undo").dataset.none === "true";
-  byId("stop").disabled = !busy;
+  say(byId("stop"), busy?.held ? "Resume" : "Stop");
+  byId("stop").disabled = !busy || !connected;
+  byId("discard").hidden = !busy?.held;
   for (const part of [parts.parameters, parts.effects, parts.diagnosis]) part.lock(held);
   document.body.classList.toggle("busy", Boolean(busy));
 }
@@ -155,13 +166,14 @@ function lock() {
 function legend() {
   const before = parts.curves.frames.reference;
   const entry = (name, words) => make("span", { class: `key ${name}` }, words);
-  byId("legend").replaceChildren(entry("measured", "measured"), entry("model", "model"), before ? entry("before", parts.curves.label || "before") : "", make("span", {}, "below: measured − model, ± 2 σ"));
+  byId("legend").replaceChildren(entry("measured", "measured"), entry("model", "model"), before ? entry("before", parts.curves.label || "before") : "");
 }
 
 byId("fit").addEventListener("click", () => ask("fit", { method: parts.parameters.fitBy?.value ?? "least-squares", free: parts.parameters.free() }));
 byId("diagnose").addEventListener("click", () => ask("diagnose", parts.diagnosis.wishes()));
-byId("stop").addEventListener("click", () => ask("stop"));
-byId("add").addEventListener("click", () => parts.add.open(parts.effects.on(), study.model.split(".").at(-1)));
+byId("stop").addEventListener("click", () => ask(busy?.held ? "resume" : "stop"));
+byId("discard").addEventListener("click", () => ask("discard"));
+byId("add").addEventListener("click", () => parts.add.open(parts.effects.on(), verdict?.effects ?? [], study.model.split(".").at(-1)));
 byId("undo").addEventListener("click", () => ask("undo"));
 byId("save").addEventListener("click", () => ask("save"));
 byId("whole").addEventListener("click", () => view.whole());
@@ -171,4 +183,4 @@ theme(byId("theme"), () => {
   parts.ladder.theme();
   parts.balances.draw();
 });
-setInterval(() => say(byId("status-time"), busy ? clock((performance.now() - busy.since) / 1000) : ""), 500);
+setInterval(() => say(byId("status-time"), busy && !busy.held ? clock(Math.max(0, Date.now() / 1000 - busy.began)) : ""), 500);

@@ -4,13 +4,15 @@ import { make } from "./element.js";
 import { number, plain } from "./numbers.js";
 
 const STEPS = 1000; // of a slider
+const DIGITS = 4; // of a value that is dragged
+const SMALL = 0.05; // of a range from zero, below which a slider moves by the cube root
 const USUAL = "least-squares";
 const DECADES = 1.3; // of the bounds, from which on a slider moves by order of magnitude
 
 export class Parameters {
   /** `set(values)` sends values, `ask` commands. */
   constructor(host, set, ask) {
-    Object.assign(this, { host, set, ask, rows: new Map(), busy: false });
+    Object.assign(this, { host, set, ask, rows: new Map(), held: new Set(), busy: false });
   }
 
   study(study) {
@@ -25,18 +27,16 @@ export class Parameters {
 
   build(study) {
     this.rows.clear();
-    const free = study.parameters.filter((p) => p.free), held = study.parameters.filter((p) => !p.free);
-    const rows = (list) => list.map((p) => {
-      const row = new Row(p, this.set, this.ask);
+    const rows = study.parameters.map((p) => {
+      const row = new Row(p, this.set, !this.held.has(p.name), (free) => (free ? this.held.delete(p.name) : this.held.add(p.name)));
       this.rows.set(p.name, row);
       return row.element;
     });
-    const further = make("details", { hidden: !held.length }, make("summary", {}, `${held.length} more, held`), rows(held));
     this.reset = make("button", { type: "button", onclick: () => this.ask("reset", { names: [...this.rows.keys()] }) }, "Reset");
     this.host.replaceChildren(
       make("h2", {}, "Model"), this.bench(study), this.method(study),
       make("div", { class: "head" }, make("h2", {}, "Parameters"), this.reset),
-      study.parameters.length ? make("div", { class: "parameters" }, rows(free), further)
+      study.parameters.length ? make("div", { class: "parameters" }, rows)
         : make("p", { class: "soft" }, "No parameter is free: name some under [fit] in experiment.toml."));
   }
 
@@ -70,17 +70,16 @@ export class Parameters {
 }
 
 class Row {
-  constructor(p, set, ask) {
+  constructor(p, set, free, choose) {
     Object.assign(this, { p, set });
     const label = `${p.name}${p.unit ? `, ${p.unit}` : ""}`;
-    this.fitted = make("input", { type: "checkbox", checked: p.free, title: "A fit may move it", "aria-label": `A fit may move ${p.name}` });
+    this.fitted = make("input", { type: "checkbox", checked: free, onchange: () => choose(this.fitted.checked), title: "A fit may move it", "aria-label": `A fit may move ${p.name}` });
     this.number = make("input", { type: "number", step: "any", "aria-label": label, onchange: () => this.typed() });
     this.slider = make("input", { type: "range", min: "0", max: String(STEPS), step: "1", "aria-label": label, "data-parameter": p.name, oninput: () => this.dragged() });
     this.band = make("div", { class: "interval" });
     this.note = make("p", { class: "note" });
     this.element = make("div", { class: "parameter", title: p.description ?? "" },
-      make("div", { class: "parameter-head" }, make("label", {}, this.fitted, make("code", {}, p.name)),
-        p.effect ? make("small", { class: "soft" }, p.effect) : "", this.number, make("span", { class: "unit" }, p.unit)),
+      make("div", { class: "parameter-head" }, make("label", {}, this.fitted, make("span", {}, make("code", {}, p.name), p.effect ? make("small", {}, p.effect) : "")), this.number, make("span", { class: "unit" }, p.unit)),
       make("div", { class: "track" }, this.band, this.slider), this.note);
     this.take(p);
   }
@@ -89,6 +88,7 @@ class Row {
     this.p = p;
     const room = p.low > 0 && Math.log10(p.high / p.low) > DECADES;
     this.logarithmic = p.logarithmic ?? room;
+    if (p.low === 0 && p.value > 0) this.power ??= p.value < SMALL * p.high ? 3 : 1;
     this.move(p.value);
     const known = Number.isFinite(p.low95) && Number.isFinite(p.high95) && p.low95 !== null && p.high95 !== null;
     this.band.hidden = !known;
@@ -103,7 +103,7 @@ class Row {
   }
 
   move(value) {
-    if (document.activeElement !== this.number) this.number.value = plain(value);
+    if (document.activeElement !== this.number) this.number.value = plain(value, DIGITS);
     if (!this.held) this.slider.value = String(Math.round(STEPS * this.share(value)));
     this.slider.setAttribute("aria-valuetext", `${number(value)} ${this.p.unit}`.trim());
   }
@@ -113,8 +113,8 @@ class Row {
     clearTimeout(this.release);
     this.release = setTimeout(() => (this.held = false), 300);
     const value = this.at(Number(this.slider.value) / STEPS);
-    this.number.value = plain(value);
-    this.set({ [this.p.name]: Number(plain(value)) });
+    this.number.value = plain(value, DIGITS);
+    this.set({ [this.p.name]: Number(plain(value, DIGITS)) });
   }
 
   typed() {
@@ -124,11 +124,11 @@ class Row {
 
   share(value) {
     const { low, high } = this.p;
-    return this.logarithmic ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low);
+    return this.logarithmic ? Math.log(value / low) / Math.log(high / low) : Math.max(0, (value - low) / (high - low)) ** (1 / (this.power ?? 1));
   }
 
   at(share) {
     const { low, high } = this.p;
-    return this.logarithmic ? low * (high / low) ** share : low + share * (high - low);
+    return this.logarithmic ? low * (high / low) ** share : low + share ** (this.power ?? 1) * (high - low);
   }
 }

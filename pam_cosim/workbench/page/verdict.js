@@ -2,12 +2,15 @@
 
 import { make, table } from "./element.js";
 
-/** The head of a verdict and what stands below the ranking. */
-export function verdictParts(v) {
+/**
+ * The head of a verdict and what stands below the ranking; `take()` makes what it found the model, `addLearned()` writes the learned
+ * formula. */
+export function verdictParts(v, take, addLearned) {
   const said = (text, tag = "p", properties = {}) => (text ? make(tag, properties, text) : "");
-  const head = [said(v.kind_name, "p", { class: "kind" }), said(v.headline, "h2"), said(v.error), said(v.probability), said([v.reason, v.compared].filter(Boolean).join(" ")),
-    ...(v.doubts ?? []).map((doubt) => said(`Look first: ${doubt}`, "p", { class: "caution" })), said(v.not_tried, "p", { class: "soft" })];
-  return { head: head.filter(Boolean), rest: [summary(v), parameters(v), meaning(v), next(v.next), learned(v.learned), missing(v.missing_term)].filter(Boolean) };
+  const head = [said(v.kind_name, "p", { class: "kind" }), said(v.headline || v.families?.join(" and "), "h2"), said(v.instrument), said(v.error), said(v.probability), said([v.reason, v.compared].filter(Boolean).join(" ")),
+    ...(v.doubts ?? []).map((doubt) => said(`Look first: ${doubt}`, "p", { class: "caution" })), said(v.not_tried, "p", { class: "soft" }),
+    v.effects?.length && v.complete ? make("p", {}, make("button", { type: "button", class: "main", onclick: take }, `Take ${v.effects.join(" and ")} into the model`)) : ""];
+  return { head: head.filter(Boolean), rest: [summary(v), parameters(v), meaning(v), next(v.next), learned(v.learned, addLearned), missing(v.missing)].filter(Boolean) };
 }
 
 function summary(v) {
@@ -38,13 +41,14 @@ function next(plan) {
       plan.left_out ? make("p", { class: "soft" }, `${plan.left_out} more rows are in the file.`) : "")] : "");
 }
 
-function learned(term) {
+function learned(term, add) {
   if (!term) return null;
   const rows = term.rows.map((s) => [s.name, s.role, s.before, s.after, s.noise]);
   const beside = term.beside ? `It stands beside ${term.beside}. ` : "";
   return make("section", {}, make("h2", {}, "What is missing, described"), make("pre", { class: "formula" }, make("code", {}, term.formula)),
     make("p", {}, `${beside}It explains ${term.score} of the missing term of the ${term.balance} balance in runs that were not asked for it, ${term.fit_score} in those that were.`),
     make("p", { class: "caution" }, term.caution), table(["signal", "runs", "#before", "#with the formula", "#noise"], rows),
+    make("p", {}, make("button", { type: "button", onclick: add }, `Write ${term.name}.mo`)),
     make("details", {}, make("summary", {}, `Modelica text of ${term.name}`), make("pre", {}, make("code", {}, term.source))));
 }
 

@@ -1,0 +1,101 @@
+"""The real command with its server, and a real browser in front of it."""
+
+from __future__ import annotations
+
+import re
+import signal
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from urllib.parse import urlsplit
+
+import pytest
+
+from rig.named import effect_of
+from rig.short import write_light_data
+from tests.workbench.browser.chromium import MISSING, chromium
+
+sync_api = pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
+Browser, BrowserContext, Page = sync_api.Browser, sync_api.BrowserContext, sync_api.Page
+
+PATIENCE = 30_000  # ms, on a machine that does other things too
+ADDRESS = re.compile(r"http://127\.0\.0\.1:\d+/\?token=\S+")
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """A skip that nobody overlooks."""
+    if chromium() is None:
+        terminalreporter.section("browser", sep="!", red=True)
+        terminalreporter.line(MISSING)
+
+
+@contextmanager
+def serving(folder: Path, *further: str) -> Iterator[str]:
+    """The address of ``pam-cosim workbench`` on a folder, for as long as it runs."""
+    command = [sys.executable, "-m", "pam_cosim", "workbench", str(folder), "--no-browser", *further]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as server:
+        told = []
+        assert server.stdout is not None
+        try:
+            for line in server.stdout:
+                told.append(line)
+                found = ADDRESS.search(line)
+                if found:
+                    yield found.group()
+                    break
+            else:
+                pytest.fail("the workbench did not start:\n" + "".join(told))
+        finally:
+            server.send_signal(signal.SIGINT)
+            try:
+                server.wait(20)
+            except subprocess.TimeoutExpired:
+                server.kill()
+                raise
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    """A Chromium that is installed; none is downloaded."""
+    program = chromium()
+    if program is None:
+        pytest.skip(MISSING)
+    with sync_api.sync_playwright() as playwright:
+        running = playwright.chromium.launch(executable_path=program, args=["--no-sandbox"])
+        yield running
+        running.close()
+
+
+@pytest.fixture(scope="session")
+def muscle(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Two short runs of the independent rig, one to fit and one held out; its bladder is elastic, its model's is not."""
+    folder: Path = tmp_path_factory.mktemp("data") / "muscle"
+    return write_light_data(folder, [effect_of("elasticity:linear")], seed=1)
+
+
+@pytest.fixture
+def opened(browser: Browser) -> Iterator[Callable[..., Page]]:
+    """Opens addresses in windows; at the end none of them may have failed, or have asked for anything from outside."""
+    context: BrowserContext = browser.new_context(viewport={"width": 1280, "height": 800}, accept_downloads=True)
+    context.set_default_timeout(PATIENCE)
+    wrong: list[str] = []
+
+    def outside(address: str) -> None:
+        if urlsplit(address).hostname != "127.0.0.1" and urlsplit(address).scheme not in ("data", "blob"):
+            wrong.append(f"asked for {address}")
+
+    def open_page(address: str, wait: str = "#ladder .fit:not(:empty)") -> Page:
+        page = context.new_page()
+        page.on("request", lambda request: outside(request.url))
+        page.on("websocket", lambda socket: outside(socket.url))
+        page.on("pageerror", lambda error: wrong.append(f"script: {error}"))
+        page.on("console", lambda line: wrong.append(f"console: {line.text}") if line.type == "error" else None)
+        page.goto(address)
+        page.wait_for_selector(wait)
+        return page
+
+    yield open_page
+    context.close()
+    assert wrong == []

@@ -1,0 +1,67 @@
+"""From a measurement with a hidden effect to the error at the noise, and the same numbers when it is loaded again."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.workbench.browser.conftest import serving
+from tests.workbench.browser.looking import error, noise, quiet, until
+
+LONG = 900.0  # s, for a diagnosis on a machine that does other things too
+
+
+@pytest.mark.full
+def test_a_study_from_the_first_look_to_the_saved_file(
+    opened: Callable[..., Any], muscle: Path, tmp_path: Path
+) -> None:
+    folder = shutil.copytree(muscle, tmp_path / "rig")
+    with serving(folder) as address:
+        page = opened(address)
+        page.locator("#fit").click()
+        until(page, lambda: "fit is done" in page.locator("#status").inner_text())
+        before = error(page, "x", "holdout")
+        assert before > 2 * noise(page, "x")
+
+        page.locator("#diagnose").click()
+        until(page, lambda: page.locator(".ranking tbody tr").count() > 0, LONG)
+        page.close()  # it goes on without a window
+        page = opened(address)
+        until(page, lambda: page.locator(".verdict h2").count() > 0 and page.locator("#stop").is_disabled(), LONG)
+        page.locator("#tab-diagnosis").click()
+        assert "elasticity" in page.locator(".verdict h2").inner_text()
+        assert "Probability" in page.locator(".verdict").inner_text()
+        assert page.locator(".ranking tbody tr").count() >= 3
+        page.locator("#tab-balances").click()
+        assert "force balance" in page.locator("#balances").inner_text()
+
+        page.locator("#tab-diagnosis").click()
+        page.locator(".verdict button").click()
+        until(page, lambda: page.locator(".effect.on").count() == 1)
+        until(page, lambda: error(page, "x", "holdout") < 1.15 * noise(page, "x"))
+        page.locator("#add").click()
+        page.locator("#add-dialog").get_by_role("button", name="Write").click()
+        page.locator("#add-dialog pre").wait_for()
+        page.locator("#add-dialog").get_by_role("button", name="Close").click()
+        assert list(folder.glob("*.mo"))
+
+        page.locator("#save").click()
+        until(page, lambda: page.locator("#save").inner_text() == "Saved")
+        shown = page.locator("#ladder").inner_text(), page.locator("#parameters").inner_text()
+        page.close()
+    with serving(folder) as address:
+        page = opened(address)
+        page.locator("#tab-study").click()
+        if page.locator(".effect.on").count() == 0:
+            page.get_by_role("button", name="Load what was saved").click()
+        until(page, lambda: page.locator(".effect.on").count() == 1)
+        quiet(page)
+        until(
+            page,
+            lambda: bool((page.locator("#ladder").inner_text(), page.locator("#parameters").inner_text()) == shown),
+        )
+        page.close()

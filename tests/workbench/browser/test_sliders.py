@@ -1,0 +1,105 @@
+"""A slider moves the curves and the error; zoom and rules show where."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.workbench.browser.conftest import serving
+from tests.workbench.browser.looking import drag, error, picture, until
+
+Open = Callable[..., Any]
+
+
+@pytest.fixture(scope="module")
+def address(muscle: Path) -> Iterator[str]:
+    with serving(muscle) as told:
+        yield told
+
+
+def test_a_slider_moves_curve_and_error(opened: Open, address: str) -> None:
+    page = opened(address)
+    before, curve = error(page, "p"), picture(page)
+    drag(page, "valve.C_A", 0.95)
+    until(page, lambda: error(page, "p") > 1.5 * before)
+    assert picture(page) != curve
+    assert float(page.locator('input[type=number][aria-label="valve.C_A"]').input_value()) == pytest.approx(
+        0.88, abs=0.005
+    )
+
+
+def test_undo_takes_the_value_back(opened: Open, address: str) -> None:
+    page = opened(address)
+    page.get_by_role("button", name="Reset").click()
+    page.wait_for_timeout(500)
+    before = error(page, "p")
+    drag(page, "valve.C_A", 0.1)
+    until(page, lambda: error(page, "p") != before)
+    page.get_by_role("button", name="Undo").click()
+    until(page, lambda: error(page, "p") == before)
+
+
+def test_a_second_window_shows_the_same(opened: Open, address: str) -> None:
+    first, second = opened(address), opened(address)
+    drag(first, "valve.C_A", 0.3)
+    first.wait_for_timeout(1000)
+    text = first.locator("#ladder").inner_text()
+    until(second, lambda: bool(second.locator("#ladder").inner_text() == text))
+    assert (
+        second.locator("input[type=range]").first.input_value()
+        == first.locator("input[type=range]").first.input_value()
+    )
+
+
+def test_charts_zoom_together_and_a_rule_lights_up_its_times(opened: Open, address: str) -> None:
+    page = opened(address)
+    whole = [picture(page, i) for i in range(3)]
+    page.locator(".stack").focus()
+    for key in ("+", "+", "ArrowRight"):
+        page.keyboard.press(key)
+    page.wait_for_timeout(200)
+    assert all(picture(page, i) != whole[i] for i in range(3))
+    page.keyboard.press("Home")
+    page.wait_for_timeout(200)
+    assert [picture(page, i) for i in range(3)] == whole
+    rule = page.locator(".rules button").first
+    rule.click()
+    page.wait_for_timeout(200)
+    assert rule.get_attribute("aria-pressed") == "true"
+    assert all(picture(page, i) != whole[i] for i in range(3))
+
+
+def test_all_can_be_reached_by_keys_and_is_seen(opened: Open, address: str) -> None:
+    """Tab goes through everything that can be pressed; what has the focus is outlined."""
+    page = opened(address)
+    reached, plain = set(), []
+    for _ in range(150):
+        page.keyboard.press("Tab")
+        what, outline = page.evaluate(
+            """() => { const e = document.activeElement; const s = getComputedStyle(e);
+            return [e === document.body ? '' : e.id || e.getAttribute('aria-label') || e.textContent.trim(),
+            s.outlineStyle + s.outlineWidth]; }"""
+        )
+        if not what:
+            break
+        reached.add(what)
+        if outline.startswith("none") or outline.endswith("0px"):
+            plain.append(what)
+    for expected in (
+        "fit",
+        "diagnose",
+        "add",
+        "save",
+        "theme",
+        "tab-curves",
+        "whole",
+        "bench",
+        "run-01",
+        "valve.C_A",
+        "Search effects",
+    ):
+        assert expected in reached, sorted(reached)
+    assert plain == []
