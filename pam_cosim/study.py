@@ -398,6 +398,7 @@ def new(
     columns: Mapping[str, str] | None = None,
     parameters: Mapping[str, Setting] | None = None,
     recording: Mapping[str, object] | None = None,
+    roles: Mapping[str, str] | None = None,
     files: Paths = (),
 ) -> NewDataSet:
     """Writes a data set from recordings as labs have them, and says what was recognised and what was guessed.
@@ -419,13 +420,14 @@ def new(
         columns: names of columns, or formulas, by inputs, outputs or "time".
         parameters: what is known of all runs, with units.
         recording: keys of ``[recording]`` of ``experiment.toml``, as far as files do not show them.
+        roles: "fit" or "holdout", by the names of recordings without their endings.
         files: further Modelica files.
 
     Raises:
         InputError: whatever cannot be used, with file, line and column; nothing is written then.
     """
     stated = {name: str(value) for name, value in (parameters or {}).items()}
-    wishes = Wishes(title, model, columns, stated, recording, muscle)
+    wishes = Wishes(title, model, columns, stated, recording, muscle, roles)
     paths = [Path(one) for one in recordings]
     made = draft(Path(folder), paths, wishes, read_library(files=_paths(files)), _described(files), _paths(files))
     return replace(made, data=read(folder, files=files))

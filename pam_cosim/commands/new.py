@@ -13,7 +13,7 @@ from rich.table import Table
 
 from pam_cosim import study
 from pam_cosim.arguments import parse_pairs
-from pam_cosim.commands.common import FilesOption, ModelOption, say_written
+from pam_cosim.commands.common import FilesOption, ModelOption, RoleOption, say_written
 from pam_cosim.drafting import NewDataSet
 
 
@@ -38,6 +38,7 @@ def new(
         list[str] | None,
         typer.Option("--recording", help='KEY=VALUE of [recording], as "decimal=," or "interval=1 ms".'),
     ] = None,
+    roles: RoleOption = None,
     files: FilesOption = None,
 ) -> None:
     """Write a data set from recordings: columns, bench, roles and noise are recognised, and guesses marked."""
@@ -50,6 +51,7 @@ def new(
         columns=parse_pairs(columns or []),
         parameters=parse_pairs(parameters or []),
         recording=parse_pairs(recording or []),
+        roles=parse_pairs(roles or []),
         files=files or [],
     )
     _tell(made)

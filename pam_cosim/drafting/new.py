@@ -19,7 +19,7 @@ from pam_cosim.drafting.folder import beside, check_place, copy_files, put, read
 from pam_cosim.drafting.mapping import Course, Mapped, map_columns
 from pam_cosim.drafting.noise import Sigma, sigma_of
 from pam_cosim.drafting.rest import is_held, is_switch
-from pam_cosim.drafting.roles import roles
+from pam_cosim.drafting.roles import roles, stated_roles
 from pam_cosim.drafting.telling import NewDataSet, guesses, next_commands, to_check
 from pam_cosim.drafting.wishes import Known, Wishes, known
 from pam_cosim.errors import InputError
@@ -61,7 +61,7 @@ def draft(
         except UnitError as error:
             raise InputError(f"--parameter {error}") from None
         mapped = map_columns(bench.choice, bench.interface, recorded)
-        made = _content(wishes.title or folder.resolve().name, bench, recorded, mapped, copies)
+        made = _content(wishes.title or folder.resolve().name, bench, recorded, mapped, copies, wishes.roles or {})
         (place / FILE_NAME).write_text(document(made), encoding="utf-8", newline="\n")
         data = read_draft(place, dict(zip(copies, files, strict=True)), describe)
         put(place, folder)
@@ -69,7 +69,9 @@ def draft(
     return NewDataSet(folder, data, bench.name, *told, next_commands(folder, extra))
 
 
-def _content(title: str, bench: Bench, recorded: Known, mapped: Mapped, copies: Sequence[str]) -> Draft:
+def _content(
+    title: str, bench: Bench, recorded: Known, mapped: Mapped, copies: Sequence[str], stated: Mapping[str, str]
+) -> Draft:
     """What the file says."""
     interface, choice = bench.interface, bench.choice
     told = _told(bench, recorded, mapped)
@@ -92,7 +94,7 @@ def _content(title: str, bench: Bench, recorded: Known, mapped: Mapped, copies: 
         perhaps=values.perhaps(interface),
         to_state=values.to_state(interface),
         files=copies,
-        roles=roles(mapped.courses, interface, traits),
+        roles=stated_roles(roles(mapped.courses, interface, traits), [file.stem for file in recorded.files], stated),
         told=told,
         interpolation=[_interpolation(course.inputs) for course in mapped.courses],
         resample=_means(mapped.courses),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,8 +11,11 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.mapping import Course
 from pam_cosim.drafting.rest import is_constant, span
+from pam_cosim.errors import InputError
 from pam_cosim.interface import Interface
+from pam_cosim.measurement import ROLES
 from pam_cosim.units import format_quantity
+from pam_cosim.wording import did_you_mean, shown
 
 _C = CRITERIA.recognition
 
@@ -102,6 +105,23 @@ def _apart(scaled: Array, left: Sequence[int], one: int) -> float:
     """Distance to the nearest other."""
     others = scaled[[i for i in left if i != one]]
     return float(np.min(np.sqrt(np.sum((others - scaled[one]) ** 2, axis=1))))
+
+
+def stated_roles(guessed: Sequence[Role], names: Sequence[str], stated: Mapping[str, str]) -> list[Role]:
+    """The roles, those by name that the user states instead of guesses.
+
+    Raises:
+        InputError: there is no such recording or role, or none would be left to fit.
+    """
+    for name, role in stated.items():
+        if name not in names:
+            raise InputError(f"there is no recording {shown(name)}; {did_you_mean(name, names)}")
+        if role not in ROLES:
+            raise InputError(f"{shown(role)} is no role of a recording; it is one of {', '.join(ROLES)}")
+    made = [Role(stated[n]) if n in stated else one for n, one in zip(names, guessed, strict=True)]
+    if not any(one.role == "fit" for one in made):
+        raise InputError("no recording would be left to fit")
+    return made
 
 
 def _why(traits: Sequence[_Trait], scaled: Array, left: Sequence[int], one: int, outside: float) -> str:

@@ -25,6 +25,7 @@ class Wishes:
     parameters: Mapping[str, str] | None = None
     recording: Mapping[str, object] | None = None
     muscle: str | None = None
+    roles: Mapping[str, str] | None = None
 
 
 @dataclass(frozen=True)

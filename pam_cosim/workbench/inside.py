@@ -11,6 +11,19 @@ from pam_cosim.wording import shown
 _NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_. ()+-]{0,99}")
 
 
+def safe_name(name: str) -> str:
+    """A name of a file like one that somebody else gave: what ``inside`` does not allow is an underscore.
+
+    Raises:
+        InputError: nothing is left of it.
+    """
+    last = re.split(r"[\\/]", name)[-1]
+    made = "".join(c if c.isascii() and (c.isalnum() or c in "_.()+- ") else "_" for c in last).lstrip(". -")[-100:]
+    if not _NAME.fullmatch(made):
+        raise InputError(f"{shown(name)} cannot be the name of a file")
+    return made.rstrip(" .")
+
+
 def inside(folder: Path, name: str) -> Path:
     """The place of a file directly inside a folder.
 

@@ -432,6 +432,65 @@ class Saved(Event):
     time: float
 
 
+@dataclass(frozen=True)
+class DroppedFile:
+    """A file that was dropped: its first line and some rows below, in cells; none where it is no text."""
+
+    name: str
+    bytes: int
+    header: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+
+@dataclass(frozen=True)
+class Dropped(Event):
+    """The files that are to become the data set ``folder``."""
+
+    kept = True
+    folder: str
+    files: tuple[DroppedFile, ...]
+
+
+@dataclass(frozen=True)
+class Excerpt:
+    """Rows of a file around one that is wrong: ``first`` is the line of the first of them, ``line`` that of the wrong
+    one, ``column`` the number of the cell from 0, where it is known."""
+
+    file: str
+    first: int
+    line: int
+    column: int | None
+    header: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+
+@dataclass(frozen=True)
+class Draft(Event):
+    """What becomes of the dropped files; where that fails, why and where, and the rest is empty.
+
+    Attributes:
+        model: the bench that is proposed. guesses: ``{"what", "taken_as", "why"}`` of each column, run and noise.
+        to_check: what only the experimenter knows, sentences.
+        names: inputs and outputs of the bench that a column can be taken for. parameters: that may be stated.
+        toml: ``experiment.toml`` as it would be written.
+        curves: ``{"run", "signal", "unit", "time", "values"}``, a preview.
+    """
+
+    kept = True
+    failed: Failed | None = None
+    excerpt: Excerpt | None = None
+    title: str = ""
+    model: str = ""
+    guesses: tuple[Json, ...] = ()
+    to_check: tuple[str, ...] = ()
+    runs: tuple[Json, ...] = ()
+    names: tuple[Json, ...] = ()
+    parameters: tuple[Json, ...] = ()
+    benches: tuple[str, ...] = ()
+    toml: str = ""
+    curves: tuple[Json, ...] = ()
+
+
 def answer(number: Any, result: Json | None = None, failed: Failed | None = None) -> str:
     """The message to the window that sent a command with this ``id``."""
     told = None if failed is None else plain(failed)

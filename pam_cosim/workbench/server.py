@@ -13,17 +13,20 @@ from typing import Any
 
 import uvicorn
 from starlette.applications import Starlette
+from starlette.exceptions import HTTPException
 from starlette.requests import Request
-from starlette.responses import FileResponse, PlainTextResponse, Response
+from starlette.responses import FileResponse, JSONResponse, PlainTextResponse, Response
 from starlette.routing import Mount, Route, WebSocketRoute
 from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from pam_cosim.errors import InputError
+from pam_cosim.workbench.documents import NAMES, document
+from pam_cosim.workbench.drop import MOST_BYTES
 from pam_cosim.workbench.guard import Guard, new_token
+from pam_cosim.workbench.host import Workbench
 from pam_cosim.workbench.protocol import Failed, answer
-from pam_cosim.workbench.session import Session
 from pam_cosim.workbench.work import failed_by
 
 PAGE = Path(__file__).parent / "page"
@@ -51,7 +54,7 @@ class Window:
                 await self.socket.close(1013, "too far behind")
                 return
 
-    async def receive(self, session: Session) -> None:
+    async def receive(self, workbench: Workbench) -> None:
         """Takes commands and answers each when it is done."""
         while True:
             text = await self.socket.receive_text()
@@ -64,7 +67,7 @@ class Window:
                 continue
             number = command.get("id")
             number = number if isinstance(number, (int, str)) else None
-            future = session.do(command)
+            future = workbench.do(command)
             future.add_done_callback(lambda done, number=number: self.tell(_answer(done, number)))  # type: ignore[misc]
 
 
@@ -82,19 +85,48 @@ async def _send(socket: WebSocket, message: str | bytes) -> None:
         await socket.send_bytes(message)
 
 
-def application(session: Session, token: str, page: Path = PAGE) -> ASGIApp:
-    """The server of a session, as an ASGI application."""
+async def _body(request: Request) -> bytes:
+    parts, size = [], 0
+    async for part in request.stream():
+        size += len(part)
+        if size > MOST_BYTES:
+            raise InputError(f"a file of more than {MOST_BYTES // 1_000_000} MB cannot be taken")
+        parts.append(part)
+    return b"".join(parts)
+
+
+def application(workbench: Workbench, token: str, page: Path = PAGE) -> ASGIApp:
+    """The server of a workbench, as an ASGI application."""
 
     async def index(request: Request) -> Response:
         return FileResponse(page / "index.html")
 
+    async def download(request: Request) -> Response:
+        name = request.path_params["name"]
+        if name not in NAMES or workbench.session is None:
+            raise HTTPException(404)
+        try:
+            text = await asyncio.to_thread(document, workbench.session, name)
+        except InputError as problem:
+            return PlainTextResponse(f"{problem.message}\n", 409)
+        said = {"Content-Disposition": f'attachment; filename="{name}"'}
+        return Response(text, media_type=NAMES[name], headers=said)
+
+    async def drop(request: Request) -> Response:
+        try:
+            content = await _body(request)
+            result = await asyncio.wrap_future(workbench.put(request.query_params.get("name", ""), content))
+        except InputError as problem:
+            return JSONResponse({"failed": failed_by(problem).as_dict()}, 409)
+        return JSONResponse(result)
+
     async def connect(socket: WebSocket) -> None:
         await socket.accept()
         window = Window(socket, asyncio.get_running_loop())
-        end = await asyncio.wrap_future(session.subscribe(window.tell))
+        end = await asyncio.wrap_future(workbench.subscribe(window.tell))
         sending = asyncio.create_task(window.send())
         try:
-            await window.receive(session)
+            await window.receive(workbench)
         except (WebSocketDisconnect, RuntimeError):
             pass
         finally:
@@ -107,6 +139,8 @@ def application(session: Session, token: str, page: Path = PAGE) -> ASGIApp:
     app = Starlette(
         routes=[
             Route("/", index),
+            Route("/download/{name}", download),
+            Route("/drop", drop, methods=["POST"]),
             Mount("/page", StaticFiles(directory=page)),
             WebSocketRoute("/socket", connect),
         ],
@@ -127,7 +161,7 @@ def serve(
     """Opens a study and serves its page until it is interrupted.
 
     Args:
-        folder: of the data set.
+        folder: of the data set; a new one, where recordings are to be dropped.
         model: default: the bench of the data set.
         files: further Modelica files.
         port: 0: a free one.
@@ -140,11 +174,11 @@ def serve(
     listener = _listener(port)
     token = new_token()
     address = f"http://{HOST}:{listener.getsockname()[1]}/?token={token}"
-    with listener, Session(folder, model=model, files=files) as session:
+    with listener, Workbench(folder, model=model, files=files) as workbench:
         tell(f"the workbench is open at {address}")
         tell("end it with Ctrl-C; whoever has the address can use it")
         config = uvicorn.Config(
-            _opening(application(session, token), address if browser else None),
+            _opening(application(workbench, token), address if browser else None),
             log_level="warning", lifespan="on", ws_max_size=1 << 20, timeout_graceful_shutdown=1,
         )  # fmt: skip
         server = uvicorn.Server(config)

@@ -15,7 +15,7 @@ from typing import Any
 
 from pam_cosim import study
 from pam_cosim.comparison import Comparison, RunComparison, scored, simulate_run, sitting, where
-from pam_cosim.errors import InputError
+from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.measurement import complete_noise
 from pam_cosim.wording import did_you_mean, shown
 from pam_cosim.workbench.catalogue import Catalogue
@@ -24,11 +24,12 @@ from pam_cosim.workbench.doing import COMMANDS
 from pam_cosim.workbench.job import Worker
 from pam_cosim.workbench.opened import Opened, open_model
 from pam_cosim.workbench.protocol import Json, Study, frame
+from pam_cosim.workbench.saving import FILE as SAVED
 from pam_cosim.workbench.shown import rung_of, scores_event, steps_event, study_event, where_event
 from pam_cosim.workbench.state import State, standing_label, with_rung
 from pam_cosim.workbench.steps import Step
 from pam_cosim.workbench.windows import Listener, Windows
-from pam_cosim.workbench.work import Work
+from pam_cosim.workbench.work import Work, failed_by
 
 QUIET = 0.3  # [s] without a new value after which it is said where the error sits
 MOST_BACK = 100  # steps that can be taken back
@@ -44,14 +45,22 @@ class Session:
         folder: of the data set.
         model: default: the bench of the data set.
         files: further Modelica files.
+        windows: that look at it; default: none yet.
 
     Raises:
         InputError: the data set cannot be read.
     """
 
-    def __init__(self, folder: Path, *, model: str | None = None, files: Sequence[Path] = ()) -> None:
+    def __init__(
+        self,
+        folder: Path,
+        *,
+        model: str | None = None,
+        files: Sequence[Path] = (),
+        windows: Windows | None = None,
+    ) -> None:
         self.folder, self.files = Path(folder), tuple(Path(f) for f in files)
-        self.windows, self.catalogue = Windows(), Catalogue(self.files)
+        self.windows, self.catalogue = windows or Windows(), Catalogue(self.files)
         self.worker = Worker()
         self.work = Work(self)
         self.scratch = Path(tempfile.mkdtemp(prefix="pam-cosim-workbench-"))
@@ -75,7 +84,17 @@ class Session:
         self.benches = tuple(study.benches(self.files))
         self.first = self.state = State(data, model or data.model)
         self._install(self.state)
+        self._take_saved()
         self.worker.wake()
+
+    def _take_saved(self) -> None:
+        """Goes on where the study was saved, if it was; what is wrong with that is told."""
+        if not (self.folder / SAVED).is_file():
+            return
+        try:
+            COMMANDS["load"](self)
+        except (InputError, SimulationFailure) as problem:
+            self.windows.send(failed_by(problem, "load").message(), every=True)
 
     def close(self) -> None:
         """Ends everything; nothing is saved by it."""

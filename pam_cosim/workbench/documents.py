@@ -1,0 +1,50 @@
+"""What a page offers to download, made when it is asked for."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from pam_cosim.errors import InputError
+from pam_cosim.reporting import comparison_report, diagnosis_report
+from pam_cosim.tables import write_next_run
+from pam_cosim.workbench.script import commands_of, python_of
+from pam_cosim.workbench.session import Session
+
+NAMES = {
+    "next.csv": "text/csv",
+    "script.py": "text/x-python",
+    "commands.sh": "text/x-shellscript",
+    "model.mo": "text/plain",
+    "learned.mo": "text/plain",
+    "report.html": "text/html",
+}
+
+
+def document(session: Session, name: str) -> str:
+    """The text of one of ``NAMES``. It reads the session's state as it is, and may run in any thread.
+
+    Raises:
+        InputError: there is nothing of the kind.
+    """
+    state, opened = session.state, session.opened
+    place = (state, session.first.model, session.folder, session.files)
+    diagnosis = state.diagnosis
+    if name == "script.py":
+        return python_of(*place)
+    if name == "commands.sh":
+        return commands_of(*place)
+    if name == "model.mo":
+        if not opened.text:
+            raise InputError("no effect is switched on: the model is the bench itself")
+        return opened.text
+    if name == "report.html":
+        return comparison_report(session.comparison) if diagnosis is None else diagnosis_report(diagnosis)
+    if name == "learned.mo" and diagnosis is not None and diagnosis.learned is not None:
+        return diagnosis.learned.term.modelica_source
+    if name == "next.csv" and diagnosis is not None and diagnosis.next_experiment is not None:
+        with TemporaryDirectory(prefix="pam-cosim-") as folder:
+            file = Path(folder) / name
+            write_next_run(file, diagnosis.next_experiment)
+            return file.read_text(encoding="utf-8")
+    raise InputError(f"there is no {name}: the last diagnosis, if there was one, has none")

@@ -1,0 +1,220 @@
+"""Recordings that a person drops: what they hold, what is recognised, what is wrong and where; then a data set."""
+
+from __future__ import annotations
+
+import csv
+import shutil
+import tempfile
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pam_cosim import study
+from pam_cosim.drafting import NewDataSet
+from pam_cosim.errors import InputError
+from pam_cosim.reporting.wording import unit_text
+from pam_cosim.units import readable_factor
+from pam_cosim.wording import shown
+from pam_cosim.workbench.doing.words import names_of, text_of
+from pam_cosim.workbench.inside import inside, safe_name
+from pam_cosim.workbench.protocol import Draft, Dropped, DroppedFile, Excerpt, Json
+from pam_cosim.workbench.work import failed_by
+
+MOST_BYTES = 200_000_000  # of one file
+MOST_FILES = 200
+_ROWS = 6  # of a file that are shown
+_AROUND = 2  # lines above and below one that is wrong
+_LONGEST = 400  # characters of a line that are shown
+_POINTS = 300  # of a curve that is shown
+
+
+@dataclass
+class Drop:
+    """Files that were dropped, and what is known of them; in a folder of its own until they become a data set.
+
+    Args:
+        folder: of the data set to be made; missing or empty.
+        files: further Modelica files.
+    """
+
+    folder: Path
+    files: tuple[Path, ...] = ()
+    place: Path = field(default_factory=lambda: Path(tempfile.mkdtemp(prefix="pam-cosim-drop-")))
+    recordings: list[Path] = field(default_factory=list)
+
+    def close(self) -> None:
+        """Removes what was dropped."""
+        shutil.rmtree(self.place, ignore_errors=True)
+
+    def put(self, name: str, content: bytes) -> Dropped:
+        """Takes a file; one of the same name is replaced.
+
+        Raises:
+            InputError: it is too large, or there are too many.
+        """
+        if len(content) > MOST_BYTES:
+            raise InputError(f"{shown(name)} is larger than {MOST_BYTES // 1_000_000} MB")
+        target = inside(self.place, safe_name(name))
+        if target not in self.recordings and len(self.recordings) >= MOST_FILES:
+            raise InputError(f"more than {MOST_FILES} files at once cannot be taken")
+        target.write_bytes(content)
+        if target not in self.recordings:
+            self.recordings = sorted([*self.recordings, target])
+        return self.dropped()
+
+    def remove(self, names: Sequence[str]) -> Dropped:
+        """Takes files away again."""
+        gone = {inside(self.place, name) for name in names_of(names, "remove")}
+        for file in gone & set(self.recordings):
+            file.unlink(missing_ok=True)
+        self.recordings = [file for file in self.recordings if file not in gone]
+        return self.dropped()
+
+    def dropped(self) -> Dropped:
+        """The files, with their first rows."""
+        return Dropped(self.folder.name, tuple(_shown(file) for file in self.recordings))
+
+    def draft(self, wishes: Mapping[str, Any]) -> Draft:
+        """What becomes of the files as they are, with what the person says; nothing is left of it."""
+        with tempfile.TemporaryDirectory(prefix="pam-cosim-draft-") as scratch:
+            try:
+                made = self._new(Path(scratch) / self.folder.resolve().name, wishes)
+            except InputError as problem:
+                return Draft(failed=failed_by(problem), excerpt=self._excerpt(problem))
+            return _drafted(made)
+
+    def create(self, wishes: Mapping[str, Any]) -> None:
+        """Writes the data set.
+
+        Raises:
+            InputError: whatever cannot be used; nothing is written then.
+        """
+        self._new(self.folder, wishes)
+
+    def _new(self, folder: Path, wishes: Mapping[str, Any]) -> NewDataSet:
+        if not self.recordings:
+            raise InputError("drop at least one recording")
+        return study.new(folder, self.recordings, files=self.files, **_checked(wishes))
+
+    def _excerpt(self, problem: InputError) -> Excerpt | None:
+        """The place in a file that is wrong."""
+        file = None if problem.file is None else inside(self.place, Path(str(problem.file)).name)
+        if file not in self.recordings or problem.line is None:
+            return None
+        lines = _lines(file)
+        first = max(problem.line - _AROUND, 1)
+        header = _header(lines)
+        cells = [_cells(line, lines) for line in lines[first - 1 : problem.line + _AROUND]]
+        column = next((i for i, name in enumerate(header) if _is_named(name, problem.column)), None)
+        return Excerpt(file.name, first, problem.line, column, tuple(header), tuple(cells))
+
+
+def _checked(wishes: Mapping[str, Any]) -> Json:
+    """What a page may say, checked: texts, and texts by name."""
+    known = {"title", "model", "muscle", "columns", "parameters", "recording", "roles"}
+    stray = next((key for key in wishes if key not in known), None)
+    if stray is not None:
+        raise InputError(f"a draft knows no {shown(stray)}")
+    made: Json = {}
+    for key, value in wishes.items():
+        if value in (None, "", {}):
+            continue
+        if key in ("title", "model", "muscle"):
+            made[key] = text_of(value, key)
+        elif isinstance(value, Mapping) and all(isinstance(k, str) and isinstance(v, str) for k, v in value.items()):
+            made[key] = {name: text for name, text in value.items() if text}
+        else:
+            raise InputError(f"{key} wants texts by name")
+    if "model" in made and any(c in made["model"] for c in "/\\"):
+        raise InputError("a bench is named, or a Modelica class; files are given where the workbench is started")
+    return made
+
+
+def _drafted(made: NewDataSet) -> Draft:
+    data = made.data
+    text = (made.folder / "experiment.toml").read_text(encoding="utf-8")
+    interface = study.describe(data.model)
+    return Draft(
+        title=data.title,
+        model=made.model,
+        guesses=tuple({"what": g.what, "taken_as": g.taken_as, "why": g.why} for g in made.guesses),
+        to_check=made.to_check,
+        runs=tuple({"name": r.name, "role": r.role, "describe": r.describe()} for r in data.runs),
+        names=tuple({"name": n, "unit": unit_text(v.unit), "input": n in interface.inputs, "description": v.description}
+                    for n, v in {**interface.inputs, **interface.outputs}.items()),
+        parameters=tuple(
+            {"name": n, "unit": unit_text(v.unit), "description": v.description,
+             "value": None if v.start is None else v.start * readable_factor(v.unit)}
+            for n, v in interface.parameters.items()
+        ),
+        benches=tuple(study.benches()),
+        toml=text,
+        curves=tuple(_curves(made)),
+    )  # fmt: skip
+
+
+def _curves(made: NewDataSet) -> list[Json]:
+    """Signals of the runs, as they are read, few points each."""
+    curves = []
+    for run in made.data.runs:
+        kept = np.unique(np.linspace(0, len(run.time) - 1, min(len(run.time), _POINTS)).astype(int))
+        for name, values in run.measurements.items():
+            unit = made.data.signals[name].unit
+            shown_values = values[kept] * readable_factor(unit)
+            curves.append(
+                {"run": run.name, "signal": name, "unit": unit_text(unit), "time": _numbers(run.time[kept]),
+                 "values": _numbers(shown_values)}
+            )  # fmt: skip
+    return curves
+
+
+def _numbers(values: Any) -> list[float | None]:
+    return [float(f"{v:.6g}") if np.isfinite(v) else None for v in values]
+
+
+def _shown(file: Path) -> DroppedFile:
+    """A file's first lines, in cells where it is a text."""
+    size = file.stat().st_size
+    if file.suffix.casefold() not in (".csv", ".txt", ".dat", ".tsv", ".asc", ""):
+        return DroppedFile(file.name, size, (), ())
+    lines = _lines(file)
+    header = _header(lines)
+    return DroppedFile(file.name, size, tuple(header), tuple(_cells(line, lines) for line in lines[1 : 1 + _ROWS]))
+
+
+def _lines(file: Path) -> list[str]:
+    with file.open("rb") as stream:
+        head = stream.read(4_000_000)
+    text = head.decode("utf-16" if head[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig", errors="replace")
+    return text.splitlines()
+
+
+def _separator(lines: Sequence[str]) -> str:
+    counts: Counter[str] = Counter()
+    for line in lines[:50]:
+        counts.update({one: line.count(one) for one in "\t;,"})
+    return max("\t;,", key=lambda one: counts[one]) if any(counts.values()) else ","
+
+
+def _cells(line: str, lines: Sequence[str]) -> tuple[str, ...]:
+    text, separator = line[:_LONGEST], _separator(lines)
+    try:
+        cells = next(csv.reader([text], delimiter=separator, skipinitialspace=True), [])
+    except csv.Error:
+        cells = text.split(separator)
+    return tuple(cell.strip() for cell in cells)
+
+
+def _header(lines: Sequence[str]) -> list[str]:
+    return list(_cells(lines[0], lines)) if lines else []
+
+
+def _is_named(cell: str, column: int | str | None) -> bool:
+    if not isinstance(column, str) or not column:
+        return False
+    bare = cell.strip().strip('"')
+    return bare == column or bare.partition("[")[0].strip() == column or bare.partition("(")[0].strip() == column

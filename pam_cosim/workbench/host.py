@@ -1,0 +1,111 @@
+"""What a server is of: a study, or files that are to become one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+from pam_cosim.errors import InputError
+from pam_cosim.wording import shown
+from pam_cosim.workbench.drop import Drop
+from pam_cosim.workbench.protocol import Json, Study
+from pam_cosim.workbench.session import Session
+from pam_cosim.workbench.windows import Listener, Windows
+
+
+class Workbench:
+    """A study in its folder, or the place where recordings are dropped until there is one.
+
+    Args:
+        folder: of the data set; where it is missing or empty, recordings are dropped.
+        model: default: the bench of the data set.
+        files: further Modelica files.
+
+    Raises:
+        InputError: the data set cannot be read.
+    """
+
+    def __init__(self, folder: Path, *, model: str | None = None, files: Sequence[Path] = ()) -> None:
+        self.folder, self.model, self.files = Path(folder), model, tuple(files)
+        self.windows = Windows()
+        self.session: Session | None = None
+        self.drop: Drop | None = None
+        self._thread = ThreadPoolExecutor(1, thread_name_prefix="drop")
+        if is_to_be_made(self.folder):
+            self.drop = Drop(self.folder, self.files)
+            self.windows.tell(Study(title=self.folder.resolve().name, folder=self.folder.resolve().name, state="drop"))
+            self.windows.tell(self.drop.dropped())
+        else:
+            self.session = Session(self.folder, model=model, files=self.files, windows=self.windows)
+
+    def close(self) -> None:
+        """Ends everything."""
+        self._thread.shutdown(wait=True, cancel_futures=True)
+        if self.session is not None:
+            self.session.close()
+        if self.drop is not None:
+            self.drop.close()
+
+    def __enter__(self) -> Workbench:
+        return self
+
+    def __exit__(self, *problem: object) -> None:
+        self.close()
+
+    def subscribe(self, listener: Listener) -> Future[Callable[[], None]]:
+        """As ``Session.subscribe``."""
+        if self.session is not None:
+            return self.session.subscribe(listener)
+        return self._thread.submit(self.windows.subscribe, listener)
+
+    def do(self, command: Mapping[str, Any]) -> Future[Json]:
+        """As ``Session.do``; with "draft", "create" and "remove" where there is no data set yet."""
+        if self.session is not None:
+            return self.session.do(command)
+        return self._thread.submit(self._do, dict(command))
+
+    def put(self, name: str, content: bytes) -> Future[Json]:
+        """Takes a recording that was dropped."""
+        return self._thread.submit(self._put, name, content)
+
+    def _put(self, name: str, content: bytes) -> Json:
+        dropped = self._dropping().put(name, content)
+        self.windows.tell(dropped)
+        return {"files": [file.name for file in dropped.files]}
+
+    def _dropping(self) -> Drop:
+        if self.drop is None:
+            raise InputError("there is a data set already: begin another with pam-cosim workbench NEW-FOLDER")
+        return self.drop
+
+    def _do(self, command: Json) -> Json:
+        drop, name = self._dropping(), command.get("do")
+        if name not in ("draft", "create", "remove"):
+            raise InputError(f"{shown(name)} needs a data set: drop recordings first")
+        wishes = command.get("wishes") or {}
+        if not isinstance(wishes, Mapping):
+            raise InputError("wishes are texts by name")
+        if name == "remove":
+            self.windows.tell(drop.remove(command.get("names") or []))
+        elif name == "draft":
+            self.windows.tell(drop.draft(wishes))
+        else:
+            drop.create(wishes)
+            self._open(drop)
+        return {}
+
+    def _open(self, drop: Drop) -> None:
+        session = Session(self.folder, model=self.model, files=self.files, windows=self.windows)
+        self.session, self.drop = session, None
+        self.windows.forget("Dropped", "Draft")
+        drop.close()
+
+
+def is_to_be_made(folder: Path) -> bool:
+    """Whether a data set is to be made there: there is nothing yet, or an empty folder."""
+    try:
+        return not folder.exists() or (folder.is_dir() and not any(folder.iterdir()))
+    except OSError as problem:
+        raise InputError(f"the folder cannot be read: {problem.strerror}", folder) from None
