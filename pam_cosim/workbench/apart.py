@@ -30,16 +30,20 @@ Tell = Callable[[object], None]
 
 
 def fit(tell: Tell, data: Any, model: str, options: dict[str, Any]) -> Any:
-    """``study.fit``, telling each ``Standing`` but for those that come too fast to be seen."""
-    told = 0.0
+    """``study.fit``, telling each ``Standing`` but for those that come too fast to be seen, and the last."""
+    told, last = 0.0, None
 
     def progress(standing: Standing) -> None:
-        nonlocal told
+        nonlocal told, last
+        last = standing
         if time.monotonic() - told >= _PACE:
-            told = time.monotonic()
+            told, last = time.monotonic(), None
             tell(standing)
 
-    return study.fit(data, model, progress=progress, **options)
+    fitted = study.fit(data, model, progress=progress, **options)
+    if last is not None:
+        tell(last)
+    return fitted
 
 
 def diagnose(tell: Tell, data: Any, model: str, options: dict[str, Any]) -> Any:

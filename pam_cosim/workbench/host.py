@@ -40,6 +40,11 @@ class Workbench:
         else:
             self.session = Session(self.folder, model=model, files=self.files, windows=self.windows)
 
+    def wake(self) -> None:
+        """Starts what will be needed for the first fit, while the person looks at the page."""
+        if self.session is not None:
+            self.session.worker.wake()
+
     def close(self) -> None:
         """Ends everything."""
         self._thread.shutdown(wait=True, cancel_futures=True)
@@ -101,6 +106,7 @@ class Workbench:
         self.session, self.drop = session, None
         self.windows.forget("Dropped", "Draft")
         drop.close()
+        self.wake()
 
 
 def is_to_be_made(folder: Path) -> bool:

@@ -65,6 +65,8 @@ class Worker:
                     break
                 heard(_unpacked(said))
         except (EOFError, OSError, ValueError):
+            with contextlib.suppress(subprocess.TimeoutExpired):  # it is ending, and the next job needs to know
+                process.wait(_PATIENCE)
             if self._process is process:
                 done(False, JobEnded("the process that did it ended without a word"))
             return

@@ -175,6 +175,7 @@ def serve(
     token = new_token()
     address = f"http://{HOST}:{listener.getsockname()[1]}/?token={token}"
     with listener, Workbench(folder, model=model, files=files) as workbench:
+        workbench.wake()
         tell(f"the workbench is open at {address}")
         tell("end it with Ctrl-C; whoever has the address can use it")
         config = uvicorn.Config(

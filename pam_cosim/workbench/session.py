@@ -46,6 +46,7 @@ class Session:
         model: default: the bench of the data set.
         files: further Modelica files.
         windows: that look at it; default: none yet.
+        workers: number of processes of a diagnosis, as for ``study.diagnose``.
 
     Raises:
         InputError: the data set cannot be read.
@@ -58,10 +59,11 @@ class Session:
         model: str | None = None,
         files: Sequence[Path] = (),
         windows: Windows | None = None,
+        workers: int | None = None,
     ) -> None:
         self.folder, self.files = Path(folder), tuple(Path(f) for f in files)
         self.windows, self.catalogue = windows or Windows(), Catalogue(self.files)
-        self.worker = Worker()
+        self.worker, self.workers = Worker(), workers
         self.work = Work(self)
         self.scratch = Path(tempfile.mkdtemp(prefix="pam-cosim-workbench-"))
         self.past: list[State] = []
@@ -85,7 +87,6 @@ class Session:
         self.first = self.state = State(data, model or data.model)
         self._install(self.state)
         self._take_saved()
-        self.worker.wake()
 
     def _take_saved(self) -> None:
         """Goes on where the study was saved, if it was; what is wrong with that is told."""

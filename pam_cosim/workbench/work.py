@@ -79,11 +79,12 @@ class Work:
         self.job = job = Job(what, text, finish, Following(session.state.data))
         windows.tell(job.busy())
         opened = session.opened
+        further = {} if what == "fit" else {"workers": session.workers}
         session.worker.run(
             what,
             session.state.data,
             opened.name,
-            {"files": opened.files, **options},
+            {"files": opened.files, **further, **options},
             lambda said: session.submit(self._heard, job, said),
             lambda well, result: session.submit(self._done, job, well, result),
         )

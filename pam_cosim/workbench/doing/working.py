@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from pam_cosim.diagnosis import Check, Diagnosis
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import METHODS, Fit
+from pam_cosim.units import UnitError, seconds
 from pam_cosim.wording import did_you_mean, shown
 from pam_cosim.workbench.doing.words import names_of
 from pam_cosim.workbench.protocol import Checked
@@ -54,8 +55,11 @@ def diagnose(
     expect: Sequence[str] = (),
 ) -> None:
     """Looks for the effect that the standing model lacks."""
-    if time_limit is not None and (isinstance(time_limit, bool) or not isinstance(time_limit, (int, float, str))):
-        raise InputError(f"{shown(time_limit)} is no time limit; write for example '30 s'")
+    try:
+        if time_limit is not None and (isinstance(time_limit, bool) or not seconds(time_limit) > 0):
+            raise InputError(f"{shown(time_limit)} is no time limit: it must be longer than nothing")
+    except UnitError as problem:
+        raise InputError(f"the time limit: {problem}") from None
     options: dict[str, Any] = {
         "time_limit": time_limit, "exclude": names_of(exclude, "exclude"), "expect": names_of(expect, "expect")
     }  # fmt: skip

@@ -1,0 +1,150 @@
+"""What takes long: followed as it goes, stopped and resumed, and never lost because nobody looks."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+import pam_cosim as pam
+from pam_cosim.errors import InputError
+from pam_cosim.workbench import Session
+from rig.short import write_light_data
+from tests.workbench.conftest import Window, put_back
+
+
+@pytest.fixture(scope="module")
+def session(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Session]:
+    """One for all tests of this file, on data that lack nothing: a diagnosis is soon over."""
+    folder = write_light_data(tmp_path_factory.mktemp("rig") / "quiet", [], 1)
+    with Session(folder, workers=0) as session:
+        yield session
+
+
+@pytest.fixture
+def window(session: Session) -> Iterator[Window]:
+    window = Window(session)
+    yield window
+    put_back(window)
+
+
+def test_a_fit_is_that_of_the_public_call_and_is_seen_coming_down(window: Window, session: Session) -> None:
+    window.do(do="set", values={"valve.C_A": 0.6})
+    end = window.work(do="fit")
+    assert end["end"] == "done"
+    fit = pam.fit(pam.read(session.folder), start={"valve.C_A": 0.6})
+    assert session.state.values == fit.values
+    progress = window.of("progress")
+    assert progress and progress[0]["rms"]["x"] > progress[-1]["rms"]["x"] and "valve.C_A" in progress[-1]["values"]
+    shown = {p["name"]: p for p in window.last("study")["parameters"]}["valve.C_A"]
+    assert shown["low95"] < shown["value"] < shown["high95"] and " to " in shown["text"]
+    assert [r["label"] for r in window.last("scores")["ladder"]][-1] == "base model, fitted"
+
+
+def test_some_are_fitted_and_the_others_held(window: Window, session: Session) -> None:
+    window.do(do="set", values={"muscle.mu_fb": 0.02})
+    window.work(do="fit", free=["valve.C_A"])
+    fit = pam.fit(pam.read(session.folder), free=["valve.C_A"], start={"muscle.mu_fb": 0.02})
+    assert session.state.values == {"muscle.mu_fb": 0.02, **fit.values} and list(fit.values) == ["valve.C_A"]
+
+
+def test_stopped_it_stands_still_and_resumed_it_ends_as_if_it_had_not(window: Window, session: Session) -> None:
+    window.forget()
+    window.do(do="fit", method="particle-swarm")
+    window.until("progress")
+    with pytest.raises(InputError, match="a fit is running"):
+        window.do(do="set", values={"valve.C_A": 0.7})
+    window.do(do="stop")
+    assert window.last("busy")["held"]
+    time.sleep(0.3)  # what was said before has been heard
+    session.wait()
+    seen = len(window.of("progress"))
+    time.sleep(1.0)
+    session.wait()
+    assert len(window.of("progress")) == seen and session.work.job is not None
+    window.do(do="resume")
+    assert window.until("idle")["end"] == "done" and len(window.of("progress")) > seen
+    assert session.state.values == pam.fit(pam.read(session.folder), method="particle-swarm").values
+
+
+def test_what_was_stopped_is_given_up_for_something_else(window: Window, session: Session) -> None:
+    window.do(do="fit", method="particle-swarm")
+    window.until("progress")
+    window.do(do="stop")
+    window.do(do="set", values={"valve.C_A": 0.66})  # what stands still does not keep the sliders
+    window.forget()
+    window.do(do="fit")
+    assert [window.until("idle", end=end)["what"] for end in ("stopped", "done")] == ["fit", "fit"]
+
+
+def test_a_diagnosis_goes_on_when_no_window_is_open(window: Window, session: Session) -> None:
+    window.do(do="diagnose")
+    window.end()
+    deadline = time.monotonic() + 120
+    while session.work.job is not None and time.monotonic() < deadline:
+        time.sleep(0.05)
+    session.wait()
+    later = Window(session)
+    verdict = later.last("verdict")
+    assert verdict["kind"] == "none_missing" and verdict["complete"] and verdict["reason"] and verdict["meaning"]
+    assert [m["text"] for m in later.of("message")][-1] == "what remains is noise: no effect is tried"
+    later.end()
+
+
+def test_what_fails_is_told_in_words_and_the_next_thing_works(window: Window, session: Session) -> None:
+    assert window.work(do="diagnose", exclude=["no_such_family"])["end"] == "failed"
+    assert "no_such_family" in window.last("failed")["text"]
+    assert window.work(do="fit")["end"] == "done"
+
+
+@pytest.mark.full
+def test_a_process_that_dies_is_told_and_replaced(window: Window, session: Session) -> None:
+    window.do(do="fit", method="particle-swarm")
+    window.until("progress")
+    window.forget()
+    session.worker.wake().kill()
+    assert window.until("idle")["end"] == "failed" and "ended without a word" in window.until("failed")["text"]
+    assert window.work(do="fit")["end"] == "done"
+
+
+@pytest.mark.full
+def test_a_hidden_effect_is_found_added_and_the_error_at_the_noise(recorded: Path, tmp_path: Path) -> None:
+    import shutil
+
+    folder = Path(shutil.copytree(recorded, tmp_path / "my-rig"))
+    with Session(folder) as session:
+        window = Window(session)
+        assert window.work(do="diagnose")["end"] == "done"
+        tried = window.of("candidate")
+        assert tried and any(c["state"] == "fitted" and c["explained"] > 0.9 for c in tried)
+        assert [r["final"] for r in window.of("ranking")].count(True) >= 1 and not window.of("ranking")[0]["final"]
+        verdict = window.last("verdict")
+        assert verdict["kind"] == "identified" and verdict["families"] == ["elasticity"]
+        assert window.last("ledger")["courses"] and window.last("ledger")["sentence"]
+        added = window.do(do="add", effects=verdict["effects"])
+        assert (folder / added["file"]).read_text() == added["text"]
+        for level in window.last("scores")["scores"]["holdout"].values():
+            assert level["rms"] < 1.3 * level["noise"]
+
+
+@pytest.mark.full
+def test_memory_is_flat_over_a_thousand_moves_and_twenty_fits(session: Session, window: Window) -> None:
+    import os
+
+    def size() -> float:
+        with open(f"/proc/{os.getpid()}/statm") as file:
+            return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 1e6
+
+    def some(moves: int, fits: int) -> None:
+        for i in range(moves):
+            window.do(do="set", values={"valve.C_A": 0.6 + 0.0002 * (i % 1000)})
+            window.forget()
+        for _ in range(fits):
+            window.work(do="fit")
+
+    some(100, 2)
+    before = size()
+    some(1000, 20)
+    assert size() - before < 30, f"from {before:.0f} MB to {size():.0f} MB"
