@@ -10,11 +10,12 @@ import { drawSignal, readOut, scale } from "./signal-chart.js";
 
 const MAP = "Mean of measured − model in the times that are shown, in standard deviations of the noise (σ). Click a cell to light up when the rig was there.";
 const BELOW = "below: measured − model, band ± 2 σ of the noise";
+const SCREEN = 16; // ms between two pictures of a screen: what comes later than that is drawn at once
 const KEYS = "Curves. Arrows move, plus and minus zoom, Home shows all runs, Shift and arrows read values.";
 
 export class Curves {
   constructor(host, view) {
-    Object.assign(this, { host, view, signals: [], rows: [], frames: {}, asked: 0, colours: palette(), version: -1 });
+    Object.assign(this, { host, view, signals: [], rows: [], frames: {}, asked: 0, drawn: 0, colours: palette(), version: -1 });
     this.names = make("canvas", { class: "names", "aria-hidden": "true" });
     this.axis = make("canvas", { class: "axis", "aria-hidden": "true" });
     this.stack = make("div", { class: "stack", tabIndex: 0, role: "group", "aria-label": KEYS });
@@ -45,7 +46,8 @@ export class Curves {
     this.frames[frame.kind] = frame.runs.size ? frame.runs : null;
     if (frame.kind === "reference") this.label = frame.label;
     if (frame.kind === "measured") this.lay();
-    this.later();
+    if (frame.kind === "model" && performance.now() - this.drawn > SCREEN) this.draw();
+    else this.later();
   }
 
   lay() {
@@ -119,6 +121,7 @@ export class Curves {
       say(row.readout, this.words(readOut(view, row.signal, frames), row.signal) || (row === this.rows[0] ? BELOW : ""));
     }
     drawAxis(this.axis, view, view.runs.every((run) => run.points) ? "point" : "time [s]", colours);
+    this.drawn = performance.now();
     document.dispatchEvent(new CustomEvent("drawn", { detail: { version: this.version } }));
   }
 

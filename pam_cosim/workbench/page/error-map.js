@@ -116,7 +116,7 @@ function range(frame, signal) {
 }
 
 function legend(g, box, colours) {
-  const width = 66, x = box.left + box.width / 2 - width / 2, y = 6;
+  const width = box.width < 110 ? 40 : 66, x = box.left + box.width / 2 - width / 2, y = 6;
   const gradient = g.createLinearGradient(x, 0, x + width, 0);
   for (let i = 0; i <= 8; i++) gradient.addColorStop(i / 8, `rgb(${diverging(colours, i / 4 - 1).join(" ")})`);
   g.fillStyle = gradient;

@@ -48,7 +48,7 @@ const parts = {
   balances: new Balances(byId("balances")),
   study: new StudyPage(byId("study"), ask),
   add: new AddDialog(byId("add-dialog"), ask),
-  drop: new DropPage(byId("drop"), ask),
+  drop: new DropPage(byId("drop"), ask, alert),
 };
 
 const showTab = tabs(byId("tabs"), (id) => {
@@ -125,6 +125,7 @@ const hear = {
     say(byId("save"), event.saved && event.steps.length ? "Saved" : "Save");
     lock();
   },
+  dropped: (event) => parts.drop.dropped(event),
   draft: (event) => parts.drop.draft(event),
   failed: alert,
 };

@@ -29,7 +29,7 @@ export function drawSignal(canvas, view, signal, curves, colours) {
   grounds(g, view, across, height, colours, width);
   const value = linear(limits(shapes, upperArrays), upper);
   const left = linear(symmetric(shapes, signal.noise), under);
-  gridLines(g, value, upper, width, colours, Math.max(2, Math.floor((upper.bottom - upper.top) / 28)));
+  gridLines(g, value, upper, width, colours, Math.min(7, Math.max(2, Math.floor((upper.bottom - upper.top) / 28))));
   noiseBand(g, left, signal, view, across, colours);
   residualAxis(g, left, under, width, colours);
 
@@ -43,7 +43,7 @@ export function drawSignal(canvas, view, signal, curves, colours) {
     if (s.reference?.values) line(g, s, s.reference.values, toX, value, colours.before, 1.2, [4, 3]);
     if (s.model?.values) line(g, s, s.model.values, toX, value, colours.model, 1.7, [], s.run.points);
     if (s.reference?.residual) line(g, s, s.reference.residual, toX, left, colours.before, 0.8, []);
-    if (s.model?.residual) line(g, s, s.model.residual, toX, left, colours.model, 1.1, [], s.run.points);
+    if (s.model?.residual) line(g, s, s.model.residual, toX, left, colours.model, 1.1, [], s.run.points || areApart(s, toX));
   }
   cursorLine(g, view, across, height, colours);
   g.restore();
@@ -149,17 +149,23 @@ function residualAxis(g, y, area, width, colours) {
   }
 }
 
+/** Whether the samples that are shown stand so far apart that each is seen. */
+function areApart({ measured: { time, values }, range: [first, last] }, toX) {
+  let count = 0;
+  for (let i = first; i < last; i++) if (values[i] === values[i]) count++;
+  return count < 2 || (toX(time[last - 1]) - toX(time[first])) / (count - 1) >= DOTS;
+}
+
 function measured(g, s, toX, y, colours) {
   const { time, values } = s.measured;
   const [first, last] = s.range;
-  const apart = last > first + 1 ? (toX(time[last - 1]) - toX(time[first])) / (last - first - 1) : DOTS;
   Object.assign(g, { strokeStyle: colours.measured, fillStyle: colours.measured, lineWidth: 1.4 });
   if (!s.run.points) {
     g.beginPath();
     trace(g, time, values, first, last, toX, y.to);
     g.stroke();
   }
-  if (apart >= DOTS || s.run.points) {
+  if (s.run.points || areApart(s, toX)) {
     for (let i = first; i < last; i++) {
       if (values[i] === values[i]) g.fillRect(toX(time[i]) - 1.75, y.to(values[i]) - 1.75, 3.5, 3.5);
     }

@@ -70,7 +70,7 @@ def browser() -> Iterator[Browser]:
 
 @pytest.fixture(scope="session")
 def muscle(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Two short runs of the independent rig, one to fit and one held out; its bladder is elastic, its model's is not."""
+    """Two short runs of the independent rig, one fitted and one held out; its bladder is elastic, its model's is not."""
     folder: Path = tmp_path_factory.mktemp("data") / "muscle"
     return write_light_data(folder, [effect_of("elasticity:linear")], seed=1)
 
