@@ -8,8 +8,20 @@ from dataclasses import replace
 from html import unescape
 from pathlib import Path
 
-from pam_cosim.catalogue import EffectClass, compose_on, effect_classes, origins, qualified
-from pam_cosim.compiler import read_library, read_structure
+from pam_cosim.catalogue import (
+    Composition,
+    EffectClass,
+    benches,
+    compose,
+    compose_on,
+    effect_classes,
+    origins,
+    qualified,
+)
+from pam_cosim.compiler import ClassTree, read_library, read_structure
+from pam_cosim.compiler.names import last
+from pam_cosim.errors import InputError
+from pam_cosim.files import identity
 from pam_cosim.names import is_fmu, is_modelica
 from pam_cosim.workbench.protocol import ShownEffect
 
@@ -22,7 +34,7 @@ _TAG = re.compile(r"<[^>]*>")
 
 
 class Catalogue:
-    """The effects of models, each looked up once.
+    """The library beside a model, read once for as long as no file of the user changes.
 
     Args:
         files: further Modelica files.
@@ -30,21 +42,51 @@ class Catalogue:
 
     def __init__(self, files: Sequence[Path]) -> None:
         self.files = tuple(files)
-        self._known: dict[str, tuple[ShownEffect, ...]] = {}
+        self._trees: dict[tuple[object, ...], ClassTree] = {}
+        self._shown: dict[tuple[object, ...], tuple[ShownEffect, ...]] = {}
+
+    def sources(self, model: str) -> tuple[Path, ...]:
+        """The Modelica files that a model needs."""
+        return (*self.files, Path(model)) if is_modelica(model) else self.files
+
+    def _key(self, model: str) -> tuple[object, ...]:
+        return tuple((str(file), identity(file)) for file in self.sources(model))
+
+    def tree(self, model: str) -> ClassTree:
+        """The library and the files of a model."""
+        key = self._key(model)
+        if key not in self._trees:
+            self._trees = {key: read_library(files=self.sources(model))}
+        return self._trees[key]
+
+    def benches(self, model: str) -> tuple[str, ...]:
+        """Names of the models to choose from."""
+        return tuple(last(bench) for bench in benches(self.tree(model)))
+
+    def composed(self, model: str, effects: Sequence[str], name: str | None = None) -> Composition:
+        """A model with effects.
+
+        Raises:
+            InputError: an effect that there is not, or that finds no place in the model.
+        """
+        composition = compose(self.tree(model), model, effects, name, files=self.sources(model))
+        if composition is None:
+            raise InputError(f"{model} has no place for {', '.join(effects)} together")
+        return composition
 
     def shown(self, model: str, on: Collection[str]) -> tuple[ShownEffect, ...]:
         """Every effect of the model's library, and whether it finds a place in it; none for an FMU."""
         if is_fmu(model):
             return ()
-        if model not in self._known:
-            sources = [*self.files, Path(model)] if is_modelica(model) else list(self.files)
-            tree = read_library(files=sources)
-            structure = read_structure(qualified(tree, model), files=sources)
-            self._known[model] = tuple(
+        key = (model, *self._key(model))
+        if key not in self._shown:
+            tree = self.tree(model)
+            structure = read_structure(qualified(tree, model), files=self.sources(model))
+            self._shown[key] = tuple(
                 shown_effect(e, compose_on(tree, structure, (e.name,)) is not None)
                 for e in effect_classes(tree, origins(structure.parts))
             )
-        return tuple(replace(e, on=e.name in on) for e in self._known[model])
+        return tuple(replace(e, on=e.name in on) for e in self._shown[key])
 
 
 def shown_effect(effect: EffectClass, fits: bool) -> ShownEffect:

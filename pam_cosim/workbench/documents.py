@@ -28,7 +28,7 @@ def document(session: Session, name: str) -> str:
         InputError: there is nothing of the kind.
     """
     state, opened = session.state, session.opened
-    place = (state, session.first.model, session.folder, session.files)
+    place = (state, session.first.model, session.folder, session.catalogue)
     diagnosis = state.diagnosis
     if name == "script.py":
         return python_of(*place)

@@ -7,14 +7,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from pam_cosim import study
-from pam_cosim.catalogue import compose
-from pam_cosim.compiler import read_library
-from pam_cosim.errors import InputError
 from pam_cosim.files import write_text
 from pam_cosim.fitting import Free, base_parameters, model_parameter
 from pam_cosim.measurement import DataSet, FreeParameter
-from pam_cosim.names import is_modelica, is_ratio
+from pam_cosim.names import is_ratio
 from pam_cosim.simulation import AnySimulator
+from pam_cosim.workbench.catalogue import Catalogue
 
 
 @dataclass(frozen=True)
@@ -47,35 +45,20 @@ class Opened:
         return (self.model, self.effects) == (model, tuple(effects)) and self.declared == tuple(data.fit.items())
 
 
-def composed(
-    model: str, effects: Sequence[str], files: Sequence[Path], name: str | None = None
-) -> tuple[str, dict[str, tuple[str, ...]]]:
-    """Modelica source of a model with effects, and the parameters of each.
-
-    Raises:
-        InputError: an effect that there is not, or that finds no place in the model.
-    """
-    sources = [*files, Path(model)] if is_modelica(model) else list(files)
-    composition = compose(read_library(files=sources), model, effects, name, files=sources)
-    if composition is None:
-        raise InputError(f"{model} has no place for {', '.join(effects)} together")
-    return composition.text, composition.parameters
-
-
-def open_model(data: DataSet, model: str, effects: Sequence[str], files: Sequence[Path], scratch: Path) -> Opened:
+def open_model(data: DataSet, model: str, effects: Sequence[str], catalogue: Catalogue, scratch: Path) -> Opened:
     """Composes and builds a model with effects; its source is put into the folder ``scratch``.
 
     Raises:
-        InputError: as ``composed``, or a model that lacks what the data set fits.
+        InputError: as ``Catalogue.composed``, or a model that lacks what the data set fits.
     """
     own: dict[str, tuple[str, ...]] = {}
-    text, name, needed = "", model, tuple(files)
+    text, name, needed = "", model, catalogue.files
     if effects:
-        text, own = composed(model, effects, files)
-        title = text.split(maxsplit=2)[1]
-        file = scratch / f"{title}.mo"
+        composition = catalogue.composed(model, effects)
+        text, own = composition.text, composition.parameters
+        file = scratch / f"{composition.name}.mo"
         write_text(file, text)
-        name, needed = str(file), (*files, Path(model)) if is_modelica(model) else tuple(files)
+        name, needed = str(file), catalogue.sources(model)
     simulator = study.opened(name, needed)
     try:
         parameters = {free.name: free for free in base_parameters(data, simulator.interface)}

@@ -9,7 +9,8 @@ from shlex import quote
 from typing import Any
 
 from pam_cosim.names import is_modelica
-from pam_cosim.workbench.opened import composed, without_ratios
+from pam_cosim.workbench.catalogue import Catalogue
+from pam_cosim.workbench.opened import without_ratios
 from pam_cosim.workbench.state import State
 from pam_cosim.workbench.steps import Step
 
@@ -23,7 +24,7 @@ class _Place:
     """
 
     base: str
-    files: tuple[Path, ...]
+    catalogue: Catalogue
     model: str = ""
     effects: tuple[str, ...] = ()
     diagnosed: tuple[str, ...] = ()
@@ -42,29 +43,33 @@ class _Place:
         if not on:
             self.model = self.base
             return None
-        text, _ = composed(self.base, on, self.files)
-        self.model = f"{text.split(maxsplit=2)[1]}.mo"
+        self.model = f"{self.catalogue.composed(self.base, on).name}.mo"
         return self.model
+
+    @property
+    def files(self) -> list[str]:
+        """The user's further Modelica files."""
+        return [str(file) for file in self.catalogue.files]
 
     @property
     def further(self) -> tuple[str, ...]:
         """Modelica files that the standing model needs beside its own."""
         own = (self.base,) if self.model != self.base and is_modelica(self.base) else ()
-        return (*(str(f) for f in self.files), *own)
+        return (*self.files, *own)
 
 
 # Python
 
 
-def python_of(state: State, base: str, folder: Path, files: Sequence[Path]) -> str:
+def python_of(state: State, base: str, folder: Path, catalogue: Catalogue) -> str:
     """The study as a script, from the base model that it began with."""
-    place = _Place(base, tuple(files))
+    place = _Place(base, catalogue)
     lines = [
         f"# {_comment(state.data.title)}: what was done in the workbench, to be done again.",
         "import pam_cosim as pam",
         "",
         f"folder = {str(folder)!r}",
-        f"files = {[str(f) for f in files]!r}",
+        f"files = {place.files!r}",
         f"data = pam.read(folder, model={place.base!r}, files=files)",
         f"model = {place.base!r}",
         "values = {}",
@@ -121,10 +126,10 @@ def _python_step(step: Step, place: _Place) -> list[str]:
 def _python_effects(effects: Sequence[str], place: _Place) -> list[str]:
     file = place.with_effects(effects)
     if file is None:
-        return [f"model, files = {place.base!r}, {[str(f) for f in place.files]!r}"]
+        return [f"model, files = {place.base!r}, {place.files!r}"]
     on = list(without_ratios(effects))
     return [
-        f"files = {[str(f) for f in place.files]!r}",
+        f"files = {place.files!r}",
         f"pam.add({on!r}, to={place.base!r}, output={file!r}, files=files)",
         f"model, files = {file!r}, {list(place.further)!r}",
     ]
@@ -133,9 +138,9 @@ def _python_effects(effects: Sequence[str], place: _Place) -> list[str]:
 # commands
 
 
-def commands_of(state: State, base: str, folder: Path, files: Sequence[Path]) -> str:
+def commands_of(state: State, base: str, folder: Path, catalogue: Catalogue) -> str:
     """The study as commands for a shell, from the base model that it began with."""
-    place = _Place(base, tuple(files))
+    place = _Place(base, catalogue)
     data = quote(str(folder))
     lines = [
         "#!/bin/sh",
@@ -203,7 +208,7 @@ def _command(name: str, data: str, place: _Place, *options: str) -> str:
 
 
 def _add(effects: Sequence[str], file: str, place: _Place) -> str:
-    further = [f"--file {quote(str(f))}" for f in place.files]
+    further = [f"--file {quote(f)}" for f in place.files]
     return " ".join(["pam-cosim add", *map(quote, effects), f"--to {quote(place.base)}", f"-o {quote(file)}", *further])
 
 

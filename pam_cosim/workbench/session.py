@@ -83,7 +83,7 @@ class Session:
 
     def _begin(self, model: str | None) -> None:
         data = complete_noise(study.read(self.folder, model=model, files=self.files))
-        self.benches = tuple(study.benches(self.files))
+        self.benches = self.catalogue.benches(data.model)
         self.first = self.state = State(data, model or data.model)
         self._install(self.state)
         self._take_saved()
@@ -169,7 +169,7 @@ class Session:
     def _install(self, state: State) -> None:
         old = self._open
         same = old is not None and old.is_of(state.data, state.model, state.effects)
-        fresh = old if same else open_model(state.data, state.model, state.effects, self.files, self.scratch)
+        fresh = old if same else open_model(state.data, state.model, state.effects, self.catalogue, self.scratch)
         assert fresh is not None
         try:
             comparison = self._scored(state, fresh, self._simulated(state, fresh))

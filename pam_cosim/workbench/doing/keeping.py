@@ -12,7 +12,7 @@ from pam_cosim.wording import shown
 from pam_cosim.workbench.doing.models import candidate_of, switch, take_candidate
 from pam_cosim.workbench.doing.words import names_of, text_of
 from pam_cosim.workbench.inside import inside
-from pam_cosim.workbench.opened import composed, without_ratios
+from pam_cosim.workbench.opened import without_ratios
 from pam_cosim.workbench.protocol import Added, Saved
 from pam_cosim.workbench.saving import load_state, save_state
 from pam_cosim.workbench.script import commands_of, python_of
@@ -41,8 +41,8 @@ def add(
         raise InputError("there is no effect to add: switch one on, or diagnose first")
     if not on:
         raise InputError("what is stated of a parameter is no part of a model: correct it in the data set")
-    target = _target(session, file, default=composed(state.model, on, session.files)[0].split(maxsplit=2)[1])
-    text, _ = composed(state.model, on, session.files, target.stem)
+    target = _target(session, file, default=session.catalogue.composed(state.model, on).name)
+    text = session.catalogue.composed(state.model, on, target.stem).text
     _write(target, text)
     session.back(state.after(Step(ADD, {"effects": list(on), "file": target.name}), file=target.name))
     session.windows.tell(Added(target.name, text, on))
@@ -108,5 +108,5 @@ def load(session: Session) -> None:
 
 def script(session: Session) -> dict[str, Any]:
     """The study as a Python script and as commands."""
-    place = (session.state, session.first.model, session.folder, session.files)
+    place = (session.state, session.first.model, session.folder, session.catalogue)
     return {"python": python_of(*place), "commands": commands_of(*place)}

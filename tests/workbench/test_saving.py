@@ -1,0 +1,201 @@
+"""A study is saved whole, comes back with the same numbers, and what it prints repeats it exactly."""
+
+from __future__ import annotations
+
+import json
+import runpy
+import shlex
+import shutil
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import pam_cosim as pam
+from pam_cosim.cli import main
+from pam_cosim.errors import InputError
+from pam_cosim.workbench import Session
+from pam_cosim.workbench.doing.keeping import save
+from pam_cosim.workbench.saving import FILE, lean, load_state, save_state
+from pam_cosim.workbench.script import commands_of, python_of
+from pam_cosim.workbench.steps import DIAGNOSE, Step
+from tests.reporting.synthetic import make_data, make_diagnosis, make_fit
+from tests.workbench.conftest import Window
+
+
+@pytest.fixture
+def window(folder: Path) -> Iterator[Window]:
+    """A study of its own: it writes into its folder."""
+    with Session(folder) as session:
+        yield Window(session)
+
+
+def scores(session: Session) -> Any:
+    return json.loads(json.dumps(session.comparison.as_dict()["signals"]))
+
+
+def work_a_little(window: Window) -> None:
+    """What needs no other process."""
+    window.do(do="set", values={"valve.C_A": 0.71})
+    window.do(do="switch", effects=["LinearBladder"])
+    name = next(p["name"] for p in window.last("study")["parameters"] if p["effect"])
+    low, high = window.session.opened.parameters[name].low, window.session.opened.parameters[name].high
+    window.do(do="set", values={name: low + 0.01 * (high - low), "muscle.mu_fb": 0.0213})
+
+
+def test_what_was_saved_comes_back_with_the_same_numbers(window: Window, folder: Path) -> None:
+    work_a_little(window)
+    assert not window.last("steps")["saved"]
+    window.do(do="save")
+    assert window.last("steps")["saved"]
+    before, ladder, steps = scores(window.session), window.last("scores")["ladder"], window.last("steps")
+    window.do(do="set", values={"valve.C_A": 0.8})
+    assert not window.last("steps")["saved"]
+    window.do(do="load")
+    assert scores(window.session) == before and window.last("scores")["ladder"] == ladder
+    window.do(do="undo")
+    assert window.last("scores")["values"]["valve.C_A"] == 0.8
+    with Session(folder) as again:
+        fresh = Window(again)
+        assert scores(again) == before
+        assert fresh.last("scores")["ladder"] == ladder and fresh.last("steps") == steps
+        assert fresh.last("study")["with_effects"] == "with LinearBladder"
+
+
+@pytest.mark.parametrize(
+    "damage",
+    ["{", "[]", "{}", '{"format": "pam-cosim workbench 1"}', "steps", "effects", "values", "file", "runs", "fit"],
+)
+def test_a_damaged_file_is_refused(folder: Path, shared: Session, damage: str) -> None:
+    save_state(shared.state, folder)
+    assert load_state(folder, shared.first) == shared.first
+    content = json.loads((folder / FILE).read_text())
+    changes: dict[str, Any] = {
+        "steps": {"steps": [{"do": "rm -rf"}]}, "effects": {"effects": [1]}, "values": {"values": {"valve.C_A": "x"}},
+        "file": {"file": "../../etc/passwd"}, "runs": {"roles": {"another": "fit"}}, "fit": {"fit": "../fit.npz"},
+    }  # fmt: skip
+    text = json.dumps(content | changes[damage]) if damage in changes else damage
+    (folder / FILE).write_text(text)
+    with pytest.raises(InputError):
+        load_state(folder, shared.first)
+
+
+def test_a_study_opens_without_what_was_damaged(folder: Path) -> None:
+    (folder / FILE).write_text("{")
+    with Session(folder) as again:
+        fresh = Window(again)
+        assert fresh.last("failed")["during"] == "load" and fresh.last("steps")["steps"] == []
+
+
+def test_nothing_but_files_of_the_folder_is_written(window: Window, folder: Path, tmp_path: Path) -> None:
+    window.do(do="switch", effects=["LinearBladder"])
+    for name in ("../out.mo", "/tmp/out.mo", "a/b.mo", ".mo", "..", "x.py", "x\n.mo", "experiment.toml", "C:\\x.mo"):
+        with pytest.raises(InputError):
+            window.do(do="add", file=name)
+    outside = tmp_path / "outside.mo"
+    (folder / "link.mo").symlink_to(outside)
+    with pytest.raises(InputError, match="no regular file"):
+        window.do(do="add", file="link.mo")
+    (folder / "mine.mo").write_text("mine")
+    with pytest.raises(InputError, match="another file"):
+        window.do(do="add", file="mine.mo")
+    (folder / FILE).symlink_to(outside)
+    with pytest.raises(InputError, match="no regular file"):
+        window.do(do="save")
+    assert not outside.exists() and (folder / "mine.mo").read_text() == "mine"
+    added = window.do(do="add", file="Better.mo")
+    assert (folder / "Better.mo").read_text() == added["text"] == window.last("added")["text"]
+    assert added["text"].startswith("model Better ") and window.last("study")["file"] == "Better.mo"
+    again = window.do(do="add", file="Better.mo")  # the same once more is no loss
+    assert again["text"] == added["text"]
+
+
+def repeated(folder: Path, session: Session, place: Path, monkeypatch: pytest.MonkeyPatch) -> list[Any]:
+    """The signals' scores at the end of the script, and of the last comparison among the commands."""
+    monkeypatch.chdir(place)
+    about = (session.state, session.first.model, folder, session.catalogue)
+    script = place / "study.py"
+    script.write_text(python_of(*about))
+    made = runpy.run_path(str(script))
+    ends = [made["comparison"].as_dict()["signals"]]
+    for line in commands_of(*about).splitlines():
+        words = shlex.split(line, comments=True)
+        if words[:1] == ["pam-cosim"]:
+            more = ["--json", "end.json"] if words[1] == "compare" else []
+            assert main([*words[1:], *more]) == 0, line
+    ends.append(json.loads((place / "end.json").read_text())["signals"])
+    return [json.loads(json.dumps(end)) for end in ends]
+
+
+def same(one: Any, other: Any) -> None:
+    for signal, values in one.items():
+        for key, value in values.items():
+            if isinstance(value, float):
+                np.testing.assert_allclose(other[signal][key], value, rtol=1e-9, err_msg=f"{signal} {key}")
+
+
+def test_script_and_commands_repeat_it(
+    window: Window, folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    work_a_little(window)
+    window.do(do="add")
+    window.do(do="switch", effects=[])
+    window.do(do="roles", roles={"run-02": "fit"})
+    window.do(do="reset", names=["muscle.mu_fb"])
+    place = tmp_path / "elsewhere"
+    place.mkdir()
+    for end in repeated(folder, window.session, place, monkeypatch):
+        same(scores(window.session), end)
+
+
+def test_a_title_cannot_leave_its_comment(shared: Session) -> None:
+    state = shared.state
+    evil = replace(state, data=replace(state.data, title='x\nimport os\r\n"""$(rm -rf /)\u2028y'))
+    about = (evil, state.model, Path("a b'c"), shared.catalogue)
+    for text in (python_of(*about), commands_of(*about)):
+        lines = [line for line in text.splitlines() if "rm -rf" in line or "import os" in line]
+        assert len(lines) == 1 and lines[0].startswith("# ")
+
+
+@pytest.mark.full
+def test_a_whole_study_is_saved_and_repeated(
+    window: Window, folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Set, fit, diagnose, take, add: the same verdict after loading, the same numbers when it is done again."""
+    window.do(do="set", values={"valve.C_A": 0.7})
+    window.work(do="fit")
+    assert window.work(do="diagnose", exclude=["creep"])["end"] == "done"
+    verdict = window.last("verdict")
+    window.do(do="add", effects=verdict["effects"])
+    window.do(do="save")
+    with Session(folder) as again:
+        fresh = Window(again)
+        assert fresh.last("verdict") == verdict and scores(again) == scores(window.session)
+        assert fresh.last("study")["parameters"] == window.last("study")["parameters"]
+    shutil.rmtree(tmp_path / "elsewhere", ignore_errors=True)
+    (tmp_path / "elsewhere").mkdir()
+    for end in repeated(folder, window.session, tmp_path / "elsewhere", monkeypatch):
+        same(scores(window.session), end)
+
+
+def test_a_diagnosis_is_saved_with_what_its_page_shows(window: Window, folder: Path) -> None:
+    """With a ranking that was made by hand: the search is tested elsewhere."""
+    session = window.session
+    diagnosis = make_diagnosis("ambiguous", session.state.data)
+    session.back(session.state.after(Step(DIAGNOSE, {}), diagnosis=lean(diagnosis)))
+    session.work.tell_diagnosis()
+    save(session)
+    with Session(folder) as again:
+        fresh = Window(again)
+        assert fresh.last("verdict") == window.last("verdict") and fresh.last("ranking") == window.last("ranking")
+
+
+def test_an_older_result_is_not_left_behind(folder: Path, shared: Session) -> None:
+    for error in (2.0, 3.0):
+        fit = make_fit(make_data(), error)
+        save_state(replace(shared.state, fit=fit), folder)
+        (kept,) = folder.glob("workbench-*.npz")
+        assert pam.load(kept).as_dict() == fit.as_dict() == load_state(folder, shared.first).fit.as_dict()
