@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-import re
-import signal
-import subprocess
-import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -15,13 +11,13 @@ import pytest
 
 from rig.named import effect_of
 from rig.short import write_light_data
-from tests.workbench.browser.chromium import MISSING, chromium
+from scripts.browser import MISSING, chromium
+from scripts.browser import serving as served
 
 sync_api = pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
 Browser, BrowserContext, Page = sync_api.Browser, sync_api.BrowserContext, sync_api.Page
 
 PATIENCE = 30_000  # ms, on a machine that does other things too
-ADDRESS = re.compile(r"http://127\.0\.0\.1:\d+/\?token=\S+")
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
@@ -32,28 +28,10 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
 
 
 @contextmanager
-def serving(folder: Path, *further: str) -> Iterator[str]:
+def serving(folder: Path) -> Iterator[str]:
     """The address of ``pam-cosim workbench`` on a folder, for as long as it runs."""
-    command = [sys.executable, "-m", "pam_cosim", "workbench", str(folder), "--no-browser", *further]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as server:
-        told = []
-        assert server.stdout is not None
-        try:
-            for line in server.stdout:
-                told.append(line)
-                found = ADDRESS.search(line)
-                if found:
-                    yield found.group()
-                    break
-            else:
-                pytest.fail("the workbench did not start:\n" + "".join(told))
-        finally:
-            server.send_signal(signal.SIGINT)
-            try:
-                server.wait(20)
-            except subprocess.TimeoutExpired:
-                server.kill()
-                raise
+    with served(folder) as (address, _):
+        yield address
 
 
 @pytest.fixture(scope="session")
@@ -70,7 +48,7 @@ def browser() -> Iterator[Browser]:
 
 @pytest.fixture(scope="session")
 def muscle(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Two short runs of the independent rig, one fitted and one held out; its bladder is elastic, its model's is not."""
+    """Two short runs of the independent rig, one held out; its bladder is elastic, that of the model is not."""
     folder: Path = tmp_path_factory.mktemp("data") / "muscle"
     return write_light_data(folder, [effect_of("elasticity:linear")], seed=1)
 
