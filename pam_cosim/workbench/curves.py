@@ -19,7 +19,7 @@ def measured_curves(data: DataSet) -> list[Curve]:
     """Times and measured signals of all runs."""
     curves = []
     for run in data.runs:
-        time = shown_times(np.arange(1.0, len(run.time) + 1) if run.is_static else run.time)
+        time = shown_times(run.time if run.along is None else run.time * readable_factor(run.along.unit))
         for name, values in run.measurements.items():
             curves.append(Curve(run.name, name, {"time": time, "values": thinned(values * _factor(data, name))}))
     return curves

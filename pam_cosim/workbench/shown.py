@@ -61,6 +61,7 @@ def _run(run: Run) -> ShownRun:
         duration=float(run.time[-1] - run.time[0]) if not run.is_static else float(len(run.time)),
         static=run.is_static,
         along=run.along.name if run.along else "",
+        along_unit=unit_text(run.along.unit) if run.along else "",
         samples=len(run.time),
         describe=run.describe(),
         parameters=tuple(f"{name} = {value:.4g}" for name, value in run.parameters.items()),

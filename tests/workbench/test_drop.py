@@ -1,0 +1,126 @@
+"""Recordings that are dropped: what is recognised, what is wrong at its cell, and the data set in the end."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+import pam_cosim as pam
+from pam_cosim.errors import InputError
+from pam_cosim.workbench import Workbench
+from pam_cosim.workbench.inside import inside, safe_name
+from tests.workbench.conftest import PATIENCE, Window
+
+
+@pytest.fixture
+def window(tmp_path: Path) -> Iterator[Window]:
+    with Workbench(tmp_path / "new-rig") as workbench:
+        yield Window(workbench)
+
+
+def put(window: Window, name: str, content: bytes) -> None:
+    window.session.put(name, content).result(PATIENCE)
+
+
+def test_a_folder_that_is_not_there_is_where_recordings_are_dropped(window: Window, recorded: Path) -> None:
+    assert window.last("study")["state"] == "drop" and window.last("dropped")["files"] == []
+    put(window, "run-01.csv", (recorded / "run-01.csv").read_bytes())
+    (file,) = window.last("dropped")["files"]
+    assert file["name"] == "run-01.csv" and file["header"][0].startswith("time") and len(file["rows"][0]) > 3
+    with pytest.raises(InputError, match="drop recordings first"):
+        window.do(do="fit")
+    window.do(do="remove", names=["run-01.csv"])
+    assert window.last("dropped")["files"] == []
+    window.do(do="draft")
+    assert "at least one" in window.last("draft")["failed"]["text"]
+    assert not window.session.folder.exists()
+
+
+def test_what_is_wrong_is_shown_at_its_cell(window: Window, recorded: Path) -> None:
+    lines = (recorded / "run-01.csv").read_text().splitlines()
+    cells = lines[20].split(",")
+    lines[20] = ",".join([*cells[:4], "soft", *cells[5:]])
+    put(window, "run-01.csv", "\n".join(lines).encode())
+    window.do(do="draft")
+    draft = window.last("draft")
+    failed, excerpt = draft["failed"], draft["excerpt"]
+    assert "'soft' is not a number" in failed["text"] and failed["line"] == 21 and failed["file"] == "run-01.csv"
+    assert excerpt["line"] == 21 and excerpt["column"] == 4
+    assert excerpt["rows"][excerpt["line"] - excerpt["first"]][excerpt["column"]] == "soft"
+    with pytest.raises(InputError, match="soft"):
+        window.do(do="create")
+    assert not window.session.folder.exists()
+
+
+def test_it_ends_as_a_data_set_as_if_written_by_hand(window: Window, recorded: Path, tmp_path: Path) -> None:
+    for name in ("run-01", "run-02"):
+        put(window, f"{name}.csv", (recorded / f"{name}.csv").read_bytes())
+    wishes = {"title": "<b>mine</b>", "parameters": {"load.m": "2.27 kg"}, "roles": {"run-02": "holdout"}}
+    window.do(do="draft", wishes=wishes)
+    draft = window.last("draft")
+    assert draft["failed"] is None and draft["model"].endswith("Isotonic") and draft["guesses"] and draft["to_check"]
+    assert [run["role"] for run in draft["runs"]] == ["fit", "holdout"] and "load.m" in draft["toml"]
+    assert {n["name"] for n in draft["names"] if n["input"]} >= {"u_in", "u_out"}
+    assert all(math.isfinite(v) for v in draft["curves"][0]["values"])
+    assert not window.session.folder.exists()
+    window.do(do="create", wishes=wishes)
+    assert window.last("study")["state"] == "open" and window.last("study")["title"] == "<b>mine</b>"
+    assert {header["kind"] for header, _ in window.frames} == {"measured", "model"}
+    data = pam.read(window.session.folder)
+    again = pam.new(
+        tmp_path / "by-hand" / "new-rig",
+        [recorded / "run-01.csv", recorded / "run-02.csv"],
+        title="<b>mine</b>", parameters={"load.m": "2.27 kg"}, roles={"run-02": "holdout"},
+    )  # fmt: skip
+    assert str(data) == str(again.data)
+    written = (window.session.folder / "experiment.toml").read_text()
+    assert written == (again.folder / "experiment.toml").read_text()
+    window.do(do="set", values={"valve.C_A": 0.7})
+    assert window.last("scores")["values"]["valve.C_A"] == 0.7
+
+
+@pytest.mark.parametrize(
+    "wishes",
+    [{"columns": {"p": "no such column"}}, {"roles": {"run-09": "fit"}}, {"roles": {"run-01": "judge"}},
+     {"model": "NoSuchBench"}, {"model": "../x.mo"}, {"folder": "/"}, {"parameters": {"load.m": "2.27"}},
+     {"columns": ["p"]}, {"recording": {"decimal": "!"}}, {"title": 3}],
+)  # fmt: skip
+def test_wishes_that_cannot_be_met_are_answered_in_words(window: Window, recorded: Path, wishes: dict) -> None:
+    put(window, "run-01.csv", (recorded / "run-01.csv").read_bytes())
+    window.do(do="draft", wishes=wishes)
+    assert window.last("draft")["failed"]["text"]
+    assert not window.session.folder.exists()
+
+
+@pytest.mark.parametrize(
+    "content",
+    [b"", b"\x00\x01\x02", b"hello", b"time,p\n", b"time [s],p [kPa]\n1,2\n0,1\n", b"<script>alert(1)</script>"],
+)
+def test_whatever_is_dropped_is_answered_in_words(window: Window, content: bytes) -> None:
+    put(window, "odd.csv", content)
+    window.do(do="draft")
+    assert window.last("draft")["failed"]["text"]
+
+
+@pytest.mark.parametrize(
+    ("name", "made"),
+    [("run.csv", "run.csv"), ("../../etc/passwd", "passwd"), ("C:\\data\\run 1.csv", "run 1.csv"),
+     (".hidden", "hidden"), ("Messung_ä(1).csv", "Messung__(1).csv"), ("a\nb.csv", "a_b.csv"), ("<b>.csv", "_b_.csv")],
+)  # fmt: skip
+def test_names_become_names_of_files(name: str, made: str, tmp_path: Path) -> None:
+    assert safe_name(name) == made and inside(tmp_path, safe_name(name)).parent == tmp_path
+
+
+@pytest.mark.parametrize("name", ["", "..", "/", "   ", "..."])
+def test_what_is_no_name_is_refused(name: str) -> None:
+    with pytest.raises(InputError):
+        safe_name(name)
+
+
+def test_a_folder_with_other_things_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "notes.txt").write_text("mine")
+    with pytest.raises(InputError, match="experiment.toml"):
+        Workbench(tmp_path)
