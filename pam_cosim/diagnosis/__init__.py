@@ -5,6 +5,7 @@ from pam_cosim.diagnosis.check import Check, Help, check
 from pam_cosim.diagnosis.diagnose import Diagnosis, diagnose
 from pam_cosim.diagnosis.events import (
     BaseFitted,
+    BegunAnew,
     CandidateTried,
     EffectsLookedAt,
     Event,
@@ -16,6 +17,7 @@ from pam_cosim.diagnosis.events import (
     NothingTried,
     OutliersSetAside,
     Remark,
+    StepsSought,
 )
 from pam_cosim.diagnosis.explanation import LearnedModel
 from pam_cosim.diagnosis.message import Message
@@ -27,6 +29,7 @@ from pam_cosim.diagnosis.verdict import Verdict
 __all__ = [
     "Alike",
     "BaseFitted",
+    "BegunAnew",
     "Candidate",
     "CandidateTried",
     "Check",
@@ -50,6 +53,7 @@ __all__ = [
     "OutliersSetAside",
     "Remark",
     "Shown",
+    "StepsSought",
     "Told",
     "Verdict",
     "check",

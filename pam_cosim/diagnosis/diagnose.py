@@ -14,7 +14,16 @@ from pam_cosim.comparison import without_outliers
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial, role_summary
 from pam_cosim.diagnosis.choice import meant
-from pam_cosim.diagnosis.events import BaseFitted, Judged, LedgerKept, Listener, LookFirst, OutliersSetAside, listened
+from pam_cosim.diagnosis.events import (
+    BaseFitted,
+    BegunAnew,
+    Judged,
+    LedgerKept,
+    Listener,
+    LookFirst,
+    OutliersSetAside,
+    listened,
+)
 from pam_cosim.diagnosis.evidence import incomplete, rank
 from pam_cosim.diagnosis.explanation import LearnedModel, learned_term, ledger_of
 from pam_cosim.diagnosis.message import Message
@@ -201,7 +210,7 @@ def diagnose(
     selection, timed = select_effects(search, base, deadline), None
     if selection.timed is not None:
         timed = selection.timed
-        say(Message(f"{timed.steps} steps of commands come between samples, where they leave least: all begins anew"))
+        say(BegunAnew(timed.steps).message)
         with subject.simulator() as simulator:
             data, base, outliers = _base(simulator, timed.data, say)
         selection = select_effects(replace(search, data=data), base, deadline, clocks=False)

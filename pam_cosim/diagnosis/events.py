@@ -88,6 +88,24 @@ class EffectsLookedAt(Event):
 
 
 @dataclass(frozen=True)
+class StepsSought(Event):
+    """Steps of commands may come between two samples: where is sought."""
+
+    def __str__(self) -> str:
+        return "giving each step of a command its time between two samples"
+
+
+@dataclass(frozen=True)
+class BegunAnew(Event):
+    """So many steps of commands got a time between two samples: what was tried before no longer counts."""
+
+    steps: int
+
+    def __str__(self) -> str:
+        return f"{self.steps} steps of commands come between samples, where they leave least: all begins anew"
+
+
+@dataclass(frozen=True)
 class FittingBegun(Event):
     """So many models are fitted, "in a few steps" or "to the end"; each is a ``CandidateTried``."""
 

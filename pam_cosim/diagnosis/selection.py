@@ -17,7 +17,7 @@ from dataclasses import dataclass, field, replace
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.events import NothingTried
+from pam_cosim.diagnosis.events import NothingTried, StepsSought
 from pam_cosim.diagnosis.evidence import (
     Scale,
     coherent,
@@ -210,7 +210,7 @@ class _Models:
             return None
         models = sorted(self.known.values(), key=lambda c: (self._evidence(c), c.effects))
         own = [(c.effects, c.fit) for c in models if len(c.effects) == count][: CRITERIA.search.leading_families]
-        self.search.say(Message("giving each step of a command its time between two samples"))
+        self.search.say(StepsSought().message)
         timed = self.search.with_step_times([((), self.base)] * (count == 1) + own)
         timed = [r for r in timed if not unexplained(r.fit)]
         if not timed:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from pam_cosim import diagnosis as rooms
-from pam_cosim.diagnosis import BaseFitted, CandidateTried, Diagnosis, FailedTrial, Judged, LedgerKept
+from pam_cosim.diagnosis import BaseFitted, BegunAnew, CandidateTried, Diagnosis, FailedTrial, Judged, LedgerKept
 from pam_cosim.diagnosis.evidence import rank
 from pam_cosim.diagnosis.verdict import explained
 from pam_cosim.domain import Domain
@@ -58,6 +58,9 @@ class Following:
         """What is to be shown of something that happened."""
         if isinstance(event, BaseFitted):
             self.base = event.fit
+        elif isinstance(event, BegunAnew):
+            self.tried.clear()
+            self.failed.clear()
         elif isinstance(event, CandidateTried):
             return [self._candidate(event), self.ranking()]
         elif isinstance(event, Judged):
