@@ -74,7 +74,7 @@ class Row {
     Object.assign(this, { p, set });
     const label = `${p.name}${p.unit ? `, ${p.unit}` : ""}`;
     this.fitted = make("input", { type: "checkbox", checked: free, onchange: () => choose(this.fitted.checked), title: "A fit may move it", "aria-label": `A fit may move ${p.name}` });
-    this.number = make("input", { type: "number", step: "any", "aria-label": label, onchange: () => this.typed() });
+    this.number = make("input", { type: "number", step: "any", "aria-label": label, onchange: () => this.typed(), onblur: () => this.move(this.current) });
     this.slider = make("input", { type: "range", min: "0", max: String(STEPS), step: "1", "aria-label": label, "data-parameter": p.name, oninput: () => this.dragged() });
     this.band = make("div", { class: "interval" });
     this.note = make("p", { class: "note" });
@@ -103,6 +103,7 @@ class Row {
   }
 
   move(value) {
+    this.current = value;
     if (document.activeElement !== this.number) this.number.value = plain(value, DIGITS);
     if (!this.held) this.slider.value = String(Math.round(STEPS * this.share(value)));
     this.slider.setAttribute("aria-valuetext", `${number(value)} ${this.p.unit}`.trim());
@@ -119,7 +120,8 @@ class Row {
 
   typed() {
     const value = Number(this.number.value);
-    if (this.number.value.trim() !== "" && Number.isFinite(value)) this.set({ [this.p.name]: value });
+    if (this.number.value.trim() === "" || !Number.isFinite(value)) return;
+    this.set({ [this.p.name]: value });
   }
 
   share(value) {
