@@ -26,8 +26,8 @@ from scripts.stories import HIDDEN, HIDDEN_TITLE
 PICTURES = Path(__file__).resolve().parent.parent / "docs" / "pictures"
 SIZE = {"width": 1280, "height": 800}
 SMALL = (960, 600)  # px, of the moving picture
-COLOURS = 48
-REST, MOVE = 1400, 220  # ms that a picture stands
+COLOURS = 80
+REST, MOVE = 1400, 300  # ms that a picture stands
 LONG = 1_200_000  # ms, for a diagnosis
 
 
@@ -56,8 +56,11 @@ class Film:
         self.take(REST)
 
     def save(self, path: Path) -> None:
-        """Writes a GIF; all its pictures share the colours of the last one."""
-        palette = self.frames[-1].quantize(COLOURS, dither=Image.Dither.NONE)
+        """Writes a GIF; all its pictures share one set of colours."""
+        several = Image.new("RGB", (SMALL[0], 3 * SMALL[1]))
+        for k, frame in enumerate((self.frames[0], self.frames[len(self.frames) // 2], self.frames[-1])):
+            several.paste(frame, (0, k * SMALL[1]))
+        palette = several.quantize(COLOURS, dither=Image.Dither.NONE)
         flat = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in self.frames]
         flat[0].save(path, save_all=True, append_images=flat[1:], duration=self.times, loop=0, optimize=True)
 

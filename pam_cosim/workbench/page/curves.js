@@ -57,7 +57,7 @@ export class Curves {
       this.runs.filter((run) => measured.has(run.name)).map((run) => {
         const times = [...measured.get(run.name).values()].map((s) => s.time).filter((time) => time?.length);
         const [low, high] = [Math.min(...times.map((t) => t[0])), Math.max(...times.map((t) => t.at(-1)))];
-        return { name: run.name, role: run.role, low, high, points: run.static };
+        return { name: run.name, role: run.role, low, high, points: run.static, along: run.along };
       }),
     );
   }
@@ -120,9 +120,16 @@ export class Curves {
       row.box = plane?.draw(row.map, view, row.signal, colours) ?? null;
       say(row.readout, this.words(readOut(view, row.signal, frames), row.signal) || (row === this.rows[0] ? BELOW : ""));
     }
-    drawAxis(this.axis, view, view.runs.every((run) => run.points) ? "point" : "time [s]", colours);
+    drawAxis(this.axis, view, this.along(), colours);
     this.drawn = performance.now();
     document.dispatchEvent(new CustomEvent("drawn", { detail: { version: this.version } }));
+  }
+
+  /** What the curves are drawn over. */
+  along() {
+    const [run, ...others] = this.view.runs;
+    if (!run?.points) return "time [s]";
+    return others.every((other) => other.along === run.along) && run.along ? run.along : "point";
   }
 
   selection(canvas) {
@@ -136,7 +143,7 @@ export class Curves {
 
   words(there, signal) {
     if (!there) return "";
-    const at = there.run.points ? `point ${there.at}` : `${there.at.toFixed(3)} s`;
+    const at = !there.run.points ? `${there.at.toFixed(3)} s` : /\[/.test(there.run.along) ? `${there.run.along.split(" [")[0]} = ${quantity(there.at, there.run.along.slice(there.run.along.indexOf("[") + 1, -1))}` : `point ${there.at}`;
     const part = (word, value) => (value === undefined ? "" : `${word} ${quantity(value, signal.unit)}`);
     return [`${there.run.name}, ${at}`, part("measured", there.measured), part("model", there.model), part("difference", there.residual)]
       .filter(Boolean).join(" · ");

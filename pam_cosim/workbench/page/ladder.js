@@ -75,7 +75,7 @@ function drawRungs(canvas, rungs, signal, colours) {
   const base = height - 15;
   const y = (value) => Math.round(base - ((Math.log(value) - low) / (high - low || 1)) * (base - 16));
   if (noise) noiseLine(g, y(noise) + 0.5, width, colours);
-  const step = Math.min(width / rungs.length, WIDEST), long = Math.min(LONGEST, (step - 14) / 2);
+  const step = Math.floor(Math.min(width / rungs.length, WIDEST)), long = Math.floor(Math.min(LONGEST, (step - 14) / 2));
   rungs.forEach((rung, i) => {
     const colour = i === 0 && rungs.length > 1 ? colours.before : colours.model;
     ROLES.forEach((role, k) => {

@@ -20,6 +20,7 @@ import { View } from "./view.js";
 const view = new View();
 const NAMES = { fit: "The fit", diagnose: "The diagnosis", check: "The check" };
 const ENDS = { done: "is done", stopped: "was ended", failed: "has failed" };
+const done = new Set(); // what was done in this study: it says what comes next
 let study = null, busy = null, verdict = null, connected = false;
 
 /** Sends a command; what is wrong is said at the top, or to `failed`. The answer, or null. */
@@ -120,7 +121,9 @@ const hear = {
   },
   saved: (event) => status(`Saved as ${event.file}`),
   steps(event) {
+    done.clear();
     parts.study.did(event.steps);
+    for (const { text } of event.steps) done.add(text.split(" ")[0]);
     byId("undo").dataset.none = String(!event.steps.length);
     say(byId("save"), event.saved && event.steps.length ? "Saved" : "Save");
     lock();
@@ -162,6 +165,8 @@ function lock() {
   byId("discard").hidden = !busy?.held;
   for (const part of [parts.parameters, parts.effects, parts.diagnosis]) part.lock(held);
   document.body.classList.toggle("busy", Boolean(busy));
+  const next = verdict?.effects?.length ? "add" : done.has("fit") || done.has("diagnose") ? "diagnose" : "fit";
+  for (const id of ["fit", "diagnose", "add"]) byId(id).classList.toggle("main", id === next);
 }
 
 function legend() {

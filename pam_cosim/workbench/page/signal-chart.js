@@ -131,13 +131,11 @@ function horizontal(g, at, width, colour) {
 
 function noiseBand(g, y, signal, view, across, colours) {
   if (!signal.noise) return;
-  g.fillStyle = colours.line;
-  g.globalAlpha = 0.55;
+  g.fillStyle = colours.noise;
   for (const run of view.visible()) {
     const [a, b] = [Math.max(across.to(run.start), LEFT), Math.min(across.to(run.start + run.span), across.to(view.to))];
     g.fillRect(a, y.to(2 * signal.noise), b - a, y.to(-2 * signal.noise) - y.to(2 * signal.noise));
   }
-  g.globalAlpha = 1;
 }
 
 function residualAxis(g, y, area, width, colours) {
