@@ -56,8 +56,9 @@ export class Curves {
     this.view.lay(
       this.runs.filter((run) => measured.has(run.name)).map((run) => {
         const times = [...measured.get(run.name).values()].map((s) => s.time).filter((time) => time?.length);
-        const [low, high] = [Math.min(...times.map((t) => t[0])), Math.max(...times.map((t) => t.at(-1)))];
-        return { name: run.name, role: run.role, low, high, points: run.static, along: run.along };
+        const ends = run.static ? times.flatMap((t) => [...t]) : times.flatMap((t) => [t[0], t.at(-1)]);
+        const [low, high] = [Math.min(...ends), Math.max(...ends)];
+        return { name: run.name, role: run.role, low, high, points: run.static, along: run.along, unit: run.along_unit };
       }),
     );
   }
@@ -127,9 +128,10 @@ export class Curves {
 
   /** What the curves are drawn over. */
   along() {
-    const [run, ...others] = this.view.runs;
-    if (!run?.points) return "time [s]";
-    return others.every((other) => other.along === run.along) && run.along ? run.along : "point";
+    const [first, ...others] = this.view.runs;
+    if (!first?.points) return "time [s]";
+    if (!others.every((run) => run.along === first.along)) return "";
+    return first.unit ? `${first.along} [${first.unit}]` : first.along || "point";
   }
 
   selection(canvas) {
@@ -143,7 +145,8 @@ export class Curves {
 
   words(there, signal) {
     if (!there) return "";
-    const at = !there.run.points ? `${there.at.toFixed(3)} s` : /\[/.test(there.run.along) ? `${there.run.along.split(" [")[0]} = ${quantity(there.at, there.run.along.slice(there.run.along.indexOf("[") + 1, -1))}` : `point ${there.at}`;
+    const { run } = there;
+    const at = !run.points ? `${there.at.toFixed(3)} s` : run.along ? `${run.along} = ${quantity(there.at, run.unit)}` : `point ${there.at}`;
     const part = (word, value) => (value === undefined ? "" : `${word} ${quantity(value, signal.unit)}`);
     return [`${there.run.name}, ${at}`, part("measured", there.measured), part("model", there.model), part("difference", there.residual)]
       .filter(Boolean).join(" · ");

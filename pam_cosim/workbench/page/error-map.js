@@ -60,8 +60,8 @@ export class Plane {
       const residual = this.model.get(run.name)?.get(signal.name)?.residual, there = this.cells.get(run.name);
       if (!residual || !there || residual.length !== there.cell.length) continue;
       const { time, cell } = there;
-      const last = lower(time, view.to - run.shift + 1e-9);
-      for (let i = lower(time, view.from - run.shift); i < last; i++) {
+      const last = run.points ? time.length : lower(time, view.to - run.shift + 1e-9);
+      for (let i = run.points ? 0 : lower(time, view.from - run.shift); i < last; i++) {
         if (cell[i] >= 0 && residual[i] === residual[i]) tell(cell[i], residual[i], run.name, time, i);
       }
     }

@@ -24,7 +24,7 @@ export function drawSignal(canvas, view, signal, curves, colours) {
   const runs = view.visible().map((run) => ({ run, ...ofRun(curves, run.name, signal.name) })).filter((r) => r.measured?.time);
   const upper = { top: 6, bottom: Math.round(height * SHARE) - 4 };
   const under = { top: Math.round(height * SHARE) + 6, bottom: height - 4 };
-  const shapes = runs.map((r) => ({ ...r, range: within(r.measured.time, view.from - r.run.shift, view.to - r.run.shift) }));
+  const shapes = runs.map((r) => ({ ...r, range: r.run.points ? [0, r.measured.time.length] : within(r.measured.time, view.from - r.run.shift, view.to - r.run.shift) }));
 
   grounds(g, view, across, height, colours, width);
   const value = linear(limits(shapes, upperArrays), upper);
@@ -55,9 +55,18 @@ export function readOut(view, signal, curves) {
   if (!there) return null;
   const { measured: m, model } = ofRun(curves, there.run.name, signal.name);
   if (!m?.time?.length) return null;
-  let i = Math.min(lower(m.time, there.value), m.time.length - 1);
-  if (i > 0 && there.value - m.time[i - 1] < m.time[i] - there.value) i--;
+  const i = there.run.points ? nearest(m.time, there.value) : nearestSorted(m.time, there.value);
   return { run: there.run, at: m.time[i], measured: m.values[i], model: model?.values?.[i], residual: model?.residual?.[i] };
+}
+
+function nearestSorted(times, value) {
+  const i = Math.min(lower(times, value), times.length - 1);
+  return i > 0 && value - times[i - 1] < times[i] - value ? i - 1 : i;
+}
+
+/** Points at rest come in the order in which they were measured. */
+function nearest(places, value) {
+  return places.reduce((best, place, i) => (Math.abs(place - value) < Math.abs(places[best] - value) ? i : best), 0);
 }
 
 function ofRun(curves, run, signal) {
