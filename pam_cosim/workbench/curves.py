@@ -8,7 +8,7 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.comparison import RunComparison
-from pam_cosim.measurement import DataSet
+from pam_cosim.measurement import DataSet, Run
 from pam_cosim.units import readable_factor
 from pam_cosim.workbench.protocol import Curve
 
@@ -16,12 +16,14 @@ MOST_POINTS = 4000  # of a curve, one for each pixel of the widest screens
 
 
 def measured_curves(data: DataSet) -> list[Curve]:
-    """Times and measured signals of all runs."""
+    """Times and measured signals of all runs; of points at rest, what they are drawn over instead of times, rising."""
     curves = []
     for run in data.runs:
-        time = shown_times(run.time if run.along is None else run.time * readable_factor(run.along.unit))
+        factor = readable_factor(run.along.unit) if run.along else 1.0
+        time = shown_times(_rising(run, run.time * factor))
         for name, values in run.measurements.items():
-            curves.append(Curve(run.name, name, {"time": time, "values": thinned(values * _factor(data, name))}))
+            shown = thinned(_rising(run, values * _factor(data, name)))
+            curves.append(Curve(run.name, name, {"time": time, "values": shown}))
     return curves
 
 
@@ -32,13 +34,18 @@ def model_curves(runs: Sequence[RunComparison], data: DataSet) -> list[Curve]:
             r.run.name,
             name,
             {
-                "values": thinned(r.model[name] * _factor(data, name)),
-                "residual": thinned(r.residual(name) * _factor(data, name)),
+                "values": thinned(_rising(r.run, r.model[name] * _factor(data, name))),
+                "residual": thinned(_rising(r.run, r.residual(name) * _factor(data, name))),
             },
         )
         for r in runs
         for name in r.run.measurements
     ]
+
+
+def _rising(run: Run, values: Array) -> Array:
+    """Points at rest in the order in which they are drawn; a recording as it is."""
+    return values[np.argsort(run.time, kind="stable")] if run.is_static else values
 
 
 def _factor(data: DataSet, name: str) -> float:

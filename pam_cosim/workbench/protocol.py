@@ -52,7 +52,7 @@ class ShownRun:
 
     Attributes:
         duration: [s]; of points at rest, their number.
-        static: points at rest; their "times" in frames are values of ``along`` [along_unit], in which they are drawn.
+        static: points at rest; their "times" in frames are values of what they are drawn over, ``along`` with its unit.
         describe: a line about it.
         parameters: what is known of it, as text.
     """
@@ -62,7 +62,6 @@ class ShownRun:
     duration: float
     static: bool
     along: str
-    along_unit: str
     samples: int
     describe: str
     parameters: tuple[str, ...] = ()
