@@ -58,7 +58,7 @@ export class Curves {
         const times = [...measured.get(run.name).values()].map((s) => s.time).filter((time) => time?.length);
         const ends = run.static ? times.flatMap((t) => [...t]) : times.flatMap((t) => [t[0], t.at(-1)]);
         const [low, high] = [Math.min(...ends), Math.max(...ends)];
-        return { name: run.name, role: run.role, low, high, points: run.static, along: run.along, unit: run.along_unit };
+        return { name: run.name, role: run.role, low, high, points: run.static, ...quantityOf(run.along) };
       }),
     );
   }
@@ -151,4 +151,10 @@ export class Curves {
     return [`${there.run.name}, ${at}`, part("measured", there.measured), part("model", there.model), part("difference", there.residual)]
       .filter(Boolean).join(" · ");
   }
+}
+
+/** "p [kPa]" as name and unit. */
+function quantityOf(along) {
+  const [, name, unit] = /^(.*?)(?: \[(.*)\])?$/.exec(along ?? "");
+  return { along: name, unit: unit === "1" ? "" : unit ?? "" };
 }
