@@ -530,6 +530,11 @@ def frame(kind: str, version: int, curves: Sequence[Curve], label: str = "", ans
     return struct.pack("<I", len(header)) + header + body.tobytes()
 
 
+def is_model(message: bytes) -> bool:
+    """Whether a frame is of the standing model, of which only the newest matters."""
+    return b'"kind": "model"' in message[:80]
+
+
 def read_frame(message: bytes) -> tuple[Json, dict[tuple[str, str, str], Array]]:
     """Header of a frame, and its arrays by run, signal and what they are.
 

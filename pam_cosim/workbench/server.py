@@ -26,30 +26,42 @@ from pam_cosim.workbench.documents import NAMES, document
 from pam_cosim.workbench.drop import MOST_BYTES
 from pam_cosim.workbench.guard import Guard, new_token
 from pam_cosim.workbench.host import Workbench
-from pam_cosim.workbench.protocol import Failed, answer
+from pam_cosim.workbench.protocol import Failed, answer, is_model
 from pam_cosim.workbench.work import failed_by
 
 PAGE = Path(__file__).parent / "page"
 HOST = "127.0.0.1"
-MOST_WAITING = 256  # messages that a window may be behind before it is told to begin anew
+MOST_WAITING = 20_000  # messages that a window may be behind before it is given up
 
 
 class Window:
-    """One websocket: what it is to be told waits in a queue, of which frames that were overtaken are left out."""
+    """One websocket: what it is to be told waits in a queue, of which curves that were overtaken are left out."""
 
     def __init__(self, socket: WebSocket, loop: asyncio.AbstractEventLoop) -> None:
         self.socket, self.loop = socket, loop
-        self.waiting: asyncio.Queue[str | bytes] = asyncio.Queue()
+        self.waiting: asyncio.Queue[str | bytes | None] = asyncio.Queue()
+        self._newest: bytes | None = None  # of the model's curves, whose place in the queue is None
 
     def tell(self, message: str | bytes) -> None:
         """From any thread."""
         with contextlib.suppress(RuntimeError):  # the server has ended
-            self.loop.call_soon_threadsafe(self.waiting.put_nowait, message)
+            self.loop.call_soon_threadsafe(self._put, message)
+
+    def _put(self, message: str | bytes) -> None:
+        if isinstance(message, str) or not is_model(message):
+            self.waiting.put_nowait(message)
+            return
+        if self._newest is None:
+            self.waiting.put_nowait(None)
+        self._newest = message
 
     async def send(self) -> None:
         """Sends what comes, as long as somebody listens."""
         while True:
-            await _send(self.socket, await self.waiting.get())
+            message = await self.waiting.get()
+            if message is None:
+                message, self._newest = self._newest or b"", None
+            await _send(self.socket, message)
             if self.waiting.qsize() > MOST_WAITING:
                 await self.socket.close(1013, "too far behind")
                 return
@@ -180,7 +192,7 @@ def serve(
         tell("end it with Ctrl-C; whoever has the address can use it")
         config = uvicorn.Config(
             _opening(application(workbench, token), address if browser else None),
-            log_level="warning", lifespan="on", ws_max_size=1 << 20, timeout_graceful_shutdown=1,
+            log_level="warning", lifespan="on", server_header=False, ws_max_size=1 << 20, timeout_graceful_shutdown=1,
         )  # fmt: skip
         server = uvicorn.Server(config)
         with contextlib.suppress(KeyboardInterrupt):

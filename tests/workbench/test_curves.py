@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import asyncio
+
 import numpy as np
 import pytest
 
 from pam_cosim.workbench.curves import MOST_POINTS, shown_times, thinned
-from pam_cosim.workbench.protocol import Curve, frame, read_frame
+from pam_cosim.workbench.protocol import Curve, frame, is_model, read_frame
 
 
 def test_a_long_curve_keeps_its_peaks_and_its_gaps() -> None:
@@ -42,5 +44,31 @@ def test_a_frame_is_read_as_it_was_written() -> None:
     assert one["time_at"] == other["time_at"]  # each array is sent once
     (length,) = np.frombuffer(message[:4], "<u4")
     assert (4 + int(length)) % 4 == 0 and len(message) == 4 + length + 4 * 15
+    assert not is_model(message) and is_model(frame("model", 3, curves)) and not is_model(frame("reference", 1, []))
     with pytest.raises(ValueError):
         read_frame(b"\x01")
+
+
+def test_a_window_that_is_behind_gets_the_newest_curves_alone() -> None:
+    server = pytest.importorskip("pam_cosim.workbench.server", reason="the extra 'workbench' is not installed")
+    sent: list[str | bytes] = []
+
+    class Socket:
+        async def send_text(self, text: str) -> None:
+            sent.append(text)
+
+        async def send_bytes(self, message: bytes) -> None:
+            sent.append(message)
+
+    async def behind() -> None:
+        window = server.Window(Socket(), asyncio.get_running_loop())
+        for version in range(50):
+            window.tell(frame("model", version, []))
+            window.tell(f"scores {version}")
+        sending = asyncio.create_task(window.send())
+        await asyncio.sleep(0.05)
+        sending.cancel()
+
+    asyncio.run(behind())
+    (model,) = [read_frame(message)[0]["version"] for message in sent if isinstance(message, bytes)]
+    assert model == 49 and sent[1:] == [f"scores {version}" for version in range(50)]

@@ -11,6 +11,7 @@ import pytest
 import pam_cosim as pam
 from pam_cosim.errors import InputError
 from pam_cosim.workbench import Session
+from pam_cosim.workbench.documents import document
 from rig.short import write_light_data
 from tests.workbench.conftest import Window, put_back
 
@@ -127,6 +128,8 @@ def test_a_hidden_effect_is_found_added_and_the_error_at_the_noise(recorded: Pat
         assert (folder / added["file"]).read_text() == added["text"]
         for level in window.last("scores")["scores"]["holdout"].values():
             assert level["rms"] < 1.3 * level["noise"]
+        report = document(session, "report.html")
+        assert verdict["headline"] in report and verdict["reason"].replace("'", "&#39;") in report
 
 
 @pytest.mark.full
