@@ -24,7 +24,6 @@ from rig.named import effect_of
 from rig.plan import default_plan
 from scripts.browser import MISSING, chromium, serving
 
-SLIDER = "input[type=range]"
 MOVES = """
 async ([moves, pause]) => {
   const slider = document.querySelector("input[type=range]"), times = [];
@@ -38,7 +37,6 @@ async ([moves, pause]) => {
     document.addEventListener("drawn", drawn);
   });
   let seen = -1;
-  document.addEventListener("drawn", (event) => (seen = Math.max(seen, event.detail.version)), { once: true });
   for (let i = 0; i <= moves; i++) {
     await new Promise((done) => setTimeout(done, pause));
     const begun = performance.now(), waiting = shown();
@@ -91,7 +89,7 @@ def first_page(page: Any, address: str) -> float:
 
 
 def moves(page: Any, count: int) -> list[float]:
-    """Milliseconds of each move of a slider."""
+    """Milliseconds of each move of the first slider."""
     times: list[float] = page.evaluate(MOVES, [count, 30])
     return times
 

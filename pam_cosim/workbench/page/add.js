@@ -10,17 +10,43 @@ export class AddDialog {
   /** `on`: effects that are on; `missing`: those of the last verdict; `model`: short name of the base model. */
   open(on, missing, model) {
     const effects = on.length ? on : missing;
-    const close = make("button", { type: "button", onclick: () => this.dialog.close() }, effects.length ? "Cancel" : "Close");
+    const close = make(
+      "button",
+      { type: "button", onclick: () => this.dialog.close() },
+      effects.length ? "Cancel" : "Close",
+    );
     const heading = make("h2", { id: "add-heading" }, "Write the model with its effects");
     if (!effects.length) {
-      this.dialog.replaceChildren(heading, make("p", {}, "No effect is switched on. Switch one on at the right, or take one from the ranking of a diagnosis."), close);
+      this.dialog.replaceChildren(
+        heading,
+        make(
+          "p",
+          {},
+          "No effect is switched on. Switch one on at the right, or take one from the ranking of a diagnosis.",
+        ),
+        close,
+      );
       this.dialog.showModal();
       return;
     }
-    this.name = make("input", { type: "text", required: true, value: `${model}${effects.join("")}.mo`.replace(/[^\w.]/g, ""), "aria-label": "File" });
-    const form = make("form", { onsubmit: (event) => this.write(event, effects) }, make("p", {}, `${model} with ${effects.join(" and ")}, as a Modelica class in the folder of the data set.${on.length ? "" : " The verdict asks for it; the values are those that were fitted."}`),
-      make("label", { class: "line" }, "file", this.name), this.problem = make("p", { class: "caution", hidden: true, role: "alert" }),
-      make("p", { class: "buttons" }, close, make("button", { type: "submit", class: "main" }, "Write")));
+    this.name = make("input", {
+      type: "text",
+      required: true,
+      value: `${model}${effects.join("")}.mo`.replace(/[^\w.]/g, ""),
+      "aria-label": "File",
+    });
+    const form = make(
+      "form",
+      { onsubmit: (event) => this.write(event, effects) },
+      make(
+        "p",
+        {},
+        `${model} with ${effects.join(" and ")}, as a Modelica class in the folder of the data set.${on.length ? "" : " The verdict asks for it; the values are those that were fitted."}`,
+      ),
+      make("label", { class: "line" }, "file", this.name),
+      (this.problem = make("p", { class: "caution", hidden: true, role: "alert" })),
+      make("p", { class: "buttons" }, close, make("button", { type: "submit", class: "main" }, "Write")),
+    );
     this.dialog.replaceChildren(heading, form);
     this.dialog.showModal();
   }
@@ -35,7 +61,11 @@ export class AddDialog {
   wrote({ file, text }) {
     if (!this.dialog.open) return;
     const close = make("button", { type: "button", class: "main", onclick: () => this.dialog.close() }, "Close");
-    this.dialog.replaceChildren(make("h2", { id: "add-heading" }, `${file} is written`), make("pre", { tabIndex: 0 }, make("code", {}, text)), make("p", { class: "buttons" }, close));
+    this.dialog.replaceChildren(
+      make("h2", { id: "add-heading" }, `${file} is written`),
+      make("pre", { tabIndex: 0 }, make("code", {}, text)),
+      make("p", { class: "buttons" }, close),
+    );
     close.focus();
   }
 }

@@ -16,7 +16,8 @@ export class Connection {
     this.socket = new WebSocket(`${scheme}://${location.host}/socket`);
     this.socket.binaryType = "arraybuffer";
     this.socket.onopen = () => this.change(true);
-    this.socket.onmessage = ({ data }) => (typeof data === "string" ? this.take(JSON.parse(data)) : this.draw(readFrame(data)));
+    this.socket.onmessage = ({ data }) =>
+      typeof data === "string" ? this.take(JSON.parse(data)) : this.draw(readFrame(data));
     this.socket.onclose = () => {
       this.change(false);
       for (const { refuse } of this.waiting.values()) refuse({ text: "the connection was lost" });

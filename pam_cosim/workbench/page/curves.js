@@ -8,14 +8,25 @@ import { palette } from "./palette.js";
 import { followKeys, followPointer } from "./pointer.js";
 import { drawSignal, readOut, scale } from "./signal-chart.js";
 
-const MAP = "Mean of measured − model in the times that are shown, in standard deviations of the noise (σ). Click a cell to light up when the rig was there.";
+const MAP =
+  "Mean of measured − model in the times that are shown, in standard deviations of the noise (σ). Click a cell to light up when the rig was there.";
 const BELOW = "below: measured − model, band ± 2 σ of the noise";
 const SCREEN = 16; // ms between two pictures of a screen: what comes later than that is drawn at once
 const KEYS = "Curves. Arrows move, plus and minus zoom, Home shows all runs, Shift and arrows read values.";
 
 export class Curves {
   constructor(host, view) {
-    Object.assign(this, { host, view, signals: [], rows: [], frames: {}, asked: 0, drawn: 0, colours: palette(), version: -1 });
+    Object.assign(this, {
+      host,
+      view,
+      signals: [],
+      rows: [],
+      frames: {},
+      asked: 0,
+      drawn: 0,
+      colours: palette(),
+      version: -1,
+    });
     this.names = make("canvas", { class: "names", "aria-hidden": "true" });
     this.axis = make("canvas", { class: "axis", "aria-hidden": "true" });
     this.stack = make("div", { class: "stack", tabIndex: 0, role: "group", "aria-label": KEYS });
@@ -54,12 +65,14 @@ export class Curves {
     const measured = this.frames.measured;
     if (!measured || !this.runs) return;
     this.view.lay(
-      this.runs.filter((run) => measured.has(run.name)).map((run) => {
-        const times = [...measured.get(run.name).values()].map((s) => s.time).filter((time) => time?.length);
-        const ends = run.static ? times.flatMap((t) => [...t]) : times.flatMap((t) => [t[0], t.at(-1)]);
-        const [low, high] = [Math.min(...ends), Math.max(...ends)];
-        return { name: run.name, role: run.role, low, high, points: run.static, ...quantityOf(run.along) };
-      }),
+      this.runs
+        .filter((run) => measured.has(run.name))
+        .map((run) => {
+          const times = [...measured.get(run.name).values()].map((s) => s.time).filter((time) => time?.length);
+          const ends = run.static ? times.flatMap((t) => [...t]) : times.flatMap((t) => [t[0], t.at(-1)]);
+          const [low, high] = [Math.min(...ends), Math.max(...ends)];
+          return { name: run.name, role: run.role, low, high, points: run.static, ...quantityOf(run.along) };
+        }),
     );
   }
 
@@ -70,13 +83,23 @@ export class Curves {
 
   row(signal) {
     const canvas = make("canvas", { class: "curve", role: "img", "aria-label": `${signal.name}, measured and model` });
-    const map = make("canvas", { class: "map", role: "img", "aria-label": `Mean residual of ${signal.name} over the plane of two signals`, title: MAP });
+    const map = make("canvas", {
+      class: "map",
+      role: "img",
+      "aria-label": `Mean residual of ${signal.name} over the plane of two signals`,
+      title: MAP,
+    });
     const readout = make("span", { class: "readout" });
     const unit = signal.unit ? ` [${signal.unit}]` : "";
     const use = signal.use === "compared" ? "compared, not fitted" : "";
-    const head = make("div", { class: "row-head" },
-      make("span", { class: "name" }, signal.name), make("span", {}, `${signal.quantity ?? ""}${unit}`.trim()),
-      make("span", { class: "soft" }, use), readout);
+    const head = make(
+      "div",
+      { class: "row-head" },
+      make("span", { class: "name" }, signal.name),
+      make("span", {}, `${signal.quantity ?? ""}${unit}`.trim()),
+      make("span", { class: "soft" }, use),
+      readout,
+    );
     const element = make("div", { class: "signal" }, head, make("div", { class: "charts" }, canvas, map));
     const row = { signal, canvas, map, readout, element, box: null };
     followPointer(canvas, this.view, (range) => this.select(range));
@@ -98,7 +121,8 @@ export class Curves {
   divided() {
     const { measured, model } = this.frames;
     if (this.signals.length < 2 || !model) return null;
-    if (this.plane?.model !== model || this.plane.signals[0] !== this.signals[0]) this.plane = new Plane(this.signals.slice(0, 2), measured, model);
+    if (this.plane?.model !== model || this.plane.signals[0] !== this.signals[0])
+      this.plane = new Plane(this.signals.slice(0, 2), measured, model);
     return this.plane;
   }
 
@@ -119,7 +143,10 @@ export class Curves {
       drawSignal(row.canvas, view, row.signal, frames, colours);
       this.selection(row.canvas);
       row.box = plane?.draw(row.map, view, row.signal, colours) ?? null;
-      say(row.readout, this.words(readOut(view, row.signal, frames), row.signal) || (row === this.rows[0] ? BELOW : ""));
+      say(
+        row.readout,
+        this.words(readOut(view, row.signal, frames), row.signal) || (row === this.rows[0] ? BELOW : ""),
+      );
     }
     drawAxis(this.axis, view, this.along(), colours);
     this.drawn = performance.now();
@@ -136,7 +163,8 @@ export class Curves {
 
   selection(canvas) {
     if (!this.range) return;
-    const across = scale(this.view, canvas.clientWidth), g = canvas.getContext("2d");
+    const across = scale(this.view, canvas.clientWidth),
+      g = canvas.getContext("2d");
     const [a, b] = this.range.map(across.to);
     Object.assign(g, { fillStyle: this.colours.soft, globalAlpha: 0.25 });
     g.fillRect(Math.min(a, b), 0, Math.abs(b - a), canvas.clientHeight);
@@ -146,15 +174,25 @@ export class Curves {
   words(there, signal) {
     if (!there) return "";
     const { run } = there;
-    const at = !run.points ? `${there.at.toFixed(3)} s` : run.along ? `${run.along} = ${quantity(there.at, run.unit)}` : `point ${there.at}`;
+    const at = !run.points
+      ? `${there.at.toFixed(3)} s`
+      : run.along
+        ? `${run.along} = ${quantity(there.at, run.unit)}`
+        : `point ${there.at}`;
     const part = (word, value) => (value === undefined ? "" : `${word} ${quantity(value, signal.unit)}`);
-    return [`${there.run.name}, ${at}`, part("measured", there.measured), part("model", there.model), part("difference", there.residual)]
-      .filter(Boolean).join(" · ");
+    return [
+      `${there.run.name}, ${at}`,
+      part("measured", there.measured),
+      part("model", there.model),
+      part("difference", there.residual),
+    ]
+      .filter(Boolean)
+      .join(" · ");
   }
 }
 
 /** "p [kPa]" as name and unit. */
 function quantityOf(along) {
   const [, name, unit] = /^(.*?)(?: \[(.*)\])?$/.exec(along ?? "");
-  return { along: name, unit: unit === "1" ? "" : unit ?? "" };
+  return { along: name, unit: unit === "1" ? "" : (unit ?? "") };
 }

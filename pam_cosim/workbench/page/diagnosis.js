@@ -20,16 +20,30 @@ export class Diagnosis {
   }
 
   form() {
-    this.limit = make("input", { type: "number", min: "0", step: "any", placeholder: "none", "aria-label": "Time limit in minutes" });
+    this.limit = make("input", {
+      type: "number",
+      min: "0",
+      step: "any",
+      placeholder: "none",
+      "aria-label": "Time limit in minutes",
+    });
     this.exclude = make("div", { class: "families" });
     this.expect = make("div", { class: "families" });
     this.check = make("button", { type: "button", onclick: () => this.ask("check") }, "Check");
-    return make("details", { class: "options", open: true }, make("summary", {}, "Before a diagnosis"),
-      make("p", {}, "Diagnose refits the model, tries every effect of the catalogue beside it, and says which one the data ask for, that nothing is missing, or that the catalogue does not hold it. It goes on when this page is closed."),
+    return make(
+      "details",
+      { class: "options", open: true },
+      make("summary", {}, "Before a diagnosis"),
+      make(
+        "p",
+        {},
+        "Diagnose refits the model, tries every effect of the catalogue beside it, and says which one the data ask for, that nothing is missing, or that the catalogue does not hold it. It goes on when this page is closed.",
+      ),
       make("p", {}, "Check says first what these data can tell at all. ", this.check),
       make("label", { class: "line" }, "time limit", this.limit, "min"),
       make("details", {}, make("summary", {}, "Known not to be missing"), this.exclude),
-      make("details", {}, make("summary", {}, "Likely to be missing"), this.expect));
+      make("details", {}, make("summary", {}, "Likely to be missing"), this.expect),
+    );
   }
 
   study(study) {
@@ -37,7 +51,11 @@ export class Diagnosis {
     if (!key || key === this.key) return;
     this.key = key;
     for (const host of [this.exclude, this.expect]) {
-      host.replaceChildren(...study.families.map((family) => make("label", {}, make("input", { type: "checkbox", value: family }), family.replaceAll("_", " "))));
+      host.replaceChildren(
+        ...study.families.map((family) =>
+          make("label", {}, make("input", { type: "checkbox", value: family }), family.replaceAll("_", " ")),
+        ),
+      );
     }
   }
 
@@ -78,13 +96,24 @@ export class Diagnosis {
   rank(ranked) {
     this.ranked = ranked;
     this.ranking.hidden = !this.running && !ranked.candidates.length;
-    this.ranking.replaceChildren(...ranking(ranked, { running: this.running, latest: this.latest, busy: this.busy, take: (number) => this.ask("take", { candidate: number }) }));
+    this.ranking.replaceChildren(
+      ...ranking(ranked, {
+        running: this.running,
+        latest: this.latest,
+        busy: this.busy,
+        take: (number) => this.ask("take", { candidate: number }),
+      }),
+    );
   }
 
   show(verdict) {
     this.verdict.hidden = false;
     this.verdict.className = `verdict ${verdict.kind}`;
-    const { head, rest } = verdictParts(verdict, () => this.ask("take", { candidate: verdict.effects }), () => this.ask("add", { learned: true }));
+    const { head, rest } = verdictParts(
+      verdict,
+      () => this.ask("take", { candidate: verdict.effects }),
+      () => this.ask("add", { learned: true }),
+    );
     this.verdict.replaceChildren(...head);
     this.after.replaceChildren(...rest);
     this.options.open = false;
@@ -104,6 +133,9 @@ export class Diagnosis {
 
   lock(busy) {
     this.busy = busy;
-    for (const control of this.host.querySelectorAll(".options input, .options button, .ranking button, .verdict button")) control.disabled = busy;
+    for (const control of this.host.querySelectorAll(
+      ".options input, .options button, .ranking button, .verdict button",
+    ))
+      control.disabled = busy;
   }
 }

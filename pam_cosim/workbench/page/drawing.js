@@ -17,7 +17,12 @@ export function begin(canvas) {
 
 /** Text at a place; `align` and `base` as in a canvas. */
 export function text(g, words, x, y, colour, { align = "left", base = "alphabetic", size = 11, bold = false } = {}) {
-  Object.assign(g, { fillStyle: colour, textAlign: align, textBaseline: base, font: `${bold ? "600 " : ""}${size}px ${FONT}` });
+  Object.assign(g, {
+    fillStyle: colour,
+    textAlign: align,
+    textBaseline: base,
+    font: `${bold ? "600 " : ""}${size}px ${FONT}`,
+  });
   g.fillText(words, x, y);
 }
 
@@ -26,8 +31,13 @@ export function text(g, words, x, y, colour, { align = "left", base = "alphabeti
  * where these stand out: strokes are what costs time.
  */
 export function trace(g, xs, ys, first, last, toX, toY) {
-  const offset = toX(0), factor = toX(1) - offset;
-  let column = NaN, low = 0, high = 0, enter = 0, leave = 0;
+  const offset = toX(0),
+    factor = toX(1) - offset;
+  let column = NaN,
+    low = 0,
+    high = 0,
+    enter = 0,
+    leave = 0;
   const flush = () => {
     if (low < Math.min(enter, leave) - OUT) g.lineTo(column, low);
     if (high > Math.max(enter, leave) + OUT) g.lineTo(column, high);
@@ -40,7 +50,8 @@ export function trace(g, xs, ys, first, last, toX, toY) {
       column = NaN;
       continue;
     }
-    const exact = offset + factor * xs[i], y = toY(value);
+    const exact = offset + factor * xs[i],
+      y = toY(value);
     const x = Math.round(exact);
     if (x === column) {
       if (y < low) low = y;
@@ -63,7 +74,8 @@ export function within(xs, from, to) {
 
 /** The index of the first of the sorted `xs` that is not below a value. */
 export function lower(xs, value) {
-  let a = 0, b = xs.length;
+  let a = 0,
+    b = xs.length;
   while (a < b) {
     const middle = (a + b) >> 1;
     if (xs[middle] < value) a = middle + 1;

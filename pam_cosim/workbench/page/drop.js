@@ -9,14 +9,30 @@ export class DropPage {
   /** `ask` sends commands; `alert` says what is wrong. */
   constructor(host, ask, alert) {
     Object.assign(this, { host, ask, alert, wishes: { columns: {}, parameters: {}, roles: {} } });
-    this.input = make("input", { type: "file", multiple: true, id: "recordings", class: "hidden-input", onchange: () => this.send(this.input.files) });
-    this.zone = make("label", { class: "zone", for: "recordings" }, make("b", {}, "Drop the recordings of your rig here"),
-      make("span", { class: "soft" }, "or press Enter to choose files: CSV, tab-separated text, TDMS, MAT, HDF5, Parquet; one for each run"), this.input);
+    this.input = make("input", {
+      type: "file",
+      multiple: true,
+      id: "recordings",
+      class: "hidden-input",
+      onchange: () => this.send(this.input.files),
+    });
+    this.zone = make(
+      "label",
+      { class: "zone", for: "recordings" },
+      make("b", {}, "Drop the recordings of your rig here"),
+      make(
+        "span",
+        { class: "soft" },
+        "or press Enter to choose files: CSV, tab-separated text, TDMS, MAT, HDF5, Parquet; one for each run",
+      ),
+      this.input,
+    );
     this.list = make("ul", { class: "files" });
     this.found = make("div", { class: "draft", "aria-live": "polite" });
     this.name = make("b", {});
     host.append(make("h2", {}, "A new data set: ", this.name), this.zone, this.list, this.found);
-    for (const kind of ["dragenter", "dragover", "dragleave", "drop"]) host.addEventListener(kind, (event) => this.drag(event));
+    for (const kind of ["dragenter", "dragover", "dragleave", "drop"])
+      host.addEventListener(kind, (event) => this.drag(event));
   }
 
   study(study) {
@@ -33,7 +49,8 @@ export class DropPage {
     for (const file of [...files]) {
       say(this.found, `Reading ${file.name} …`);
       const answer = await fetch(`drop?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file });
-      if (!answer.ok) this.alert((await answer.json().catch(() => null))?.failed ?? { text: `${file.name} was refused` });
+      if (!answer.ok)
+        this.alert((await answer.json().catch(() => null))?.failed ?? { text: `${file.name} was refused` });
     }
     this.input.value = "";
     this.again();
@@ -41,10 +58,28 @@ export class DropPage {
 
   dropped(event) {
     this.files = event.files;
-    const remove = (name) => make("button", { type: "button", class: "link", "aria-label": `Remove ${name}`, onclick: () => this.remove(name) }, "remove");
-    this.list.replaceChildren(...event.files.map((file) => make("li", {}, make("details", {},
-      make("summary", {}, file.name, make("small", {}, ` ${size(file.bytes)}`), " ", remove(file.name)),
-      file.header.length ? table(file.header, file.rows) : make("p", { class: "soft" }, "no text: it is read whole")))));
+    const remove = (name) =>
+      make(
+        "button",
+        { type: "button", class: "link", "aria-label": `Remove ${name}`, onclick: () => this.remove(name) },
+        "remove",
+      );
+    this.list.replaceChildren(
+      ...event.files.map((file) =>
+        make(
+          "li",
+          {},
+          make(
+            "details",
+            {},
+            make("summary", {}, file.name, make("small", {}, ` ${size(file.bytes)}`), " ", remove(file.name)),
+            file.header.length
+              ? table(file.header, file.rows)
+              : make("p", { class: "soft" }, "no text: it is read whole"),
+          ),
+        ),
+      ),
+    );
     if (!event.files.length) this.found.replaceChildren();
   }
 
@@ -68,8 +103,14 @@ export class DropPage {
     this.found.classList.remove("waiting");
     const focus = document.activeElement?.dataset?.wish;
     const change = (group, name, value) => this.wish(group, name, value);
-    const parts = draft.failed ? problemParts(draft, this.wishes, change, this.files ?? []) : draftParts(draft, this.wishes, change, this.files ?? []);
-    this.create = make("button", { type: "button", class: "main", disabled: Boolean(draft.failed), onclick: () => this.make() }, "Make the data set");
+    const parts = draft.failed
+      ? problemParts(draft, this.wishes, change, this.files ?? [])
+      : draftParts(draft, this.wishes, change, this.files ?? []);
+    this.create = make(
+      "button",
+      { type: "button", class: "main", disabled: Boolean(draft.failed), onclick: () => this.make() },
+      "Make the data set",
+    );
     this.found.replaceChildren(...parts, make("p", { class: "buttons" }, this.create));
     if (focus) this.found.querySelector(`[data-wish="${CSS.escape(focus)}"]`)?.focus();
   }

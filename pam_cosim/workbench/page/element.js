@@ -26,7 +26,25 @@ export function say(element, text) {
 export function table(heads, rows, properties = {}) {
   const numeric = heads.map((head) => head.startsWith("#"));
   const cell = (tag, value, column) => make(tag, { class: numeric[column] ? "n" : "" }, value ?? "");
-  const head = make("thead", {}, make("tr", {}, heads.map((h, i) => cell("th", h.replace(/^#/, ""), i))));
-  const body = make("tbody", {}, rows.map((row) => make("tr", {}, row.map((value, i) => cell("td", value, i)))));
+  const head = make(
+    "thead",
+    {},
+    make(
+      "tr",
+      {},
+      heads.map((h, i) => cell("th", h.replace(/^#/, ""), i)),
+    ),
+  );
+  const body = make(
+    "tbody",
+    {},
+    rows.map((row) =>
+      make(
+        "tr",
+        {},
+        row.map((value, i) => cell("td", value, i)),
+      ),
+    ),
+  );
   return make("div", { class: "scroll" }, make("table", properties, head, body));
 }

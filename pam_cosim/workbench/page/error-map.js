@@ -27,7 +27,8 @@ export class Plane {
     const cell = new Int16Array(x.length);
     for (let i = 0; i < x.length; i++) {
       const value = y[ty.length === tx.length ? i : Math.min(lower(ty, tx[i]), ty.length - 1)];
-      const column = Math.min(CELLS - 1, ((x[i] - left) * fx) | 0), row = Math.min(CELLS - 1, ((value - bottom) * fy) | 0);
+      const column = Math.min(CELLS - 1, ((x[i] - left) * fx) | 0),
+        row = Math.min(CELLS - 1, ((value - bottom) * fy) | 0);
       cell[i] = x[i] === x[i] && value === value ? column + CELLS * row : -1;
     }
     return cell;
@@ -35,7 +36,8 @@ export class Plane {
 
   /** Mean residual of a signal in each cell, in noise standard deviations; NaN where nobody was. */
   mean(view, signal) {
-    const sum = new Float64Array(CELLS * CELLS), count = new Uint32Array(CELLS * CELLS);
+    const sum = new Float64Array(CELLS * CELLS),
+      count = new Uint32Array(CELLS * CELLS);
     this.each(view, signal, (cell, residual) => {
       sum[cell] += residual;
       count[cell] += 1;
@@ -48,7 +50,8 @@ export class Plane {
     const ranges = {};
     this.each(view, signal, (cell, _, run, time, i) => {
       if (cell !== chosen) return;
-      const found = (ranges[run] ??= []), next = time[Math.min(i + 1, time.length - 1)];
+      const found = (ranges[run] ??= []),
+        next = time[Math.min(i + 1, time.length - 1)];
       if (found.length && time[i] <= found.at(-1)[1]) found.at(-1)[1] = next;
       else found.push([time[i], next]);
     });
@@ -57,7 +60,8 @@ export class Plane {
 
   each(view, signal, tell) {
     for (const run of view.visible()) {
-      const residual = this.model.get(run.name)?.get(signal.name)?.residual, there = this.cells.get(run.name);
+      const residual = this.model.get(run.name)?.get(signal.name)?.residual,
+        there = this.cells.get(run.name);
       if (!residual || !there || residual.length !== there.cell.length) continue;
       const { time, cell } = there;
       const last = run.points ? time.length : lower(time, view.to - run.shift + 1e-9);
@@ -70,7 +74,12 @@ export class Plane {
   /** Draws the map of a signal; the box of the plane on the canvas, or null. */
   draw(canvas, view, signal, colours) {
     const { g, width, height } = begin(canvas);
-    const box = { left: AREA.left, top: AREA.top, width: width - AREA.left - AREA.right, height: height - AREA.top - AREA.bottom };
+    const box = {
+      left: AREA.left,
+      top: AREA.top,
+      width: width - AREA.left - AREA.right,
+      height: height - AREA.top - AREA.bottom,
+    };
     if (this.limits.includes(null) || !signal.noise || box.height < 30) return null;
     g.fillStyle = colours.band;
     g.fillRect(box.left, box.top, box.width, box.height);
@@ -84,7 +93,8 @@ export class Plane {
 
 /** The cell under a place on the canvas; -1 outside. */
 export function cellAt(box, x, y) {
-  const i = Math.floor(((x - box.left) / box.width) * CELLS), k = Math.floor(((box.top + box.height - y) / box.height) * CELLS);
+  const i = Math.floor(((x - box.left) / box.width) * CELLS),
+    k = Math.floor(((box.top + box.height - y) / box.height) * CELLS);
   return i >= 0 && i < CELLS && k >= 0 && k < CELLS ? i + CELLS * k : -1;
 }
 
@@ -116,7 +126,9 @@ function range(frame, signal) {
 }
 
 function legend(g, box, colours) {
-  const width = box.width < 110 ? 40 : 66, x = box.left + box.width / 2 - width / 2, y = 6;
+  const width = box.width < 110 ? 40 : 66,
+    x = box.left + box.width / 2 - width / 2,
+    y = 6;
   const gradient = g.createLinearGradient(x, 0, x + width, 0);
   for (let i = 0; i <= 8; i++) gradient.addColorStop(i / 8, `rgb(${diverging(colours, i / 4 - 1).join(" ")})`);
   g.fillStyle = gradient;
@@ -132,8 +144,17 @@ function axes(g, limits, [across, up], box, colours) {
     const values = ticks(low, high, 3);
     tickLabels(values).forEach((label, k) => {
       const share = (values[k] - low) / (high - low);
-      if (i) text(g, label, box.left - 4, bottom - share * box.height, colours.soft, { align: "right", base: "middle", size: 10 });
-      else text(g, label, box.left + share * box.width, bottom + 11, colours.soft, { align: share > 0.9 ? "right" : "center", size: 10 });
+      if (i)
+        text(g, label, box.left - 4, bottom - share * box.height, colours.soft, {
+          align: "right",
+          base: "middle",
+          size: 10,
+        });
+      else
+        text(g, label, box.left + share * box.width, bottom + 11, colours.soft, {
+          align: share > 0.9 ? "right" : "center",
+          size: 10,
+        });
     });
   }
   text(g, name(across), box.left + box.width / 2, bottom + 24, colours.soft, { align: "center", size: 10 });

@@ -9,7 +9,11 @@ export function readFrame(buffer) {
   for (const run of header.runs) {
     const signals = new Map();
     for (const s of run.signals) {
-      signals.set(s.name, { time: array(s.time_at, s.n), values: array(s.values_at, s.n), residual: array(s.residual_at, s.n) });
+      signals.set(s.name, {
+        time: array(s.time_at, s.n),
+        values: array(s.values_at, s.n),
+        residual: array(s.residual_at, s.n),
+      });
     }
     runs.set(run.name, signals);
   }

@@ -59,7 +59,9 @@ export class Ladder {
 }
 
 function panel(signal) {
-  const figures = Object.fromEntries([...ROLES, "noise"].map((what) => [what, make("span", { class: what, "data-signal": signal.name })]));
+  const figures = Object.fromEntries(
+    [...ROLES, "noise"].map((what) => [what, make("span", { class: what, "data-signal": signal.name })]),
+  );
   const canvas = make("canvas", { class: "bars", role: "img", "aria-label": `Error of ${signal.name}, step by step` });
   const head = make("p", {}, make("span", { class: "name" }, signal.name), figures.fit, figures.holdout, figures.noise);
   return { element: make("div", { class: "rungs" }, head, canvas), canvas, figures };
@@ -71,18 +73,24 @@ function drawRungs(canvas, rungs, signal, colours) {
   const known = rungs.flatMap((rung) => ROLES.map((role) => error(rung, role, signal))).filter((value) => value > 0);
   if (!known.length) return;
   const noise = signal.noise > 0 ? signal.noise : null;
-  const low = Math.log(LOWEST * Math.min(...known, noise ?? Infinity)), high = Math.log(Math.max(...known, noise ?? 0));
+  const low = Math.log(LOWEST * Math.min(...known, noise ?? Infinity)),
+    high = Math.log(Math.max(...known, noise ?? 0));
   const base = height - 15;
   const y = (value) => Math.round(base - ((Math.log(value) - low) / (high - low || 1)) * (base - 16));
   if (noise) noiseLine(g, y(noise) + 0.5, width, colours);
-  const step = Math.floor(Math.min(width / rungs.length, WIDEST)), long = Math.floor(Math.min(LONGEST, (step - 14) / 2));
+  const step = Math.floor(Math.min(width / rungs.length, WIDEST)),
+    long = Math.floor(Math.min(LONGEST, (step - 14) / 2));
   rungs.forEach((rung, i) => {
     const colour = i === 0 && rungs.length > 1 ? colours.before : colours.model;
     ROLES.forEach((role, k) => {
-      const value = error(rung, role, signal), x = i * step + k * (long + 5);
+      const value = error(rung, role, signal),
+        x = i * step + k * (long + 5);
       if (!(value > 0)) return;
       drawRung(g, x, y(value), long, colour, role === "holdout");
-      text(g, number(value), x + long / 2, y(value) - 5, i === rungs.length - 1 ? colours.ink : colours.soft, { align: "center", size: 10 });
+      text(g, number(value), x + long / 2, y(value) - 5, i === rungs.length - 1 ? colours.ink : colours.soft, {
+        align: "center",
+        size: 10,
+      });
     });
     text(g, shortened(g, rung.label, step - 8), i * step, height - 2, colours.soft, { size: 10 });
   });

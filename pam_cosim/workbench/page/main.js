@@ -21,7 +21,10 @@ const view = new View();
 const NAMES = { fit: "The fit", diagnose: "The diagnosis", check: "The check" };
 const ENDS = { done: "is done", stopped: "was ended", failed: "has failed" };
 const done = new Set(); // what was done in this study: it says what comes next
-let study = null, busy = null, verdict = null, connected = false;
+let study = null,
+  busy = null,
+  verdict = null,
+  connected = false;
 
 /** Sends a command; what is wrong is said at the top, or to `failed`. The answer, or null. */
 async function ask(what, values = {}, failed = alert) {
@@ -69,7 +72,17 @@ const hear = {
     say(byId("model"), drop ? "" : [event.model.split(".").at(-1), event.with_effects].filter(Boolean).join(", "));
     document.title = `${event.title || "Workbench"} – pam-cosim`;
     if (drop) parts.drop.study(event);
-    else for (const part of [parts.curves, parts.ladder, parts.runs, parts.parameters, parts.effects, parts.diagnosis, parts.study]) part.study(event);
+    else
+      for (const part of [
+        parts.curves,
+        parts.ladder,
+        parts.runs,
+        parts.parameters,
+        parts.effects,
+        parts.diagnosis,
+        parts.study,
+      ])
+        part.study(event);
     lock();
   },
   scores(event) {
@@ -92,7 +105,11 @@ const hear = {
   idle(event) {
     busy = null;
     if (event.what === "diagnose") parts.diagnosis.end();
-    status(ENDS[event.end] ? `${NAMES[event.what] ?? event.what} ${ENDS[event.end]} after ${event.seconds < 60 ? `${event.seconds.toFixed(1)} s` : `${clock(event.seconds)} min`}` : "Ready");
+    status(
+      ENDS[event.end]
+        ? `${NAMES[event.what] ?? event.what} ${ENDS[event.end]} after ${event.seconds < 60 ? `${event.seconds.toFixed(1)} s` : `${clock(event.seconds)} min`}`
+        : "Ready",
+    );
     lock();
   },
   progress(event) {
@@ -147,7 +164,13 @@ const connection = new Connection(
 );
 
 function alert(problem) {
-  const place = [problem.file, problem.line ? `line ${problem.line}` : "", problem.column ? `column ${problem.column}` : ""].filter(Boolean).join(", ");
+  const place = [
+    problem.file,
+    problem.line ? `line ${problem.line}` : "",
+    problem.column ? `column ${problem.column}` : "",
+  ]
+    .filter(Boolean)
+    .join(", ");
   say(byId("alert-text"), [place, problem.text].filter(Boolean).join(": "));
   Object.assign(byId("alert"), { hidden: false }).dataset.of = problem.run ? "run" : "command";
 }
@@ -172,14 +195,22 @@ function lock() {
 function legend() {
   const before = parts.curves.frames.reference;
   const entry = (name, words) => make("span", { class: `key ${name}` }, words);
-  byId("legend").replaceChildren(entry("measured", "measured"), entry("model", "model"), before ? entry("before", parts.curves.label || "before") : "");
+  byId("legend").replaceChildren(
+    entry("measured", "measured"),
+    entry("model", "model"),
+    before ? entry("before", parts.curves.label || "before") : "",
+  );
 }
 
-byId("fit").addEventListener("click", () => ask("fit", { method: parts.parameters.fitBy?.value ?? "least-squares", free: parts.parameters.free() }));
+byId("fit").addEventListener("click", () =>
+  ask("fit", { method: parts.parameters.fitBy?.value ?? "least-squares", free: parts.parameters.free() }),
+);
 byId("diagnose").addEventListener("click", () => ask("diagnose", parts.diagnosis.wishes()));
 byId("stop").addEventListener("click", () => ask(busy?.held ? "resume" : "stop"));
 byId("discard").addEventListener("click", () => ask("discard"));
-byId("add").addEventListener("click", () => parts.add.open(parts.effects.on(), verdict?.effects ?? [], study.model.split(".").at(-1)));
+byId("add").addEventListener("click", () =>
+  parts.add.open(parts.effects.on(), verdict?.effects ?? [], study.model.split(".").at(-1)),
+);
 byId("undo").addEventListener("click", () => ask("undo"));
 byId("save").addEventListener("click", () => ask("save"));
 byId("whole").addEventListener("click", () => view.whole());
@@ -189,4 +220,7 @@ theme(byId("theme"), () => {
   parts.ladder.theme();
   parts.balances.draw();
 });
-setInterval(() => say(byId("status-time"), busy && !busy.held ? clock(Math.max(0, Date.now() / 1000 - busy.began)) : ""), 500);
+setInterval(
+  () => say(byId("status-time"), busy && !busy.held ? clock(Math.max(0, Date.now() / 1000 - busy.began)) : ""),
+  500,
+);

@@ -1,6 +1,21 @@
 // Colours of the charts, from the style sheet, so that light and dark are decided in one place.
 
-const NAMES = ["ink", "soft", "line", "band", "ground", "edge", "noise", "measured", "model", "before", "lit", "cold", "warm", "middle"];
+const NAMES = [
+  "ink",
+  "soft",
+  "line",
+  "band",
+  "ground",
+  "edge",
+  "noise",
+  "measured",
+  "model",
+  "before",
+  "lit",
+  "cold",
+  "warm",
+  "middle",
+];
 
 /** The colours of the theme that holds now. */
 export function palette() {

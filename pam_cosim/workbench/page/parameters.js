@@ -16,7 +16,12 @@ export class Parameters {
   }
 
   study(study) {
-    const key = JSON.stringify([study.model, study.benches, study.methods, study.parameters.map((p) => [p.name, p.unit, p.effect])]);
+    const key = JSON.stringify([
+      study.model,
+      study.benches,
+      study.methods,
+      study.parameters.map((p) => [p.name, p.unit, p.effect]),
+    ]);
     if (key !== this.key) {
       this.key = key;
       this.build(study);
@@ -28,29 +33,46 @@ export class Parameters {
   build(study) {
     this.rows.clear();
     const rows = study.parameters.map((p) => {
-      const row = new Row(p, this.set, !this.held.has(p.name), (free) => (free ? this.held.delete(p.name) : this.held.add(p.name)));
+      const row = new Row(p, this.set, !this.held.has(p.name), (free) =>
+        free ? this.held.delete(p.name) : this.held.add(p.name),
+      );
       this.rows.set(p.name, row);
       return row.element;
     });
-    this.reset = make("button", { type: "button", onclick: () => this.ask("reset", { names: [...this.rows.keys()] }) }, "Reset");
+    this.reset = make(
+      "button",
+      { type: "button", onclick: () => this.ask("reset", { names: [...this.rows.keys()] }) },
+      "Reset",
+    );
     this.host.replaceChildren(
-      make("h2", {}, "Model"), this.bench(study), this.method(study),
+      make("h2", {}, "Model"),
+      this.bench(study),
+      this.method(study),
       make("div", { class: "head" }, make("h2", {}, "Parameters"), this.reset),
-      study.parameters.length ? make("div", { class: "parameters" }, rows)
-        : make("p", { class: "soft" }, "No parameter is free: name some under [fit] in experiment.toml."));
+      study.parameters.length
+        ? make("div", { class: "parameters" }, rows)
+        : make("p", { class: "soft" }, "No parameter is free: name some under [fit] in experiment.toml."),
+    );
   }
 
   bench(study) {
     const names = [...new Set([study.model.split(".").at(-1), ...study.benches])];
     const short = study.model.split(".").at(-1);
-    this.choice = make("select", { id: "bench", onchange: (e) => this.ask("choose", { model: e.target.value }) },
-      names.map((name) => make("option", { value: name, selected: name === short }, name)));
+    this.choice = make(
+      "select",
+      { id: "bench", onchange: (e) => this.ask("choose", { model: e.target.value }) },
+      names.map((name) => make("option", { value: name, selected: name === short }, name)),
+    );
     return make("label", { class: "line" }, "bench", this.choice);
   }
 
   method(study) {
     if (!study.methods?.length) return "";
-    this.fitBy = make("select", { id: "method" }, study.methods.map((name) => make("option", { value: name, selected: name === USUAL }, name)));
+    this.fitBy = make(
+      "select",
+      { id: "method" },
+      study.methods.map((name) => make("option", { value: name, selected: name === USUAL }, name)),
+    );
     return make("label", { class: "line" }, "fit by", this.fitBy);
   }
 
@@ -73,14 +95,49 @@ class Row {
   constructor(p, set, free, choose) {
     Object.assign(this, { p, set });
     const label = `${p.name}${p.unit ? `, ${p.unit}` : ""}`;
-    this.fitted = make("input", { type: "checkbox", checked: free, onchange: () => choose(this.fitted.checked), title: "A fit may move it", "aria-label": `A fit may move ${p.name}` });
-    this.number = make("input", { type: "number", step: "any", "aria-label": label, onchange: () => this.typed(), onblur: () => this.move(this.current) });
-    this.slider = make("input", { type: "range", min: "0", max: String(STEPS), step: "1", "aria-label": label, "data-parameter": p.name, oninput: () => this.dragged() });
+    this.fitted = make("input", {
+      type: "checkbox",
+      checked: free,
+      onchange: () => choose(this.fitted.checked),
+      title: "A fit may move it",
+      "aria-label": `A fit may move ${p.name}`,
+    });
+    this.number = make("input", {
+      type: "number",
+      step: "any",
+      "aria-label": label,
+      onchange: () => this.typed(),
+      onblur: () => this.move(this.current),
+    });
+    this.slider = make("input", {
+      type: "range",
+      min: "0",
+      max: String(STEPS),
+      step: "1",
+      "aria-label": label,
+      "data-parameter": p.name,
+      oninput: () => this.dragged(),
+    });
     this.band = make("div", { class: "interval" });
     this.note = make("p", { class: "note" });
-    this.element = make("div", { class: "parameter", title: p.description ?? "" },
-      make("div", { class: "parameter-head" }, make("label", {}, this.fitted, make("span", {}, make("code", {}, p.name), p.effect ? make("small", {}, p.effect) : "")), this.number, make("span", { class: "unit" }, p.unit)),
-      make("div", { class: "track" }, this.band, this.slider), this.note);
+    this.element = make(
+      "div",
+      { class: "parameter", title: p.description ?? "" },
+      make(
+        "div",
+        { class: "parameter-head" },
+        make(
+          "label",
+          {},
+          this.fitted,
+          make("span", {}, make("code", {}, p.name), p.effect ? make("small", {}, p.effect) : ""),
+        ),
+        this.number,
+        make("span", { class: "unit" }, p.unit),
+      ),
+      make("div", { class: "track" }, this.band, this.slider),
+      this.note,
+    );
     this.take(p);
   }
 
@@ -98,8 +155,11 @@ class Row {
       this.band.style.width = `calc((100% - 16px) * ${Math.max(b - a, 0.004)})`;
     }
     const interval = known ? `95 %: ${number(p.low95)} … ${number(p.high95)}` : "";
-    this.note.replaceChildren(make("span", {}, number(p.low)), make("span", { class: p.remark ? "remark" : "" }, [interval, p.remark].filter(Boolean).join("; ")),
-      make("span", {}, number(p.high)));
+    this.note.replaceChildren(
+      make("span", {}, number(p.low)),
+      make("span", { class: p.remark ? "remark" : "" }, [interval, p.remark].filter(Boolean).join("; ")),
+      make("span", {}, number(p.high)),
+    );
   }
 
   move(value) {
@@ -126,7 +186,9 @@ class Row {
 
   share(value) {
     const { low, high } = this.p;
-    return this.logarithmic ? Math.log(value / low) / Math.log(high / low) : Math.max(0, (value - low) / (high - low)) ** (1 / (this.power ?? 1));
+    return this.logarithmic
+      ? Math.log(value / low) / Math.log(high / low)
+      : Math.max(0, (value - low) / (high - low)) ** (1 / (this.power ?? 1));
   }
 
   at(share) {

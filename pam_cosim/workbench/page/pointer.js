@@ -11,11 +11,15 @@ export function followPointer(canvas, view, select) {
     const box = canvas.getBoundingClientRect();
     return scale(view, box.width).back(event.clientX - box.left);
   };
-  canvas.addEventListener("wheel", (event) => {
-    event.preventDefault();
-    if (Math.abs(event.deltaX) > Math.abs(event.deltaY)) view.pan(event.deltaX / 800);
-    else view.zoom(1.0015 ** event.deltaY, place(event));
-  }, { passive: false });
+  canvas.addEventListener(
+    "wheel",
+    (event) => {
+      event.preventDefault();
+      if (Math.abs(event.deltaX) > Math.abs(event.deltaY)) view.pan(event.deltaX / 800);
+      else view.zoom(1.0015 ** event.deltaY, place(event));
+    },
+    { passive: false },
+  );
   canvas.addEventListener("pointerdown", (event) => {
     if (event.button !== 0) return;
     canvas.setPointerCapture(event.pointerId);
@@ -29,7 +33,8 @@ export function followPointer(canvas, view, select) {
     view.point(place(event));
   });
   canvas.addEventListener("pointerup", (event) => {
-    const range = begun && !begun.moves && Math.abs(event.clientX - begun.x) >= SMALLEST ? [begun.from, place(event)] : null;
+    const range =
+      begun && !begun.moves && Math.abs(event.clientX - begun.x) >= SMALLEST ? [begun.from, place(event)] : null;
     begun = null;
     select(null);
     if (range) view.show(Math.min(...range), Math.max(...range));

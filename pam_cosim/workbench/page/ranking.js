@@ -11,28 +11,84 @@ export function ranking(ranked, how) {
   const body = (part) => make("table", { class: "ranking" }, heads(), make("tbody", {}, part));
   return [
     make("h2", {}, how.running ? "Effects as they are tried" : "Which effects explain it"),
-    how.running && !rows.length ? make("p", { class: "soft" }, "The base model is fitted first, and every balance is asked for what it lacks; then effects are tried.") : "",
+    how.running && !rows.length
+      ? make(
+          "p",
+          { class: "soft" },
+          "The base model is fitted first, and every balance is asked for what it lacks; then effects are tried.",
+        )
+      : "",
     rows.length ? body(rows.slice(0, SHOWN)) : "",
     rest.length ? make("details", {}, make("summary", {}, `${rest.length} more, with less evidence`), body(rest)) : "",
-    rows.length ? make("p", { class: "soft" }, "Δ BIC: evidence against the base model; the more negative, the better; below −10 is very strong.") : "",
+    rows.length
+      ? make(
+          "p",
+          { class: "soft" },
+          "Δ BIC: evidence against the base model; the more negative, the better; below −10 is very strong.",
+        )
+      : "",
     failed(ranked.failed),
   ].filter(Boolean);
 }
 
-const heads = () => make("thead", {}, make("tr", {}, make("th", {}, "effects in the model"), make("th", {}, "error explained"), make("th", { class: "n" }, "Δ BIC"),
-  make("th", { class: "n" }, "χ² fit"), make("th", { class: "n" }, "χ² held out"), make("th", {}, "")));
+const heads = () =>
+  make(
+    "thead",
+    {},
+    make(
+      "tr",
+      {},
+      make("th", {}, "effects in the model"),
+      make("th", {}, "error explained"),
+      make("th", { class: "n" }, "Δ BIC"),
+      make("th", { class: "n" }, "χ² fit"),
+      make("th", { class: "n" }, "χ² held out"),
+      make("th", {}, ""),
+    ),
+  );
 
 function row(c, { running, latest, busy, take }) {
   const bar = make("div", { class: "share-bar" }, make("div", {}));
   bar.firstChild.style.width = `${100 * Math.max(0, Math.min(1, c.share ?? 0))}%`;
-  const button = running ? "" : make("button", { type: "button", disabled: busy, onclick: () => take(c.number), "aria-label": `Take ${c.effect} into the model` }, "Take");
-  const about = [c.family, c.balance ? `${c.balance} balance` : "", c.brief ? "first steps of its fit" : ""].filter(Boolean).join(", ");
-  return make("tr", { class: [c.added ? "added" : "", running && c.effect === latest ? "latest" : ""].join(" ").trim(), title: (c.own ?? []).join("\n") },
-    make("td", {}, make("b", {}, c.effect), make("small", {}, about)), make("td", {}, make("div", { class: "share" }, bar, make("span", {}, c.explained))),
-    make("td", { class: "n" }, c.delta_bic), make("td", { class: "n" }, c.chi2), make("td", { class: "n" }, c.holdout), make("td", { class: "n" }, button));
+  const button = running
+    ? ""
+    : make(
+        "button",
+        {
+          type: "button",
+          disabled: busy,
+          onclick: () => take(c.number),
+          "aria-label": `Take ${c.effect} into the model`,
+        },
+        "Take",
+      );
+  const about = [c.family, c.balance ? `${c.balance} balance` : "", c.brief ? "first steps of its fit" : ""]
+    .filter(Boolean)
+    .join(", ");
+  return make(
+    "tr",
+    {
+      class: [c.added ? "added" : "", running && c.effect === latest ? "latest" : ""].join(" ").trim(),
+      title: (c.own ?? []).join("\n"),
+    },
+    make("td", {}, make("b", {}, c.effect), make("small", {}, about)),
+    make("td", {}, make("div", { class: "share" }, bar, make("span", {}, c.explained))),
+    make("td", { class: "n" }, c.delta_bic),
+    make("td", { class: "n" }, c.chi2),
+    make("td", { class: "n" }, c.holdout),
+    make("td", { class: "n" }, button),
+  );
 }
 
 function failed(rows) {
   if (!rows?.length) return null;
-  return make("details", {}, make("summary", {}, `${rows.length} could not be fitted`), table(["effects in the model", "family", "reason"], rows.map((r) => [r.effect, r.family, r.reason])));
+  return make(
+    "details",
+    {},
+    make("summary", {}, `${rows.length} could not be fitted`),
+    table(
+      ["effects in the model", "family", "reason"],
+      rows.map((r) => [r.effect, r.family, r.reason]),
+    ),
+  );
 }

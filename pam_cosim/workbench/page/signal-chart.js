@@ -3,7 +3,8 @@
 import { begin, lower, text, trace, within } from "./drawing.js";
 import { number, tickLabels, ticks } from "./numbers.js";
 
-export const LEFT = 52, RIGHT = 8; // px, the same in all charts, so that times stand above each other
+export const LEFT = 52,
+  RIGHT = 8; // px, the same in all charts, so that times stand above each other
 const SHARE = 0.66; // of the height for the curves, the rest for the residual
 const DOTS = 6; // px between samples from which on each is a dot
 const PADDING = 0.06;
@@ -21,10 +22,18 @@ export function drawSignal(canvas, view, signal, curves, colours) {
   const { g, width, height } = begin(canvas);
   if (width < LEFT + 20) return;
   const across = scale(view, width);
-  const runs = view.visible().map((run) => ({ run, ...ofRun(curves, run.name, signal.name) })).filter((r) => r.measured?.time);
+  const runs = view
+    .visible()
+    .map((run) => ({ run, ...ofRun(curves, run.name, signal.name) }))
+    .filter((r) => r.measured?.time);
   const upper = { top: 6, bottom: Math.round(height * SHARE) - 4 };
   const under = { top: Math.round(height * SHARE) + 6, bottom: height - 4 };
-  const shapes = runs.map((r) => ({ ...r, range: r.run.points ? [0, r.measured.time.length] : within(r.measured.time, view.from - r.run.shift, view.to - r.run.shift) }));
+  const shapes = runs.map((r) => ({
+    ...r,
+    range: r.run.points
+      ? [0, r.measured.time.length]
+      : within(r.measured.time, view.from - r.run.shift, view.to - r.run.shift),
+  }));
 
   grounds(g, view, across, height, colours, width);
   const value = linear(limits(shapes, upperArrays), upper);
@@ -43,7 +52,8 @@ export function drawSignal(canvas, view, signal, curves, colours) {
     if (s.reference?.values) line(g, s, s.reference.values, toX, value, colours.before, 1.2, [4, 3]);
     if (s.model?.values) line(g, s, s.model.values, toX, value, colours.model, 1.7, [], s.run.points);
     if (s.reference?.residual) line(g, s, s.reference.residual, toX, left, colours.before, 0.8, []);
-    if (s.model?.residual) line(g, s, s.model.residual, toX, left, colours.model, 1.1, [], s.run.points || areApart(s, toX));
+    if (s.model?.residual)
+      line(g, s, s.model.residual, toX, left, colours.model, 1.1, [], s.run.points || areApart(s, toX));
   }
   cursorLine(g, view, across, height, colours);
   g.restore();
@@ -56,7 +66,13 @@ export function readOut(view, signal, curves) {
   const { measured: m, model } = ofRun(curves, there.run.name, signal.name);
   if (!m?.time?.length) return null;
   const i = there.run.points ? nearest(m.time, there.value) : nearestSorted(m.time, there.value);
-  return { run: there.run, at: m.time[i], measured: m.values[i], model: model?.values?.[i], residual: model?.residual?.[i] };
+  return {
+    run: there.run,
+    at: m.time[i],
+    measured: m.values[i],
+    model: model?.values?.[i],
+    residual: model?.residual?.[i],
+  };
 }
 
 function nearestSorted(times, value) {
@@ -142,7 +158,10 @@ function noiseBand(g, y, signal, view, across, colours) {
   if (!signal.noise) return;
   g.fillStyle = colours.noise;
   for (const run of view.visible()) {
-    const [a, b] = [Math.max(across.to(run.start), LEFT), Math.min(across.to(run.start + run.span), across.to(view.to))];
+    const [a, b] = [
+      Math.max(across.to(run.start), LEFT),
+      Math.min(across.to(run.start + run.span), across.to(view.to)),
+    ];
     g.fillRect(a, y.to(2 * signal.noise), b - a, y.to(-2 * signal.noise) - y.to(2 * signal.noise));
   }
 }
@@ -151,7 +170,11 @@ function residualAxis(g, y, area, width, colours) {
   horizontal(g, Math.round(y.to(0)) + 0.5, width, colours.soft);
   const value = ticks(0, y.high, 5).findLast((v) => v <= 0.85 * y.high) || y.high;
   const label = number(value, 2);
-  for (const [v, words] of [[value, label], [0, "0"], [-value, `−${label}`]]) {
+  for (const [v, words] of [
+    [value, label],
+    [0, "0"],
+    [-value, `−${label}`],
+  ]) {
     text(g, words, LEFT - 6, y.to(v), colours.soft, { align: "right", base: "middle", size: 10 });
   }
 }

@@ -11,8 +11,14 @@ export class StudyPage {
     this.script = make("section", {});
     const load = make("button", { type: "button", onclick: () => ask("load") }, "Load what was saved");
     const print = make("button", { type: "button", onclick: () => this.print() }, "Show as script");
-    host.append(make("h2", {}, "What was done"), this.steps, make("p", {}, load, print), this.added, this.script,
-      make("section", {}, make("h2", {}, "To know about the data"), this.notes));
+    host.append(
+      make("h2", {}, "What was done"),
+      this.steps,
+      make("p", {}, load, print),
+      this.added,
+      this.script,
+      make("section", {}, make("h2", {}, "To know about the data"), this.notes),
+    );
   }
 
   study(study) {
@@ -23,7 +29,8 @@ export class StudyPage {
   did(steps) {
     const words = steps.map((step) => (typeof step === "string" ? step : step.text));
     this.steps.replaceChildren(...words.map((text) => make("li", {}, make("code", {}, text))));
-    if (!words.length) this.steps.replaceChildren(make("li", { class: "soft" }, "Nothing yet: the model has its start values."));
+    if (!words.length)
+      this.steps.replaceChildren(make("li", { class: "soft" }, "Nothing yet: the model has its start values."));
   }
 
   wrote({ file, text }) {
@@ -34,7 +41,22 @@ export class StudyPage {
   async print() {
     const script = await this.ask("script");
     if (!script) return;
-    const part = (title, words, file) => make("section", {}, make("h2", {}, title, " ", make("a", { href: `download/${file}`, download: file, class: "button" }, "Download")), make("pre", {}, make("code", {}, words)));
-    this.script.replaceChildren(part("As a Python script", script.python, "script.py"), part("As commands", script.commands, "commands.sh"));
+    const part = (title, words, file) =>
+      make(
+        "section",
+        {},
+        make(
+          "h2",
+          {},
+          title,
+          " ",
+          make("a", { href: `download/${file}`, download: file, class: "button" }, "Download"),
+        ),
+        make("pre", {}, make("code", {}, words)),
+      );
+    this.script.replaceChildren(
+      part("As a Python script", script.python, "script.py"),
+      part("As commands", script.commands, "commands.sh"),
+    );
   }
 }

@@ -7,25 +7,78 @@ import { make, table } from "./element.js";
  * formula. */
 export function verdictParts(v, take, addLearned) {
   const said = (text, tag = "p", properties = {}) => (text ? make(tag, properties, text) : "");
-  const head = [said(v.kind_name, "p", { class: "kind" }), said(v.headline || v.families?.join(" and "), "h2"), said(v.instrument), said(v.error), said(v.probability), said([v.reason, v.compared].filter(Boolean).join(" ")),
-    ...(v.doubts ?? []).map((doubt) => said(`Look first: ${doubt}`, "p", { class: "caution" })), said(v.not_tried, "p", { class: "soft" }),
-    v.effects?.length && v.complete ? make("p", {}, make("button", { type: "button", class: "main", onclick: take }, `Take ${v.effects.join(" and ")} into the model`)) : ""];
-  return { head: head.filter(Boolean), rest: [summary(v), parameters(v), meaning(v), next(v.next), learned(v.learned, addLearned), missing(v.missing)].filter(Boolean) };
+  const head = [
+    said(v.kind_name, "p", { class: "kind" }),
+    said(v.headline || v.families?.join(" and "), "h2"),
+    said(v.instrument),
+    said(v.error),
+    said(v.probability),
+    said([v.reason, v.compared].filter(Boolean).join(" ")),
+    ...(v.doubts ?? []).map((doubt) => said(`Look first: ${doubt}`, "p", { class: "caution" })),
+    said(v.not_tried, "p", { class: "soft" }),
+    v.effects?.length && v.complete
+      ? make(
+          "p",
+          {},
+          make(
+            "button",
+            { type: "button", class: "main", onclick: take },
+            `Take ${v.effects.join(" and ")} into the model`,
+          ),
+        )
+      : "",
+  ];
+  return {
+    head: head.filter(Boolean),
+    rest: [
+      summary(v),
+      parameters(v),
+      meaning(v),
+      next(v.next),
+      learned(v.learned, addLearned),
+      missing(v.missing),
+    ].filter(Boolean),
+  };
 }
 
 function summary(v) {
   if (!v.summary?.length) return null;
   const after = v.summary.some((s) => s.after && s.after !== "–");
-  const heads = ["signal", "runs", "#base model", ...(after ? ["#with effect"] : []), "#noise", "#χ² before", ...(after ? ["#χ² after"] : [])];
-  const rows = v.summary.map((s) => [s.name, s.role, s.before, ...(after ? [s.after] : []), s.noise, s.chi2_before, ...(after ? [s.chi2_after] : [])]);
+  const heads = [
+    "signal",
+    "runs",
+    "#base model",
+    ...(after ? ["#with effect"] : []),
+    "#noise",
+    "#χ² before",
+    ...(after ? ["#χ² after"] : []),
+  ];
+  const rows = v.summary.map((s) => [
+    s.name,
+    s.role,
+    s.before,
+    ...(after ? [s.after] : []),
+    s.noise,
+    s.chi2_before,
+    ...(after ? [s.chi2_after] : []),
+  ]);
   return make("section", {}, make("h2", {}, "Root mean square error"), table(heads, rows));
 }
 
 function parameters(v) {
   if (!v.parameters?.length) return null;
   const rows = v.parameters.map((p) => [p.name, p.origin, p.base, p.value, p.interval, p.unit, p.remark]);
-  return make("section", {}, make("h2", {}, "Parameters"), table(["parameter", "belongs to", "#base model", "#value", "#95 % interval", "unit", ""], rows),
-    make("p", { class: "soft" }, "A base parameter that moves far when the effect is added had been bent to stand in for it."));
+  return make(
+    "section",
+    {},
+    make("h2", {}, "Parameters"),
+    table(["parameter", "belongs to", "#base model", "#value", "#95 % interval", "unit", ""], rows),
+    make(
+      "p",
+      { class: "soft" },
+      "A base parameter that moves far when the effect is added had been bent to stand in for it.",
+    ),
+  );
 }
 
 function meaning(v) {
@@ -35,26 +88,72 @@ function meaning(v) {
 function next(plan) {
   if (!plan) return null;
   const rows = plan.rows.map(([name, value]) => make("tr", {}, make("th", {}, name), make("td", {}, value)));
-  const file = make("a", { href: "download/next.csv", download: "next.csv", class: "button" }, "Download the run table");
-  return make("section", {}, make("h2", {}, "The next experiment"), make("table", {}, make("tbody", {}, rows)),
-    plan.table?.length ? [make("p", {}, `What to drive (${plan.course}): `, file), make("details", {}, make("summary", {}, "The table"), table(plan.heads.map((h) => `#${h}`), plan.table),
-      plan.left_out ? make("p", { class: "soft" }, `${plan.left_out} more rows are in the file.`) : "")] : "");
+  const file = make(
+    "a",
+    { href: "download/next.csv", download: "next.csv", class: "button" },
+    "Download the run table",
+  );
+  return make(
+    "section",
+    {},
+    make("h2", {}, "The next experiment"),
+    make("table", {}, make("tbody", {}, rows)),
+    plan.table?.length
+      ? [
+          make("p", {}, `What to drive (${plan.course}): `, file),
+          make(
+            "details",
+            {},
+            make("summary", {}, "The table"),
+            table(
+              plan.heads.map((h) => `#${h}`),
+              plan.table,
+            ),
+            plan.left_out ? make("p", { class: "soft" }, `${plan.left_out} more rows are in the file.`) : "",
+          ),
+        ]
+      : "",
+  );
 }
 
 function learned(term, add) {
   if (!term) return null;
   const rows = term.rows.map((s) => [s.name, s.role, s.before, s.after, s.noise]);
   const beside = term.beside ? `It stands beside ${term.beside}. ` : "";
-  return make("section", {}, make("h2", {}, "What is missing, described"), make("pre", { class: "formula" }, make("code", {}, term.formula)),
-    make("p", {}, `${beside}It explains ${term.score} of the missing term of the ${term.balance} balance in runs that were not asked for it, ${term.fit_score} in those that were.`),
-    make("p", { class: "caution" }, term.caution), table(["signal", "runs", "#before", "#with the formula", "#noise"], rows),
+  return make(
+    "section",
+    {},
+    make("h2", {}, "What is missing, described"),
+    make("pre", { class: "formula" }, make("code", {}, term.formula)),
+    make(
+      "p",
+      {},
+      `${beside}It explains ${term.score} of the missing term of the ${term.balance} balance in runs that were not asked for it, ${term.fit_score} in those that were.`,
+    ),
+    make("p", { class: "caution" }, term.caution),
+    table(["signal", "runs", "#before", "#with the formula", "#noise"], rows),
     make("p", {}, make("button", { type: "button", onclick: add }, `Write ${term.name}.mo`)),
-    make("details", {}, make("summary", {}, `Modelica text of ${term.name}`), make("pre", {}, make("code", {}, term.source))));
+    make(
+      "details",
+      {},
+      make("summary", {}, `Modelica text of ${term.name}`),
+      make("pre", {}, make("code", {}, term.source)),
+    ),
+  );
 }
 
 function missing(term) {
   if (!term?.rows?.length) return null;
-  return make("section", {}, make("h2", {}, "What is left"),
-    term.balance ? make("p", {}, `Of the effects that were tried, those of the ${term.balance} balance come closest.`) : "",
-    table(["signal", "#error left", "#in noise standard deviations", "goes with", "#correlation"], term.rows.map((s) => [s.name, s.rmse, s.size, s.with, s.correlation])));
+  return make(
+    "section",
+    {},
+    make("h2", {}, "What is left"),
+    term.balance
+      ? make("p", {}, `Of the effects that were tried, those of the ${term.balance} balance come closest.`)
+      : "",
+    table(
+      ["signal", "#error left", "#in noise standard deviations", "goes with", "#correlation"],
+      term.rows.map((s) => [s.name, s.rmse, s.size, s.with, s.correlation]),
+    ),
+  );
 }

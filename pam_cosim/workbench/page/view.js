@@ -60,7 +60,8 @@ export class View {
   /** Lights up ranges: `{run: [[from, to], ...]}` on the axes of the runs. */
   light(ranges) {
     this.lit = [];
-    for (const run of this.runs) for (const [a, b] of ranges?.[run.name] ?? []) this.lit.push([a + run.shift, b + run.shift]);
+    for (const run of this.runs)
+      for (const [a, b] of ranges?.[run.name] ?? []) this.lit.push([a + run.shift, b + run.shift]);
     this.tell();
   }
 
