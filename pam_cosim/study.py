@@ -320,6 +320,17 @@ def draw(product: Product, path: Path | str) -> None:
     _draw(product, path)
 
 
+def live() -> Callable[[Any], None]:
+    """Something to be told what goes on: ``pam.fit(data, progress=pam.live())``, and so for ``diagnose``.
+
+    In a notebook it draws how things stand: the errors of a fit, the ranking and the verdict of a diagnosis. Elsewhere
+    it prints every line.
+    """
+    from pam_cosim.reporting import Live
+
+    return Live()
+
+
 def effects(files: Paths = ()) -> list[EffectClass]:
     """The catalogue: every effect of the library and of ``files``."""
     return list(effect_classes(read_library(files=_paths(files))))

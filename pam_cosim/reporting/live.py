@@ -1,0 +1,101 @@
+"""What a fit or a diagnosis tells, drawn as it goes in a notebook; elsewhere it is printed."""
+
+from __future__ import annotations
+
+import sys
+import time
+from html import escape
+from importlib import import_module
+from typing import Any
+
+from pam_cosim.diagnosis import BaseFitted, BegunAnew, Candidate, CandidateTried, Event, Judged
+from pam_cosim.diagnosis.evidence import rank
+from pam_cosim.fitting import Fit, Standing
+from pam_cosim.reporting.diagnosis_rows import candidate_row
+from pam_cosim.reporting.meaning import kind_name, probability_sentence
+
+_PACE = 0.3  # [s] between two drawings
+_MOST_ROWS = 10
+_COLUMNS = {
+    "effect": "effect",
+    "family": "family",
+    "explained": "explained",
+    "delta_bic": "ΔBIC",
+    "holdout": "held-out χ²",
+}
+
+
+class Live:
+    """Something to tell: ``pam.fit(data, progress=pam.live())``, ``pam.diagnose(data, progress=pam.live())``.
+
+    In a notebook one picture of how things stand, the errors of a fit, the ranking and the verdict of a diagnosis, is
+    drawn anew as they change. Elsewhere every line is printed.
+    """
+
+    def __init__(self) -> None:
+        self._handle: Any = None
+        self._drawn = 0.0
+        self._line, self._headline = "", ""
+        self._base: Fit | None = None
+        self._tried: dict[tuple[str, ...], Candidate] = {}
+        self._judged: Judged | None = None
+
+    def __call__(self, event: Standing | Event) -> None:
+        """Takes a ``Standing`` of a fit, or an event of a diagnosis."""
+        if not in_notebook():
+            if str(event):
+                print(event.message if isinstance(event, Event) else event, flush=True)
+            return
+        self._take(event)
+        if isinstance(event, Judged) or time.monotonic() - self._drawn >= _PACE:
+            self._drawn = time.monotonic()
+            self._show()
+
+    def _take(self, event: Standing | Event) -> None:
+        self._line = str(event) or self._line
+        if isinstance(event, Event) and str(event) and not event.detail:
+            self._headline = str(event)
+        if isinstance(event, BaseFitted):
+            self._base = event.fit
+        elif isinstance(event, BegunAnew):
+            self._tried.clear()
+        elif isinstance(event, CandidateTried) and isinstance(event.attempt, Candidate):
+            self._tried[event.attempt.effects] = event.attempt
+        elif isinstance(event, Judged):
+            self._judged = event
+
+    def html(self) -> str:
+        """How things stand."""
+        parts = [f"<p>{escape(self._headline)}</p>"] if self._headline else []
+        parts.append(f"<p>{escape(self._line)}</p>" * (self._line != self._headline))
+        if self._base is not None and self._tried:
+            parts.append(self._table(self._base))
+        if self._judged is not None:
+            verdict = self._judged.verdict
+            said = f"{kind_name(verdict.kind)}. {verdict.reason} {probability_sentence(verdict)}"
+            parts.append(f"<p><strong>{escape(said.strip())}</strong></p>")
+        return "".join(parts)
+
+    def _table(self, base: Fit) -> str:
+        path = self._judged.path if self._judged else ()
+        rows = [candidate_row(base, c, path) for c in rank(base, list(self._tried.values()))[:_MOST_ROWS]]
+        head = "".join(f"<th>{escape(title)}</th>" for title in _COLUMNS.values())
+        body = "".join(
+            "<tr>" + "".join(f"<td>{escape(str(row[key]))}</td>" for key in _COLUMNS) + "</tr>" for row in rows
+        )
+        return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+
+    def _show(self) -> None:
+        picture = {"text/html": self.html()}
+        if self._handle is None:
+            notebook: Any = import_module("IPython.display")
+            self._handle = notebook.display(picture, raw=True, display_id=True)
+        else:
+            self._handle.update(picture, raw=True)
+
+
+def in_notebook() -> bool:
+    """Whether a kernel draws what is displayed."""
+    kernel = sys.modules.get("IPython")
+    shell = kernel.get_ipython() if kernel is not None else None
+    return shell is not None and hasattr(shell, "kernel")
