@@ -14,7 +14,7 @@ from typing import Any
 from pam_cosim.diagnosis import Candidate, Diagnosis
 from pam_cosim.errors import InputError
 from pam_cosim.files import read_json, write_bytes, write_json
-from pam_cosim.fitting import Fit
+from pam_cosim.fitting import Fit, Leeway
 from pam_cosim.measurement import ROLES
 from pam_cosim.products import load, save
 from pam_cosim.workbench.inside import inside
@@ -41,12 +41,15 @@ def lean(diagnosis: Diagnosis) -> Diagnosis:
     way = {c.effects for c in diagnosis.path}
 
     def bare(c: Candidate) -> Candidate:
-        if c.effects in way:
-            return c
-        comparison = replace(c.fit.comparison, data=replace(c.fit.comparison.data, runs=()), runs=())
-        return replace(c, fit=replace(c.fit, comparison=comparison, linear=None))
+        return c if c.effects in way else replace(c, fit=lean_fit(c.fit))
 
     return replace(diagnosis, candidates=tuple(bare(c) for c in diagnosis.candidates))
+
+
+def lean_fit(fit: Fit) -> Fit:
+    """A fit without its curves: values, intervals and scores stay."""
+    comparison = replace(fit.comparison, data=replace(fit.comparison.data, runs=()), runs=())
+    return replace(fit, comparison=comparison, linear=None, leeway=Leeway())
 
 
 def save_state(state: State, folder: Path) -> SavedStudy:

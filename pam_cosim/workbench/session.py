@@ -25,6 +25,7 @@ from pam_cosim.workbench.job import Worker
 from pam_cosim.workbench.opened import Opened, open_model
 from pam_cosim.workbench.protocol import Json, Study, frame
 from pam_cosim.workbench.saving import FILE as SAVED
+from pam_cosim.workbench.saving import lean_fit
 from pam_cosim.workbench.shown import rung_of, scores_event, steps_event, study_event, where_event
 from pam_cosim.workbench.state import State, standing_label, with_rung
 from pam_cosim.workbench.steps import Step
@@ -160,7 +161,12 @@ class Session:
             state = replace(state, rungs=with_rung(state.rungs, rung_of(before.milestone, standing)))
         self._install(state)
         if len(state.steps) > len(before.steps) or not self.past:
-            self.past = [*self.past[-MOST_BACK:], before]
+            self.remember(before)
+
+    def remember(self, state: State) -> None:
+        """Keeps a state to go back to, without the curves of its fit, which are many."""
+        kept = state if state.fit is None else replace(state, fit=lean_fit(state.fit))
+        self.past = [*self.past[-MOST_BACK:], kept]
 
     def back(self, state: State) -> None:
         """Makes a state the present one that stood before, or that was loaded."""
@@ -194,7 +200,7 @@ class Session:
         if before.milestone:
             state = replace(state, rungs=with_rung(state.rungs, rung_of(before.milestone, standing)))
         if len(state.steps) > len(before.steps):
-            self.past = [*self.past[-MOST_BACK:], before]
+            self.remember(before)
         self.state, self._comparison = state, self._scored(state, self.opened, runs)
         self._tell_scores()
 

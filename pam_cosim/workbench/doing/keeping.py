@@ -99,8 +99,9 @@ def load(session: Session) -> None:
     """Makes the saved study the standing one."""
     session.work.make_room()
     state = load_state(session.folder, session.first)
-    session.past = [*session.past, session.state]
+    before = session.state
     session.back(state)
+    session.remember(before)
     session.saved = state.steps
     session.tell_steps()
     session.work.tell_diagnosis()

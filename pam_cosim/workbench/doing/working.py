@@ -72,7 +72,7 @@ def diagnose(
     def finish(result: Diagnosis) -> None:
         state = session.state
         session.back(state.after(Step(DIAGNOSE, options), diagnosis=lean(result), diagnosed=state.effects))
-        session.past.append(state)
+        session.remember(state)
         session.work.tell_diagnosis()
 
     session.work.make_room()
