@@ -95,7 +95,6 @@ def study(browser: Any, address: str) -> None:
     film.take(REST // 2)
     page.locator("#fit").click()
     film.until(lambda: ended(page, "fit"))
-    still(page, "workbench-fitted")
 
     page.locator("#diagnose").click()
     page.locator(".ranking tbody tr").nth(5).wait_for(timeout=LONG)
