@@ -70,7 +70,7 @@ def python_of(state: State, base: str, folder: Path, catalogue: Catalogue) -> st
         "",
         f"folder = {str(folder)!r}",
         f"files = {place.files!r}",
-        f"data = pam.read(folder, model={place.base!r}, files=files)",
+        _python_read(place),
         f"model = {place.base!r}",
         "values = {}",
         "comparison = pam.compare(data, model, values, files=files)",
@@ -93,12 +93,10 @@ def _python_step(step: Step, place: _Place) -> list[str]:
             return [*_python_effects(told["effects"], place), f"values = {_numbers(told['values'])}", _COMPARED]
         case "choose":
             place.base = told["model"]
-            return [*_python_effects((), place), "values = {}", _COMPARED]
+            return [*_python_effects((), place), _python_read(place), "values = {}", _COMPARED]
         case "roles":
             place.roles |= told["roles"]
-            return [
-                f"data = pam.read(folder, model={place.base!r}, files=files, roles={place.roles!r})", _COMPARED
-            ]  # fmt: skip
+            return [_python_read(place), _COMPARED]
         case "fit":
             options = f"method={told['method']!r}, free={told['free']!r}, start={_numbers(told['start'])}"
             return [
@@ -121,6 +119,11 @@ def _python_step(step: Step, place: _Place) -> list[str]:
         case "add":
             return [f"pam.add({told['effects']!r}, to={place.base!r}, output={told['file']!r}, files=files)"]
     return []
+
+
+def _python_read(place: _Place) -> str:
+    roles = f", roles={place.roles!r}" if place.roles else ""
+    return f"data = pam.read(folder, model={place.base!r}, files=files{roles})"
 
 
 def _python_effects(effects: Sequence[str], place: _Place) -> list[str]:

@@ -145,6 +145,8 @@ def test_script_and_commands_repeat_it(
     window.do(do="switch", effects=[])
     window.do(do="roles", roles={"run-02": "fit"})
     window.do(do="reset", names=["muscle.mu_fb"])
+    window.do(do="choose", model="Isotonic")
+    window.do(do="set", values={"valve.C_A": 0.77})
     place = tmp_path / "elsewhere"
     place.mkdir()
     for end in repeated(folder, window.session, place, monkeypatch):

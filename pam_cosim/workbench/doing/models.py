@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from pam_cosim import study
 from pam_cosim.diagnosis import Candidate
 from pam_cosim.errors import InputError
+from pam_cosim.measurement import complete_noise
 from pam_cosim.workbench.doing.words import names_of, text_of
 from pam_cosim.workbench.state import label_of
 from pam_cosim.workbench.steps import CHOOSE, ROLES_STEP, SWITCH, TAKE, Step
@@ -37,17 +39,23 @@ def _kept(session: Session, effects: Sequence[str]) -> dict[str, float]:
 
 
 def choose(session: Session, model: str) -> None:
-    """Takes another base model, without effects."""
+    """Takes another base model, without effects; the data set is read for it."""
     session.work.make_room()
     name = text_of(model, "choose")
     if "/" in name or "\\" in name or name.startswith("."):
         raise InputError("choose wants the name of a bench or of a Modelica class")
+    state = session.state
+    known = {run.name: run.role for run in state.data.runs}
+    data = complete_noise(study.read(session.folder, model=name, files=session.files, roles=known))
+    same = data.signals.keys() == state.data.signals.keys()
     session.enter(
-        session.state.after(
+        state.after(
             Step(CHOOSE, {"model": name}),
-            model=name, effects=(), milestone=f"{name}, as stated", fit=None, file=None, values={}, before=None,
+            data=data, model=name, effects=(), values={}, fit=None, file=None, before=None, diagnosis=None,
+            diagnosed=(), milestone=f"{name}, as stated", rungs=state.rungs if same else (),
         )
     )  # fmt: skip
+    session.work.tell_diagnosis()
 
 
 def candidate_of(session: Session, effects: Sequence[str]) -> Candidate | None:
