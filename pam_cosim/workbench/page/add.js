@@ -41,7 +41,8 @@ export class AddDialog {
       make(
         "p",
         {},
-        `${model} with ${effects.join(" and ")}, as a Modelica class in the folder of the data set.${on.length ? "" : " The verdict asks for it; the values are those that were fitted."}`,
+        `${model} with ${effects.join(" and ")}, as a Modelica class in the folder of the data set.` +
+          (on.length ? "" : " The verdict asks for it; the values are those that were fitted."),
       ),
       make("label", { class: "line" }, "file", this.name),
       (this.problem = make("p", { class: "caution", hidden: true, role: "alert" })),

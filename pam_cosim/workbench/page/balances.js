@@ -20,7 +20,8 @@ export class Balances {
       make(
         "p",
         { class: "soft" },
-        "A diagnosis asks each balance for the term that is missing in it, before any effect is tried. Press Diagnose; the terms stand here.",
+        "A diagnosis asks each balance for the term that is missing in it, before any effect is tried. " +
+          "Press Diagnose; the terms stand here.",
       ),
     );
   }

@@ -9,7 +9,8 @@ import { followKeys, followPointer } from "./pointer.js";
 import { drawSignal, readOut, scale } from "./signal-chart.js";
 
 const MAP =
-  "Mean of measured − model in the times that are shown, in standard deviations of the noise (σ). Click a cell to light up when the rig was there.";
+  "Mean of measured − model in the times that are shown, in standard deviations of the noise (σ). " +
+  "Click a cell to light up when the rig was there.";
 const BELOW = "below: measured − model, band ± 2 σ of the noise";
 const SCREEN = 16; // ms between two pictures of a screen: what comes later than that is drawn at once
 const KEYS = "Curves. Arrows move, plus and minus zoom, Home shows all runs, Shift and arrows read values.";

@@ -37,7 +37,9 @@ export class Diagnosis {
       make(
         "p",
         {},
-        "Diagnose refits the model, tries every effect of the catalogue beside it, and says which one the data ask for, that nothing is missing, or that the catalogue does not hold it. It goes on when this page is closed.",
+        "Diagnose refits the model, tries every effect of the catalogue beside it, and says " +
+          "which one the data ask for, that nothing is missing, or that the catalogue does not hold it. " +
+          "It goes on when this page is closed.",
       ),
       make("p", {}, "Check says first what these data can tell at all. ", this.check),
       make("label", { class: "line" }, "time limit", this.limit, "min"),

@@ -27,8 +27,8 @@ export function text(g, words, x, y, colour, { align = "left", base = "alphabeti
 }
 
 /**
- * A path through the samples between two indices, thinned to a point for each pixel column, and to its lowest and highest
- * where these stand out: strokes are what costs time.
+ * A path through the samples between two indices, thinned to a point for each pixel column, and to its lowest and
+ * highest where these stand out: strokes are what costs time.
  */
 export function trace(g, xs, ys, first, last, toX, toY) {
   const offset = toX(0),

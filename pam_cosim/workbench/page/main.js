@@ -9,7 +9,7 @@ import { DropPage } from "./drop.js";
 import { Effects } from "./effects.js";
 import { byId, make, say } from "./element.js";
 import { Ladder } from "./ladder.js";
-import { clock } from "./numbers.js";
+import { clock, lasted } from "./numbers.js";
 import { Parameters } from "./parameters.js";
 import { Rules, Runs } from "./runs.js";
 import { StudyPage } from "./study.js";
@@ -107,7 +107,7 @@ const hear = {
     if (event.what === "diagnose") parts.diagnosis.end();
     status(
       ENDS[event.end]
-        ? `${NAMES[event.what] ?? event.what} ${ENDS[event.end]} after ${event.seconds < 60 ? `${event.seconds.toFixed(1)} s` : `${clock(event.seconds)} min`}`
+        ? `${NAMES[event.what] ?? event.what} ${ENDS[event.end]} after ${lasted(event.seconds)}`
         : "Ready",
     );
     lock();

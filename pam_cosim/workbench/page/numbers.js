@@ -53,3 +53,8 @@ export function clock(seconds) {
   const whole = Math.floor(seconds);
   return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`;
 }
+
+/** How long something took: "4.7 s", "1:05 min". */
+export function lasted(seconds) {
+  return seconds < 60 ? `${seconds.toFixed(1)} s` : `${clock(seconds)} min`;
+}

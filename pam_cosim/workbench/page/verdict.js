@@ -3,8 +3,9 @@
 import { make, table } from "./element.js";
 
 /**
- * The head of a verdict and what stands below the ranking; `take()` makes what it found the model, `addLearned()` writes the learned
- * formula. */
+ * The head of a verdict and what stands below the ranking; `take()` makes what it found the model, `addLearned()`
+ * writes the learned formula.
+ */
 export function verdictParts(v, take, addLearned) {
   const said = (text, tag = "p", properties = {}) => (text ? make(tag, properties, text) : "");
   const head = [
@@ -128,7 +129,8 @@ function learned(term, add) {
     make(
       "p",
       {},
-      `${beside}It explains ${term.score} of the missing term of the ${term.balance} balance in runs that were not asked for it, ${term.fit_score} in those that were.`,
+      `${beside}It explains ${term.score} of the missing term of the ${term.balance} balance in runs that were not ` +
+        `asked for it, ${term.fit_score} in those that were.`,
     ),
     make("p", { class: "caution" }, term.caution),
     table(["signal", "runs", "#before", "#with the formula", "#noise"], rows),
