@@ -188,7 +188,7 @@ function lock() {
   byId("discard").hidden = !busy?.held;
   for (const part of [parts.parameters, parts.effects, parts.diagnosis]) part.lock(held);
   document.body.classList.toggle("busy", Boolean(busy));
-  const next = verdict?.effects?.length ? "add" : done.has("fit") || done.has("diagnose") ? "diagnose" : "fit";
+  const next = verdict?.kind === "identified" ? "add" : done.has("fit") || done.has("diagnose") ? "diagnose" : "fit";
   for (const id of ["fit", "diagnose", "add"]) byId(id).classList.toggle("main", id === next);
 }
 

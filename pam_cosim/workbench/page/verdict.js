@@ -23,7 +23,7 @@ export function verdictParts(v, take, addLearned) {
           {},
           make(
             "button",
-            { type: "button", class: "main", onclick: take },
+            { type: "button", class: v.kind === "identified" ? "main" : "", onclick: take },
             `Take ${v.effects.join(" and ")} into the model`,
           ),
         )

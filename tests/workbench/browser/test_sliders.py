@@ -44,14 +44,16 @@ def test_undo_takes_the_value_back(opened: Open, address: str) -> None:
 
 def test_a_second_window_shows_the_same(opened: Open, address: str) -> None:
     first, second = opened(address), opened(address)
+    before = second.locator("#ladder").inner_text()
     drag(first, "valve.C_A", 0.3)
-    first.wait_for_timeout(1000)
-    text = first.locator("#ladder").inner_text()
-    until(second, lambda: bool(second.locator("#ladder").inner_text() == text))
-    assert (
-        second.locator("input[type=range]").first.input_value()
-        == first.locator("input[type=range]").first.input_value()
-    )
+    slider = 'input[type=range][data-parameter="valve.C_A"]'
+
+    def same() -> bool:
+        ladders = [page.locator("#ladder").inner_text() for page in (first, second)]
+        places = [page.locator(slider).input_value() for page in (first, second)]
+        return ladders[0] == ladders[1] != before and places[0] == places[1]
+
+    until(second, same)
 
 
 def test_charts_zoom_together_and_a_rule_lights_up_its_times(opened: Open, address: str) -> None:
