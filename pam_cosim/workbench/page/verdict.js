@@ -17,17 +17,7 @@ export function verdictParts(v, take, addLearned) {
     said([v.reason, v.compared].filter(Boolean).join(" ")),
     ...(v.doubts ?? []).map((doubt) => said(`Look first: ${doubt}`, "p", { class: "caution" })),
     said(v.not_tried, "p", { class: "soft" }),
-    v.effects?.length && v.complete
-      ? make(
-          "p",
-          {},
-          make(
-            "button",
-            { type: "button", class: v.kind === "identified" ? "main" : "", onclick: take },
-            `Take ${v.effects.join(" and ")} into the model`,
-          ),
-        )
-      : "",
+    v.complete ? make("p", { class: "steps-on" }, takeButton(v, take), reportLink()) : "",
   ];
   return {
     head: head.filter(Boolean),
@@ -40,6 +30,20 @@ export function verdictParts(v, take, addLearned) {
       missing(v.missing),
     ].filter(Boolean),
   };
+}
+
+function takeButton(v, take) {
+  if (!v.effects?.length) return "";
+  const kind = v.kind === "identified" ? "main" : "";
+  return make(
+    "button",
+    { type: "button", class: kind, onclick: take },
+    `Take ${v.effects.join(" and ")} into the model`,
+  );
+}
+
+function reportLink() {
+  return make("a", { href: "download/report.html", download: "report.html", class: "button" }, "Download the report");
 }
 
 function summary(v) {

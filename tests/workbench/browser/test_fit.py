@@ -57,3 +57,19 @@ def test_a_bad_name_for_the_file_is_answered_in_words(opened: Callable[..., Any]
         assert "Outside.mo" in page.locator("#add-dialog .caution").inner_text()
         assert not (tmp_path / "Outside.mo").exists()
         page.close()
+
+
+def test_what_is_stopped_can_be_given_up(opened: Callable[..., Any], muscle: Path, tmp_path: Path) -> None:
+    """Stop holds it: sliders move meanwhile; End gives it up, and another thing can begin."""
+    folder = shutil.copytree(muscle, tmp_path / "rig")
+    with serving(folder) as address:
+        page = opened(address)
+        page.locator("#diagnose").click()
+        page.get_by_role("button", name="Stop").click()
+        page.get_by_role("button", name="Resume").wait_for()
+        page.get_by_role("button", name="End").click()
+        until(page, lambda: page.locator("#stop").is_disabled() and page.locator("#fit").is_enabled())
+        assert "ended" in page.locator("#status").inner_text()
+        page.locator("#fit").click()
+        until(page, lambda: "fit is done" in page.locator("#status").inner_text())
+        page.close()
