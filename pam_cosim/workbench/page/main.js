@@ -180,7 +180,7 @@ function status(text) {
 }
 
 function lock() {
-  const held = Boolean(busy) || !connected;
+  const held = Boolean(busy && !busy.held) || !connected;
   for (const id of ["fit", "diagnose", "add", "undo", "save"]) byId(id).disabled = held || !study;
   byId("undo").disabled ||= byId("undo").dataset.none === "true";
   say(byId("stop"), busy?.held ? "Resume" : "Stop");

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from tests.workbench.browser.conftest import serving
-from tests.workbench.browser.looking import error, noise, quiet, until
+from tests.workbench.browser.looking import drag, error, noise, quiet, until
 
 EFFECT = "LinearBladder"
 
@@ -67,6 +67,9 @@ def test_what_is_stopped_can_be_given_up(opened: Callable[..., Any], muscle: Pat
         page.locator("#diagnose").click()
         page.get_by_role("button", name="Stop").click()
         page.get_by_role("button", name="Resume").wait_for()
+        before = error(page, "p")
+        drag(page, "valve.C_A", 0.9)
+        until(page, lambda: error(page, "p") > 1.5 * before)
         page.get_by_role("button", name="End").click()
         until(page, lambda: page.locator("#stop").is_disabled() and page.locator("#fit").is_enabled())
         assert "ended" in page.locator("#status").inner_text()
