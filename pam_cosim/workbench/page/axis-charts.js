@@ -32,7 +32,7 @@ export function drawAxis(canvas, view, unit, colours) {
   let free = LEFT - 20;
   for (const run of view.visible()) {
     const [a, b] = [Math.max(across.to(run.start), LEFT), Math.min(across.to(run.start + run.span), right)];
-    if (b - a < 1.5 * PER_TICK && view.visible().length > 1) continue;
+    if (b - a < 1.2 * PER_TICK && view.visible().length > 1) continue;
     const back = (x) => across.back(x) - run.shift;
     const values = ticks(back(a), back(b), Math.max(1, Math.round((b - a) / PER_TICK)));
     const labels = tickLabels(values);
