@@ -65,7 +65,8 @@ def instrument_sentence(verdict: Verdict, domain: Domain) -> str:
     """Which of the families named are instruments, and what that says of them; "" where none is."""
     faults = domain.faults(verdict.families)
     said = "; ".join(f"{words(family)}: {text}" for family, text in faults.items())
-    return f"An instrument, not physics: {said}." if faults else ""
+    which = "An instrument" if len(faults) == len(set(verdict.families)) else "Among these an instrument"
+    return f"{which}, not physics: {said}." if faults else ""
 
 
 def headline(diagnosis: Diagnosis) -> str:
