@@ -197,4 +197,4 @@ def test_held_out_runs_that_uncertain_parameters_excuse_check_little() -> None:
     sure, unsure = (
         confidence(LOUD, c, [c], {c.effect: c.family}, Choice(1), judge(LOUD, [c], [])) for c in (GOOD, one)
     )
-    assert unsure < 0.6 < sure
+    assert unsure < 0.8 < sure

@@ -34,9 +34,12 @@ def serving(folder: Path) -> Iterator[str]:
         yield address
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
-    """A Chromium that is installed; none is downloaded."""
+    """A Chromium that is installed; none is downloaded.
+
+    It ends with the module: as long as Playwright is there, no other test could run an event loop of its own.
+    """
     program = chromium()
     if program is None:
         pytest.skip(MISSING)
