@@ -15,6 +15,7 @@ import pytest
 
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.fmu.cache import cache_dir
+from pam_cosim.fmu.compile import PLATFORMS, native_platform
 from tests.fmu import models
 
 _FUZZ = Path(__file__).with_name("fuzz.c")
@@ -26,7 +27,8 @@ _ZIG = ["-fsanitize=undefined", "-fno-sanitize-recover=all"]
 def _compiler(sanitizer: str, folder: Path) -> list[str]:
     """The compiler's command; the test is skipped where it cannot make programs with this sanitizer."""
     if sanitizer == "undefined":
-        return [sys.executable, "-m", "ziglang", "cc", *_ZIG]
+        target = PLATFORMS[native_platform()].target  # stated, as for an FMU: else the system's C library is looked for
+        return [sys.executable, "-m", "ziglang", "cc", "-target", target, *_ZIG]
     gcc = shutil.which("gcc") or shutil.which("clang")
     if gcc is None:
         pytest.skip("AddressSanitizer needs gcc or clang; ziglang brings no runtime for it")
