@@ -7,6 +7,7 @@ squares problem; with the times put into the data the model is fitted again.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -17,7 +18,6 @@ from scipy.optimize import lsq_linear
 
 from pam_cosim.arrays import Array
 from pam_cosim.catalogue import Composition
-from pam_cosim.comparison import simulate_run
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.trial import every_parameter
 from pam_cosim.errors import InputError, SimulationFailure
@@ -109,7 +109,7 @@ def _retimed(task: Retiming, simulator: Simulator) -> Retimed | None:
 
 
 def _at(free: Sequence[Free], fit: Fit) -> list[Free]:
-    return [replace(f, start=min(max(fit.values.get(f.name, f.start), f.low), f.high)) for f in free]
+    return [f.starting_at(fit.values.get(f.name, f.start)) for f in free]
 
 
 class _Clock:
@@ -129,9 +129,6 @@ class _Clock:
         moved = zip(self._recorded.runs, self._rows, times, strict=True)
         return replace(self._recorded, runs=tuple(with_step_times(run, rows, t) for run, rows, t in moved))
 
-    def _signals(self, run: Run) -> list[str]:
-        return [name for name, one in self.data.signals.items() if one.fitted and run.sample_count(name)]
-
     def _slopes_of(self, i: int) -> Array:
         """(samples, steps) of a run's samples by the times of its steps, in noise standard deviations a second.
 
@@ -139,37 +136,31 @@ class _Clock:
         """
         if i not in self._slopes:
             times = (self._low[i] + self._high[i]) / 2
-            before = self._simulated(i, times)
+            before = self._residual(i, times)
             columns = [np.zeros((len(before), 0))]
             for k, shift in enumerate((self._high[i] - times) / 2):
                 moved = times.copy()
                 moved[k] += shift
-                columns.append(((self._simulated(i, moved) - before) / shift)[:, None])
+                columns.append(((before - self._residual(i, moved)) / shift)[:, None])
             self._slopes[i] = np.column_stack(columns)
         return self._slopes[i]
 
-    def _simulated(self, i: int, times: Array) -> Array:
-        """Samples of a run that steps at these times, in noise standard deviations."""
-        run, tolerance = (
-            with_step_times(self._recorded.runs[i], self._rows[i], times),
-            CRITERIA.fit.difference_tolerance,
-        )
-        signals = self._signals(run)
-        model = simulate_run(self._simulator, self.data, run, self._values, tolerance, signals).model
-        parts = [np.zeros(0)]
-        for name in signals:
-            sigma = self.data.signals[name].sigma
-            assert sigma is not None, "fits need a noise level; see measurement.with_noise"
-            parts.append(model[name][np.isfinite(run.measurements[name])] / sigma)
-        return np.concatenate(parts)
+    def _residual(self, i: int, times: Array) -> Array:
+        """Samples minus model of a run that steps at these times, in noise standard deviations."""
+        run = with_step_times(self._recorded.runs[i], self._rows[i], times)
+        objective = self._objective([run], (), self._values)
+        return _finite(objective, objective.plain_residuals(np.zeros(0)))
 
-    def _about(self, runs: Sequence[Run], free: Sequence[Free]) -> tuple[Array, Array, tuple[Array, Array]]:
-        """Samples minus model of some runs, the model's slopes by the parameters, and how far these can go."""
-        objective = Objective(self._simulator, self.data, runs, free, None, CRITERIA.fit.difference_tolerance)
-        z = np.array([f.to_z(f.start) for f in free])
-        residual = objective.residuals(z)
-        if not np.all(np.isfinite(residual)):
-            raise SimulationFailure(objective.first_failure)
+    def _objective(
+        self, runs: Sequence[Run], free: Sequence[Free], fixed: Mapping[str, float] | None = None
+    ) -> Objective:
+        return Objective(self._simulator, self.data, runs, free, fixed, CRITERIA.fit.difference_tolerance)
+
+    @staticmethod
+    def _about(objective: Objective) -> tuple[Array, Array, tuple[Array, Array]]:
+        """Samples minus model, the model's slopes by the parameters where they start, and how far these can go."""
+        z = np.array([f.to_z(f.start) for f in objective.free])
+        residual = _finite(objective, objective.residuals(z))
         low, high = objective.bounds
         slopes = -objective.jacobian(z, residual)
         return residual[: objective.size], slopes[: objective.size], (low - z, high - z)
@@ -180,7 +171,7 @@ class _Clock:
         first = next(fitted, None)
         if first is None:
             return False
-        residual, slopes, room = self._about([self.data.runs[first]], free)
+        residual, slopes, room = self._about(self._objective([self.data.runs[first]], free))
         change, times = self._solved([first], [slopes], [residual], room)
         left = residual - slopes @ change - self._slopes_of(first) @ (times[first] - self._times[first])
         excess = float(residual @ residual) - len(residual)
@@ -191,9 +182,9 @@ class _Clock:
 
         Returns the parameters, to start from where they are then.
         """
-        residual, slopes, room = self._about(self.data.runs, free)
-        ends = np.cumsum([0, *(sum(run.sample_count(s) for s in self._signals(run)) for run in self.data.runs)])
-        parts = [slice(a, b) for a, b in zip(ends[:-1], ends[1:], strict=True)]
+        objective = self._objective(self.data.runs, free)
+        residual, slopes, room = self._about(objective)
+        parts = [slice(a, b) for a, b in itertools.pairwise(objective.ends)]
         fitted = [i for i, run in enumerate(self.data.runs) if run.role == "fit"]
         rows = [slopes[parts[i]] for i in fitted]
         change, times = self._solved(fitted, rows, [residual[parts[i]] for i in fitted], room)
@@ -203,8 +194,7 @@ class _Clock:
                 times |= self._solved([i], [slopes[parts[i]][:, :0]], [left], (room[0][:0], room[1][:0]))[1]
         self._times = [times.get(i, t) for i, t in enumerate(self._times)]
         self.data = self._with(self._times)
-        z = [min(max(f.to_z(f.start) + c, f.to_z(f.low)), f.to_z(f.high)) for f, c in zip(free, change, strict=True)]
-        return [replace(f, start=f.to_value(c)) for f, c in zip(free, z, strict=True)]
+        return [f.starting_at(f.to_value(f.to_z(f.start) + float(c))) for f, c in zip(free, change, strict=True)]
 
     def _solved(
         self, runs: Sequence[int], rows: Sequence[Array], left: Sequence[Array], room: tuple[Array, Array]
@@ -225,6 +215,12 @@ class _Clock:
         step = _bounded(matrix, np.concatenate(left), low, high)
         own = step[at[0] :] + now
         return step[: at[0]], {i: own[at[n] - at[0] : at[n + 1] - at[0]] for n, i in enumerate(runs)}
+
+
+def _finite(objective: Objective, residual: Array) -> Array:
+    if not np.all(np.isfinite(residual)):
+        raise SimulationFailure(objective.first_failure)
+    return residual
 
 
 def _bounded(matrix: Array, left: Array, low: Array, high: Array) -> Array:

@@ -15,12 +15,22 @@ from pam_cosim.diagnosis.candidate import Attempt, Candidate, FailedTrial
 from pam_cosim.diagnosis.probing import Probe, Stated, Strengths, probed
 from pam_cosim.diagnosis.pruning import pruned
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.fitting import Fit, FitOptions, Free, Linear, base_parameters, fit, linearised, residual_rows
+from pam_cosim.fitting import (
+    Fit,
+    FitOptions,
+    Free,
+    Linear,
+    base_parameters,
+    fit,
+    linearised,
+    model_parameter,
+    residual_rows,
+)
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_source
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet
-from pam_cosim.names import is_ratio, parameter_of
+from pam_cosim.names import parameter_of
 from pam_cosim.simulation import Simulator
 
 Result = TypeVar("Result")
@@ -193,15 +203,11 @@ def free_parameters(trial: Trial, interface: Interface) -> tuple[tuple[Free, ...
     The strength of an unknown effect is uncertain by orders of magnitude: each parameter of the tried effect is
     started at its stated value, and at ten times more and less; in all combinations where they are few.
     """
-    moved = [_from(f, trial.start) for f in every_parameter(trial.data, trial.composition, interface)]
-    base = {f.name for f in base_parameters(trial.data, interface)}
-    tried = set(trial.composition.parameters[trial.effect.name]) - base
-    spread = [
-        [(f.name, s) for s in _orders(f)]
-        for f in every_parameter(trial.data, trial.composition, interface)
-        if f.name in tried
-    ]
-    return tuple(moved), [dict(trial.further_start)] * bool(trial.further_start) + _combined(spread)
+    free = every_parameter(trial.data, trial.composition, interface)
+    tried = set(trial.composition.parameters[trial.effect.name]) - trial.data.fit.keys()
+    spread = [[(f.name, s) for s in _orders(f)] for f in free if f.name in tried]
+    moved = tuple(f.starting_at(trial.start.get(f.name, f.start)) for f in free)
+    return moved, [dict(trial.further_start)] * bool(trial.further_start) + _combined(spread)
 
 
 def every_parameter(data: DataSet, composition: Composition, interface: Interface) -> list[Free]:
@@ -209,17 +215,7 @@ def every_parameter(data: DataSet, composition: Composition, interface: Interfac
     free = list(base_parameters(data, interface))
     known = {f.name for f in free}
     own = [name for names in composition.parameters.values() for name in names]
-    return [*free, *(_own(name, interface) for name in own if name not in known)]
-
-
-def _own(name: str, interface: Interface) -> Free:
-    """A parameter of an effect; or the ratio of one to what is stated of it, which is near one."""
-    if is_ratio(name):
-        low, start, high = CRITERIA.search.stated_ratio
-        return Free(name, low, high, start, "1", start - 1)
-    v = interface.parameters[name]
-    assert v.min is not None and v.max is not None and v.start is not None
-    return Free(name, v.min, v.max, v.start, v.unit, v.nominal)
+    return [*free, *(model_parameter(name, interface) for name in own if name not in known)]
 
 
 def _combined(spread: Sequence[Sequence[tuple[str, float]]]) -> list[dict[str, float]]:
@@ -232,8 +228,3 @@ def _combined(spread: Sequence[Sequence[tuple[str, float]]]) -> list[dict[str, f
 def _orders(free: Free) -> Sequence[float]:
     values = [free.start * 10.0**k for n in range(CRITERIA.search.decades + 1) for k in (-n, n)]
     return list(dict.fromkeys(min(max(v, free.low), free.high) for v in values))
-
-
-def _from(free: Free, start: Mapping[str, float]) -> Free:
-    value = min(max(start.get(free.name, free.start), free.low), free.high)
-    return replace(free, start=value)

@@ -34,7 +34,7 @@ def with_free(
     stray = next((n for n in starts if n not in names and n not in known), None)
     if stray is not None:
         raise InputError(f"'{stray}' has a start and is not free; {did_you_mean(stray, [*names, *known])}")
-    moved = {n: replace(f, start=min(max(starts.get(n, f.start), f.low), f.high)) for n, f in every.items()}
+    moved = {n: f.starting_at(starts.get(n, f.start)) for n, f in every.items()}
     held = {n: f for n, f in moved.items() if n not in names}
     return replace(
         data,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import exp, log
 
 from pam_cosim.criteria import CRITERIA
@@ -45,6 +45,10 @@ class Free:
     def parameter(self) -> str:
         """Its name in the model."""
         return self.name.removesuffix(f"@{self.run}") if self.run else parameter_of(self.name)
+
+    def starting_at(self, value: float) -> Free:
+        """The same with another first guess [unit], as near to it as the bounds allow."""
+        return replace(self, start=min(max(value, self.low), self.high))
 
     def size_in(self, run: Run) -> float:
         """By how much the model's parameter moves in a run where this moves by one."""

@@ -24,6 +24,7 @@ class Objective:
     Attributes:
         free: the parameters that are searched.
         size: number of samples.
+        ends: (runs + 1,) where the rows of each run begin, and the last ones end.
         series: run and signal of each part of the rows, in their order; ``kept``: which samples of each there are.
         tracker: is told of every point.
         evaluations: simulations of the whole set so far.
@@ -63,7 +64,7 @@ class Objective:
         self.size = sum(counts)
         self.series = [(run, s) for run, names in zip(self.runs, self._signals, strict=True) for s in names]
         self.kept = [np.isfinite(run.measurements[s]) for run, s in self.series]
-        self._ends = np.cumsum([0, *counts])  # rows of each run
+        self.ends = np.cumsum([0, *counts])
 
     @property
     def bounds(self) -> tuple[Array, Array]:
@@ -185,7 +186,7 @@ class Objective:
             return self._weighted(self._simulate(z, self._signals, chosen), chosen)
         except SimulationFailure as failure:
             self._note(failure)
-            return np.full(sum(self._ends[i + 1] - self._ends[i] for i in chosen), np.inf)
+            return np.full(sum(self.ends[i + 1] - self.ends[i] for i in chosen), np.inf)
 
     @property
     def first_failure(self) -> str:
@@ -260,7 +261,7 @@ class Objective:
                 continue
             self.evaluations += 1
             shifted = at.copy()
-            rows = [np.arange(self._ends[k], self._ends[k + 1]) for k in chosen]
+            rows = [np.arange(self.ends[k], self.ends[k + 1]) for k in chosen]
             shifted[np.concatenate(rows) if rows else np.zeros(0, int)] = self._without_slopes(moved, chosen)
             shifted = self._with_priors(moved, shifted[: self.size])
             if np.all(np.isfinite(shifted)):
