@@ -13,30 +13,23 @@ from pam_cosim.errors import InputError
 from pam_cosim.workbench import Session
 from pam_cosim.workbench.documents import document
 from rig.short import write_light_data
-from tests.workbench.conftest import Window, put_back
+from tests.workbench.conftest import Window
 
 
 @pytest.fixture(scope="module")
-def session(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Session]:
-    """One for all tests of this file, on data that lack nothing: a diagnosis is soon over."""
+def shared(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Session]:
+    """Instead of that of other files, on data that lack nothing: a diagnosis is soon over."""
     folder = write_light_data(tmp_path_factory.mktemp("rig") / "quiet", [], 1)
     with Session(folder, workers=0) as session:
         yield session
 
 
-@pytest.fixture
-def window(session: Session) -> Iterator[Window]:
-    window = Window(session)
-    yield window
-    put_back(window)
-
-
-def test_a_fit_is_that_of_the_public_call_and_is_seen_coming_down(window: Window, session: Session) -> None:
+def test_a_fit_is_that_of_the_public_call_and_is_seen_coming_down(window: Window, shared: Session) -> None:
     window.do(do="set", values={"valve.C_A": 0.6})
     end = window.work(do="fit")
     assert end["end"] == "done"
-    fit = pam.fit(pam.read(session.folder), start={"valve.C_A": 0.6})
-    assert session.state.values == fit.values
+    fit = pam.fit(pam.read(shared.folder), start={"valve.C_A": 0.6})
+    assert shared.state.values == fit.values
     progress = window.of("progress")
     assert progress and progress[0]["rms"]["x"] > progress[-1]["rms"]["x"] and "valve.C_A" in progress[-1]["values"]
     shown = {p["name"]: p for p in window.last("study")["parameters"]}["valve.C_A"]
@@ -44,14 +37,14 @@ def test_a_fit_is_that_of_the_public_call_and_is_seen_coming_down(window: Window
     assert [r["label"] for r in window.last("scores")["ladder"]][-1] == "base model, fitted"
 
 
-def test_some_are_fitted_and_the_others_held(window: Window, session: Session) -> None:
+def test_some_are_fitted_and_the_others_held(window: Window, shared: Session) -> None:
     window.do(do="set", values={"muscle.mu_fb": 0.02})
     window.work(do="fit", free=["valve.C_A"])
-    fit = pam.fit(pam.read(session.folder), free=["valve.C_A"], start={"muscle.mu_fb": 0.02})
-    assert session.state.values == {"muscle.mu_fb": 0.02, **fit.values} and list(fit.values) == ["valve.C_A"]
+    fit = pam.fit(pam.read(shared.folder), free=["valve.C_A"], start={"muscle.mu_fb": 0.02})
+    assert shared.state.values == {"muscle.mu_fb": 0.02, **fit.values} and list(fit.values) == ["valve.C_A"]
 
 
-def test_stopped_it_stands_still_and_resumed_it_ends_as_if_it_had_not(window: Window, session: Session) -> None:
+def test_stopped_it_stands_still_and_resumed_it_ends_as_if_it_had_not(window: Window, shared: Session) -> None:
     window.forget()
     window.do(do="fit", method="particle-swarm")
     window.until("progress")
@@ -60,17 +53,17 @@ def test_stopped_it_stands_still_and_resumed_it_ends_as_if_it_had_not(window: Wi
     window.do(do="stop")
     assert window.last("busy")["held"]
     time.sleep(0.3)  # what was said before has been heard
-    session.wait()
+    shared.wait()
     seen = len(window.of("progress"))
     time.sleep(1.0)
-    session.wait()
-    assert len(window.of("progress")) == seen and session.work.job is not None
+    shared.wait()
+    assert len(window.of("progress")) == seen and shared.work.job is not None
     window.do(do="resume")
     assert window.until("idle")["end"] == "done" and len(window.of("progress")) > seen
-    assert session.state.values == pam.fit(pam.read(session.folder), method="particle-swarm").values
+    assert shared.state.values == pam.fit(pam.read(shared.folder), method="particle-swarm").values
 
 
-def test_what_was_stopped_is_given_up_for_something_else(window: Window, session: Session) -> None:
+def test_what_was_stopped_is_given_up_for_something_else(window: Window, shared: Session) -> None:
     window.do(do="fit", method="particle-swarm")
     window.until("progress")
     window.do(do="stop")
@@ -80,32 +73,32 @@ def test_what_was_stopped_is_given_up_for_something_else(window: Window, session
     assert [window.until("idle", end=end)["what"] for end in ("stopped", "done")] == ["fit", "fit"]
 
 
-def test_a_diagnosis_goes_on_when_no_window_is_open(window: Window, session: Session) -> None:
+def test_a_diagnosis_goes_on_when_no_window_is_open(window: Window, shared: Session) -> None:
     window.do(do="diagnose")
     window.end()
     deadline = time.monotonic() + 120
-    while session.work.job is not None and time.monotonic() < deadline:
+    while shared.work.job is not None and time.monotonic() < deadline:
         time.sleep(0.05)
-    session.wait()
-    later = Window(session)
+    shared.wait()
+    later = Window(shared)
     verdict = later.last("verdict")
     assert verdict["kind"] == "none_missing" and verdict["complete"] and verdict["reason"] and verdict["meaning"]
     assert [m["text"] for m in later.of("message")][-1] == "what remains is noise: no effect is tried"
     later.end()
 
 
-def test_what_fails_is_told_in_words_and_the_next_thing_works(window: Window, session: Session) -> None:
+def test_what_fails_is_told_in_words_and_the_next_thing_works(window: Window, shared: Session) -> None:
     assert window.work(do="diagnose", exclude=["no_such_family"])["end"] == "failed"
     assert "no_such_family" in window.last("failed")["text"]
     assert window.work(do="fit")["end"] == "done"
 
 
 @pytest.mark.full
-def test_a_process_that_dies_is_told_and_replaced(window: Window, session: Session) -> None:
+def test_a_process_that_dies_is_told_and_replaced(window: Window, shared: Session) -> None:
     window.do(do="fit", method="particle-swarm")
     window.until("progress")
     window.forget()
-    session.worker.wake().kill()
+    shared.worker.wake().kill()
     assert window.until("idle")["end"] == "failed" and "ended without a word" in window.until("failed")["text"]
     assert window.work(do="fit")["end"] == "done"
 
@@ -133,7 +126,7 @@ def test_a_hidden_effect_is_found_added_and_the_error_at_the_noise(recorded: Pat
 
 
 @pytest.mark.full
-def test_memory_is_flat_over_a_thousand_moves_and_twenty_fits(session: Session, window: Window) -> None:
+def test_memory_is_flat_over_a_thousand_moves_and_twenty_fits(shared: Session, window: Window) -> None:
     import os
 
     def size() -> float:
