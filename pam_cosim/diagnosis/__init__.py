@@ -4,6 +4,7 @@ from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
 from pam_cosim.diagnosis.check import Check, Help, check
 from pam_cosim.diagnosis.diagnose import Diagnosis, diagnose
 from pam_cosim.diagnosis.events import (
+    AllRunsAsked,
     BaseFitted,
     BegunAnew,
     CandidateTried,
@@ -18,6 +19,7 @@ from pam_cosim.diagnosis.events import (
     OutliersSetAside,
     Remark,
     StepsSought,
+    StepsTimed,
 )
 from pam_cosim.diagnosis.explanation import LearnedModel
 from pam_cosim.diagnosis.message import Message
@@ -28,6 +30,7 @@ from pam_cosim.diagnosis.verdict import Verdict
 
 __all__ = [
     "Alike",
+    "AllRunsAsked",
     "BaseFitted",
     "BegunAnew",
     "Candidate",
@@ -54,6 +57,7 @@ __all__ = [
     "Remark",
     "Shown",
     "StepsSought",
+    "StepsTimed",
     "Told",
     "Verdict",
     "check",

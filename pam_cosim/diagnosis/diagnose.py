@@ -4,40 +4,34 @@ from __future__ import annotations
 
 import math
 import time
-from collections import Counter
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from pam_cosim.catalogue import EffectClass
-from pam_cosim.comparison import without_outliers
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial, role_summary
 from pam_cosim.diagnosis.choice import meant
 from pam_cosim.diagnosis.events import (
-    BaseFitted,
-    BegunAnew,
     Judged,
     LedgerKept,
     Listener,
-    LookFirst,
-    OutliersSetAside,
     listened,
 )
 from pam_cosim.diagnosis.evidence import incomplete, rank
 from pam_cosim.diagnosis.explanation import LearnedModel, learned_term, ledger_of
+from pam_cosim.diagnosis.finding import Finding, base_of, found, found_by_all_runs, shown_by_role
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.missing_term import MissingTerm, missing_term
 from pam_cosim.diagnosis.next_experiment import NextExperiment, Plan, told_apart
 from pam_cosim.diagnosis.search import Search
-from pam_cosim.diagnosis.selection import Selection, select_effects
+from pam_cosim.diagnosis.selection import Selection
 from pam_cosim.diagnosis.subject import subject_of
 from pam_cosim.diagnosis.verdict import Verdict, confidence, explained, judge, rivals
 from pam_cosim.errors import InputError
-from pam_cosim.fitting import Fit, FitOptions, fit
+from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger
 from pam_cosim.measurement import ROLES, DataSet, error_in
-from pam_cosim.simulation import Simulator
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, listed
 from pam_cosim.workers import on_one_thread
@@ -201,29 +195,22 @@ def diagnose(
         shelf = subject.effects(simulator.interface)
         excluded = _meant(shelf, data, "exclude", data.excluded, exclude)
         expected = _meant(shelf, data, "expect", data.expected, expect)
-        data, base, outliers = _base(simulator, data, say)
+        data, base, outliers = base_of(simulator, data, say)
     search = Search(
         subject.tree, name, [e for e in shelf if e.name not in excluded], data, sources, say, workers, expected=expected
     )
     search = replace(search, at_rest=all(run.is_static for run in data.runs))
     deadline = began + (math.inf if time_limit is None else time_limit)
-    selection, timed = select_effects(search, base, deadline), None
-    if selection.timed is not None:
-        timed = selection.timed
-        say(BegunAnew(timed.steps).message)
-        with subject.simulator() as simulator:
-            data, base, outliers = _base(simulator, timed.data, say)
-        selection = select_effects(replace(search, data=data), base, deadline, clocks=False)
-    search, base, data = selection.search, selection.base, selection.search.data
-    selected, tried = list(selection.path), list(selection.tried)
-    others: list[Plan] = []
-    if selected:
-        others = _others(data, selected[-1], rivals(base, selected[-1], tried, search.family, search.choice), sources)
-    verdict = judge(base, selected, [c for c, _ in others], tried, search.family)
-    last = selected[-1] if selected else None
-    verdict = replace(verdict, probability=confidence(base, last, tried, search.family, search.choice, verdict))
-    tell(Judged(verdict, base, tuple(rank(base, tried)), tuple(selected)))
-    present = last.fit if last else base
+    finding = found(subject, search, base, outliers, deadline)
+    asked = found_by_all_runs(subject, finding, deadline)
+    verdict, others = _verdict(asked or finding, sources, asked is not None)
+    if asked is not None:
+        finding = shown_by_role(finding, asked)
+    search, base, data, selection = finding.search, finding.base, finding.search.data, finding.selection
+    selected, tried = list(finding.path), list(selection.tried)
+    candidates = _ranked(asked or finding, data)
+    tell(Judged(verdict, base, candidates, tuple(selected)))
+    present = finding.last
     added = [c.effect for c in selected]
     explain = explain and not any(run.is_static for run in data.runs)  # balances are kept over time
     ledger = ledger_of(search, (), base) if explain and verdict.kind != "none_missing" else None
@@ -237,20 +224,38 @@ def diagnose(
         data=data,
         model=name,
         base=base,
-        candidates=tuple(rank(base, tried)),
+        candidates=candidates,
         path=tuple(selected),
         balance=balance,
         verdict=verdict,
         failed=tuple(search.failed),
-        outliers=dict(Counter(outliers) + Counter(selection.outliers)),
+        outliers=dict(finding.outliers),
         next_experiment=others[0][1] if others else None,
         missing_term=missing_term(present, balance) if unexplained else None,
         ledger=ledger,
         learned=learned,
         untried=selection.untried,
         not_tried=_not_tried(shelf, excluded, search, selection),
-        step_times=timed.steps if timed else 0,
+        step_times=finding.step_times,
     )
+
+
+def _verdict(finding: Finding, sources: Sequence[Path], all_asked: bool) -> tuple[Verdict, list[Plan]]:
+    """The answer, and its rivals with the run that would decide."""
+    search, base, tried = finding.search, finding.base, finding.selection.tried
+    selected, family, choice = list(finding.path), search.family, search.choice
+    last = selected[-1] if selected else None
+    others = _others(search.data, last, rivals(base, last, tried, family, choice), sources) if last else []
+    verdict = judge(base, selected, [c for c, _ in others], tried, family, all_asked=all_asked)
+    return replace(verdict, probability=confidence(base, last, tried, family, choice, verdict)), others
+
+
+def _ranked(finding: Finding, data: DataSet) -> tuple[Candidate, ...]:
+    """Every model that was tried, best first by what it was fitted to; with residuals by the roles in the data."""
+    ranked = rank(finding.base, finding.selection.tried)
+    if finding.search.data is not data:
+        ranked = [replace(c, fit=c.fit.against(data)) for c in ranked]
+    return tuple(ranked)
 
 
 def _meant(
@@ -312,20 +317,6 @@ def _others(data: DataSet, best: Candidate, near: Sequence[Candidate], files: Se
     if incomplete(best.fit):
         return [(c, None) for c in near]
     return told_apart(data, best, near, files)
-
-
-def _base(simulator: Simulator, data: DataSet, say: Callable[[Message], None]) -> tuple[DataSet, Fit, dict[str, int]]:
-    """The data without outliers, the base model fitted to them, and how many samples were set aside."""
-    options = FitOptions(rows=CRITERIA.search.rows, leeway=True)
-    base = fit(simulator, data, options=options)
-    data, outliers = without_outliers(data, base.comparison.runs)
-    if outliers:
-        say(OutliersSetAside(outliers).message)
-        base = fit(simulator, data, options=options)
-    say(BaseFitted(base).message)
-    for doubt in base.comparison.doubts:
-        say(LookFirst(doubt).message)
-    return data, base, outliers
 
 
 def _balance(base: Fit, candidates: Sequence[Candidate]) -> dict[str, float]:

@@ -97,12 +97,25 @@ class StepsSought(Event):
 
 @dataclass(frozen=True)
 class BegunAnew(Event):
-    """So many steps of commands got a time between two samples: what was tried before no longer counts."""
+    """What was tried before no longer counts."""
+
+
+@dataclass(frozen=True)
+class StepsTimed(BegunAnew):
+    """So many steps of commands got a time between two samples."""
 
     steps: int
 
     def __str__(self) -> str:
         return f"{self.steps} steps of commands come between samples, where they leave least: all begins anew"
+
+
+@dataclass(frozen=True)
+class AllRunsAsked(BegunAnew):
+    """What leaves noise in the fitted runs does not hold in the others."""
+
+    def __str__(self) -> str:
+        return "what explains the fitted runs does not hold in the held-out ones: all begins anew, with all runs fitted"
 
 
 @dataclass(frozen=True)

@@ -103,6 +103,11 @@ class Search:
         return [name for name in broad if name not in self.unseen]
 
     @cached_property
+    def general(self) -> frozenset[str]:
+        """The effects that say whatever their families can."""
+        return frozenset(e.name for e in self.shelf if e.general)
+
+    @cached_property
     def loose_steps(self) -> int:
         """How many commands step between two samples, all runs together."""
         return steps_between(self.data)

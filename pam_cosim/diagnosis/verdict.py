@@ -59,6 +59,10 @@ class Verdict:
         }
 
 
+_TOOK_ALL = (
+    " It took the held-out runs to tell this, for what the fitted runs alone came to did not hold in them: nothing "
+    "checks it."
+)
 _REST = (
     "and no other family comes near. What remains has structure that no second effect explains: the family is what "
     "was found, in a form that no listed law has, or something smaller is missing besides."
@@ -159,6 +163,7 @@ def judge(
     others: Sequence[Candidate],
     tried: Sequence[Candidate] = (),
     family: Mapping[str, str] = MappingProxyType({}),
+    all_asked: bool = False,
 ) -> Verdict:
     """Turns the effects that were ``selected``, rivals of the model with them and all that were tried into a verdict.
 
@@ -171,6 +176,7 @@ def judge(
         others: rivals of the last of them.
         tried: all models.
         family: of the effects of rivals with several.
+        all_asked: all runs were fitted, for those that were held out contradicted what the others came to.
     """
     if not selected:
         if unexplained(base):
@@ -185,22 +191,22 @@ def judge(
     instead = [tuple(e for e in c.effects if e not in effects) or (c.effect,) for c in others]
     ours = [e for e in effects if not any(e in c.effects for c in others)] or [last.effect]
     names = " and ".join(" + ".join(dict.fromkeys(known[e] for e in part)) for part in (ours, *instead))
+    caution = _caution(last.fit, all_asked)
     if incomplete(last.fit):
         dominant = dominant_effect(base, tried)
         if dominant is not None and dominant.effects == last.effects and not others:
-            return Verdict("identified", families, effects, f"{text}, {_REST}{_caution(last.fit)}", remainder=True)
+            return Verdict("identified", families, effects, f"{text}, {_REST}{caution}", remainder=True)
         text += ", but what remains has structure: something else is missing."
         also = f" Nor can these data separate {names}, and none of them is the answer." if others else ""
         return Verdict("unknown", families, effects, text + also)
     if others:
         effects = tuple(dict.fromkeys((*effects, *(e for part in instead for e in part))))
         families = tuple(dict.fromkeys((*families, *(known[e] for part in instead for e in part))))
-        return Verdict("ambiguous", families, effects, f"These data cannot separate {names}.")
+        asked = _TOOK_ALL * all_asked
+        return Verdict("ambiguous", families, effects, f"These data cannot separate {names}.{asked}")
     loud = last.fit.residuals["fit"].chi2_reduced
     noise = f"; the noise is {loud**0.5:.2g} times the stated one" if loud > CRITERIA.fit.loud else ""
-    return Verdict(
-        "identified", families, effects, f"{text}; what remains is noise{noise}.{_open(selected)}{_caution(last.fit)}"
-    )
+    return Verdict("identified", families, effects, f"{text}; what remains is noise{noise}.{_open(selected)}{caution}")
 
 
 def _open(selected: Sequence[Candidate]) -> str:
@@ -214,10 +220,11 @@ def _open(selected: Sequence[Candidate]) -> str:
     )
 
 
-def _caution(fit: Fit) -> str:
+def _caution(fit: Fit, all_asked: bool) -> str:
     """What keeps an explanation from being beyond doubt: runs that do not check it, or a fit that ends at a bound."""
     held = fit.residuals["holdout"]
     text = "" if held.samples else " No run was held out: nothing but what was fitted speaks for it."
+    text = _TOOK_ALL if all_asked else text
     if structured(held) and not incomplete(fit):
         text = " Held-out runs are met only as far as the fitted ones determine the parameters: they check little."
     names = [n for n, e in fit.parameters.items() if e.at_bound]

@@ -49,9 +49,10 @@ def test_a_third_effect_is_found_that_acts_in_another_way_beside_the_base_model(
     hidden = {"LinearBladder": 20.0, "ThermocoupleLag": 20.0, "GeneralLeak": 3.0}
     several = world(hidden, masked="leak")
     assert families(several) == {KNOWN[name].family for name in hidden}
-    (first, every), (beside, some) = several.looks
+    (first, every), (beside, some), (again, members) = several.looks
     assert (first, every) == ((), len(SHELF))
-    assert set(beside) == {"LinearBladder", "ThermocoupleLag"} and some < every / 2
+    assert set(beside) == set(again) == {"LinearBladder", "ThermocoupleLag"}
+    assert some + members < every / 2
 
 
 def test_two_effects_of_one_family_are_not_taken_for_one_of_another() -> None:

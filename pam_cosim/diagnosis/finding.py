@@ -1,0 +1,138 @@
+"""What a search comes to that is given the fitted runs; where held-out runs contradict it, what all runs come to.
+
+Fitted runs may leave the choice between effects to chance that held-out runs tell apart: the model that was chosen
+leaves noise in the first and structure in the others. Then the effects are searched for anew with all runs fitted. The
+answer has taken every run there is, so that nothing checks it any more, and it says so.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from pam_cosim.comparison import without_outliers
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.diagnosis.events import AllRunsAsked, BaseFitted, LookFirst, OutliersSetAside, StepsTimed
+from pam_cosim.diagnosis.evidence import contradicted, incomplete, rank
+from pam_cosim.diagnosis.message import Message
+from pam_cosim.diagnosis.search import Search
+from pam_cosim.diagnosis.selection import Selection, select_effects
+from pam_cosim.diagnosis.subject import Subject
+from pam_cosim.fitting import Fit, FitOptions, fit
+from pam_cosim.measurement import DataSet, Role
+from pam_cosim.simulation import Simulator
+
+
+@dataclass(frozen=True)
+class Finding:
+    """The models that the answer is judged by.
+
+    Attributes:
+        search: with the data.
+        base: the model without effects, fitted.
+        selection: the models with effects.
+        outliers: how many single samples were set aside, by signal.
+        step_times: how many steps of commands got a time between two samples.
+    """
+
+    search: Search
+    base: Fit
+    selection: Selection
+    outliers: Mapping[str, int] = field(default_factory=dict)
+    step_times: int = 0
+
+    @property
+    def path(self) -> tuple[Candidate, ...]:
+        """The effects that are needed, one after another."""
+        return self.selection.path
+
+    @property
+    def last(self) -> Fit:
+        """The model with all of them."""
+        return self.path[-1].fit if self.path else self.base
+
+
+def base_of(simulator: Simulator, data: DataSet, say: Callable[[Message], None]) -> tuple[DataSet, Fit, dict[str, int]]:
+    """The data without outliers, the base model fitted to them, and how many samples were set aside."""
+    options = FitOptions(rows=CRITERIA.search.rows, leeway=True)
+    base = fit(simulator, data, options=options)
+    data, outliers = without_outliers(data, base.comparison.runs)
+    if outliers:
+        say(OutliersSetAside(outliers).message)
+        base = fit(simulator, data, options=options)
+    say(BaseFitted(base).message)
+    for doubt in base.comparison.doubts:
+        say(LookFirst(doubt).message)
+    return data, base, outliers
+
+
+def found(subject: Subject, search: Search, base: Fit, outliers: Mapping[str, int], deadline: float) -> Finding:
+    """What the fitted runs come to; from anew where steps of commands get their times between two samples.
+
+    Args:
+        subject: the model and the measurement.
+        search: tries effects on the data.
+        base: the model without effects, fitted to these.
+        outliers: that were set aside for it.
+        deadline: of ``time.monotonic``, at which the search ends.
+    """
+    selection, steps = select_effects(search, base, deadline), 0
+    if selection.timed is not None:
+        steps = selection.timed.steps
+        search.say(StepsTimed(steps).message)
+        search, base, outliers = _anew(subject, search, selection.timed.data)
+        selection = select_effects(search, base, deadline, clocks=False)
+    every = Counter(outliers) + Counter(selection.outliers)
+    return Finding(selection.search, selection.base, selection, every, steps)
+
+
+def found_by_all_runs(subject: Subject, finding: Finding, deadline: float) -> Finding | None:
+    """What all runs come to, where held-out runs contradict what the fitted ones did.
+
+    None where they do not, where all runs together leave structure too, and where the time is over.
+
+    Args:
+        subject, deadline: as ``found``.
+        finding: what the fitted runs came to.
+    """
+    if not contradicted(finding.last) or time.monotonic() >= deadline:
+        return None
+    finding.search.say(AllRunsAsked().message)
+    roles: list[Role] = ["fit"] * len(finding.search.data.runs)
+    search, base, outliers = _anew(subject, finding.search, _with_roles(finding.search.data, roles))
+    selection = select_effects(search, base, deadline, clocks=False)
+    every = Counter(outliers) + Counter(selection.outliers)
+    asked = Finding(selection.search, selection.base, selection, every)
+    over = math.isfinite(deadline) and selection.untried
+    return None if over or not asked.path or incomplete(asked.last) else asked
+
+
+def _anew(subject: Subject, search: Search, data: DataSet) -> tuple[Search, Fit, Mapping[str, int]]:
+    with subject.simulator() as simulator:
+        data, base, outliers = base_of(simulator, data, search.say)
+    return replace(search, data=data, unseen=frozenset()), base, outliers
+
+
+def _with_roles(data: DataSet, roles: Sequence[Role]) -> DataSet:
+    return replace(data, runs=tuple(replace(run, role=role) for run, role in zip(data.runs, roles, strict=True)))
+
+
+def shown_by_role(finding: Finding, asked: Finding) -> Finding:
+    """What all runs came to as the fitted runs alone have it: fitted to these, the others held out.
+
+    Args:
+        finding: what the fitted runs came to. asked: what all runs came to.
+    """
+    data = _with_roles(asked.search.data, [run.role for run in finding.search.data.runs])
+    search, base = replace(asked.search, data=data), finding.base.against(data)
+    path: list[Candidate] = []
+    for own in asked.path:
+        again = search.finished(own.effects, own.fit.values) or replace(own, fit=own.fit.against(data))
+        path += rank(path[-1].fit if path else base, [again])
+    bare = tuple(replace(c, fit=replace(c.fit, linear=None)) for c in path)
+    outliers = Counter(finding.outliers) + Counter(asked.outliers)
+    return Finding(search, base, replace(asked.selection, path=bare), outliers, finding.step_times)

@@ -1,0 +1,278 @@
+"""What models that nobody fitted, or not to the end, promise: their evidence, as far as linear algebra tells."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.diagnosis.evidence import Scale, evidence, model_cost
+from pam_cosim.diagnosis.expectation import Addition, Additions, Beside, Expected, addition, reduction
+from pam_cosim.diagnosis.order import Bar, Order
+from pam_cosim.diagnosis.probing import Probe
+from pam_cosim.diagnosis.search import Wanted
+from pam_cosim.fitting import Fit, Linear
+
+
+class Promise(NamedTuple):
+    """A model that nobody fitted: from which one it starts, None: the base model, and what is expected of it."""
+
+    fit: Fit
+    start: Candidate | None
+    expected: Expected
+
+
+class Promises:
+    """What is known of effects beside the models so far.
+
+    Args:
+        order: the models.
+    """
+
+    def __init__(self, order: Order) -> None:
+        self.order = order
+
+        self._beside_base: list[Probe] = []
+        self._again: dict[tuple[str, ...], dict[str, Addition]] = {}
+        self._added: tuple[tuple[int, ...], Additions] = ((), Additions([]))
+        self._merged: dict[tuple[str, ...], tuple[Additions, int, Additions]] = {}
+        self._came_true: defaultdict[int, list[float]] = defaultdict(list)
+
+    # ---- what was looked at -----------------------------------------------------------------------------------
+
+    def looked_at(self, probes: Sequence[Probe]) -> None:
+        """Takes note of what effects do beside the base model, of all that were looked at there."""
+        self._beside_base = [p for p in probes if p.effect not in self.order.search.unseen]
+
+    def looked_again(self, c: Candidate, probes: Sequence[Probe]) -> None:
+        """Takes note of what effects do beside another model, besides those that were looked at there before."""
+        assert c.fit.linear is not None
+        own = self._again.setdefault(c.effects, {})
+        own |= {a.effect: a for p in probes if (a := addition(c.fit.linear, p)) is not None}
+
+    def seen_beside(self, effects: tuple[str, ...]) -> Mapping[str, Addition]:
+        """The effects that were looked at beside a model."""
+        return self._again.get(effects, {})
+
+    def learn(self, tried: Sequence[Expected]) -> None:
+        """Notes how much of the expected reductions came true."""
+        known = self.order.known
+        for e in (e for e in tried if not e.exchanged):
+            start = known[e.start].fit if e.start else self.order.base
+            after = known[e.effects].fit if e.effects in known else start
+            gained = start.residuals["fit"].chi2 - after.residuals["fit"].chi2
+            self._came_true[len(e.effects)].append(max(gained, 0.0) / max(e.reduction, 1e-300))
+
+    def _trust(self, count: int) -> float:
+        """What part of an expected reduction may come true: the most that it did of late for as many effects."""
+        late = self._came_true[count][-CRITERIA.search.together :]
+        return max(late) if len(late) == CRITERIA.search.together else 1.0
+
+    # ---- what may be better -----------------------------------------------------------------------------------
+
+    def first(self, count: int) -> list[Expected]:
+        """So many of the effects that promise most by themselves."""
+        base = self.order.base
+        assert base.linear is not None
+        noise, beside = self.order.noise(), self._beside((), base.linear)
+        hopes = [(self.hoped(Promise(base, None, e), noise, self.order.scale), e) for e in beside.with_one()]
+        return [e for _, e in sorted(hopes, key=lambda entry: (entry[0], entry[1].effects))[:count]]
+
+    def leading(self, c: Candidate, count: int) -> list[str]:
+        """So many families of which a member promises most beside a model."""
+        assert c.fit.linear is not None
+        noise, families = self.order.noise(), self.order.search.family
+        hopes = [
+            (self.hoped(Promise(c.fit, c, e), noise, self.order.scale), families[e.added[0].effect])
+            for e in self._beside(c.effects, c.fit.linear).with_one()
+        ]
+        return list(dict.fromkeys(family for _, family in sorted(hopes)))[:count]
+
+    def brief(self) -> list[Candidate]:
+        """Models that were fitted briefly and may be better than the best, or as good; the most promising ones."""
+        possibly = self.order.possibly()
+        hopes = ((self._hope(c, self.order.scale), c) for c in self.order.known.values() if c.brief)
+        promising = [(hope, c.effects) for hope, c in hopes if self._may_be(c, possibly)]
+        return [self.order.known[names] for _, names in sorted(promising)[: CRITERIA.search.together]]
+
+    def _may_be(self, c: Candidate, at: Scale) -> bool:
+        """Whether one that was fitted briefly may be of interest."""
+        hope, of_laws = self._hope(c, at), self.order.of_laws(c.effects)
+        return any(
+            hope < bar.evidence
+            and (of_laws or not bar.laws)
+            and (bar.cost is None or (self.order.cost(c) < bar.cost and self._at_noise(c.fit, self._gain(c.fit))))
+            for bar in self.order.bars(len(c.effects), at)
+        )
+
+    def untried(self, count: int) -> list[Promise]:
+        """Untried models of so many effects that may be of interest, the best of each set of families, for each bar."""
+        possibly = self.order.possibly()
+        tried = {frozenset(n) for n in (*self.order.known, *(f.effects for f in self.order.search.failed))}
+        every = [p for p in _nearest(self._expected(count)) if frozenset(p.expected.effects) not in tried]
+        chosen: dict[tuple[str, ...], Promise] = {}
+        for bar in self.order.bars(count, possibly):
+            own = [p for p in every if self._passes(p, bar, possibly)]
+            chosen |= {p.expected.effects: p for p in self._best_of_families(own)}
+        return list(chosen.values())
+
+    def _best_of_families(self, promises: Sequence[Promise]) -> list[Promise]:
+        """The most promising ones, one of each set of families."""
+        noise, at = self.order.noise(), self.order.scale
+        possible = [(self.hoped(p, noise, at, p.expected.reduction, 0.0), n) for n, p in enumerate(promises)]
+        by_families: dict[frozenset[str], tuple[float, Promise]] = {}
+        for hope, n in sorted(possible, key=lambda entry: (entry[0], promises[entry[1]].expected.effects, entry[1])):
+            first = sorted(h for h, _ in by_families.values())[: CRITERIA.search.together]
+            if len(first) == CRITERIA.search.together and hope > first[-1]:
+                break  # no further one can be as good as these
+            p = promises[n]
+            own = self.hoped(p, noise, at)
+            families = frozenset(self.order.search.family[name] for name in p.expected.effects)
+            if families not in by_families or own < by_families[families][0]:
+                by_families[families] = (own, p)
+        ordered = sorted(by_families.values(), key=lambda entry: (entry[0], entry[1].expected.effects))
+        return [p for _, p in ordered[: CRITERIA.search.together]]
+
+    def _passes(self, p: Promise, bar: Bar, at: Scale) -> bool:
+        """Whether a model may come to what is asked of it."""
+        e, noise = p.expected, self.order.noise()
+        trust = self._trust(len(e.effects))
+        if bar.laws and not self.order.of_laws(e.effects):
+            return False
+        if bar.cost is not None:
+            made = model_cost(p.fit, self.order.scale, e.effects, self.order.search.choice, p.start)
+            made += self._more(e) * self.order.scale.penalty(p.fit)
+            return self.order.cost_of(e.effects, made) < bar.cost and self._at_noise(p.fit, trust * e.reduction)
+        if bar.beside is not None and not self._goes_on(bar.beside, p, trust, noise):
+            return False
+        return self.hoped(p, noise, at, e.reduction, 1 - trust) <= bar.evidence
+
+    def _expected(self, count: int) -> Iterator[Promise]:
+        """Models of so many effects from those that were fitted."""
+        first = CRITERIA.search.starts
+        unsolved = self.order.unsolved()
+        known = self.order.models(count)[:first]
+        if unsolved:
+            known = list({c.effects: c for c in (*known, *self.order.models(count, laws=True)[:first])}.values())
+        starts: list[Candidate | None] = [None, *known]
+        best = self.order.best()
+        further = unsolved or (best is not None and count > len(best.effects))
+        for c in starts:
+            fit, effects = (c.fit, c.effects) if c else (self.order.base, ())
+            if fit.linear is None or len(effects) + 2 < count:
+                continue
+            beside = self._beside(effects, fit.linear)
+            more = count - len(effects)
+            if more == 0 and unsolved:
+                every = beside.with_another_form()
+            elif more == 1 and (count == 1 or further):
+                every = beside.with_one()
+            elif more == 2 and further and effects:
+                every = beside.with_two(first)
+            else:
+                continue
+            yield from (Promise(fit, c, e) for e in every)
+
+    def _goes_on(self, best: Candidate, p: Promise, trust: float, noise: float) -> bool:
+        """Whether a model is expected to leave much less than a best one does, which leaves structure."""
+        now, own = best.fit.residuals["fit"], p.fit.residuals["fit"]
+        excess = now.chi2 - noise * now.samples
+        if len(p.expected.effects) > len(best.effects) and excess < CRITERIA.search.at_noise * noise * now.samples:
+            return False  # the fitted runs have nothing left to tell a further effect by
+        left = own.chi2 - trust * p.expected.reduction - noise * own.samples
+        return left < CRITERIA.search.step * excess
+
+    def _at_noise(self, fit: Fit, reduction: float) -> bool:
+        """Whether the fitted runs have nothing left to tell a further effect by, after a reduction."""
+        s, noise = fit.residuals["fit"], self.order.noise()
+        return s.chi2 - reduction < (1 + CRITERIA.search.at_noise) * noise * s.samples
+
+    # ---- the numbers ------------------------------------------------------------------------------------------
+
+    def hoped(
+        self,
+        p: Promise,
+        noise: float,
+        at: Scale,
+        reduction: float | None = None,
+        lost: float = CRITERIA.search.not_linear,
+    ) -> float:
+        """The evidence that a model which nobody fitted is expected to have.
+
+        Args:
+            p: the model.
+            noise: mean square of the noise.
+            at: the scale.
+            reduction: of the squared error; default: that within the bounds of all parameters.
+            lost: share of the reduction that is lost on the way.
+        """
+        fit, start, e = p
+        reduction = e.within_bounds[0] if reduction is None else reduction
+        known = evidence(fit, at, e.effects, self.order.search.choice, start)
+        return known + self._more(e) * at.penalty(fit) - _worth(reduction, fit, at, noise, lost)
+
+    def _more(self, e: Expected) -> int:
+        """How many parameters a model has more than the one that it starts from."""
+        return sum(a.cost for a in e.added) - (self.order.search.cost[e.exchanged] if e.exchanged else 0)
+
+    def _hope(self, c: Candidate, at: Scale) -> float:
+        """The evidence of a candidate that was fitted briefly, if all goes as its slopes say."""
+        return self.order.evidence(c, at) - _worth(self._gain(c.fit), c.fit, at, self.order.noise())
+
+    @staticmethod
+    def _gain(fit: Fit) -> float:
+        return reduction(fit.linear) if fit.linear is not None else 0.0
+
+    def wanted(self, e: Expected) -> Wanted:
+        """A model to fit: from the fitted one, and the added effects as they were by themselves, or as expected."""
+        values: dict[str, float] = {}
+        for a in e.added:
+            if (a.effect,) in self.order.known:
+                values |= self.order.known[(a.effect,)].fit.values
+        start = self.order.known[e.start].fit.values if e.start else self.order.base.values
+        return Wanted(e.effects, values | start, e.within_bounds[1])
+
+    def _additions(self) -> Additions:
+        """What the effects can add to the base model, as far as probes and fits tell by now."""
+        base = self.order.base
+        assert base.linear is not None
+        fitted = [self.order.known.get((p.effect,)) for p in self._beside_base]
+        key = (id(base), *(id(c.fit) if c else 0 for c in fitted))
+        if key != self._added[0]:
+            made = [addition(base.linear, p, c) for p, c in zip(self._beside_base, fitted, strict=True)]
+            self._added = (key, Additions([a for a in made if a is not None]))
+        return self._added[1]
+
+    def _beside(self, effects: tuple[str, ...], linear: Linear) -> Beside:
+        """What can be added to a fitted model: as looked at beside it, or else as by itself."""
+        additions, own = self._additions(), self._again.get(effects)
+        if own:
+            merged = self._merged.get(effects)
+            if merged is None or merged[0] is not additions or merged[1] != len(own):
+                whole = Additions([own.get(a.effect, a) for a in additions.every])
+                self._merged[effects] = merged = (additions, len(own), whole)
+            additions = merged[2]
+        return Beside(effects, linear, self.order.search.family, additions)
+
+
+def _worth(reduction: float, fit: Fit, at: Scale, noise: float, lost: float = CRITERIA.search.not_linear) -> float:
+    """What a reduction of the squared error counts: some of it is lost on the way, as models are not linear.
+
+    The error of the other runs is expected to fall as that of the fitted ones does; neither falls below the noise.
+    """
+    fitted, held = fit.residuals["fit"], fit.residuals["holdout"]
+    left = 1 - (1 - lost) * reduction / max(fitted.chi2, 1e-300)
+    gain = sum(max(s.chi2 - max(left * s.chi2, noise * s.samples), 0.0) for s in (fitted, held) if s.samples)
+    return gain / at.divisor
+
+
+def _nearest(promises: Iterable[Promise]) -> list[Promise]:
+    """What is expected of each set of effects by the models that lack least of it: they know most of it."""
+    every = list(promises)
+    lack: dict[frozenset[str], int] = {}
+    for p in every:
+        names = frozenset(p.expected.effects)
+        lack[names] = min(len(p.expected.added), lack.get(names, len(p.expected.added)))
+    return [p for p in every if len(p.expected.added) == lack[frozenset(p.expected.effects)]]
