@@ -1,8 +1,8 @@
 """Which of the models that were fitted is best, and what a further one must come to.
 
 The evidence orders them (``diagnosis.evidence``), on the scale of noise that the best leaves. Among models that leave
-noise it would go on rewarding whoever follows the noise closest, so there only what a model is made of counts: as few
-effects as leave noise are enough, unless more get by with plainly fewer parameters. While nothing leaves noise, the
+noise it would go on rewarding whoever follows the noise closest, so there what a model is made of counts first: as few
+effects as leave noise are enough, unless more get by with fewer parameters. While nothing leaves noise, the
 best model made of laws alone is carried on beside the best one: an effect that says whatever its family can takes away
 a part of what another family hides, and no law that is right in the end looks like it then.
 """
@@ -36,7 +36,7 @@ class Bar:
         beside: the model that it has to leave much less than; None: it need not.
         laws: it is made of laws alone.
         cost: of its parameters and effects, at most, where it is to replace a model that leaves noise with fewer
-            effects; it is expected to leave noise then, whatever its evidence; None: not asked.
+            effects, as it is expected to do itself then; None: not asked.
     """
 
     evidence: float
@@ -115,8 +115,15 @@ class Order:
         return min(sound or near, key=lambda c: order[c.effects])
 
     def _enough(self, at_noise: Collection[Candidate]) -> int:
-        """How many effects are enough, where all of these models leave noise."""
-        return len(min(at_noise, key=lambda c: (self.cost(c), c.effects)).effects)
+        """How many effects are enough, where all of these models leave noise.
+
+        The fewest, unless more have fewer parameters, so few that it makes up for the effects, and better evidence.
+        """
+        first = min(at_noise, key=lambda c: (len(c.effects), self.evidence(c), c.effects))
+        for c in sorted(at_noise, key=lambda c: (len(c.effects), self.cost(c), c.effects)):
+            if self.cost(c) < self.cost(first) and self.evidence(c) < self.evidence(first):
+                first = c
+        return len(first.effects)
 
     def leaves_structure(self, c: Candidate) -> bool:
         """Whether a model leaves structure, in runs that were fitted or in others."""
@@ -163,7 +170,7 @@ class Order:
             return [Bar(self.evidence(None, at))]
         if not self.leaves_structure(best):
             if count > len(best.effects):
-                return [Bar(float("inf"), cost=self.cost(best))]
+                return [Bar(self.evidence(best, at), cost=self.cost(best))]
             return [Bar(self.evidence(best, at) + CRITERIA.evidence.very_strong)]
         bars = [Bar(self.evidence(best, at), best)]
         if not self.of_laws(best.effects):

@@ -144,7 +144,8 @@ class Promises:
         if bar.cost is not None:
             made = model_cost(p.fit, self.order.scale, e.effects, self.order.search.choice, p.start)
             made += self._more(e) * self.order.scale.penalty(p.fit)
-            return self.order.cost_of(e.effects, made) < bar.cost and self._at_noise(p.fit, trust * e.reduction)
+            if self.order.cost_of(e.effects, made) >= bar.cost or not self._at_noise(p.fit, trust * e.reduction):
+                return False
         if bar.beside is not None and not self._goes_on(bar.beside, p, trust, noise):
             return False
         return self.hoped(p, noise, at, e.reduction, 1 - trust) <= bar.evidence

@@ -61,7 +61,7 @@ class Verdict:
 
 _TOOK_ALL = (
     " It took the held-out runs to tell this, for what the fitted runs alone came to did not hold in them: nothing "
-    "checks it."
+    "checks it. The parameters are those that the fitted runs alone give; to use the model, fit it to all runs."
 )
 _REST = (
     "and no other family comes near. What remains has structure that no second effect explains: the family is what "

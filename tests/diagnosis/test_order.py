@@ -1,0 +1,106 @@
+"""Which model is best, and what a further one must come to: statistics written down, names of the catalogue."""
+
+from __future__ import annotations
+
+import pytest
+
+from pam_cosim.diagnosis import Candidate
+from pam_cosim.diagnosis.evidence import contradicted
+from pam_cosim.diagnosis.order import Order
+from pam_cosim.fitting import Estimate, Fit
+from tests.diagnosis.linear_world import KNOWN, world
+from tests.diagnosis.synthetic import fitted
+
+STRUCTURE = 30.0  # whiteness score of residuals that are correlated
+
+
+def _model(effects: str, chi2: float, parameters: int, score: float = 0.0, holdout: float | None = None) -> Candidate:
+    names = tuple(effects.split("+"))
+    own = {f"own.{i}": Estimate(1.0, 0.9, 1.1) for i in range(parameters)}
+    last = KNOWN[names[-1]]
+    fit = fitted(chi2, holdout, score, own=own)
+    return Candidate(last.name, last.family, last.balance, names, (), fit, general=last.general)
+
+
+def _order(*models: Candidate) -> Order:
+    order = Order(world({}), fitted(50.0, score=STRUCTURE), {c.effects: c for c in models})
+    order.renew()
+    return order
+
+
+def _best(*models: Candidate) -> str:
+    best = _order(*models).best()
+    assert best is not None
+    return "+".join(best.effects)
+
+
+def test_nothing_is_best_where_nothing_beats_the_base_model() -> None:
+    assert _order(_model("OrificeLeak", 50.0, 1, STRUCTURE)).best() is None
+    assert _order().rungs() == []
+
+
+def test_what_leaves_noise_is_better_than_what_does_not_however_many_parameters_it_takes() -> None:
+    assert _best(_model("GeneralLeak", 1.0, 9), _model("OrificeLeak", 1.2, 1, STRUCTURE)) == "GeneralLeak"
+
+
+def test_a_further_effect_that_follows_the_noise_more_closely_is_not_needed() -> None:
+    one, two = _model("OrificeLeak", 1.05, 1), _model("OrificeLeak+DahlFriction", 0.9, 3)
+    assert _order(one, two).evidence(two) < _order(one, two).evidence(one)
+    assert _best(one, two) == "OrificeLeak"
+
+
+def test_two_laws_are_better_than_one_effect_that_takes_many_more_parameters() -> None:
+    assert (
+        _best(_model("GeneralLeak", 1.0, 12), _model("OrificeLeak+LinearBladder", 1.0, 2))
+        == "OrificeLeak+LinearBladder"
+    )
+
+
+def test_not_where_they_explain_less() -> None:
+    assert _best(_model("GeneralLeak", 1.0, 12), _model("OrificeLeak+LinearBladder", 1.2, 2)) == "GeneralLeak"
+
+
+def test_not_where_they_take_about_as_many() -> None:
+    assert _best(_model("GeneralLeak", 1.0, 5), _model("OrificeLeak+LinearBladder", 1.0, 3)) == "GeneralLeak"
+
+
+def test_laws_are_carried_on_beside_what_says_whatever_its_family_can() -> None:
+    general, laws = _model("GeneralLeak", 5.0, 8, STRUCTURE), _model("OrificeLeak+LinearBladder", 9.0, 2, STRUCTURE)
+    order = _order(general, laws)
+    assert order.rungs() == [general, laws]
+    of_all, of_laws = order.bars(3, order.scale)
+    assert (of_all.laws, of_laws.laws) == (False, True)
+    assert (of_all.beside, of_laws.beside) == (general, laws)
+    assert of_all.evidence == order.evidence(general) < of_laws.evidence == order.evidence(laws)
+
+
+def test_not_where_the_best_is_made_of_laws_or_leaves_noise() -> None:
+    laws = _model("OrificeLeak", 5.0, 1, STRUCTURE)
+    assert len(_order(laws, _model("GeneralLeak", 9.0, 8, STRUCTURE)).bars(2, _order(laws).scale)) == 1
+    solved = _order(_model("GeneralLeak", 1.0, 8), _model("OrificeLeak", 5.0, 1, STRUCTURE))
+    assert [bar.laws for bar in solved.bars(1, solved.scale)] == [False]
+
+
+@pytest.mark.parametrize(("parameters", "room"), [(1, False), (3, False), (12, True)])
+def test_more_effects_are_asked_for_where_they_may_have_fewer_parameters(parameters: int, room: bool) -> None:
+    order = _order(_model("GeneralLeak", 1.0, parameters))
+    assert order.room(2) is room
+    (bar,) = order.bars(2, order.scale)
+    assert bar.cost == order.cost(order.known[("GeneralLeak",)])
+
+
+def test_no_room_is_asked_for_where_the_best_leaves_structure() -> None:
+    assert not _order(_model("GeneralLeak", 5.0, 12, STRUCTURE)).room(2)
+
+
+@pytest.mark.parametrize(
+    ("fit", "expected"),
+    [
+        (fitted(1.0, 1.0), False),
+        (fitted(5.0, 5.0, STRUCTURE), False),  # fitted runs leave structure themselves
+        (fitted(1.0, 5.0, STRUCTURE), True),
+        (fitted(1.0, None, STRUCTURE), False),
+    ],
+)
+def test_when_held_out_runs_contradict_what_the_fitted_ones_came_to(fit: Fit, expected: bool) -> None:
+    assert contradicted(fit) is expected
