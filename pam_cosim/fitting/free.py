@@ -71,8 +71,9 @@ class Free:
 
     def to_value(self, z: float) -> float:
         """Search coordinate to value, never beyond the bounds."""
-        value = exp(z) if self.logarithmic else z * self._scale
-        return min(max(value, self.low), self.high)
+        if self.logarithmic:  # no power is asked for that no number holds
+            return min(max(exp(min(max(z, log(self.low)), log(self.high))), self.low), self.high)
+        return min(max(z * self._scale, self.low), self.high)
 
     def slope(self, z: float) -> float:
         """Derivative of the value with respect to the search coordinate."""

@@ -7,6 +7,7 @@ from pam_cosim.measurement.noise import complete_noise, estimate_noise, record_s
 from pam_cosim.measurement.read import read_data_set
 from pam_cosim.measurement.recording import Recording, read_recording
 from pam_cosim.measurement.steps import between_samples, with_step_times
+from pam_cosim.measurement.text_file import any_text
 from pam_cosim.measurement.write import write_data_set
 
 __all__ = [
@@ -19,6 +20,7 @@ __all__ = [
     "Run",
     "Signal",
     "Transform",
+    "any_text",
     "between_samples",
     "complete_noise",
     "condensed",

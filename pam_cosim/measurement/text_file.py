@@ -32,7 +32,15 @@ def read_any_text(path: Path, encoding: str | None = None) -> tuple[str, str]:
     Raises:
         InputError: as ``read_text``; an unknown encoding; no text.
     """
-    data = read_bytes(path)
+    return any_text(read_bytes(path), path, encoding)
+
+
+def any_text(data: bytes, path: Path, encoding: str | None = None) -> tuple[str, str]:
+    """The text of bytes that were read from a file, or from its beginning, and their encoding: ``read_any_text``.
+
+    Raises:
+        InputError: an unknown encoding; no text.
+    """
     if encoding is not None:
         return _decoded(data, encoding, path), encoding
     for mark, name in _MARKS:

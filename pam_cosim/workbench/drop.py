@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import csv
 import shutil
 import tempfile
@@ -16,6 +17,7 @@ import numpy as np
 from pam_cosim import study
 from pam_cosim.drafting import NewDataSet
 from pam_cosim.errors import InputError
+from pam_cosim.measurement import any_text
 from pam_cosim.reporting.wording import unit_text
 from pam_cosim.units import readable_factor
 from pam_cosim.wording import shown
@@ -28,6 +30,7 @@ MOST_BYTES = 200_000_000  # of one file
 MOST_FILES = 200
 _ROWS = 6  # of a file that are shown
 _AROUND = 2  # lines above and below one that is wrong
+_BYTES = 4_000_000  # of a file, that are looked at
 _LONGEST = 400  # characters of a line that are shown
 _POINTS = 300  # of a curve that is shown
 
@@ -188,8 +191,14 @@ def _shown(file: Path) -> DroppedFile:
 
 def _lines(file: Path) -> list[str]:
     with file.open("rb") as stream:
-        head = stream.read(4_000_000)
-    text = head.decode("utf-16" if head[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig", errors="replace")
+        head = stream.read(_BYTES)
+    if len(head) == _BYTES:
+        head = head[: head.rfind(b"\n")]  # no letter is cut; of two bytes each where they have as many
+        head = head[: len(head) - len(head) % 2 * head.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))]
+    try:
+        text, _ = any_text(head, file)
+    except InputError:  # the page shows what there is; whoever reads the file says what is wrong
+        text = head.decode("utf-8", errors="replace")
     return text.splitlines()
 
 

@@ -26,6 +26,9 @@ def test_coordinates_go_there_and_back(share: float, bounds: tuple[float, float]
     assert free.to_value(free.to_z(value)) == pytest.approx(value, rel=1e-12, abs=1e-300)
     assert free.to_value(free.to_z(low) - 5.0) == pytest.approx(low, rel=1e-12, abs=1e-300)
     assert free.to_value(free.to_z(high) + 5.0) == pytest.approx(high, rel=1e-12)
+    assert free.to_value(1e6 * abs(free.to_z(high)) + 1e6) == pytest.approx(
+        high, rel=1e-12
+    )  # no number holds its power
 
 
 def test_bounds_far_apart_are_searched_by_order_of_magnitude() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import math
 from collections.abc import Iterator
 from pathlib import Path
@@ -10,7 +11,7 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim.errors import InputError
-from pam_cosim.workbench import Workbench
+from pam_cosim.workbench import Workbench, drop
 from pam_cosim.workbench.inside import inside, safe_name
 from tests.workbench.conftest import PATIENCE, Window
 
@@ -98,6 +99,21 @@ def test_whatever_is_dropped_is_answered_in_words(window: Window, content: bytes
     put(window, "odd.csv", content)
     window.do(do="draft")
     assert window.last("draft")["failed"]["text"]
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "cp1252", "utf-16", "utf-16-be"])
+def test_letters_are_shown_as_the_file_has_them(window: Window, encoding: str) -> None:
+    mark = codecs.BOM_UTF16_BE if encoding == "utf-16-be" else b""
+    put(window, "Messung.csv", mark + "Zeit [s];Länge [mm];T [°C]\n0;1;20\n".encode(encoding))
+    (file,) = window.last("dropped")["files"]
+    assert file["header"] == ["Zeit [s]", "Länge [mm]", "T [°C]"]
+
+
+def test_no_letter_is_cut_where_a_file_is_long(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(drop, "_BYTES", 21)
+    for encoding in ("utf-8", "cp1252", "utf-16"):
+        (tmp_path / "run.csv").write_bytes("ä;b\n1;ö\n2;ö\n3;ö\n".encode(encoding))
+        assert drop._lines(tmp_path / "run.csv")[:2] == ["ä;b", "1;ö"]
 
 
 @pytest.mark.parametrize(
