@@ -18,7 +18,6 @@ from pam_cosim.diagnosis.evidence import (
     Scale,
     dominant_effect,
     evidence,
-    model_cost,
     refuted,
     scale,
     unexplained,
@@ -35,8 +34,8 @@ class Bar:
         evidence: at most.
         beside: the model that it has to leave much less than; None: it need not.
         laws: it is made of laws alone.
-        cost: of its parameters and effects, at most, where it is to replace a model that leaves noise with fewer
-            effects, as it is expected to do itself then; None: not asked.
+        cost: of its effects, at most, where it is to replace a model that leaves noise with fewer effects; None: not
+            asked.
     """
 
     evidence: float
@@ -117,11 +116,12 @@ class Order:
     def _enough(self, at_noise: Collection[Candidate]) -> int:
         """How many effects are enough, where all of these models leave noise.
 
-        The fewest, unless more have fewer parameters, so few that it makes up for the effects, and better evidence.
+        The fewest, unless more have fewer parameters, so few that it makes up for the choice, and better evidence.
         """
         first = min(at_noise, key=lambda c: (len(c.effects), self.evidence(c), c.effects))
-        for c in sorted(at_noise, key=lambda c: (len(c.effects), self.cost(c), c.effects)):
-            if self.cost(c) < self.cost(first) and self.evidence(c) < self.evidence(first):
+        for c in sorted(at_noise, key=lambda c: (len(c.effects), self.evidence(c), c.effects)):
+            better = self.evidence(c) < self.evidence(first) - CRITERIA.evidence.very_strong
+            if better and self.cost(c.effects) < self.cost(first.effects):
                 first = c
         return len(first.effects)
 
@@ -137,26 +137,35 @@ class Order:
         return best is None or self.leaves_structure(best)
 
     def rungs(self) -> list[Candidate]:
-        """The models that the search goes on from: the best, and the best of laws."""
-        both = (self.best(), self.best(laws=True))
-        return list({c.effects: c for c in both if c is not None}.values())
+        """The models that the search goes on from: the best, and the best of laws; or what may replace the best.
 
-    def cost(self, c: Candidate) -> float:
-        """What a model is made of: its parameters, the choice of its effects, and each effect a strong reason."""
-        return self.cost_of(c.effects, model_cost(c.fit, self.scale, c.effects, self.search.choice, c))
+        That is the best of those that would cost less even with one more effect, once the best leaves noise.
+        """
+        best = self.best()
+        if best is not None and not self.leaves_structure(best):
+            return [
+                c for c in self.models(len(best.effects)) if self._with_one_more(c.effects) < self.cost(best.effects)
+            ][:1]
+        return list({c.effects: c for c in (best, self.best(laws=True)) if c is not None}.values())
 
-    def cost_of(self, effects: Collection[str], made: float) -> float:
-        """The same of a model that nobody fitted, ``made`` of parameters and a choice that cost so much."""
-        return made + CRITERIA.evidence.very_strong * len(effects)
+    def cost(self, effects: Collection[str]) -> float:
+        """What effects are charged for what they are made of: their parameters, and the choice of them."""
+        return self._cost(effects, sum(self.search.cost[name] for name in effects))
+
+    def _cost(self, effects: Collection[str], parameters: int) -> float:
+        return parameters * self.scale.penalty(self.base) + self.search.choice.cost(effects)
+
+    def _with_one_more(self, effects: Collection[str]) -> float:
+        """The same with one more effect, of one parameter."""
+        other = next(e.name for e in self.search.shelf if e.name not in effects)
+        return self._cost((*effects, other), sum(self.search.cost[name] for name in effects) + 1)
 
     def room(self, count: int) -> bool:
         """Whether so many effects, of one parameter each, would cost less than the best model, which leaves noise."""
         best = self.best()
         if best is None or self.leaves_structure(best):
             return False
-        names = [e.name for e in self.search.shelf][:count]
-        least = model_cost(self.base, self.scale, names, self.search.choice) + count * self.scale.penalty(self.base)
-        return self.cost_of(names, least) < self.cost(best)
+        return self._cost([e.name for e in self.search.shelf][:count], count) < self.cost(best.effects)
 
     def bars(self, count: int, at: Scale) -> list[Bar]:
         """What models with so many effects must come to: to beat one of the best, to rival the answer, to replace it.
@@ -170,7 +179,7 @@ class Order:
             return [Bar(self.evidence(None, at))]
         if not self.leaves_structure(best):
             if count > len(best.effects):
-                return [Bar(self.evidence(best, at), cost=self.cost(best))]
+                return [Bar(self.evidence(c, at), c, cost=self.cost(best.effects)) for c in self.rungs()]
             return [Bar(self.evidence(best, at) + CRITERIA.evidence.very_strong)]
         bars = [Bar(self.evidence(best, at), best)]
         if not self.of_laws(best.effects):

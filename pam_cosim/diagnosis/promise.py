@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.evidence import Scale, evidence, model_cost
+from pam_cosim.diagnosis.evidence import Scale, evidence
 from pam_cosim.diagnosis.expectation import Addition, Additions, Beside, Expected, addition, reduction
 from pam_cosim.diagnosis.order import Bar, Order
 from pam_cosim.diagnosis.probing import Probe
@@ -99,12 +99,10 @@ class Promises:
 
     def _may_be(self, c: Candidate, at: Scale) -> bool:
         """Whether one that was fitted briefly may be of interest."""
-        hope, of_laws = self._hope(c, at), self.order.of_laws(c.effects)
+        hope, of_laws, cost = self._hope(c, at), self.order.of_laws(c.effects), self.order.cost(c.effects)
+        bars = self.order.bars(len(c.effects), at)
         return any(
-            hope < bar.evidence
-            and (of_laws or not bar.laws)
-            and (bar.cost is None or (self.order.cost(c) < bar.cost and self._at_noise(c.fit, self._gain(c.fit))))
-            for bar in self.order.bars(len(c.effects), at)
+            hope < bar.evidence and (of_laws or not bar.laws) and (bar.cost is None or cost < bar.cost) for bar in bars
         )
 
     def untried(self, count: int) -> list[Promise]:
@@ -141,11 +139,8 @@ class Promises:
         trust = self._trust(len(e.effects))
         if bar.laws and not self.order.of_laws(e.effects):
             return False
-        if bar.cost is not None:
-            made = model_cost(p.fit, self.order.scale, e.effects, self.order.search.choice, p.start)
-            made += self._more(e) * self.order.scale.penalty(p.fit)
-            if self.order.cost_of(e.effects, made) >= bar.cost or not self._at_noise(p.fit, trust * e.reduction):
-                return False
+        if bar.cost is not None and self.order.cost(e.effects) >= bar.cost:
+            return False
         if bar.beside is not None and not self._goes_on(bar.beside, p, trust, noise):
             return False
         return self.hoped(p, noise, at, e.reduction, 1 - trust) <= bar.evidence
@@ -184,11 +179,6 @@ class Promises:
             return False  # the fitted runs have nothing left to tell a further effect by
         left = own.chi2 - trust * p.expected.reduction - noise * own.samples
         return left < CRITERIA.search.step * excess
-
-    def _at_noise(self, fit: Fit, reduction: float) -> bool:
-        """Whether the fitted runs have nothing left to tell a further effect by, after a reduction."""
-        s, noise = fit.residuals["fit"], self.order.noise()
-        return s.chi2 - reduction < (1 + CRITERIA.search.at_noise) * noise * s.samples
 
     # ---- the numbers ------------------------------------------------------------------------------------------
 

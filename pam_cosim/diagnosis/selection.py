@@ -80,11 +80,12 @@ def select_effects(search: Search, base: Fit, deadline: float = math.inf, clocks
             timed = models.with_step_times(count) if clocks else None
             if timed is not None:
                 return Selection(models.search, models.base, outliers=models.outliers, timed=timed)
-            if 1 < count < CRITERIA.search.most_effects:
-                models.look_again()
-        elif not models.order.room(count + 1):
-            break
-    models.try_simpler()
+        else:
+            models.try_simpler()
+            if not models.order.room(count + 1):
+                break
+        if 1 < count < CRITERIA.search.most_effects:
+            models.look_again()
     return Selection(
         models.search,
         models.base,
@@ -142,7 +143,7 @@ class _Models:
         self.promises.looked_at(self.probes)
 
     def look_again(self) -> None:
-        """What further families do beside the models that the search goes on from, which leave structure.
+        """What further families do beside the models that the search goes on from.
 
         Beside the base model, which is far off then, the same parameters may do something else. Those that stand for
         their families are looked at first, then all members of the families that promise most.
@@ -220,14 +221,16 @@ class _Models:
         self._try([Wanted((e,), self.known[leading[f]].fit.values) for f in leading for e in self._members(f)])
 
     def try_simpler(self) -> None:
-        """In a model that leaves noise, laws in the place of effects that say whatever their families can."""
+        """In the model that leaves noise, forms with fewer parameters in the place of each effect."""
         for _ in range(CRITERIA.search.most_effects):
             best = self.order.best()
             if best is None or self.order.leaves_structure(best):
                 return
             before = len(self.known)
-            for name in (n for n in best.effects if n in self.search.general):
-                simpler = [e for e in self._members(self.search.family[name]) if e not in self.search.general]
+            for name in best.effects:
+                simpler = [
+                    e for e in self._members(self.search.family[name]) if self.search.cost[e] < self.search.cost[name]
+                ]
                 sets = [tuple(e if n == name else n for n in best.effects) for e in simpler]
                 self._try([Wanted(effects, best.fit.values) for effects in sets])
             if len(self.known) == before:
