@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from pam_cosim.comparison import SignalScore
 from pam_cosim.fitting import Estimate, Fit
@@ -45,6 +45,11 @@ class Candidate:
     def parameters(self) -> dict[str, Estimate]:
         """Estimates of the effect's own parameters."""
         return {n: self.fit.parameters[n] for n in self.own_parameters}
+
+    @property
+    def without_slopes(self) -> Candidate:
+        """The same without the linear model, which only a search needs."""
+        return replace(self, fit=replace(self.fit, linear=None))
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""

@@ -132,16 +132,10 @@ def evidence(
     The fitted runs by the Bayesian information criterion, which pays for every parameter that the effects brought; the
     others, which paid for nothing, by their squared error; and how many sets of so many effects there are.
     """
-    chi2 = sum(s.chi2 for s in fit.residuals.values() if s.samples)
-    return chi2 / at.divisor + model_cost(fit, at, effects, choice, candidate)
-
-
-def model_cost(
-    fit: Fit, at: Scale, effects: Collection[str], choice: Choice, candidate: Candidate | None = None
-) -> float:
-    """What the evidence charges a model for what it is made of: its parameters, and the choice of its effects."""
+    held = fit.residuals["holdout"]
     lost = _lost(candidate) if candidate else 0
-    return at.penalty(fit) * (fit.freedom + lost) + choice.cost(effects)
+    known = bic(fit, *at) + at.penalty(fit) * lost + choice.cost(effects)
+    return known + (held.chi2 / at.divisor if held.samples else 0.0)
 
 
 def bic(fit: Fit, variance: float, time: float) -> float:

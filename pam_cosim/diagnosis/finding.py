@@ -133,6 +133,7 @@ def shown_by_role(finding: Finding, asked: Finding) -> Finding:
     for own in asked.path:
         again = search.finished(own.effects, own.fit.values) or replace(own, fit=own.fit.against(data))
         path += rank(path[-1].fit if path else base, [again])
-    bare = tuple(replace(c, fit=replace(c.fit, linear=None)) for c in path)
     outliers = Counter(finding.outliers) + Counter(asked.outliers)
-    return Finding(search, base, replace(asked.selection, path=bare), outliers, finding.step_times)
+    return Finding(
+        search, base, replace(asked.selection, path=tuple(c.without_slopes for c in path)), outliers, finding.step_times
+    )

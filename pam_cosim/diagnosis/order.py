@@ -63,6 +63,11 @@ class Order:
         """All fitted models."""
         return [self.base, *(c.fit for c in self.known.values())]
 
+    @property
+    def seen(self) -> set[frozenset[str]]:
+        """The sets of effects that were fitted, or could not be."""
+        return {frozenset(names) for names in (*self.known, *(f.effects for f in self.search.failed))}
+
     def renew(self) -> None:
         """Takes note of further fits."""
         self.scale = scale(self.fits)

@@ -33,7 +33,6 @@ class Promises:
 
     def __init__(self, order: Order) -> None:
         self.order = order
-
         self._beside_base: list[Probe] = []
         self._again: dict[tuple[str, ...], dict[str, Addition]] = {}
         self._added: tuple[tuple[int, ...], Additions] = ((), Additions([]))
@@ -74,45 +73,46 @@ class Promises:
 
     def first(self, count: int) -> list[Expected]:
         """So many of the effects that promise most by themselves."""
-        base = self.order.base
-        assert base.linear is not None
-        noise, beside = self.order.noise(), self._beside((), base.linear)
-        hopes = [(self.hoped(Promise(base, None, e), noise, self.order.scale), e) for e in beside.with_one()]
-        return [e for _, e in sorted(hopes, key=lambda entry: (entry[0], entry[1].effects))[:count]]
+        return self._best_to_add(self.order.base, None)[:count]
 
     def leading(self, c: Candidate, count: int) -> list[str]:
         """So many families of which a member promises most beside a model."""
-        assert c.fit.linear is not None
-        noise, families = self.order.noise(), self.order.search.family
-        hopes = [
-            (self.hoped(Promise(c.fit, c, e), noise, self.order.scale), families[e.added[0].effect])
-            for e in self._beside(c.effects, c.fit.linear).with_one()
-        ]
-        return list(dict.fromkeys(family for _, family in sorted(hopes)))[:count]
+        families = (self.order.search.family[e.added[0].effect] for e in self._best_to_add(c.fit, c))
+        return list(dict.fromkeys(families))[:count]
+
+    def _best_to_add(self, fit: Fit, c: Candidate | None) -> list[Expected]:
+        """One further effect beside a fitted model, what promises most first."""
+        assert fit.linear is not None
+        noise, at = self.order.noise(), self.order.scale
+        every = self._beside(c.effects if c else (), fit.linear).with_one()
+        return sorted(every, key=lambda e: (self.hoped(Promise(fit, c, e), noise, at), e.effects))
 
     def brief(self) -> list[Candidate]:
         """Models that were fitted briefly and may be better than the best, or as good; the most promising ones."""
-        possibly = self.order.possibly()
-        hopes = ((self._hope(c, self.order.scale), c) for c in self.order.known.values() if c.brief)
-        promising = [(hope, c.effects) for hope, c in hopes if self._may_be(c, possibly)]
+        possibly, noise = self.order.possibly(), self.order.noise()
+        brief = [c for c in self.order.known.values() if c.brief]
+        bars = {n: self.order.bars(n, possibly) for n in {len(c.effects) for c in brief}}
+        promising = [
+            (self._hope(c, self.order.scale, noise), c.effects)
+            for c in brief
+            if self._may_be(c, bars[len(c.effects)], self._hope(c, possibly, noise))
+        ]
         return [self.order.known[names] for _, names in sorted(promising)[: CRITERIA.search.together]]
 
-    def _may_be(self, c: Candidate, at: Scale) -> bool:
-        """Whether one that was fitted briefly may be of interest."""
-        hope, of_laws, cost = self._hope(c, at), self.order.of_laws(c.effects), self.order.cost(c.effects)
-        bars = self.order.bars(len(c.effects), at)
+    def _may_be(self, c: Candidate, bars: Sequence[Bar], hope: float) -> bool:
+        """Whether one that was fitted briefly may be of interest, with the evidence that it is hoped to have."""
+        of_laws, cost = self.order.of_laws(c.effects), self.order.cost(c.effects)
         return any(
             hope < bar.evidence and (of_laws or not bar.laws) and (bar.cost is None or cost < bar.cost) for bar in bars
         )
 
     def untried(self, count: int) -> list[Promise]:
         """Untried models of so many effects that may be of interest, the best of each set of families, for each bar."""
-        possibly = self.order.possibly()
-        tried = {frozenset(n) for n in (*self.order.known, *(f.effects for f in self.order.search.failed))}
+        possibly, noise, tried = self.order.possibly(), self.order.noise(), self.order.seen
         every = [p for p in _nearest(self._expected(count)) if frozenset(p.expected.effects) not in tried]
         chosen: dict[tuple[str, ...], Promise] = {}
         for bar in self.order.bars(count, possibly):
-            own = [p for p in every if self._passes(p, bar, possibly)]
+            own = [p for p in every if self._passes(p, bar, possibly, noise)]
             chosen |= {p.expected.effects: p for p in self._best_of_families(own)}
         return list(chosen.values())
 
@@ -133,10 +133,9 @@ class Promises:
         ordered = sorted(by_families.values(), key=lambda entry: (entry[0], entry[1].expected.effects))
         return [p for _, p in ordered[: CRITERIA.search.together]]
 
-    def _passes(self, p: Promise, bar: Bar, at: Scale) -> bool:
+    def _passes(self, p: Promise, bar: Bar, at: Scale, noise: float) -> bool:
         """Whether a model may come to what is asked of it."""
-        e, noise = p.expected, self.order.noise()
-        trust = self._trust(len(e.effects))
+        e, trust = p.expected, self._trust(len(p.expected.effects))
         if bar.laws and not self.order.of_laws(e.effects):
             return False
         if bar.cost is not None and self.order.cost(e.effects) >= bar.cost:
@@ -208,13 +207,10 @@ class Promises:
         """How many parameters a model has more than the one that it starts from."""
         return sum(a.cost for a in e.added) - (self.order.search.cost[e.exchanged] if e.exchanged else 0)
 
-    def _hope(self, c: Candidate, at: Scale) -> float:
+    def _hope(self, c: Candidate, at: Scale, noise: float) -> float:
         """The evidence of a candidate that was fitted briefly, if all goes as its slopes say."""
-        return self.order.evidence(c, at) - _worth(self._gain(c.fit), c.fit, at, self.order.noise())
-
-    @staticmethod
-    def _gain(fit: Fit) -> float:
-        return reduction(fit.linear) if fit.linear is not None else 0.0
+        gain = reduction(c.fit.linear) if c.fit.linear is not None else 0.0
+        return self.order.evidence(c, at) - _worth(gain, c.fit, at, noise)
 
     def wanted(self, e: Expected) -> Wanted:
         """A model to fit: from the fitted one, and the added effects as they were by themselves, or as expected."""

@@ -122,7 +122,7 @@ class _Models:
     @property
     def tried(self) -> list[Candidate]:
         """All models, without what only the search needs."""
-        return [replace(c, fit=replace(c.fit, linear=None)) for c in self.known.values()]
+        return [c.without_slopes for c in self.known.values()]
 
     def probe(self) -> None:
         """What each effect does beside the base model; if the time is limited, those that stand for a family first."""
@@ -148,25 +148,22 @@ class _Models:
         Beside the base model, which is far off then, the same parameters may do something else. Those that stand for
         their families are looked at first, then all members of the families that promise most.
         """
-        for best in self.order.rungs():
+        for best in (c for c in self.order.rungs() if c.fit.linear is not None):
             taken = {self.search.family[name] for name in best.effects}
             self._look_beside(best, [n for n in self.search.broadest if self.search.family[n] not in taken])
-            leading = self.promises.leading(best, CRITERIA.search.leading_families) if best.fit.linear else []
+            leading = self.promises.leading(best, CRITERIA.search.leading_families)
             own = [e.name for e in self.search.shelf if e.family in leading and e.name not in self.search.unseen]
             self._look_beside(best, own)
 
     def _look_beside(self, best: Candidate, effects: Sequence[str]) -> None:
         seen = self.promises.seen_beside(best.effects)
         names = [name for name in effects if name not in seen]
-        if names and best.fit.linear is not None and not self._late([(*best.effects, name) for name in names]):
+        if names and not self._late([(*best.effects, name) for name in names]):
             self.promises.looked_again(best, self.search.probed(best.fit, best.effects, names))
 
     def try_single(self, count: int) -> None:
         """So many of the effects that promise most by themselves, a few steps."""
         self._keep(self.search.briefly([self.promises.wanted(e) for e in self.promises.first(count)]))
-
-    def _seen(self) -> set[tuple[str, ...]]:
-        return {*self.known, *(c.effects for c in self.search.failed)}
 
     def _late(self, chosen: Sequence[tuple[str, ...]]) -> bool:
         """Whether the time is over; then what would have come next is noted."""
@@ -243,8 +240,8 @@ class _Models:
 
     def _try(self, models: Sequence[Wanted]) -> None:
         """Fits models briefly that nobody tried."""
-        tried = {frozenset(names) for names in self._seen()}
-        others = [w for w in models if frozenset(w.effects) not in tried]
+        seen = self.order.seen
+        others = [w for w in models if frozenset(w.effects) not in seen]
         if others and not self._late([w.effects for w in others]):
             self._keep(self.search.briefly(others))
 
@@ -282,7 +279,7 @@ class _Models:
                 self.known[names] = own
             before = models[-1].fit if models else self.base
             models.append(rank(before, [own])[0])
-        return [replace(c, fit=replace(c.fit, linear=None)) for c in models]
+        return [c.without_slopes for c in models]
 
     def _keep(self, candidates: Sequence[Candidate]) -> None:
         for c in candidates:
