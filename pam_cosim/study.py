@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from pam_cosim.catalogue import EffectClass, RigPart, compose, domain_of, effect_classes, put_together
+from pam_cosim.catalogue import EffectClass, RigPart, domain_of, effect_classes, put_together
 from pam_cosim.catalogue import benches as _benches
 from pam_cosim.catalogue import rig_parts as _rig_parts
 from pam_cosim.comparison import Comparison
@@ -24,6 +24,7 @@ from pam_cosim.domain import Domain
 from pam_cosim.drafting import NewDataSet, Wishes, draft
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, make_folder, write_bytes, write_text
+from pam_cosim.fitted_model import FittedModel, compose_fitted, fitted_model, read_fitted_model, with_own_values
 from pam_cosim.fitting import Fit, FitOptions, Profiles, Progress, base_parameters, with_free
 from pam_cosim.fitting import fit as _fit
 from pam_cosim.fitting import profile as _profile
@@ -110,7 +111,15 @@ def read(
     """
     described = _described(files)
     data = read_data_set(Path(folder), described, model=model, benches=lambda: benches(files))
-    return replace(data.with_roles(roles or {}), domain=_domain(data.model, described(data.model), files))
+    data = replace(data.with_roles(roles or {}), domain=_domain(data.model, described(data.model), files))
+    return _for_model(data, model, files)
+
+
+def _for_model(data: DataSet, model: str | None, files: Paths) -> DataSet:
+    """The data set for a model: values that a Modelica model of another name states stand before starts of a fit."""
+    if model is None or model == data.bench or is_fmu(model) or all(f.start is None for f in data.fit.values()):
+        return data
+    return with_own_values(data, model, _paths(files))
 
 
 def _described(files: Paths) -> Callable[[str], Interface]:
@@ -136,6 +145,7 @@ def compare(
 
     ``parameters`` are further values and ``timeout`` a limit, as in ``simulate``.
     """
+    data = _for_model(data, model, files)
     with opened(model or data.model, files, timeout=timeout) as simulator:
         return _compare(simulator, complete_noise(data), _of_runs(parameters or {}, data, simulator.interface))
 
@@ -218,6 +228,7 @@ def _freed(
     files: Paths,
 ) -> DataSet:
     """The data set with other free parameters, or starts, where they are asked for."""
+    data = _for_model(data, model, files)
     if free is None and not start:
         return data
     interface = describe(model or data.model, files)
@@ -336,24 +347,53 @@ def effects(files: Paths = ()) -> list[EffectClass]:
     return list(effect_classes(read_library(files=_paths(files))))
 
 
-def add(names: Sequence[str], to: str, output: Path | str | None = None, *, files: Paths = ()) -> str:
-    """The Modelica text of ``to`` with the named effects; written to ``output`` if given.
+def add(
+    what: Sequence[str] | Diagnosis | Fit | Path,
+    to: str | None = None,
+    output: Path | str | None = None,
+    *,
+    files: Paths = (),
+) -> str:
+    """The Modelica text of a model with effects, or with what a diagnosis or a fit found; ``output`` is its file.
+
+    ```python
+    pam.add(["LinearBladder"], to="Isotonic", output="Better.mo")
+    pam.add(pam.diagnose(data), output="Better.mo")  # with the fitted values: compare shows what the verdict said
+    ```
+
+    Args:
+        what: names of effects, which get their default values; or a product with fitted values, or the file of one:
+            a saved diagnosis or fit, or the JSON or the parameters that a command wrote.
+        to: the base model: a bench, a Modelica class or a ``.mo`` file. Default: the one that the product is of.
+        output: a file that ends in ``.mo``; its name is that of the class.
+        files: further Modelica files.
 
     Raises:
-        InputError: an unknown effect, or one that finds no place in the model.
+        InputError: an unknown effect, one that finds no place in the model, a value of a parameter that it lacks.
     """
-    extra = _paths(files) + ([Path(to)] if is_modelica(to) else [])
-    ratio = next((parameter_of(one) for one in names if is_ratio(one)), None)
-    if ratio is not None:
+    fitted = _fitted_model(what)
+    base = to or fitted.model
+    if not base or is_fmu(base):
+        raise InputError("effects and values are added to a Modelica model: name it by to")
+    ratio = next((parameter_of(one) for one in fitted.effects if is_ratio(one)), None)
+    if ratio is not None and not fitted.values:
         raise InputError(f"what is stated of {ratio} is no part of a model: correct it in the data set")
-    tree = read_library(files=extra)
+    extra = _paths(files) + ([Path(base)] if is_modelica(base) else [])
     name = Path(output).stem if output else None
-    composition = compose(tree, to, names, name, files=extra)
-    if composition is None:
-        raise InputError(f"{to} has no place for {', '.join(names)}")
+    parameters = describe(base, files).parameters if fitted.values else ()
+    tree = read_library(files=extra)
+    composition = compose_fitted(tree, replace(fitted, model=base), name, parameters, files=extra)
     if output:
         write_text(Path(output), composition.text)
     return composition.text
+
+
+def _fitted_model(what: Sequence[str] | Diagnosis | Fit | Path) -> FittedModel:
+    if isinstance(what, Diagnosis | Fit):
+        return fitted_model(what)
+    if isinstance(what, Path):
+        return read_fitted_model(what)
+    return FittedModel("", tuple(what), {})
 
 
 def rig_parts(files: Paths = ()) -> list[RigPart]:

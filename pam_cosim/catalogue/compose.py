@@ -10,9 +10,10 @@ parameters that the terminals declare are taken over. What an effect declares ``
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
+from types import MappingProxyType
 
 from pam_cosim.catalogue.effects import EffectClass, effect_classes, unknown_terms
 from pam_cosim.catalogue.place import is_connector, is_effect, origins, qualified, surrounds
@@ -30,11 +31,29 @@ class Composition:
         name: of the class.
         text: Modelica source of the class.
         parameters: for each effect, the full names of its parameters that are to be fitted.
+        base: full name of the class that it extends.
     """
 
     name: str
     text: str
     parameters: dict[str, tuple[str, ...]]
+    base: str
+
+
+@dataclass(frozen=True)
+class _Component:
+    """A component that is added, with the bindings that its place gives it, and values by path inside it."""
+
+    name: str
+    type: str
+    description: str
+    bindings: tuple[str, ...]
+    values: list[tuple[str, str]] = field(default_factory=list)
+
+    @property
+    def text(self) -> str:
+        modifiers = ", ".join([*self.bindings, *_nested(self.values)])
+        return f"{self.type} {self.name}{f'({modifiers})' if modifiers else ''} {string_text(self.description)}"
 
 
 class _Draft:
@@ -43,8 +62,8 @@ class _Draft:
     def __init__(self, structure: Structure, tree: ClassTree) -> None:
         self.structure, self.tree = structure, tree
         self.names = {p.path for p in structure.parts if not names.parent(p.path)}
-        self.redeclarations: list[tuple[str, str]] = []
-        self.components: list[str] = []
+        self.modifications: list[tuple[str, str]] = []
+        self.components: list[_Component] = []
         self.connections: list[str] = []
         self.parameters: dict[str, tuple[str, ...]] = {}
         self.filled: set[tuple[str, str]] = set()
@@ -62,6 +81,14 @@ class _Draft:
         for host, terminals in hosts:
             self._connect(effect, host, terminals)
         return bool(hosts)
+
+    def state(self, parameter: str, value: float) -> None:
+        """Gives a parameter, by its full name, a value [its unit]."""
+        own = next((c for c in self.components if c.name == names.parts(parameter)[0]), None)
+        if own is None:
+            self.modifications.append(_modification(parameter, value))
+        else:
+            own.values.append(_modification(".".join(names.parts(parameter)[1:]), value))
 
     def _surrounded(self, effect: EffectClass) -> bool:
         """Whether the model declares what the effect takes from its surroundings."""
@@ -87,7 +114,7 @@ class _Draft:
 
     def _redeclare(self, effect: EffectClass, slot: Slot) -> None:
         self.filled.add((slot.path, slot.name))
-        self.redeclarations.append((slot.path, f"redeclare model {slot.name} = {effect.qualified_name}"))
+        self.modifications.append((slot.path, f"redeclare model {slot.name} = {effect.qualified_name}"))
         users = [p for p in self.structure.parts if _parent(p.path) == slot.path and _uses(p, slot)]
         own = [f"{p.path}.{name}" for p in users for name in effect.parameters]
         self.parameters[effect.name] = (*self.parameters.get(effect.name, ()), *own)
@@ -113,8 +140,7 @@ class _Draft:
             bindings += [f"{names.last(full)}={full}" for full in first]
         else:
             self.parameters[effect.name] = tuple(f"{name}.{p}" for p in effect.parameters)
-        modifier = f"({', '.join(bindings)})" if bindings else ""
-        self.components.append(f"{effect.qualified_name} {name}{modifier} {string_text(effect.description)}")
+        self.components.append(_Component(name, effect.qualified_name, effect.description, tuple(bindings)))
         for connector in sorted(self._connectors(terminals)):
             self.connections.append(f"connect({name}.{connector}, {host.path}.{connector})")
 
@@ -130,6 +156,11 @@ class _Draft:
         return name
 
 
+def _modification(parameter: str, value: float) -> tuple[str, str]:
+    """Where a value is stated, and how."""
+    return names.parent(parameter), f"{names.last(parameter)}={value!r}"
+
+
 def _parent(path: str) -> str:
     return names.parent(path)
 
@@ -139,7 +170,13 @@ def _uses(part: Part, slot: Slot) -> bool:
 
 
 def compose(
-    tree: ClassTree, model: str, effects: Sequence[str], name: str | None = None, *, files: Sequence[Path] = ()
+    tree: ClassTree,
+    model: str,
+    effects: Sequence[str],
+    name: str | None = None,
+    *,
+    files: Sequence[Path] = (),
+    values: Mapping[str, float] = MappingProxyType({}),
 ) -> Composition | None:
     """The model with the named effects, in that order; None where one of them finds no place in it.
 
@@ -149,16 +186,21 @@ def compose(
         effects: names of effect classes, with or without their packages.
         name: of the new class; default: made from the names.
         files: the user's files.
+        values: of parameters of the composed model, by full name [their units].
 
     Raises:
         InputError: an unknown effect.
         ModelError: the model cannot be found or put together.
     """
-    return compose_on(tree, read_structure(qualified(tree, model), files=files), effects, name)
+    return compose_on(tree, read_structure(qualified(tree, model), files=files), effects, name, values)
 
 
 def compose_on(
-    tree: ClassTree, structure: Structure, effects: Sequence[str], name: str | None = None
+    tree: ClassTree,
+    structure: Structure,
+    effects: Sequence[str],
+    name: str | None = None,
+    values: Mapping[str, float] = MappingProxyType({}),
 ) -> Composition | None:
     """As :func:`compose`, on a model whose structure is known already; who tries many effects reads it once.
 
@@ -178,17 +220,20 @@ def compose_on(
             raise InputError(f"there is no effect '{wanted}'; 'pam-cosim effects' lists them")
         if not draft.place(known[wanted]):
             return None
+    for parameter, value in values.items():
+        draft.state(parameter, value)
     base = names.unquoted(names.last(structure.model))
     made = "With" * bool(effects) + "And".join(names.unquoted(names.last(w)) for w in effects)
     chosen = names.identifier(name or base + (made or "Alone"))
-    return Composition(chosen, _text(chosen, structure, draft, [known[e] for e in effects], ratios), draft.parameters)
+    text = _text(chosen, structure, draft, [known[e] for e in effects], ratios)
+    return Composition(chosen, text, draft.parameters, structure.model)
 
 
-def _nested(redeclarations: Sequence[tuple[str, str]]) -> list[str]:
+def _nested(modifications: Sequence[tuple[str, str]]) -> list[str]:
     """Modifications of the model, each component once: Modelica forbids to modify one twice (3.6, section 7.2.5)."""
-    own = [text for path, text in redeclarations if not path]
+    own = [text for path, text in modifications if not path]
     inner: dict[str, list[tuple[str, str]]] = {}
-    for path, text in redeclarations:
+    for path, text in modifications:
         if path:
             first, *rest = names.parts(path)
             inner.setdefault(first, []).append((".".join(rest), text))
@@ -198,14 +243,14 @@ def _nested(redeclarations: Sequence[tuple[str, str]]) -> list[str]:
 def _text(name: str, structure: Structure, draft: _Draft, effects: Sequence[EffectClass], ratios: Sequence[str]) -> str:
     base = structure.model
     said = [*(e.description for e in effects), *(f"{parameter_of(r)} is not as stated" for r in ratios)]
-    says = f"{names.last(base)}, and: {'; '.join(said)}"
+    says = f"{names.last(base)}, and: {'; '.join(said)}" if said else names.last(base)
     lines = [f"model {name} {string_text(says)}"]
-    if draft.redeclarations:
-        changes = ",\n    ".join(_nested(draft.redeclarations))
+    if draft.modifications:
+        changes = ",\n    ".join(_nested(draft.modifications))
         lines.append(f"  extends {base}(\n    {changes});")
     else:
         lines.append(f"  extends {base};")
-    lines += [f"  {component};" for component in draft.components]
+    lines += [f"  {component.text};" for component in draft.components]
     if draft.connections:
         lines.append("equation")
         lines += [f"  {connection};" for connection in draft.connections]

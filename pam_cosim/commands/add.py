@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from pathlib import Path
-from shlex import quote
 from typing import Annotated
 
 import typer
@@ -11,27 +10,36 @@ import typer
 from pam_cosim import study
 from pam_cosim.commands.common import (
     FilesOption,
+    check_model_file,
     check_results,
-    console,
+    say_used_with,
     say_written,
 )
 from pam_cosim.errors import InputError
-from pam_cosim.names import is_modelica
 
 
 def add(
-    effects: Annotated[list[str], typer.Argument(help="Effects, by the names in 'pam-cosim effects'.")],
-    to: Annotated[str, typer.Option("--to", help="The model: a bench, a Modelica class or a .mo file.")],
     output: Annotated[Path, typer.Option("--output", "-o", help="The Modelica file to write.")],
+    effects: Annotated[list[str] | None, typer.Argument(help="Effects, by the names in 'pam-cosim effects'.")] = None,
+    to: Annotated[
+        str | None,
+        typer.Option("--to", help="The model: a bench, a Modelica class or a .mo file; default: that of --from."),
+    ] = None,
+    origin: Annotated[
+        Path | None,
+        typer.Option(
+            "--from", help="Effects and values from a result: of 'diagnose --json', 'fit -o' or a saved product (.npz)."
+        ),
+    ] = None,
     files: FilesOption = None,
 ) -> None:
-    """Write a readable Modelica model that extends another with effects."""
-    check_results(output, sources=[to, *(files or [])])
-    if output.suffix != ".mo":
-        raise InputError("the model is written as Modelica: name a file that ends in .mo", output)
-    typer.echo(study.add(effects, to, output, files=files or []), nl=False)
+    """Write a readable Modelica model that extends another with effects, and with fitted values."""
+    if bool(effects) == bool(origin):
+        raise InputError("name effects, or a result with --from FILE; one of the two")
+    if origin is None and to is None:
+        raise InputError("name the model that the effects are added to: --to MODEL")
+    check_model_file(output)
+    check_results(output, sources=[to, origin, *(files or [])])
+    typer.echo(study.add(origin or effects or [], to, output, files=files or []), nl=False)
     say_written(output)
-    own = [str(file) for file in files or []] + ([to] if is_modelica(to) else [])
-    if own:
-        words = " ".join(f"--file {quote(file)}" for file in own)
-        console.print(f"it is used together with what it is made from: {words}", markup=False, soft_wrap=True)
+    say_used_with(files or [])

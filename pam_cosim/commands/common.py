@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterable
 from pathlib import Path
+from shlex import quote
 from typing import Annotated, Any
 
 import typer
@@ -15,6 +16,7 @@ from pam_cosim import study
 from pam_cosim.analysis import FrequencyResponse, LinearModel, Observation, Tracking
 from pam_cosim.arguments import parse_pairs
 from pam_cosim.diagnosis import Message
+from pam_cosim.errors import InputError
 from pam_cosim.files import check_distinct, check_spared, check_writable, identity
 from pam_cosim.measurement import DataSet
 from pam_cosim.workers import stop_workers
@@ -63,6 +65,19 @@ def check_results(*outputs: Path | None, sources: Iterable[Path | str | None] = 
         results[path] = identity(path)
     check_distinct(named)
     check_spared(named, [source for source in sources if source is not None])
+
+
+def check_model_file(path: Path) -> None:
+    """A model is written as Modelica."""
+    if path.suffix != ".mo":
+        raise InputError("the model is written as Modelica: name a file that ends in .mo", path)
+
+
+def say_used_with(files: Iterable[Path]) -> None:
+    """Says what a written model is to be used together with."""
+    words = " ".join(f"--file {quote(str(file))}" for file in files)
+    if words:
+        console.print(f"it is used together with what it is made from: {words}", markup=False, soft_wrap=True)
 
 
 def read_data(data: Path, model: str | None, files: list[Path] | None, roles: list[str] | None = None) -> DataSet:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from shlex import quote
 from typing import Annotated
 
 import typer
@@ -25,7 +26,7 @@ from pam_cosim.commands.common import (
 from pam_cosim.comparison import write_tables
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_json
-from pam_cosim.fitting import read_parameters
+from pam_cosim.fitted_model import read_fitted_model
 from pam_cosim.reporting import comparison_report, plot_tables, write_report
 from pam_cosim.tables import against_lines, read_comparison
 
@@ -33,7 +34,9 @@ from pam_cosim.tables import against_lines, read_comparison
 def compare(
     data: Data,
     model: ModelOption = None,
-    params: Annotated[Path | None, typer.Option(help="Fitted parameters, from 'fit -o'.")] = None,
+    params: Annotated[
+        Path | None, typer.Option(help="Fitted parameters: of 'fit -o', 'diagnose --json', or a saved product.")
+    ] = None,
     against: Annotated[list[Path] | None, typer.Option(help="Earlier 'compare --json' results.")] = None,
     table: Annotated[
         tuple[str, str] | None,
@@ -52,7 +55,7 @@ def compare(
     if table is None and (table_csv or table_plot):
         raise InputError("--table-csv and --table-plot need --table ROWS COLUMNS, two parameters of the runs")
     check_results(json, report, table_csv, table_plot, sources=[model, params, *(against or []), *(files or [])])
-    values: dict[str, float | str] = {**(read_parameters(params) if params else {}), **parse_pairs(settings or [])}
+    values: dict[str, float | str] = {**(_values_of(params, model) if params else {}), **parse_pairs(settings or [])}
     earlier = [(path.stem, read_comparison(path)) for path in against or []]
     read = read_data(data, model, files, roles)
     comparison = study.compare(read, model, values, files=files or [], timeout=timeout)
@@ -72,3 +75,16 @@ def compare(
         plot_tables(tables, table_plot)
     for path in (json, report, table_csv, table_plot):
         say_written(path)
+
+
+def _values_of(params: Path, model: str | None) -> dict[str, float]:
+    """The values in a file; those of a model with effects are of no model without them."""
+    fitted = read_fitted_model(params)
+    if fitted.effects and model is None:
+        made = f"pam-cosim add --from {quote(str(params))} -o Better.mo"
+        raise InputError(
+            f"these values are of {fitted.model} with {', '.join(fitted.effects)}: name that model with --model; "
+            f"'{made}' writes it",
+            params,
+        )
+    return dict(fitted.values)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
+from shlex import quote
 from typing import Annotated
 
 import typer
@@ -18,6 +20,7 @@ from pam_cosim.commands.common import (
     ReportOption,
     RoleOption,
     StartOption,
+    check_model_file,
     check_results,
     console,
     read_data,
@@ -25,8 +28,8 @@ from pam_cosim.commands.common import (
     teller,
 )
 from pam_cosim.diagnosis import Diagnosis
-from pam_cosim.errors import InputError
 from pam_cosim.files import write_json, write_text
+from pam_cosim.fitted_model import fitted_model
 from pam_cosim.reporting import diagnosis_report, diagnosis_text, write_report
 from pam_cosim.tables import write_next_run
 
@@ -34,6 +37,10 @@ from pam_cosim.tables import write_next_run
 def diagnose(
     data: Data,
     model: ModelOption = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", help="Write the model with its effects and fitted values as Modelica (.mo)."),
+    ] = None,
     json: JsonOption = None,
     report: ReportOption = None,
     following: Annotated[
@@ -56,9 +63,10 @@ def diagnose(
     expect: Annotated[list[str] | None, typer.Option(help="One that is likely to be missing; may be repeated.")] = None,
 ) -> None:
     """Find the physical effect that the model lacks."""
-    check_results(json, report, following, learned, sources=[model, *(files or [])])
-    if learned is not None and learned.suffix != ".mo":
-        raise InputError("the formula is written as Modelica: name a file that ends in .mo", learned)
+    for path in (output, learned):
+        if path is not None:
+            check_model_file(path)
+    check_results(output, json, report, following, learned, sources=[model, *(files or [])])
     read = read_data(data, model, files, roles)
     with console.status("refitting the base model") as status:
         say = teller(status)
@@ -75,13 +83,28 @@ def diagnose(
             start=parse_pairs(start or []),
         )
     typer.echo(diagnosis_text(diagnosis))
+    if output:
+        study.add(diagnosis, output=output, files=files or [])
     if json:
         write_json(json, diagnosis.as_dict())
     if report:
         write_report(report, diagnosis_report(diagnosis))
+    if output:
+        _say_model(diagnosis, data, output, files or [])
     say_written(json)
     say_written(report)
     _write_advice(diagnosis, following, learned)
+
+
+def _say_model(diagnosis: Diagnosis, data: Path, output: Path, files: Sequence[Path]) -> None:
+    """Names the model that was written, and the command that shows its errors."""
+    say_written(output)
+    further = [f"--file {quote(str(file))}" for file in files]
+    values = [f"--set {quote(f'{name}={value!r}')}" for name, value in fitted_model(diagnosis).of_the_data.items()]
+    words = ["pam-cosim compare", quote(str(data)), "--model", quote(str(output)), *further, *values]
+    typer.echo(f"compare it: {' '.join(words)}")
+    for change in diagnosis.changes_of_data:
+        typer.echo(f"  the verdict's numbers differ: {change}")
 
 
 def _write_advice(diagnosis: Diagnosis, following: Path | None, learned: Path | None) -> None:

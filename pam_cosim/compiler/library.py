@@ -87,11 +87,22 @@ class Library:
                     raise ModelError(f"'within {'.'.join(within)}': there is no such package", file, 1, 1)
                 node.parent = parent
                 self.inserted[node.qualified_name] = node
+            elif node.name in self.top and _is_copy(node, self.top[node.name]):
+                continue
             elif node.name in self.top:
                 raise node.source.error(f"a class '{node.name}' exists already: choose another name", node.at)
             else:
                 self.top[node.name] = node
         return classes
+
+
+def _is_copy(node: ClassDefinition, known: ClassDefinition) -> bool:
+    """Whether a file with one of two classes of a name stands whole in that of the other: they are one class.
+
+    A model that is written with what it extends can so be used together with the file of that.
+    """
+    one, other = node.source.text.strip(), known.source.text.strip()
+    return one in other or other in one
 
 
 def _read(file: Path) -> Source:

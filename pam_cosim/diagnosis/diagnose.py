@@ -58,6 +58,7 @@ class Diagnosis(Printed):
         untried: effects of the models that promised to be better when the time limit ended the search.
         not_tried: families that were not looked for, with the reason.
         step_times: steps of commands that stand between two samples, to which the search gave a time.
+        means: where very many rows became means, which are in ``data``: a sentence on it.
     """
 
     data: DataSet
@@ -76,6 +77,7 @@ class Diagnosis(Printed):
     untried: tuple[tuple[str, ...], ...] = ()
     not_tried: dict[str, str] = field(default_factory=dict)
     step_times: int = 0
+    means: str = ""
 
     @property
     def final(self) -> Fit:
@@ -98,6 +100,12 @@ class Diagnosis(Printed):
             "that leaves least; log commands when they change, or faster"
         )
 
+    @property
+    def changes_of_data(self) -> tuple[str, ...]:
+        """What was changed in the samples before models were judged by them, in sentences."""
+        outliers = [f"{n} single samples of {name} are set aside" for name, n in self.outliers.items() if n]
+        return (*outliers, *[self.means] * bool(self.means), *[self.said_of_steps] * bool(self.step_times))
+
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
         base = role_summary(self.base, "fit") or {}
@@ -110,6 +118,7 @@ class Diagnosis(Printed):
             "balance": self.balance,
             "candidates": [*(c.as_dict() for c in self.candidates), *(c.as_dict() for c in self.failed)],
             "verdict": self.verdict.as_dict(),
+            "final": self._final(),
             "doubts": [vars(doubt) for doubt in self.final.comparison.doubts],
             "outliers": self.outliers,
             "step_times": self.step_times,
@@ -118,6 +127,16 @@ class Diagnosis(Printed):
             "untried": [list(names) for names in self.untried],
             "not_tried": self.not_tried,
             "ledger": self.ledger.as_dict(courses=False) if self.ledger else None,
+        }
+
+    def _final(self) -> dict[str, object]:
+        """The model that the verdict is about: what it is made of, its values and its scores."""
+        return {
+            "model": self.model,
+            "effects": [c.effect for c in self.path],
+            "parameters": {n: e.as_dict() for n, e in self.final.parameters.items()},
+            "constants": self.data.constants,
+            **{role: role_summary(self.final, role) for role in ROLES},
         }
 
     def _missing(self) -> dict[str, object] | None:
@@ -237,6 +256,7 @@ def diagnose(
         untried=selection.untried,
         not_tried=_not_tried(shelf, excluded, search, selection),
         step_times=finding.step_times,
+        means=subject.means,
     )
 
 

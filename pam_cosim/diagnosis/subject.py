@@ -30,6 +30,7 @@ class Subject:
         files: further Modelica files, as stated. sources: with the model's own.
         tree: the Modelica library with these.
         data: with noise levels, and the words of the model's field.
+        means: where very many rows became means: a sentence on it.
     """
 
     name: str
@@ -37,6 +38,7 @@ class Subject:
     sources: tuple[Path, ...]
     tree: ClassTree
     data: DataSet
+    means: str = ""
 
     def simulator(self) -> Simulator:
         """The model, with slopes by the free parameters where it is smooth."""
@@ -77,4 +79,5 @@ def subject_of(
     data, said = condensed(data)
     if said:
         say(Remark(said).message)
-    return Subject(name, tuple(files), sources, tree, complete_noise(replace(data, domain=domain_of(tree, name))))
+    data = complete_noise(replace(data, domain=domain_of(tree, name)))
+    return Subject(name, tuple(files), sources, tree, data, said)

@@ -9,7 +9,7 @@ from pam_cosim.fitting.leeway import Leeway
 from pam_cosim.fitting.linear import Linear, linearised, residual_rows, rows_of_series
 from pam_cosim.fitting.methods import METHODS, Record, summary
 from pam_cosim.fitting.options import FitOptions
-from pam_cosim.fitting.parameter_file import read_parameters, write_parameters
+from pam_cosim.fitting.parameter_file import parameters_in, read_parameters, write_parameters
 from pam_cosim.fitting.profile import Profile, Profiles
 from pam_cosim.fitting.solve import spread_starts
 from pam_cosim.fitting.tracker import Convergence, Progress, Standing
@@ -34,6 +34,7 @@ __all__ = [
     "fit",
     "linearised",
     "model_parameter",
+    "parameters_in",
     "profile",
     "read_parameters",
     "residual_rows",

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
+from typing import Any
 from xml.etree import ElementTree
 
 from pam_cosim.errors import InputError
 from pam_cosim.files import read_json, write_json, write_text
 from pam_cosim.fitting.fit import Fit
 from pam_cosim.units import BaseUnit, UnitError, base_unit
+from pam_cosim.wording import shown
 
 _SSC = "http://ssp-standard.org/SSP1/SystemStructureCommon"
 _SSV = "http://ssp-standard.org/SSP1/SystemStructureParameterValues"
@@ -70,34 +72,43 @@ def read_parameters(path: Path) -> dict[str, float]:
     Raises:
         InputError: the file is missing or is not such a file.
     """
-    values = _from_ssv(path) if path.suffix.lower() == ".ssv" else _from_json(path)
-    for name, value in values.items():
-        if not math.isfinite(value):
-            raise InputError(f"parameter '{name}' is not a finite number", path)
-    return values
+    return _from_ssv(path) if path.suffix.lower() == ".ssv" else _from_json(path)
 
 
 def _from_json(path: Path) -> dict[str, float]:
-    content = read_json(path)
-    parameters = content.get("parameters", content) if isinstance(content, dict) else None
+    return parameters_in(read_json(path), path)
+
+
+def parameters_in(content: Any, path: Path) -> dict[str, float]:
+    """The parameters [SI] in a JSON document: of a fit, of the model that a diagnosis came to, or names and numbers.
+
+    Raises:
+        InputError: it holds no such thing; names ``path``.
+    """
+    holder = content.get("final", content) if isinstance(content, dict) else None
+    parameters = holder.get("parameters", holder) if isinstance(holder, dict) else None
     if not isinstance(parameters, dict):
         raise InputError("must hold an object with parameter names and values", path)
-    values = {}
-    for name, entry in parameters.items():
-        value = entry.get("value") if isinstance(entry, dict) else entry
-        if isinstance(value, bool) or not isinstance(value, (int, float)):
-            raise InputError(f"parameter '{name}' has no number as its value", path)
-        try:
-            values[name] = float(value)
-        except OverflowError:
-            values[name] = math.inf
-    return values
+    return {name: _number(name, entry, path) for name, entry in parameters.items()}
+
+
+def _number(name: str, entry: Any, path: Path) -> float:
+    value = entry.get("value") if isinstance(entry, dict) else entry
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        raise InputError(f"parameter {shown(name)} has no number as its value; this is no file of parameters", path)
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf
+    if not math.isfinite(number):
+        raise InputError(f"parameter {shown(name)} is not a finite number", path)
+    return number
 
 
 def _from_ssv(path: Path) -> dict[str, float]:
     try:
         root = ElementTree.fromstring(path.read_bytes())
-        return {
+        values = {
             p.attrib["name"]: float(p.find(f"{{{_SSV}}}Real").attrib["value"])  # type: ignore[union-attr]
             for p in root.iter(f"{{{_SSV}}}Parameter")
         }
@@ -105,3 +116,4 @@ def _from_ssv(path: Path) -> dict[str, float]:
         raise InputError(f"cannot be read: {problem.strerror}", path) from problem
     except (ElementTree.ParseError, LookupError, ValueError, AttributeError) as problem:
         raise InputError("is not an SSV file with real parameters", path) from problem
+    return {name: _number(name, value, path) for name, value in values.items()}

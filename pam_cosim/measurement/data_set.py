@@ -154,6 +154,7 @@ class DataSet(Printed):
         folder: where it was read from.
         title: the experimenter's own words.
         model: the bench, as a name that compiles.
+        bench: the bench that the description names, where the data were read for another model; else the same.
         signals: the measured outputs.
         parameters: known values for all runs [SI]; fitted parameters are not among them.
         fit: free parameters.
@@ -172,6 +173,7 @@ class DataSet(Printed):
     domain: Domain = Domain()
     excluded: tuple[str, ...] = ()
     expected: tuple[str, ...] = ()
+    bench: str = ""
 
     @property
     def files(self) -> tuple[Path, ...]:
@@ -182,6 +184,13 @@ class DataSet(Printed):
     def free_names(self) -> tuple[str, ...]:
         """Names in the model of what is fitted, each once."""
         return tuple(dict.fromkeys(free.parameter for free in self.fit.values()))
+
+    @property
+    def constants(self) -> dict[str, float]:
+        """What all runs have alike [SI] and the data set does not state: also a free parameter that was not fitted."""
+        first, *others = self.runs
+        alike = {n: v for n, v in first.parameters.items() if all(run.parameters.get(n) == v for run in others)}
+        return {name: value for name, value in alike.items() if name not in self.parameters}
 
     @property
     def fit_runs(self) -> tuple[Run, ...]:

@@ -57,6 +57,7 @@ def read_data_set(
         folder=document.file.parent,
         title=content.title or document.file.parent.resolve().name,
         model=name,
+        bench=_bench(document) or name,
         signals=with_noise_of_means(_signals(document, interface, runs), runs),
         parameters=known,
         fit=free | {one.name: one for several in own for one in several},
@@ -84,6 +85,12 @@ def _model_of(document: ExperimentFile, benches: Callable[[], Sequence[str]]) ->
         known = ", ".join(benches())
         one_of = f", one of {known}, or a Modelica class, a .mo or an .fmu file" if known else ""
         raise document.error(f'model is missing: name the bench as model = "..."{one_of}', "model")
+    return _bench(document)
+
+
+def _bench(document: ExperimentFile) -> str:
+    """The model that the file names; a ``.mo`` or ``.fmu`` file beside the experiment is meant relative to it."""
+    name = document.content.model or ""
     return str(file_inside(document, name, "model")) if is_file(name) else name
 
 
