@@ -25,7 +25,14 @@ from pam_cosim.domain import Domain
 from pam_cosim.drafting import NewDataSet, Wishes, draft
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, make_folder, write_bytes, write_text
-from pam_cosim.fitted_model import FittedModel, compose_fitted, fitted_model, read_fitted_model, with_own_values
+from pam_cosim.fitted_model import (
+    FittedModel,
+    compose_fitted,
+    fitted_model,
+    judged_data,
+    read_fitted_model,
+    with_own_values,
+)
 from pam_cosim.fitting import Fit, FitOptions, Profiles, Progress, base_parameters, with_free
 from pam_cosim.fitting import fit as _fit
 from pam_cosim.fitting import profile as _profile
@@ -105,13 +112,19 @@ def read(
 ) -> DataSet:
     """Reads a data set and checks it against its bench (or against ``model``).
 
-    ``roles``: "fit" or "holdout" by run, where it shall be another one than the data set says.
+    ``folder`` may also be a saved diagnosis, fit or comparison (``.npz``): the data set as that judged it, without the
+    samples that it set aside. ``roles``: "fit" or "holdout" by run, where it shall be another one than the data set
+    says.
 
     Raises:
         InputError: with file, line and column of what cannot be used; no such run or role.
     """
     described = _described(files)
-    data = read_data_set(Path(folder), described, model=model, benches=lambda: benches(files))
+    if Path(folder).suffix.lower() == ".npz":
+        data = judged_data(Path(folder))
+        data = replace(data, model=model or data.model)
+    else:
+        data = read_data_set(Path(folder), described, model=model, benches=lambda: benches(files))
     data = replace(data.with_roles(roles or {}), domain=_domain(data.model, described(data.model), files))
     return _for_model(data, model, files)
 
