@@ -269,6 +269,18 @@ class SearchCriteria:
 
 
 @dataclass(frozen=True)
+class FoldsCriteria:
+    """When an effect is named of which what remains is no noise."""
+
+    fewest: int = decides(3, "runs", "of fewer, too little is left to fit")
+    most: int = decides(5, "folds", "that runs are left out in: the usual number")
+    visible: float = decides(
+        0.1, "of the error beyond the noise", "squared, that an effect takes away in runs that were left out, at least"
+    )
+    believable: float = decides(1.5, "times", "more or less than stated is no slip of a ruler or a balance")
+
+
+@dataclass(frozen=True)
 class LedgerCriteria:
     """When a balance fails, and when an instrument does."""
 
@@ -359,6 +371,7 @@ class Criteria:
     fit: FitCriteria = FitCriteria()
     evidence: EvidenceCriteria = EvidenceCriteria()
     search: SearchCriteria = SearchCriteria()
+    folds: FoldsCriteria = FoldsCriteria()
     ledger: LedgerCriteria = LedgerCriteria()
     learning: LearningCriteria = LearningCriteria()
     next_experiment: NextExperimentCriteria = NextExperimentCriteria()

@@ -131,7 +131,12 @@ def read(
 
 def _for_model(data: DataSet, model: str | None, files: Paths) -> DataSet:
     """The data set for a model: values that a Modelica model of another name states stand before starts of a fit."""
-    if model is None or model == data.bench or is_fmu(model) or all(f.start is None for f in data.fit.values()):
+    if (
+        model in (None, data.bench)
+        or not data.bench
+        or is_fmu(model)
+        or all(f.start is None for f in data.fit.values())
+    ):
         return data
     return with_own_values(data, model, _paths(files))
 
