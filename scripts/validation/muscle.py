@@ -125,8 +125,8 @@ def _told_of_temperature(r: Trajectory) -> list[str]:
         "in the stalled muscle.",
         f"fill the muscle: {at(r, 'p_energy[1]', 4.9) / 1e3:.1f} kPa and {at(r, 'x_energy[1]', 4.9) * 1e3:.2f} mm. "
         f"The gas warms by {at(r, ENERGY, 2) - T_ATM:.1f} K (at 2 s; {warm.max():.1f} K for a moment as the first air "
-        f"is compressed, {warm[filling].max():.1f} K at most after that), is back at ambient when the muscle is full, and "
-        f"cools by {-warm.min():.1f} K in venting",
+        f"is compressed, {warm[filling].max():.1f} K at most after that), is back at ambient when the muscle is full, "
+        f"and cools by {-warm.min():.1f} K in venting",
         f"takes {1e3 * (at(r, 'x_energy[1]', 4.9) - at(r, 'x_energy[2]', 4.9)):.1f} mm off the contraction and at most "
         f"{np.abs(warm - rubbed)[filling].max():.1f} K off the temperature from 0.3 to 4 s",
     ]
