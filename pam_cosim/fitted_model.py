@@ -41,6 +41,10 @@ class FittedModel:
         """The values that a model can hold: those of its own parameters."""
         return {name: value for name, value in self.values.items() if not _of_the_data(name)}
 
+    def stated(self, parameters: Collection[str]) -> dict[str, float]:
+        """What the model's text states [SI]: constants that are among the base model's parameters, and its values."""
+        return {n: v for n, v in self.constants.items() if n in parameters} | self.of_the_model
+
     @property
     def of_the_data(self) -> dict[str, float]:
         """The others: of one run alone, and ratios to what the data set states of a parameter."""
@@ -141,12 +145,12 @@ def compose_fitted(
     Raises:
         InputError: an effect finds no place; a value is of none of the parameters; there is a class of that name.
     """
-    values = {n: v for n, v in fitted.constants.items() if n in parameters} | fitted.of_the_model
+    values = fitted.stated(parameters)
     made = compose(tree, fitted.model, fitted.effects, name, files=files, values=values)
     if made is None:
         raise InputError(f"{fitted.model} has no place for {', '.join(fitted.effects)}")
     known = {*parameters, *(n for names in made.parameters.values() for n in names)}
-    stray = next((n for n in fitted.of_the_model if n not in known), None)
+    stray = next((n for n in values if n not in known), None)
     if stray is not None:
         raise InputError(f"{made.name} has no parameter '{stray}', of which there is a value")
     if made.name in tree.classes:

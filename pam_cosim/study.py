@@ -6,11 +6,12 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
 
-from pam_cosim.catalogue import EffectClass, RigPart, domain_of, effect_classes, put_together
+from pam_cosim.catalogue import Composition, EffectClass, RigPart, domain_of, effect_classes, put_together
 from pam_cosim.catalogue import benches as _benches
 from pam_cosim.catalogue import rig_parts as _rig_parts
 from pam_cosim.comparison import Comparison
@@ -352,6 +353,7 @@ def add(
     to: str | None = None,
     output: Path | str | None = None,
     *,
+    values: Mapping[str, Setting] | None = None,
     files: Paths = (),
 ) -> str:
     """The Modelica text of a model with effects, or with what a diagnosis or a fit found; ``output`` is its file.
@@ -366,6 +368,7 @@ def add(
             a saved diagnosis or fit, or the JSON or the parameters that a command wrote.
         to: the base model: a bench, a Modelica class or a ``.mo`` file. Default: the one that the product is of.
         output: a file that ends in ``.mo``; its name is that of the class.
+        values: of parameters, before those of the product: numbers [SI] or texts with a unit.
         files: further Modelica files.
 
     Raises:
@@ -382,10 +385,27 @@ def add(
     name = Path(output).stem if output else None
     parameters = describe(base, files).parameters if fitted.values else ()
     tree = read_library(files=extra)
-    composition = compose_fitted(tree, replace(fitted, model=base), name, parameters, files=extra)
+    fitted = replace(fitted, model=base)
+    if values:
+        bare = compose_fitted(tree, replace(fitted, values={}), name, parameters, files=extra)
+        fitted = replace(fitted, values={**fitted.values, **_resolved(values, bare, files)})
+        parameters = (*parameters, *fitted.values)
+    composition = compose_fitted(tree, fitted, name, parameters, files=extra)
     if output:
         write_text(Path(output), composition.text)
     return composition.text
+
+
+def _resolved(values: Mapping[str, Setting], composition: Composition, files: Paths) -> dict[str, float]:
+    """Values of parameters of a composed model [SI]."""
+    with TemporaryDirectory() as folder:
+        file = Path(folder) / f"{composition.name}.mo"
+        write_text(file, composition.text)
+        interface = describe(str(file), files)
+    stray = next((name for name in values if name not in interface.parameters), None)
+    if stray is not None:
+        raise InputError(f"there is no parameter '{stray}'; {did_you_mean(stray, list(interface.parameters))}")
+    return resolve(values, interface)
 
 
 def _fitted_model(what: Sequence[str] | Diagnosis | Fit | Path) -> FittedModel:
