@@ -37,7 +37,12 @@ def main() -> None:
     OUTPUT.mkdir(exist_ok=True)
     for bench in pam.benches():
         pam.build(bench, ROOT / "fmu" / "build" / f"{bench}.fmu")
-    tell("tank-discharge", ROOT / "examples" / "tank-discharge", "a real vessel: 16.2 L of air through a 2.71 mm hole", "Vessel")
+    tell(
+        "tank-discharge",
+        ROOT / "examples" / "tank-discharge",
+        "a real vessel: 16.2 L of air through a 2.71 mm hole",
+        "Vessel",
+    )
     folder = OUTPUT / "hidden-effect-data"
     measurement.write_data_set(
         folder, measurement.measure(default_plan(), [effect_of(HIDDEN)], seed=1), title=HIDDEN_TITLE
