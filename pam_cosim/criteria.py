@@ -47,6 +47,9 @@ class NoiseCriteria:
     off_step: float = decides(
         0.01, "of a step", "conversion of units may put a sample of a record in steps so far off; others lie anywhere"
     )
+    least_of_step: float = decides(
+        0.1, "of a step", "noise beside rounding, at least: less is hardly seen, and no model is that exact"
+    )
     assumed_share: float = decides(
         0.01, "of range", "noise assumed where nobody states it and the samples show none, as points of a figure"
     )

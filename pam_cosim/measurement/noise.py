@@ -106,13 +106,21 @@ def record_step(values: ArrayLike) -> float:
 
 
 def _with_steps(data_set: DataSet, signal: Signal) -> Signal:
-    """The signal with the step of its record and its noise, where that adds to what is known."""
+    """The signal with the step of its record, where that adds to its noise; its noise with that of the steps.
+
+    A stated noise is that of the sensor; an estimated one holds the steps. What is less than a part of a step is no
+    estimate: so small a noise is seen only where a signal rests near the edge of a step.
+    """
     runs = [run.measurements[signal.name] for run in data_set.runs if signal.name in run.measurements]
-    step = float(np.median([record_step(values) for values in runs])) if runs else 0.0
+    steps = [record_step(values) for values in runs if _quantum(values[np.isfinite(values)])]
+    step = float(np.median(steps)) if steps else 0.0
     noise, rounding = signal.sigma or 0.0, step**2 / 12.0
     if rounding < CRITERIA.residuals.slight_excess * noise**2:
         return signal
-    return replace(signal, step=step, sigma=noise if signal.estimated else sqrt(noise**2 + rounding))
+    if signal.estimated:
+        noise = sqrt(max(noise**2 - rounding, 0.0))
+    noise = max(noise, CRITERIA.noise.least_of_step * step)
+    return replace(signal, step=step, sigma=sqrt(noise**2 + rounding))
 
 
 def _typical(data_set: DataSet, signal: str) -> float | None:
