@@ -98,14 +98,15 @@ def record_step(values: ArrayLike) -> float:
         values: (n,) samples, NaN where one is missing; fewer than some 30 show none.
     """
     samples: Array = np.asarray(values, dtype=float)
-    samples = samples[np.isfinite(samples)]
-    quantum = _quantum(samples)
-    if len(samples) < CRITERIA.noise.fewest_samples or quantum == 0.0:
+    levels = np.unique(samples[np.isfinite(samples)])
+    quantum = _quantum(levels)
+    if np.isfinite(samples).sum() < CRITERIA.noise.fewest_samples or quantum == 0.0:
         return 0.0
-    places = (samples - samples[0]) / quantum
-    # A conversion from the unit of the file rounds too, by little; a gap that is no step is anywhere.
-    on_steps = np.abs(places - np.round(places)) < CRITERIA.noise.off_step
-    return quantum if bool(on_steps.all()) else 0.0
+    # From level to level, so that digits which round a step themselves do not add up; then the step that suits all.
+    places = np.concatenate([[0.0], np.cumsum(np.round(np.diff(levels) / quantum))])
+    step, first = (float(c) for c in np.polyfit(places, levels, 1))
+    off = np.abs(levels - first - step * places)
+    return step if bool((off < CRITERIA.noise.off_step * step).all()) else 0.0
 
 
 def _with_steps(data_set: DataSet, signal: Signal) -> Signal:
