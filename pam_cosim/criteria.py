@@ -45,7 +45,12 @@ class NoiseCriteria:
         2.0, "1/sqrt(samples)", "or by more than this, where the samples are so few that chance lowers it"
     )
     off_step: float = decides(
-        0.01, "of a step", "conversion of units may put a sample of a record in steps so far off; others lie anywhere"
+        0.05,
+        "of a step",
+        "that units and digits of a file may put a sample of a record in steps off; others lie anywhere",
+    )
+    least_of_step: float = decides(
+        0.1, "of a step", "noise beside rounding, at least: less is hardly seen, and no model is that exact"
     )
     assumed_share: float = decides(
         0.01, "of range", "noise assumed where nobody states it and the samples show none, as points of a figure"

@@ -7,12 +7,13 @@ from pam_cosim.comparison.outliers import outliers, without_outliers
 from pam_cosim.comparison.reproducibility import Reproducibility, reproducibility
 from pam_cosim.comparison.residual_statistics import (
     ResidualStatistics,
+    Series,
     lag_one,
     residual_statistics,
     series_of,
-    stated_of,
 )
 from pam_cosim.comparison.residuals import RunComparison, simulate_run, start_time
+from pam_cosim.comparison.rounding import expected_squares, slope, usual_square, weighted
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.comparison.where import Rule, sitting, where
 
@@ -26,10 +27,12 @@ __all__ = [
     "ResidualStatistics",
     "Rule",
     "RunComparison",
+    "Series",
     "SignalScore",
     "Statistic",
     "chi2_reduced",
     "compare",
+    "expected_squares",
     "lag_one",
     "outliers",
     "reproducibility",
@@ -39,8 +42,10 @@ __all__ = [
     "series_of",
     "simulate_run",
     "sitting",
+    "slope",
     "start_time",
-    "stated_of",
+    "usual_square",
+    "weighted",
     "where",
     "without_outliers",
     "write_tables",
