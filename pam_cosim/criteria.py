@@ -50,6 +50,17 @@ class NoiseCriteria:
     assumed_share: float = decides(
         0.01, "of range", "noise assumed where nobody states it and the samples show none, as points of a figure"
     )
+    same_test: float = decides(
+        0.01, "of range", "that inputs and durations of two runs differ by at most, for one to repeat the other"
+    )
+    fewest_repeated: int = decides(
+        10, "samples", "of repeated runs; fewer tell a standard deviation to no better than a quarter"
+    )
+    repeatability_excess: float = decides(
+        0.2,
+        "noise variances",
+        "by which repeated runs differ more than the noise, to count in its place: less may be chance",
+    )
     outlier_window: int = decides(7, "samples", "three neighbours on each side outvote a pair of outliers")
     outlier_far: float = decides(6.0, "sd", "Gaussian noise alone does this once in 5e8 samples", "normal distribution")
     outliers_together: int = decides(2, "samples", "that may be off side by side, by chance, beside the best model")

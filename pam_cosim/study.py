@@ -6,11 +6,12 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
 
-from pam_cosim.catalogue import EffectClass, RigPart, domain_of, effect_classes, put_together
+from pam_cosim.catalogue import Composition, EffectClass, RigPart, domain_of, effect_classes, put_together
 from pam_cosim.catalogue import benches as _benches
 from pam_cosim.catalogue import rig_parts as _rig_parts
 from pam_cosim.comparison import Comparison
@@ -24,7 +25,14 @@ from pam_cosim.domain import Domain
 from pam_cosim.drafting import NewDataSet, Wishes, draft
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, make_folder, write_bytes, write_text
-from pam_cosim.fitted_model import FittedModel, compose_fitted, fitted_model, read_fitted_model, with_own_values
+from pam_cosim.fitted_model import (
+    FittedModel,
+    compose_fitted,
+    fitted_model,
+    judged_data,
+    read_fitted_model,
+    with_own_values,
+)
 from pam_cosim.fitting import Fit, FitOptions, Profiles, Progress, base_parameters, with_free
 from pam_cosim.fitting import fit as _fit
 from pam_cosim.fitting import profile as _profile
@@ -104,13 +112,19 @@ def read(
 ) -> DataSet:
     """Reads a data set and checks it against its bench (or against ``model``).
 
-    ``roles``: "fit" or "holdout" by run, where it shall be another one than the data set says.
+    ``folder`` may also be a saved diagnosis, fit or comparison (``.npz``): the data set as that judged it, without the
+    samples that it set aside. ``roles``: "fit" or "holdout" by run, where it shall be another one than the data set
+    says.
 
     Raises:
         InputError: with file, line and column of what cannot be used; no such run or role.
     """
     described = _described(files)
-    data = read_data_set(Path(folder), described, model=model, benches=lambda: benches(files))
+    if Path(folder).suffix.lower() == ".npz":
+        data = judged_data(Path(folder))
+        data = replace(data, model=model or data.model)
+    else:
+        data = read_data_set(Path(folder), described, model=model, benches=lambda: benches(files))
     data = replace(data.with_roles(roles or {}), domain=_domain(data.model, described(data.model), files))
     return _for_model(data, model, files)
 
@@ -352,6 +366,7 @@ def add(
     to: str | None = None,
     output: Path | str | None = None,
     *,
+    values: Mapping[str, Setting] | None = None,
     files: Paths = (),
 ) -> str:
     """The Modelica text of a model with effects, or with what a diagnosis or a fit found; ``output`` is its file.
@@ -366,6 +381,7 @@ def add(
             a saved diagnosis or fit, or the JSON or the parameters that a command wrote.
         to: the base model: a bench, a Modelica class or a ``.mo`` file. Default: the one that the product is of.
         output: a file that ends in ``.mo``; its name is that of the class.
+        values: of parameters, before those of the product: numbers [SI] or texts with a unit.
         files: further Modelica files.
 
     Raises:
@@ -382,10 +398,27 @@ def add(
     name = Path(output).stem if output else None
     parameters = describe(base, files).parameters if fitted.values else ()
     tree = read_library(files=extra)
-    composition = compose_fitted(tree, replace(fitted, model=base), name, parameters, files=extra)
+    fitted = replace(fitted, model=base)
+    if values:
+        bare = compose_fitted(tree, replace(fitted, values={}), name, parameters, files=extra)
+        fitted = replace(fitted, values={**fitted.values, **_resolved(values, bare, files)})
+        parameters = (*parameters, *fitted.values)
+    composition = compose_fitted(tree, fitted, name, parameters, files=extra)
     if output:
         write_text(Path(output), composition.text)
     return composition.text
+
+
+def _resolved(values: Mapping[str, Setting], composition: Composition, files: Paths) -> dict[str, float]:
+    """Values of parameters of a composed model [SI]."""
+    with TemporaryDirectory() as folder:
+        file = Path(folder) / f"{composition.name}.mo"
+        write_text(file, composition.text)
+        interface = describe(str(file), files)
+    stray = next((name for name in values if name not in interface.parameters), None)
+    if stray is not None:
+        raise InputError(f"there is no parameter '{stray}'; {did_you_mean(stray, list(interface.parameters))}")
+    return resolve(values, interface)
 
 
 def _fitted_model(what: Sequence[str] | Diagnosis | Fit | Path) -> FittedModel:

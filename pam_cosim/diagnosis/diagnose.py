@@ -152,11 +152,11 @@ class Diagnosis(Printed):
         for role in ROLES:
             for name, before in self.base.comparison.scores[role].items():
                 after = self.final.comparison.scores[role][name]
-                unit = self.data.signals[name].unit
-                noise = format_quantity(before.noise_rmse, unit)
+                signal = self.data.signals[name]
+                unit, noise = signal.unit, f"{signal.scatter} {format_quantity(before.noise_rmse, signal.unit)}"
                 lines.append(
                     f"  {role:8} {name:4} rms error {format_quantity(before.rmse, unit)} -> "
-                    f"{format_quantity(after.rmse, unit)} (noise {noise})"
+                    f"{format_quantity(after.rmse, unit)} ({noise}){'' if signal.fitted else ' (not fitted)'}"
                 )
         lines += [f"  {n} = {e}" for n, e in self.final.parameters.items()]
         if self.untried:

@@ -187,7 +187,7 @@ def fit(
             log.write()
     end = solution.end
     linear = linearised(objective, end.z, options.rows) if options.rows else None
-    comparison = compare(simulator, data, objective.values(end.z), objective.tolerance, rules=options.rules)
+    comparison = compare(simulator, data, objective.values(end.z), options.tolerance, rules=options.rules)
     by_role = statistics_by_role(comparison)
     spread = _spread(by_role["fit"])
     parameters = estimates(chosen, end.z, end.jacobian, objective.bounds, spread)

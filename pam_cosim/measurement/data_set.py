@@ -34,6 +34,9 @@ class Signal:
         estimated: ``sigma`` was estimated from the samples, not stated by the experimenter.
         fitted: parameters are fitted to it and models judged by it; otherwise it is only shown beside the model.
         step: of the record [unit], where that is coarse beside the stated noise: ``sigma`` holds what it adds. 0: none.
+        repeatability: standard deviation between runs of the same test [unit], the noise included: ``sigma`` is this
+            where it is larger. 0: nobody knows.
+        repeats: ``repeatability`` was estimated from runs that repeat one another, not stated by the experimenter.
     """
 
     name: str
@@ -42,6 +45,20 @@ class Signal:
     estimated: bool = False
     fitted: bool = True
     step: float = 0.0
+    repeatability: float = 0.0
+    repeats: bool = False
+
+    @property
+    def scatter(self) -> str:
+        """What ``sigma`` is the standard deviation of, in a word."""
+        return "repeatability" if self.sigma is not None and self.repeatability >= self.sigma else "noise"
+
+    @property
+    def source(self) -> str:
+        """Where ``sigma`` comes from, in words."""
+        if self.scatter == "repeatability":
+            return "of repeated runs" if self.repeats else "stated repeatability"
+        return "estimated from the samples" if self.estimated else "stated"
 
 
 Transform = Literal["log", "linear"]

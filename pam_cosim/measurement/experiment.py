@@ -60,6 +60,7 @@ class SignalTable(_Table):
     """``[signals.NAME]``."""
 
     sigma: Value | None = None
+    repeatability: Value | None = None
 
 
 class PriorTable(_Table):

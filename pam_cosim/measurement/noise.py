@@ -23,6 +23,7 @@ from numpy.typing import ArrayLike
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement.data_set import DataSet, Signal
+from pam_cosim.measurement.repeatability import with_repeatability
 
 _CLIP = CRITERIA.noise.clip
 _CLIPPED_VARIANCE = 1.0 - 2.0 * _CLIP * exp(-(_CLIP**2) / 2.0) / sqrt(2.0 * pi) / erf(_CLIP / sqrt(2.0))
@@ -70,6 +71,8 @@ def with_noise(data_set: DataSet) -> DataSet:
 def complete_noise(data: DataSet) -> DataSet:
     """Keeps stated noise levels, estimates the others from the samples, and assumes 1 % of range where that fails.
 
+    Where runs of the same test differ more than that, or more is stated, their repeatability takes its place.
+
     Sparse samples, such as points read off a printed figure, show no noise to estimate. A record in steps has their
     noise of step/sqrt(12) besides a stated one, which is that of the sensor (B. Widrow, I. Kollar, Quantization Noise,
     2008); an estimated one holds it already.
@@ -85,7 +88,7 @@ def complete_noise(data: DataSet) -> DataSet:
             level = CRITERIA.noise.assumed_share * span or max(abs(float(np.nanmean(values))), 1.0) * 1e-6
             signal = replace(signal, sigma=level, estimated=True)
         signals[name] = signal
-    return replace(data, signals=signals)
+    return with_repeatability(replace(data, signals=signals))
 
 
 def record_step(values: ArrayLike) -> float:

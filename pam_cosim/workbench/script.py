@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from shlex import quote
+from types import MappingProxyType
 from typing import Any
 
 from pam_cosim.names import is_modelica
@@ -117,7 +118,10 @@ def _python_step(step: Step, place: _Place) -> list[str]:
                 _COMPARED,
             ]
         case "add":
-            return [f"pam.add({told['effects']!r}, to={place.base!r}, output={told['file']!r}, files=files)"]
+            return [
+                f"pam.add({told['effects']!r}, to={place.base!r}, output={told['file']!r}, "
+                f"values={_numbers(told.get('values', {}))}, files=files)"
+            ]
     return []
 
 
@@ -189,7 +193,7 @@ def _command_step(step: Step, place: _Place, data: str) -> list[str]:
             place.held, place.fitted = {**told["kept"], **told["values"]}, ""
             return [*_command_effects((*place.diagnosed, *told["effects"]), place), _compare(data, place)]
         case "add":
-            return [_add(told["effects"], told["file"], place)]
+            return [_add(told["effects"], told["file"], place, told.get("values", {}))]
     return []
 
 
@@ -210,9 +214,11 @@ def _command(name: str, data: str, place: _Place, *options: str) -> str:
     return " ".join(["pam-cosim", name, data, *model, *further, *roles, *options])
 
 
-def _add(effects: Sequence[str], file: str, place: _Place) -> str:
+def _add(effects: Sequence[str], file: str, place: _Place, values: Mapping[str, float] = MappingProxyType({})) -> str:
+    stated = [f"--set {quote(f'{name}={value!r}')}" for name, value in values.items()]
     further = [f"--file {quote(f)}" for f in place.files]
-    return " ".join(["pam-cosim add", *map(quote, effects), f"--to {quote(place.base)}", f"-o {quote(file)}", *further])
+    words = [*map(quote, effects), f"--to {quote(place.base)}", f"-o {quote(file)}"]
+    return " ".join(["pam-cosim add", *words, *stated, *further])
 
 
 def _command_effects(effects: Sequence[str], place: _Place) -> list[str]:
