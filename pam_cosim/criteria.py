@@ -116,6 +116,10 @@ class RecognitionCriteria:
     alike: float = decides(0.02, "of the largest", "traits of runs that differ by less do not tell them apart")
     steady: float = decides(0.3, "of its mean", "a supply pressure varies by less, and stays above the other")
     held_out: float = decides(0.25, "of runs", "that are held out to be judged")
+    uneven: float = decides(3.0, "median steps", "longer steps are of no clock, where nothing else says time")
+    most_points: int = decides(2000, "rows", "of a table without time; more points at rest nobody waits for")
+    levels_to_hold_out: int = decides(4, "values", "of what is imposed in a table; of fewer none is held out")
+    points_to_hold_out: int = decides(8, "values", "the same along a single curve, which needs most of them")
     runs_to_hold_out: int = decides(3, "runs", "of fewer none is held out: they are needed for the fit")
 
 
