@@ -1,5 +1,7 @@
 """Trajectory and data set -> residuals, scores, and where the error sits."""
 
+from pam_cosim.comparison.beginning import Beginning, beginning, measured, start_time
+from pam_cosim.comparison.chosen_starts import with_starts
 from pam_cosim.comparison.compare import Comparison, compare, scored
 from pam_cosim.comparison.condition_table import STATISTICS, Condition, ConditionTable, Statistic, write_tables
 from pam_cosim.comparison.doubts import Doubt
@@ -12,12 +14,13 @@ from pam_cosim.comparison.residual_statistics import (
     series_of,
     stated_of,
 )
-from pam_cosim.comparison.residuals import RunComparison, simulate_run, start_time
+from pam_cosim.comparison.residuals import RunComparison, simulate_run
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.comparison.where import Rule, sitting, where
 
 __all__ = [
     "STATISTICS",
+    "Beginning",
     "Comparison",
     "Condition",
     "ConditionTable",
@@ -28,9 +31,11 @@ __all__ = [
     "RunComparison",
     "SignalScore",
     "Statistic",
+    "beginning",
     "chi2_reduced",
     "compare",
     "lag_one",
+    "measured",
     "outliers",
     "reproducibility",
     "residual_statistics",
@@ -42,6 +47,7 @@ __all__ = [
     "start_time",
     "stated_of",
     "where",
+    "with_starts",
     "without_outliers",
     "write_tables",
 ]
