@@ -124,6 +124,25 @@ class RecognitionCriteria:
 
 
 @dataclass(frozen=True)
+class StartCriteria:
+    """Where a run begins: what its first samples say, and how far start values may be from that."""
+
+    most_samples: int = decides(100, "samples", "at the beginning of a run, through which a line is laid at most")
+    bent: float = decides(3.0, "sd", "of chi-square, from which on the first samples are not on a line any more")
+    moving: float = decides(4.0, "sd", "of the slope of the first samples, below which they do not show a motion")
+    away: float = decides(6.0, "sd", "of the noise, within which a first sample agrees with the model's own start")
+    range: float = decides(3.0, "of range", "sd of a start value by what the run itself goes through in that state")
+    told: float = decides(0.5, "1", "share of the variance beforehand that must be left: less, and the data tell it")
+    own_parameter: float = decides(
+        1e-3, "of a state", "by which a free parameter must move where the model begins, to be what says it"
+    )
+    steps: int = decides(8, "steps", "of Newton's method for the start values of a run, beside given parameters")
+    linear: float = decides(0.01, "1", "of the squares, that a further step may take away by the slopes alone")
+    settled: float = decides(0.01, "variances", "of the noise, that a further such step must take away to be made")
+    corrections: int = decides(4, "times", "a first reading is brought into agreement with the state that it shows")
+
+
+@dataclass(frozen=True)
 class ResidualCriteria:
     """What tells structure in residuals from noise."""
 
@@ -374,6 +393,7 @@ class Criteria:
 
     recognition: RecognitionCriteria = RecognitionCriteria()
     noise: NoiseCriteria = NoiseCriteria()
+    starts: StartCriteria = StartCriteria()
     static: StaticCriteria = StaticCriteria()
     residuals: ResidualCriteria = ResidualCriteria()
     where: WhereCriteria = WhereCriteria()

@@ -80,7 +80,7 @@ def _check_lengths(content: dict[str, Any], arrays: Mapping[str, Any]) -> None:
         value = place.get(key)
         several = list(value.values()) if isinstance(value, dict) and not _is_reference(value) else [value]
         for one in several:
-            if _is_reference(one) and arrays[one["array"]].shape != shape:
+            if isinstance(one, dict) and _is_reference(one) and arrays[one["array"]].shape != shape:
                 raise ValueError(f"'{key}' is not of the length of its times")
 
 

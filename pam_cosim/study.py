@@ -14,7 +14,7 @@ import numpy as np
 from pam_cosim.catalogue import Composition, EffectClass, RigPart, domain_of, effect_classes, put_together
 from pam_cosim.catalogue import benches as _benches
 from pam_cosim.catalogue import rig_parts as _rig_parts
-from pam_cosim.comparison import Comparison
+from pam_cosim.comparison import Comparison, with_starts
 from pam_cosim.comparison import compare as _compare
 from pam_cosim.compiler import read_library
 from pam_cosim.compiler.names import last
@@ -33,16 +33,16 @@ from pam_cosim.fitted_model import (
     read_fitted_model,
     with_own_values,
 )
-from pam_cosim.fitting import Fit, FitOptions, Profiles, Progress, base_parameters, with_free
+from pam_cosim.fitting import Fit, FitOptions, Profiles, Progress, base_parameters, estimated_starts, with_free
 from pam_cosim.fitting import fit as _fit
 from pam_cosim.fitting import profile as _profile
 from pam_cosim.fmu import read_interface
 from pam_cosim.interface import Interface, Variable
-from pam_cosim.measurement import DataSet, complete_noise, read_data_set
+from pam_cosim.measurement import DataSet, Run, complete_noise, read_data_set
 from pam_cosim.models import Paths, as_paths, opened
 from pam_cosim.models import build as build
 from pam_cosim.models import describe as describe
-from pam_cosim.names import is_fmu, is_modelica, is_ratio, parameter_of
+from pam_cosim.names import START_VALUES, is_fmu, is_modelica, is_ratio, parameter_of
 from pam_cosim.products import Product
 from pam_cosim.settings import Setting, resolve, value_of
 from pam_cosim.simulation import Inputs, Trajectory
@@ -118,9 +118,29 @@ def compare(
 
     ``parameters`` are further values and ``timeout`` a limit, as in ``simulate``.
     """
-    data = _for_model(data, model, files)
-    with opened(model or data.model, files, timeout=timeout) as simulator:
-        return _compare(simulator, complete_noise(data), _of_runs(parameters or {}, data, simulator.interface))
+    name, data = model or data.model, _for_model(data, model, files)
+    interface = describe(name, files)
+    values = _of_runs(parameters or {}, data, interface)
+    data = _begun(complete_noise(data), name, values, files, timeout)
+    with opened(name, files, [START_VALUES] * data.estimates_starts, timeout) as simulator:
+        starts = estimated_starts(simulator, data, _without_start(data, values, interface), values)
+        return _compare(simulator, data, values | {name: e.value for name, e in starts.items()})
+
+
+def _begun(
+    data: DataSet, model: str, values: Mapping[str, float], files: Paths, timeout: float | None = None
+) -> DataSet:
+    """The data set where every run says how it begins."""
+    if all(run.is_static or run.start.mode is not None for run in data.runs):
+        return data
+    with opened(model, files, timeout=timeout) as simulator:
+        return with_starts(simulator, data, values)
+
+
+def _without_start(data: DataSet, values: Mapping[str, float], interface: Interface) -> list[Run]:
+    """The runs of which the values do not say where they begin."""
+    given = {name.rpartition("@")[2] for name in values if name.rpartition("@")[0] in interface.states}
+    return [run for run in data.runs if run.name not in given]
 
 
 def _of_runs(parameters: Mapping[str, Setting], data: DataSet, interface: Interface) -> dict[str, float]:
@@ -183,12 +203,13 @@ def fit(
         raise InputError(f"starts are for the method multi-start, not for {method}")
     if starts < 0:
         raise InputError(f"a fit cannot begin at {starts} points")
-    data = _freed(data, model, free, start, files)
-    with opened(model or data.model, files, data.free_names, timeout) as simulator:
+    data = complete_noise(_freed(data, model, free, start, files))
+    fixed = resolve(parameters or {}, describe(model or data.model, files))
+    data = _begun(data, model or data.model, fixed, files, timeout)
+    with opened(model or data.model, files, data.differentiated, timeout) as simulator:
         chosen = base_parameters(data, simulator.interface)
         if not chosen:
             raise InputError("nothing to fit: name the free parameters under [fit]", data.folder / "experiment.toml")
-        data, fixed = complete_noise(data), resolve(parameters or {}, simulator.interface)
         options, kept = FitOptions(method, starts=starts), Path(resume) if resume is not None else None
         return _fit(simulator, data, chosen, fixed=fixed, options=options, progress=progress, resume=kept)
 
