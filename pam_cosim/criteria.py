@@ -388,6 +388,7 @@ class ResolutionCriteria:
     sharper: float = decides(0.8, "1", "factor on the deviation of parameters, above which a measurement helps little")
     listed: int = decides(5, "measurements", "that would help, at most")
     still: float = decides(1e-9, "of its largest value", "a signal that moves less stands still")
+    strongest: float = decides(1e3, "stated strengths", "that anybody would meet an effect at")
 
 
 @dataclass(frozen=True)
