@@ -171,6 +171,11 @@ class Sweep:
             if good.size:
                 low, high = (format_quantity(float(v), scalar.unit) for v in (good.min(), good.max()))
                 lines.append(f"{scalar.name}: from {low} to {high}")
+            if unknown := len(self) - len(self.failed) - good.size:
+                runs = "1 run has" if unknown == 1 else f"{unknown} runs have"
+                lines.append(
+                    f"{scalar.name}: {runs} not settled, so that the whole change is not known; make them longer"
+                )
         return lines
 
     def _span(self, i: int) -> str:

@@ -33,7 +33,7 @@ def rig(temperature: ModuleType, tmp_path_factory: pytest.TempPathFactory) -> Pa
 
 
 @pytest.mark.full
-def test_paper_points_to_the_energy_of_its_gas(rig: Path, workers: int | None) -> None:
+def test_paper_points_to_the_energy_of_its_gas(temperature: ModuleType, rig: Path, workers: int | None) -> None:
     diagnosis = study.diagnose(study.read(rig), workers=workers)
     assert diagnosis.verdict.kind == "identified", diagnosis.verdict
     assert diagnosis.verdict.families == ("gas_energy",)
