@@ -106,6 +106,25 @@ def _stated(tree: ClassTree, name: str) -> set[str]:
     return inherited | own | {c.name for c in info.components if c.value}
 
 
+def judged_data(path: Path) -> DataSet:
+    """The data set of a saved product, without the samples that were set aside.
+
+    Raises:
+        InputError: no such file, or nothing that was compared with a measurement.
+    """
+    product = _judgement(path)
+    if isinstance(product, Fit):
+        return product.comparison.data
+    return product.data
+
+
+def _judgement(path: Path) -> Diagnosis | Fit | Comparison:
+    product = load(path)
+    if not isinstance(product, Diagnosis | Fit | Comparison):
+        raise InputError(f"a {type(product).__name__} was not compared with a measurement", path)
+    return product
+
+
 def read_fitted_model(path: Path) -> FittedModel:
     """The model of a saved diagnosis, fit or comparison, or of the JSON or the parameters that a command wrote.
 
@@ -114,10 +133,7 @@ def read_fitted_model(path: Path) -> FittedModel:
     """
     suffix = path.suffix.lower()
     if suffix == ".npz":
-        product = load(path)
-        if not isinstance(product, Diagnosis | Fit | Comparison):
-            raise InputError(f"a {type(product).__name__} holds no parameters of a model", path)
-        return fitted_model(product)
+        return fitted_model(_judgement(path))
     if suffix == ".ssv":
         return FittedModel("", (), read_parameters(path))
     content = read_json(path)

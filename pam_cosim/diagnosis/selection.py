@@ -303,8 +303,10 @@ class _Models:
         return [c.without_slopes for c in models]
 
     def _keep(self, candidates: Sequence[Candidate]) -> None:
+        """Keeps the better fit of each model; one to the end began where the brief one stood, and is more exact."""
         for c in candidates:
             old = self.known.get(c.effects)
-            if old is None or c.fit.residuals["fit"].chi2 <= old.fit.residuals["fit"].chi2:
+            to_the_end = old is not None and old.brief and not c.brief
+            if old is None or to_the_end or c.fit.residuals["fit"].chi2 <= old.fit.residuals["fit"].chi2:
                 self.known[c.effects] = c
         self.order.renew()
