@@ -80,6 +80,13 @@ def test_regression_gives_62_with_its_pressure_taken_as_absolute(calibration: Mo
     assert calibration.MEASURED / area == pytest.approx(0.905, abs=2e-3)
 
 
+def test_report_of_the_repository_is_the_one_that_is_written(calibration: ModuleType, tmp_path: Path) -> None:
+    report = calibration.write(tmp_path / "made")
+    assert "0.699" in report or "30 %" in report
+    for name in ("report.md", "calibration.csv", "result.png"):
+        assert (tmp_path / "made" / name).read_bytes() == (calibration.HERE / name).read_bytes(), name
+
+
 def test_flow_rises_with_current_and_supply(calibration: ModuleType) -> None:
     trajectory = calibration.calibration()
     flows = np.array([trajectory.values[f"V_flow[{i}]"] for i in range(1, 16)])
