@@ -21,15 +21,15 @@ def blocks(kind: str) -> list[str]:
 
 
 def test_page_of_runs(command: Callable[..., Outcome], place: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    [course] = blocks("csv")
-    (place / "u.csv").write_text(course)
+    for name, course in zip(("u.csv", "pulse.csv"), blocks("csv"), strict=True):
+        (place / name).write_text(course)
     text = "".join(blocks("sh")).replace("\\\n", " ")
     lines = [line for line in text.splitlines() if line.startswith("pam-cosim ")]
     assert len(lines) >= 4
     said = "\n".join(done(command(*shlex.split(line)[1:])).out for line in lines)
     assert unsaid("runs.md", said) == []
     assert (place / "sweep.png").read_bytes() == (DOCS / "pictures" / "sweep.png").read_bytes()
-    made = {"run.csv", "run.png", "sweep.csv", "sweep.nc", "sweep.png"}
+    made = {"pulse.csv", "patterns.csv", "run.csv", "run.png", "sweep.csv", "sweep.nc", "sweep.png"}
     assert {p.name for p in place.iterdir()} == {"u.csv", *made}
     [script] = blocks("python")
     capsys.readouterr()
