@@ -392,6 +392,21 @@ class ResolutionCriteria:
 
 
 @dataclass(frozen=True)
+class RunCriteria:
+    """What is read off one run of a model."""
+
+    steady_part: float = decides(
+        0.1, "of a run", "its last part, over which a steady value is averaged and a settled variable stays where it is"
+    )
+    settled: float = decides(
+        0.002,
+        "of the whole change",
+        "what moves more in the last part has not settled; where it comes to rest exponentially, "
+        "the time to 90 % of the change is known to a hundredth then",
+    )
+
+
+@dataclass(frozen=True)
 class Criteria:
     """All of them, by the question that they answer."""
 
@@ -410,6 +425,7 @@ class Criteria:
     next_experiment: NextExperimentCriteria = NextExperimentCriteria()
     resolution: ResolutionCriteria = ResolutionCriteria()
     doubts: DoubtCriteria = DoubtCriteria()
+    run: RunCriteria = RunCriteria()
 
 
 @dataclass(frozen=True)

@@ -49,6 +49,7 @@ from pam_cosim.simulation import Inputs, Trajectory
 from pam_cosim.simulation.fmpy_engine import run_with_fmpy
 from pam_cosim.sources import Source, inputs_of
 from pam_cosim.sweeps import Plan, Sweep, design_of, make_sweep, read_scalars
+from pam_cosim.sweeps.patterns import INPUTS, Pattern, read_patterns, varies_inputs
 from pam_cosim.units import UnitError, seconds
 from pam_cosim.wording import did_you_mean
 
@@ -553,6 +554,15 @@ def _course(
     return inputs, output_times(interface, inputs, stop, step)
 
 
+def _patterns(
+    interface: Interface, vary: Any, stop_time: Setting | None, interval: Setting | None
+) -> tuple[Pattern, ...]:
+    """The inputs over time that a sweep varies; none where it does not."""
+    if not varies_inputs(vary, interface):
+        return ()
+    return read_patterns(vary[INPUTS], lambda source: _course(interface, source, stop_time, interval)[0])
+
+
 def _seconds(given: Setting | None, what: str) -> float | None:
     try:
         return None if given is None else seconds(given)
@@ -628,7 +638,8 @@ def sweep(
         model: as in ``simulate``.
         vary: by name of a parameter, an input that is held constant or a start value: its values for a "grid", where
             every combination is a run, and for a "list", run by run (or a mapping for each run, or a pandas frame);
-            its lowest and highest value for "random" and "latin-hypercube".
+            its lowest and highest value for "random" and "latin-hypercube". By the name "inputs": inputs over time, a
+            list of whatever ``inputs`` takes (files, mappings of arrays or functions, frames), or by their names.
         parameters: of every run, as in ``simulate``.
         inputs: of every run, as in ``simulate``.
         stop_time: of every run, as in ``simulate``.
@@ -657,12 +668,15 @@ def sweep(
         check_writable(Path(output))
     foreign, fmu = is_fmu(model), build(model, files=files)
     interface = read_interface(fmu)
-    course, times = _course(interface, inputs, stop_time, interval)
+    patterns = _patterns(interface, vary, stop_time, interval)
+    longest = max((p.inputs for p in patterns), key=lambda i: float(i.time[-1]), default=None)
+    course, times = _course(interface, longest if patterns and inputs is None else inputs, stop_time, interval)
+    course = None if patterns and inputs is None else course
     asked = read_scalars(scalars, interface)
     plan = Plan(
         fmu=fmu,
         interface=interface,
-        design=design_of(vary, interface, design, runs, seed),
+        design=design_of(vary, interface, design, runs, seed, patterns),
         fixed=resolve(parameters or {}, interface),
         inputs=course,
         times=times,
