@@ -192,7 +192,8 @@ def _fit(draft: Draft) -> Iterator[str]:
         return
     yield "[fit]"
     if free:
-        yield from _guessed("", "free are calibrations, lag and droop, which only a fit tells; bounds are the model's")
+        what = "what lies in the wall of the muscle" if draft.points else "calibrations, lag and droop"
+        yield from _guessed("", f"free is {what}, which only a fit tells; bounds are the model's or near its values")
     for name, variable in free.items():
         yield f"{_bounds(name, variable)}   {' '.join(remark(variable.description))}"
     if more:

@@ -17,7 +17,7 @@ from pam_cosim.drafting.bench import Bench, class_name, take_bench
 from pam_cosim.drafting.choice import MECHANICAL, meaning_of
 from pam_cosim.drafting.document import Draft, document
 from pam_cosim.drafting.folder import beside, check_place, copy_files, put, read_draft
-from pam_cosim.drafting.mapping import Course, Mapped, length_parameter, map_columns
+from pam_cosim.drafting.mapping import Course, Mapped, length_parameter, longest_of, map_columns
 from pam_cosim.drafting.noise import Sigma, sigma_of
 from pam_cosim.drafting.points import check_imposed, drafted
 from pam_cosim.drafting.rest import is_held, is_switch
@@ -27,7 +27,7 @@ from pam_cosim.drafting.wishes import Known, Wishes, known
 from pam_cosim.errors import InputError
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.measurement.experiment import FILE_NAME
-from pam_cosim.units import UnitError
+from pam_cosim.units import UnitError, parse_quantity
 
 _NAME = re.compile(r"'([^']*)'|([A-Za-z_]\w*)", re.ASCII)
 
@@ -81,7 +81,11 @@ def _with_length(recorded: Known, bench: Bench) -> Known:
     name = length_parameter(bench.interface)
     if name is None or bench.muscle is None or not bench.muscle.length or name in recorded.stated:
         return recorded
-    return replace(recorded, stated={**recorded.stated, name: bench.muscle.length})
+    length = bench.muscle.length
+    nominal, longest = parse_quantity(length, "m"), longest_of(bench.choice)
+    if longest is not None and abs(longest - nominal) <= CRITERIA.recognition.nominal * nominal:
+        length = values.text_of(longest, "m")  # As it was measured.
+    return replace(recorded, stated={**recorded.stated, name: length})
 
 
 def _content(
@@ -110,9 +114,9 @@ def _content(
         shown=shown,
         stated=recorded.stated,
         unfed=[name for name in choice.unfed if not all(name in run for run in told)],
-        free=values.free(interface),
-        perhaps=values.perhaps(interface),
-        to_state=values.to_state(interface),
+        free=values.free(interface, recorded.points),
+        perhaps=values.perhaps(interface, recorded.points),
+        to_state=values.to_state(interface, recorded.points),
         files=copies,
         roles=stated_roles(guessed, names, stated),
         told=told,

@@ -76,21 +76,27 @@ def _imposed(course: Course) -> dict[str, Array]:
 
 
 def _held_out(inputs: Mapping[str, Array], outputs: Mapping[str, Array], interface: Interface) -> dict[str, list[str]]:
-    """Values within the others' span, of what sets curves apart, or else of what varies along them."""
+    """Values within the others' span, of what was imposed in the finest steps: where these are few, no value is."""
     found = curves(inputs, {n: v for n, v in outputs.items() if len(v) == len(next(iter(inputs.values())))})
     along = found[0].along
     least = dict.fromkeys(found[0].at, _C.levels_to_hold_out) | {along: _C.points_to_hold_out}
-    for name, fewest in least.items():
-        values = _levels(inputs[name])
-        if len(values) >= fewest:
-            count = max(1, round(_C.held_out * len(values)))
-            places = np.round(np.linspace(0, len(values) - 1, count + 2)[1:-1]).astype(int)
-            return {name: [text_of(values[i], interface.inputs[name].unit) for i in places]}
-    return {}
+    if len(found) > 1:
+        least[along] = _C.levels_to_hold_out
+    every = {name: _levels(inputs[name]) for name in least}
+    able = {name: values for name, values in every.items() if len(values) >= least[name]}
+    if not able:
+        return {}
+    name, values = max(able.items(), key=lambda one: len(one[1]))
+    count = max(1, round(_C.held_out * len(values)))
+    places = np.round(np.linspace(0, len(values) - 1, count + 2)[1:-1]).astype(int)
+    return {name: [text_of(values[i], interface.inputs[name].unit) for i in places]}
 
 
 def _levels(values: Array) -> list[float]:
     """The values that come again, each as it was read; none where they are not clearly these."""
+    exact = np.unique(values)
+    if CRITERIA.static.shared * len(exact) <= len(values):
+        return [float(value) for value in exact]
     number = levels(values)
     if number is None:
         return []

@@ -35,9 +35,9 @@ def test_a_map_of_force_with_gaps_and_commas_at_the_ends(tmp_path: Path) -> None
     assert content["kind"] == "static" and content["model"].endswith("QuasiStaticIsometric")
     assert content["recording"] == {"ignore": ["Nr"], "missing": ["nan"]}
     assert content["columns"]["F"] == {"column": "force", "unit": "N"}
-    assert content["runs"][0]["hold_out"] == {"x": ["20 mm"]}
-    assert sum(run.sample_count("F") for run in made.data.fit_runs) == 23
-    assert len(made.data.holdout_runs) == 1
+    assert content["runs"][0]["hold_out"] == {"p": ["200 kPa", "300 kPa"]}
+    assert sum(run.sample_count("F") for run in made.data.fit_runs) == 18
+    assert sum(run.sample_count("F") for run in made.data.holdout_runs) == 10
     text = str(pam.compare(made.data))
     assert "still changes" not in text and "divided by" not in text
 
@@ -116,7 +116,7 @@ def test_a_file_without_a_header_is_one_question(tmp_path: Path) -> None:
     for i, names in enumerate(("p [kPa], x [mm], F [N]", '["p [kPa]", "x [mm]", "F [N]"]')):
         made = pam.new(tmp_path / f"rig{i}", [file], recording={"names": names})
         assert written(made)["recording"]["names"] == ["p [kPa]", "x [mm]", "F [N]"]
-        assert len(made.data.runs) == 4
+        assert sum(run.sample_count("F") for run in made.data.runs) == 24
 
 
 def test_a_count_is_no_clock(tmp_path: Path) -> None:
@@ -129,3 +129,26 @@ def test_a_count_is_no_clock(tmp_path: Path) -> None:
     other = write(tmp_path / "b.csv", "valve,p [kPa],x [mm]", [[i % 2, i, i] for i in range(40)])
     with pytest.raises(pam.InputError, match="no column of time"):
         pam.new(tmp_path / "other", [other])
+
+
+def test_a_fluidic_muscle_from_its_table_alone(tmp_path: Path) -> None:
+    """Martens and Boblan 2017, table A1: the muscle by the file's name, and free what no rule reaches."""
+    example = Path(__file__).parents[2] / "examples" / "static-map" / "map.csv"
+    file = tmp_path / "DMSP-20-300.csv"
+    file.write_bytes(example.read_bytes())
+    made = pam.new(tmp_path / "rig", [file])
+    free = set(written(made)["fit"])
+    fibres, wall = ("sleeve.D0", "sleeve.alpha_0"), ("membrane.p_0", "membrane.p_w", "membrane.eps_w")
+    assert free == {f"muscle.{name}" for name in (*fibres, *wall)}
+    assert made.data.parameters["muscle.sleeve.L0"] == pytest.approx(0.296)
+    before, fitted = pam.compare(made.data), pam.fit(made.data).comparison
+    assert before.scores["fit"]["F"].rmse == pytest.approx(18.3, abs=0.1)
+    assert fitted.scores["fit"]["F"].rmse < 8.5 and fitted.scores["holdout"]["F"].rmse < 6.0
+
+
+def test_what_lies_in_the_rubber_is_offered_for_recordings_over_time_too(tmp_path: Path) -> None:
+    rows = [[0.01 * i, 2.0 * min(i, 150), 0.4 * min(i, 150)] for i in range(300)]
+    made = pam.new(tmp_path / "rig", [write(tmp_path / "MAS-10-200 run.csv", "t [s],p [kPa],F [N]", rows)])
+    text = (tmp_path / "rig" / "experiment.toml").read_text()
+    assert '# "muscle.membrane.p_w" = { min' in text and "muscle.membrane.p_w" not in written(made).get("fit", {})
+    assert '"muscle.sleeve.L0" = "200 mm"' in text
