@@ -19,7 +19,16 @@ static const double CONTRACTION = 0.5;  /* of a correction by the next one, at m
 static const double FAR = 1.0;          /* part of its size by which a state may change in one step, at most */
 static const double QUICK = 0.05, GROW = 100.0, GROW_SLOWLY = 4.0, SHRINK = 0.1;
 
-/* f and df/dx at v->x; 0 where they are finite. */
+static int is_held(const pam_solver *v, int i) { return v->held && v->held[i] != 0.0; }
+
+/* Rows of a matrix nc x nc that are of states which are held: nothing but the diagonal. */
+static void hold(const pam_solver *v, double *matrix, double diagonal) {
+    int n = v->model->nc;
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < n && is_held(v, i); k++) matrix[i + k * n] = i == k ? diagonal : 0.0;
+}
+
+/* f and df/dx at v->x, without those of states that are held; 0 where they are finite. */
 static int look(pam_solver *v) {
     const pam_model *m = v->model;
     const double *arg[] = {&v->s->t, v->x, v->u, v->d, v->du, v->dd, v->p};
@@ -31,6 +40,9 @@ static int look(pam_solver *v) {
         if (!isfinite(v->f[i])) return 1;
     for (int i = 0; i < m->nc * m->nc; i++)
         if (!isfinite(v->jac[i])) return 1;
+    hold(v, v->jac, 0.0);
+    for (int i = 0; i < m->nc; i++)
+        if (is_held(v, i)) v->f[i] = 0.0;
     return 0;
 }
 
@@ -60,7 +72,9 @@ static int fail(pam_solver *v, int worst) {
     return 1;
 }
 
-/* dx/ds at the equilibrium: J S + F = 0. A state that is at rest anywhere has no slope, but for what moves it in ``h``. */
+/* dx/ds at the equilibrium: J S + F = 0. A state that is at rest anywhere has no slope, but for what moves it in ``h``;
+ * one that is held has the slope with which it begins.
+ */
 static int slopes(pam_solver *v, double h) {
     const pam_model *m = v->model;
     pam_sensitivity *s = &v->sensitivity;
@@ -68,6 +82,10 @@ static int slopes(pam_solver *v, double h) {
     double *res[] = {s->jac, s->forcing};
     m->variation(arg, res, v->iw, v->w, 0);
     memcpy(v->jac, s->jac, sizeof(double) * (size_t)(m->nc * m->nc));
+    hold(v, v->jac, 1.0 / h - 1.0); /* makes the diagonal 1 */
+    for (int i = 0; i < m->nc; i++)
+        if (is_held(v, i))
+            memcpy(s->forcing + i * m->ns, v->x + m->nc + i * m->ns, sizeof(double) * (size_t)m->ns);
     if (factorise(v, h)) {
         snprintf(v->message, sizeof v->message, "the sensitivities of the equilibrium cannot be solved for");
         return 1;
@@ -94,10 +112,9 @@ static void let_delays_pass(pam_solver *v) {
     if (v->model->nd) pam_solver_delayed_values(v, v->s->t, v->d, v->dd);
 }
 
-int pam_solver_settle(pam_solver *v) {
+static int settle(pam_solver *v) {
     int n = v->model->nc, worst = 0, rested = 0;
     double h = FIRST, *step = v->k, *next = v->k + n, *before = v->k + 2 * n, *there = v->k + 3 * n;
-    let_delays_pass(v);
     v->s->h = 0.0;
     v->s->estimate = 1;
     if (!n) return 0;
@@ -137,4 +154,16 @@ int pam_solver_settle(pam_solver *v) {
         }
     }
     return come_to_rest(v, rested, there, worst);
+}
+
+int pam_solver_settle(pam_solver *v) {
+    v->held = NULL;
+    let_delays_pass(v);
+    return settle(v);
+}
+
+int pam_solver_settle_start(pam_solver *v, const double *held) {
+    if (v->model->nd) pam_solver_delayed_values(v, v->s->t, v->d, v->dd);
+    v->held = held;
+    return settle(v);
 }

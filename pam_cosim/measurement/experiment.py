@@ -13,6 +13,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, PlainValidato
 from pydantic_core import ErrorDetails
 
 from pam_cosim.errors import InputError
+from pam_cosim.measurement.start import StartMode
 from pam_cosim.measurement.text_file import read_text
 from pam_cosim.measurement.toml_text import line_of, parse_toml
 from pam_cosim.wording import did_you_mean, shown
@@ -137,6 +138,7 @@ class RunTable(_Table):
     kind: Literal["dynamic", "static"] | None = None
     branch: Literal["up", "down", "none", "order"] | None = None
     hold_out: dict[str, list[Value]] = Field(default_factory=dict)
+    start: StartMode | None = None
 
 
 class EffectsTable(_Table):
@@ -153,6 +155,7 @@ class Experiment(_Table):
     title: Prose = ""
     model: Name | None = None
     kind: Literal["dynamic", "static"] = "dynamic"
+    start: StartMode | None = None
     recording: RecordingTable = RecordingTable()
     columns: dict[str, ColumnTable] = Field(default_factory=dict)
     signals: dict[str, SignalTable] = Field(default_factory=dict)
