@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.columns import Found
 from pam_cosim.drafting.words import Meaning, folded, kinds_of, known_unit, says_no_load
 from pam_cosim.units import convert
@@ -18,7 +19,6 @@ _QUANTITY = re.compile(rf"(?:(?P<word>[a-z]+)[ =_-]?)?{_NUMBER}[ _-]?(?P<unit>%|
 _UNITS = {"pct": "%", "percent": "%", "prozent": "%", "proz": "%"}
 _KINDS = ("pressure", "force", "ratio", "contraction", "length")
 _LENGTHS = ("contraction", "length", "ratio")
-_LONGEST = 0.1  # [m] of a contraction that a name tells without a word for it; muscles are longer
 
 
 @dataclass(frozen=True)
@@ -106,7 +106,7 @@ def _imposed(own: Sequence[Said], each: Sequence[Sequence[Said]]) -> list[Said]:
         return called
     alike = [one for one in own if len(each) > 1 and all(any(one.text == o.text for o in other) for other in each)]
     left = [one for one in own if one not in alike]
-    return [one for one in left if one.kind == "length" or convert(one.value, one.unit, "m") <= _LONGEST]
+    return [one for one in left if one.kind == "length" or convert(one.value, one.unit, "m") <= CRITERIA.recognition.longest]
 
 
 def _said(stem: str) -> list[Said]:
