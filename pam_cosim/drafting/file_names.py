@@ -106,7 +106,8 @@ def _imposed(own: Sequence[Said], each: Sequence[Sequence[Said]]) -> list[Said]:
         return called
     alike = [one for one in own if len(each) > 1 and all(any(one.text == o.text for o in other) for other in each)]
     left = [one for one in own if one not in alike]
-    return [one for one in left if one.kind == "length" or convert(one.value, one.unit, "m") <= CRITERIA.recognition.longest]
+    most = CRITERIA.recognition.longest
+    return [one for one in left if one.kind == "length" or convert(one.value, one.unit, "m") <= most]
 
 
 def _said(stem: str) -> list[Said]:
