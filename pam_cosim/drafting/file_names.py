@@ -73,7 +73,7 @@ def quantities(files: Sequence[Path], columns: Sequence[Found], counts: Sequence
         columns: of the files: what one of them holds is not looked for in the names.
         counts: rows of each file.
     """
-    said = [_said(file.stem) for file in files]
+    said = [said_in(file.stem) for file in files]
     recorded = {c.meaning.kind for c in columns if c.meaning is not None and not c.meaning.roles}
     made = []
     for group in (("pressure",), ("force",), _LENGTHS):
@@ -110,7 +110,8 @@ def _imposed(own: Sequence[Said], each: Sequence[Sequence[Said]]) -> list[Said]:
     return [one for one in left if one.kind == "length" or convert(one.value, one.unit, "m") <= most]
 
 
-def _said(stem: str) -> list[Said]:
+def said_in(stem: str) -> list[Said]:
+    """Every quantity that a text tells with its number."""
     found = []
     for match in _QUANTITY.finditer(stem):
         word = folded(match["word"] or "")

@@ -23,7 +23,8 @@ from pam_cosim.drafting.points import check_imposed, drafted
 from pam_cosim.drafting.rest import is_held, is_switch
 from pam_cosim.drafting.roles import Role, roles, stated_roles
 from pam_cosim.drafting.telling import NewDataSet, guesses, next_commands, to_check
-from pam_cosim.drafting.wishes import Known, Wishes, known
+from pam_cosim.drafting.wide import tidied
+from pam_cosim.drafting.wishes import Known, Wishes, known, recording_table
 from pam_cosim.errors import InputError
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.measurement.experiment import FILE_NAME
@@ -54,8 +55,9 @@ def draft(
         InputError: whatever cannot be used, with file, line and column; nothing is written then.
     """
     check_place(folder)
-    recorded = known(files, wishes)
     with beside(folder) as place:
+        files = _tidied(files, place, wishes)
+        recorded = known(files, wishes)
         bench = take_bench(place, class_name(folder), wishes, recorded, tree, describe)
         recorded = _with_length(recorded, bench)
         copies = copy_files(files, place)
@@ -74,6 +76,15 @@ def draft(
         put(place, folder)
     told = guesses(made, bench.choice, recorded.time), to_check(made, mapped, bench.choice)
     return NewDataSet(folder, data, bench.name, *told, next_commands(folder, extra))
+
+
+def _tidied(files: Sequence[Path], place: Path, wishes: Wishes) -> list[Path]:
+    """The files, of which tables with a quantity along the top have a row for each point."""
+    stated = recording_table(wishes.recording or {})
+    apart = [place.parent / f"tidied-{i}" for i in range(len(files))]
+    for folder in apart:
+        folder.mkdir()
+    return [tidied(file, folder, stated) for file, folder in zip(files, apart, strict=True)]
 
 
 def _with_length(recorded: Known, bench: Bench) -> Known:

@@ -12,7 +12,8 @@ from pam_cosim.drafting.choice import Choice
 from pam_cosim.drafting.columns import Found
 from pam_cosim.drafting.direction import SENSES
 from pam_cosim.drafting.document import Draft
-from pam_cosim.drafting.mapping import Mapped
+from pam_cosim.drafting.mapping import Course, Mapped
+from pam_cosim.drafting.rest import begins_still
 from pam_cosim.measurement import DataSet
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, listed
@@ -86,6 +87,19 @@ def guesses(made: Draft, choice: Choice, time: Found | None) -> tuple[Guess, ...
     return tuple(rows + _of_points(made))
 
 
+def _begins_still(course: Course) -> bool:
+    return begins_still(course.time, list(course.every.values()))
+
+
+def _unknown_directions(made: Draft) -> list[str]:
+    """Columns of directions of which no word is known."""
+    return [
+        f"nothing tells which way {entry.column or name} means by {listed(entry.words)}: write up or down for each"
+        for name, entry in made.entries.items()
+        if entry.words and not set(entry.words.values()) & {"up", "down"}
+    ]
+
+
 def _of_points(made: Draft) -> list[Guess]:
     """Directions by the order of rows, and rows that are held out."""
     if made.points is None:
@@ -115,10 +129,12 @@ def to_check(made: Draft, mapped: Mapped, choice: Choice) -> tuple[str, ...]:
         if name not in made.stated:
             hint = f"state its value, or --column {name}=..., or of each file --parameter {name}@FILE=..."
             said.append(f"no column was recognised as the input {name}: {hint}")
+    said += _unknown_directions(made)
     aside = made.points is not None and any(made.points.hold_out)
     if not aside and not any(role.role == "holdout" for role in made.roles):
         said.append(f"nothing is held out of {_counted(len(made.roles))}: nothing checks a fit on data it has not seen")
-    under = [f for f, c in zip(made.files, mapped.courses, strict=True) if c.first_rest is None]
+    moving = [c.first_rest is None and not _begins_still(c) for c in mapped.courses]
+    under = [file for file, moves in zip(made.files, moving, strict=True) if moves]
     if under and made.points is None:
         said.append(f"not at rest at the start, where the model is: {listed(under)}")
     free = [name for name in made.free if name not in made.stated]

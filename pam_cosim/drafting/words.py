@@ -52,12 +52,12 @@ _OF_VALVES = ("inlet", "exhaust")
 _SAID_IN_PASSING = frozenset(
     ["a", "as", "at", "by", "in", "is", "it", "of", "off", "on", "out", "that", "the", "to", "up"]
 )
-# "unloading" and "unbelastet" hold words of the other way: these come first.
+# "unloading" and "entlasten" hold words of the other way: these come first.
 _WAYS = (
-    (-1, "deflat =down =ab abwarts =fall falling decreas unload entlast entluft release =vent venting exhaust extend "
-         "extension =ruck ruckhub descen degonfl =back backward return =out"),
-    (1, "inflat =up =auf aufwarts =rise rising increas load belast beluft press fill contract =hin hinhub mont gonfl "
-        "=forward =in"),
+    (-1, "deflat =down =d =ab abwarts =fall falling decreas unload entlast entluft release =vent venting exhaust "
+         "extend extension =ruck ruckhub descen degonfl =back backward return =out"),
+    (1, "inflat =up =u =auf aufwarts =rise rising increas load belast beluft press fill contract =hin hinhub mont "
+        "gonfl =forward =in"),
 )  # fmt: skip
 _NO_LOAD = ("noload", "unload", "lastfrei", "unbelastet", "leerhub", "freehub", "freestroke", "sanscharge", "zeroload")
 _SPELLINGS = {
@@ -194,6 +194,9 @@ def split_words(text: str) -> list[str]:
 
 def _unit_in_name(name: str) -> tuple[str, str]:
     """A unit that stands behind a name, and the name without: ``p_kPa``, ``source kPa gauge``."""
+    share = re.fullmatch(r"(.*?\w)\s*[/_]?\s*%", name)
+    if share:
+        return "%", share[1]
     parts = [part for part in re.split(r"[\W_]+", name) if part]
     for place in range(len(parts) - 1, 0, -1):
         part, rest = parts[place], parts[:place] + parts[place + 1 :]

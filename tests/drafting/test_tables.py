@@ -152,3 +152,52 @@ def test_what_lies_in_the_rubber_is_offered_for_recordings_over_time_too(tmp_pat
     text = (tmp_path / "rig" / "experiment.toml").read_text()
     assert '# "muscle.membrane.p_w" = { min' in text and "muscle.membrane.p_w" not in written(made).get("fit", {})
     assert '"muscle.sleeve.L0" = "200 mm"' in text
+
+
+def test_a_pressure_along_the_top(tmp_path: Path) -> None:
+    """A matrix of forces, as data sheets have it, is rearranged; what the numbers are follows from the others."""
+    x, p = np.arange(0.0, 0.05, 0.01), [1e5, 2e5, 3e5, 4e5]
+    pull = grid(p, list(x))[2].reshape(4, 5)
+    rows = [[1e3 * a, *column] for a, column in zip(x, pull.T, strict=True)]
+    plain, named = "contraction [mm],1 bar,2 bar,3 bar,4 bar", [f"F@{kilo}kPa [N]" for kilo in (100, 200, 300, 400)]
+    for heading in (plain, ",".join(["x [mm]", *named])):
+        folder = tmp_path / heading[0]
+        made = pam.new(folder, [write(tmp_path / "sheet.csv", heading, rows)])
+        assert sum(run.sample_count("F") for run in made.data.runs) == 20
+        told = [(run.inputs["p"][i], run.inputs["x"][i], run.measurements["F"][i])
+                for run in made.data.runs for i in range(len(run.time))]  # fmt: skip
+        expected = [(q, a, f) for q, own in zip(p, pull, strict=True) for a, f in zip(x, own, strict=True)]
+        np.testing.assert_allclose(sorted(told), sorted(expected), rtol=2e-3, atol=1e-9)
+
+
+def test_both_ways_beside_one_another(tmp_path: Path) -> None:
+    rows = [[100.0 * i, 240.0 - 5 * i, 238.0 - 5 * i] for i in range(6)]
+    file = write(tmp_path / "loop.csv", "p [kPa],L_inflate [mm],L_deflate [mm]", rows)
+    made = pam.new(tmp_path / "rig", [file], parameters={"F": "0 N"})
+    up, down = sorted(made.data.runs, key=lambda run: -run.inputs["branch"][0])
+    np.testing.assert_allclose(down.measurements["x"] - up.measurements["x"], 2e-3, atol=1e-9)
+
+
+def test_pressures_by_names_of_files_and_loads_by_masses(tmp_path: Path) -> None:
+    files = []
+    for bar in (1, 2, 3, 4):
+        _, x, pull = grid([1e5 * bar], [0.0, 0.01, 0.02, 0.03])
+        rows = [[i + 1, 240 - 1e3 * a, b] for i, (a, b) in enumerate(zip(x, pull, strict=True))]
+        files.append(write(tmp_path / f"Kraft_{bar}bar.csv", "Nr.,Länge [mm],Kraft [N]", rows))
+    runs = written(pam.new(tmp_path / "rig", files))["runs"]
+    assert [run["parameters"]["p"] for run in runs] == ["100 kPa", "200 kPa", "300 kPa", "400 kPa"]
+    rows = [[m, 50.0 * i, way, 5.0 * i] for m in (1, 5, 10) for i in range(8) for way in ("U", "D")]
+    file = write(tmp_path / "isotonic.csv", "weight (kg),pressure (kPa),dir,shortening (mm)", rows)
+    made = pam.new(tmp_path / "isotonic", [file])
+    assert {round(float(run.inputs["F"][0]), 1) for run in made.data.runs} == {9.8, 49.0, 98.1}
+    assert {float(run.inputs["branch"][0]) for run in made.data.runs} == {1.0, -1.0}
+
+
+def test_a_short_rest_is_one(tmp_path: Path) -> None:
+    """Six rows that stay where they are tell no noise, and are a start at rest."""
+    rows = [[0.1 * i, 20.0 * max(i - 6, 0), 0.5 * max(i - 6, 0)] for i in range(40)]
+    made = pam.new(tmp_path / "still", [write(tmp_path / "a.csv", "t [s],p [kPa],x [mm]", rows)])
+    assert not any("not at rest" in line for line in made.to_check)
+    rows = [[0.1 * i, 20.0 * i + 5.0, 0.5 * i] for i in range(40)]
+    made = pam.new(tmp_path / "moving", [write(tmp_path / "b.csv", "t [s],p [kPa],x [mm]", rows)])
+    assert any("not at rest" in line for line in made.to_check)
