@@ -308,6 +308,9 @@ class FoldsCriteria:
     visible: float = decides(
         0.1, "of the error beyond the noise", "squared, that an effect takes away in runs that were left out, at least"
     )
+    beyond: float = decides(
+        2.0, "times", "the usual error, of runs that are named because the others do not foretell them"
+    )
     believable: float = decides(1.5, "times", "more or less than stated is no slip of a ruler or a balance")
 
 

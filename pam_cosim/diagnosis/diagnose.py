@@ -230,10 +230,11 @@ def diagnose(
     if asked is not None:
         finding = shown_by_role(finding, asked)
     folds = None
-    if verdict.kind == "unknown" and finding.path and time.monotonic() < deadline:
+    unsettled = verdict.kind == "unknown" or verdict.remainder
+    if unsettled and finding.path and asked is None and time.monotonic() < deadline:
         folds = folds_of(subject, finding.search, finding.path[-1].effects, finding.last)
     if folds is not None:
-        finding = with_these(finding, folds.everywhere)
+        finding = with_these(finding, folds.named)
         verdict, others = _verdict(finding, sources, all_asked=False)
         verdict = cross_validated(verdict, folds, data.signals)
     search, base, data, selection = finding.search, finding.base, finding.search.data, finding.selection

@@ -82,8 +82,7 @@ def test_the_direction_by_any_word(tmp_path: Path, column: str, up: object, down
     """What a word means follows from the pressure, however it is called; the rows are shuffled in no way."""
     p, x, way = loop(5e5, 11)
     rows: list[list[object]] = [
-        [1, a / 1e3, 1e3 * b, up if c > 0 else down]
-        for a, b, c in zip(p, x + noise(len(p), 5e-5, 2), way, strict=True)
+        [1, a / 1e3, 1e3 * b, up if c > 0 else down] for a, b, c in zip(p, x + noise(len(p), 5e-5, 2), way, strict=True)
     ]
     file = write(tmp_path / "no load.csv", f"cycle,p [kPa],contraction [mm],{column}", rows)
     made = pam.new(tmp_path / "rig", [file])
