@@ -25,13 +25,21 @@ _SUFFIX = "Rig"
 
 @dataclass(frozen=True)
 class Bench:
-    """A bench and what feeds it; ``name`` is as ``experiment.toml`` has it, ``why`` empty where the user says so."""
+    """A bench and what feeds it.
+
+    Attributes:
+        name: as ``experiment.toml`` has it.
+        why: empty where the user says so.
+        muscle: of which the names of the files tell.
+        usual: its muscle is the usual one, for nobody says another.
+    """
 
     choice: Choice
     name: str
     interface: Interface
     why: str
     muscle: Muscle | None = None
+    usual: bool = False
 
 
 def take_bench(
@@ -72,7 +80,7 @@ def take_bench(
     if choice.others:
         why += f". Others would do: {listed(choice.others)}"
     if not choice.ports.parts:
-        return Bench(choice, choice.ports.name, describe(choice.ports.name), why)
+        return Bench(choice, choice.ports.name, describe(choice.ports.name), why, None, True)
     feed, hold = choice.ports.parts
     outputs = [one for one in choice.ports.outputs if one not in choice.ports.inputs]
     measure = [one for one in outputs if one in choice.outputs or one in known.formulas]
@@ -82,7 +90,7 @@ def take_bench(
     if told is not None:
         made += f", with the muscle {told.name}, of which the names of the files tell"
     why = made if wishes.model else f"{why}. {made}"
-    return Bench(choice, f"{name}.mo", describe(str(place / f"{name}.mo")), why, told)
+    return Bench(choice, f"{name}.mo", describe(str(place / f"{name}.mo")), why, told, muscle is None)
 
 
 def _at_rest(known: Known) -> Callable[[Ports], Ports | None]:

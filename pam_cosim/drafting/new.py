@@ -134,6 +134,7 @@ def _content(
         interpolation=[_interpolation(course.inputs) for course in mapped.courses],
         resample=_means(mapped.courses),
         having={name: sorted(column.places) for name, column in choice.fed.items() if not column.in_names},
+        usual_muscle=bench.usual and _no_size(recorded, interface),
         points=drafted(mapped.courses, interface, by_run) if recorded.points else None,
     )
 
@@ -151,6 +152,12 @@ def _told(bench: Bench, recorded: Known, mapped: Mapped) -> list[dict[str, value
         for course, names, columns, said in zip(mapped.courses, of_names, of_columns, own, strict=True)
     ]
     return [{name: one for name, one in run.items() if name not in recorded.stated} for run in told]
+
+
+def _no_size(recorded: Known, interface: Interface) -> bool:
+    """Whether the bench has a muscle of which no length is stated."""
+    name = length_parameter(interface)
+    return name is not None and not any(name in own for own in (recorded.stated, *recorded.own))
 
 
 def _unknown_mechanics(bench: Bench, recorded: Known) -> bool:

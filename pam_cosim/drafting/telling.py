@@ -117,6 +117,9 @@ def _of_points(made: Draft) -> list[Guess]:
 def to_check(made: Draft, mapped: Mapped, choice: Choice) -> tuple[str, ...]:
     """What only the experimenter knows."""
     said = []
+    if made.usual_muscle:
+        hint = "--muscle DMSP-20 ('pam-cosim bench --list' has them all), its measures, or files called DMSP-20-300..."
+        said.append(f"which muscle it is, nobody says: it is taken for the bench's own; {hint}")
     unknown = [n for n in made.to_state if n not in made.stated and not all(n in told for told in made.told)]
     open_names = [n for n in unknown if values.is_geometry(made.to_state[n])]
     if open_names:

@@ -200,3 +200,19 @@ def test_a_short_rest_is_one(tmp_path: Path) -> None:
     rows = [[0.1 * i, 20.0 * i + 5.0, 0.5 * i] for i in range(40)]
     made = pam.new(tmp_path / "moving", [write(tmp_path / "b.csv", "t [s],p [kPa],x [mm]", rows)])
     assert any("not at rest" in line for line in made.to_check)
+
+
+@pytest.mark.full
+def test_tables_of_a_press_come_to_a_verdict_with_no_line_by_hand(tmp_path: Path) -> None:
+    """A muscle of another form than the library's: what is found meets a pressure that was never fitted, at the noise."""
+    files, sigma = [], 0.6
+    for bar in (1, 2, 3, 4):
+        p, x, pull = grid([1e5 * bar], list(np.arange(0.0, 0.045, 0.005)))
+        read = 240 - 1e3 * x, pull + noise(len(p), sigma, bar)
+        rows = [[i + 1, length, force] for i, (length, force) in enumerate(zip(*read, strict=True))]
+        files.append(write(tmp_path / f"Kraft_{bar}bar.csv", "Nr.,Länge [mm],Kraft [N]", rows, ","))
+    diagnosis = pam.diagnose(pam.new(tmp_path / "rig", files).data)
+    assert diagnosis.verdict.kind in ("identified", "ambiguous") and diagnosis.path
+    before, after = (c.scores["holdout"]["F"].rmse for c in (diagnosis.base.comparison, diagnosis.best.comparison))
+    assert after < 3 * sigma and after < before / 20
+    assert {"pressure_sensor_lag", "temperature_sensor", "creep"} <= set(diagnosis.not_tried)
