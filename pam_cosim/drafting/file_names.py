@@ -40,13 +40,14 @@ class Muscle:
     length: str = ""
 
 
-def muscle_in(files: Sequence[Path], known: Iterable[str]) -> Muscle | None:
-    """The muscle of a library that the name of every file tells, as ``DMSP-20-300``; None: they do not.
+def muscle_in(texts: Sequence[str], known: Iterable[str]) -> Muscle | None:
+    """The muscle of a library that every text tells, as ``DMSP-20-300``; None: they do not.
 
     Args:
+        texts: what is said of each file: its name, and what a column of it repeats in every row.
         known: names of muscles.
     """
-    told = {one for file in files for one in [_muscle(file.stem, known)]}
+    told = {one for text in texts for one in [_muscle(text, known)]}
     first = next(iter(told)) if len(told) == 1 else None
     if first is not None or None in told:
         return first
@@ -123,7 +124,8 @@ def said_in(stem: str) -> list[Said]:
         if kind == "ratio" and not unit:
             unit = "%" if value >= 1.0 else "1"
         if kind and unit:
-            found.append(Said(match[0].strip(" _-"), word if kinds else "", value, unit, kind))
+            bare = f"{match['number']}{match[0].rpartition(match['number'])[2]}"
+            found.append(Said((match[0] if kinds else bare).strip(" _-"), word if kinds else "", value, unit, kind))
     return found
 
 

@@ -20,15 +20,16 @@ from pam_cosim.drafting.folder import beside, check_place, copy_files, put, read
 from pam_cosim.drafting.mapping import Course, Mapped, length_parameter, longest_of, map_columns
 from pam_cosim.drafting.noise import Sigma, sigma_of
 from pam_cosim.drafting.points import check_imposed, drafted
-from pam_cosim.drafting.rest import is_held, is_switch
+from pam_cosim.drafting.rest import is_held, is_switch, span
 from pam_cosim.drafting.roles import Role, roles, stated_roles
 from pam_cosim.drafting.telling import NewDataSet, guesses, next_commands, to_check
 from pam_cosim.drafting.wide import tidied
 from pam_cosim.drafting.wishes import Known, Wishes, known, recording_table
+from pam_cosim.drafting.words import AT_REST
 from pam_cosim.errors import InputError
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.measurement.experiment import FILE_NAME
-from pam_cosim.units import UnitError, parse_quantity
+from pam_cosim.units import UnitError, convert, parse_quantity
 
 _NAME = re.compile(r"'([^']*)'|([A-Za-z_]\w*)", re.ASCII)
 
@@ -88,9 +89,15 @@ def _tidied(files: Sequence[Path], place: Path, wishes: Wishes) -> list[Path]:
 
 
 def _with_length(recorded: Known, bench: Bench) -> Known:
-    """With the length of the muscle that the names of the files tell."""
+    """With the length of the muscle that a column or the names of the files tell."""
     name = length_parameter(bench.interface)
-    if name is None or bench.muscle is None or not bench.muscle.length or name in recorded.stated:
+    if name is None or name in recorded.stated:
+        return recorded
+    column = next((c for c in recorded.columns if c.meaning == AT_REST), None)
+    if column is not None and span(column.every) == 0.0:
+        length = values.text_of(float(convert(column.every[0], column.unit, "m")), "m")
+        return replace(recorded, stated={**recorded.stated, name: length})
+    if bench.muscle is None or not bench.muscle.length:
         return recorded
     length = bench.muscle.length
     nominal, longest = parse_quantity(length, "m"), longest_of(bench.choice)
@@ -135,7 +142,7 @@ def _content(
         resample=_means(mapped.courses),
         having={name: sorted(column.places) for name, column in choice.fed.items() if not column.in_names},
         usual_muscle=bench.usual and _no_size(recorded, interface),
-        points=drafted(mapped.courses, interface, by_run) if recorded.points else None,
+        points=drafted(mapped.courses, interface, recorded.files, by_run) if recorded.points else None,
     )
 
 
@@ -223,7 +230,7 @@ def _ignored(bench: Bench, recorded: Known, mapped: Mapped) -> dict[str, str]:
             name = by_meaning[column.meaning]
             why = f"it could be {name} too; --column {name}='{column.name}' would take it"
         else:
-            parameter = "ambient" in column.meaning.roles or column.meaning.kind == "mass"
+            parameter = column.meaning.roles & {"ambient", "rest"} or column.meaning.kind == "mass"
             why = f"{column.meaning}, " + ("a parameter" if parameter else "which this bench neither takes nor shows")
         ignored[column.name] = why
     return ignored

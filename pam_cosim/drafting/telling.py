@@ -107,8 +107,8 @@ def _of_points(made: Draft) -> list[Guess]:
     rows = []
     for file, branch, aside in zip(made.files, made.points.branch, made.points.hold_out, strict=True):
         if branch:
-            why = "guessed: the rows go up and come back" if branch == "order" else "its rows tell none"
-            rows.append(Guess(f"order of {file}", f"branch = {branch}", why))
+            whys = {"order": "guessed: the rows go up and come back", "none": "its rows tell none"}
+            rows.append(Guess(f"order of {file}", f"branch = {branch}", whys.get(branch, "guessed: the file's name")))
         for name, taken in aside.items():
             rows.append(Guess(file, f"held out: {name} = {listed(taken)}", "guessed: they lie within what is fitted"))
     return rows

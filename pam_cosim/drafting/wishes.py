@@ -14,8 +14,9 @@ from pydantic import ValidationError
 from pam_cosim.drafting.columns import Found, check_time, find_columns
 from pam_cosim.drafting.direction import with_senses
 from pam_cosim.drafting.file_names import quantities
+from pam_cosim.drafting.rest import span
 from pam_cosim.drafting.sources import Source, read_sources
-from pam_cosim.drafting.words import Meaning
+from pam_cosim.drafting.words import AT_REST, Meaning
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import RecordingTable
 from pam_cosim.wording import did_you_mean, shown
@@ -98,8 +99,19 @@ def _as_points(columns: Sequence[Found]) -> list[Found]:
     """The columns of tables of points at rest: directions have a sense, a pressure was reached, a mass was hung on."""
     set_, plain = Meaning("pressure", frozenset({"set"})), Meaning("pressure")
     made = [replace(c, points=True) for c in with_senses(columns)]
+    made = _with_rest(made)
     made = _instead(made, set_, plain, "a set point, taken as reached")
     return _instead(made, Meaning("mass"), Meaning("force"), "the load of each row")
+
+
+def _with_rest(columns: list[Found]) -> list[Found]:
+    """The columns, of which a length that does not change beside a contraction is that of the muscle at rest."""
+    varying = [c for c in columns if c.meaning is not None and c.meaning.kind in ("contraction", "ratio")]
+    if not varying:
+        return columns
+    still = [c for c in columns if c.of("length") and all(span(values) == 0.0 for values in c.values.values())]
+    why = f"it does not change, and '{varying[0].name}' does"
+    return [replace(c, meaning=AT_REST, why=(*c.why, why)) if c in still else c for c in columns]
 
 
 def _instead(columns: list[Found], other: Meaning, wanted: Meaning, why: str) -> list[Found]:

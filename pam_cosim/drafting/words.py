@@ -66,7 +66,8 @@ _SPELLINGS = {
     "sek.": "s", "secs": "s", "seconds": "s", "sekunden": "s", "secondes": "s", "msec": "ms", "kpa": "kPa",
     "mpa": "MPa", "bar": "bar", "mbar": "mbar", "psi": "psi", "newton": "N", "n": "N", "celsius": "degC", "c": "degC",
     "degc": "degC", "grad c": "degC", "deg c": "degC", "ampere": "A", "amp": "A", "volt": "V", "volts": "V",
-    "mm": "mm", "cm": "cm", "millimeter": "mm", "prozent": "%", "percent": "%", "kelvin": "K", "v": "V", "a": "A",
+    "mm": "mm", "cm": "cm", "millimeter": "mm", "prozent": "%", "percent": "%", "pct": "%", "kelvin": "K", "v": "V",
+    "a": "A",
 }  # fmt: skip
 _ABSOLUTE = re.compile(r"\babs|\b(bar|psi|kpa)\s*\(?a\b", re.IGNORECASE)
 
@@ -94,6 +95,10 @@ class Meaning:
 
     def __str__(self) -> str:
         return " ".join([*sorted(self.roles), self.kind])
+
+
+AT_REST = Meaning("length", frozenset({"rest"}))
+"""The length of a muscle at rest, in a column."""
 
 
 @dataclass(frozen=True)
@@ -205,6 +210,7 @@ def _unit_in_name(name: str) -> tuple[str, str]:
         if not unit or (_roles_of([folded(part)]) and not kinds & {"length"}):
             continue
         among = {kind for kind in UNITS if fits(unit, kind)}
+        among |= {"contraction", "length"} if "ratio" in among else set()  # Of the length at rest.
         if among & (kinds or set(UNITS)) and (kinds or len(part) > 1) or "voltage" in among:
             return unit, " ".join(rest)
     return "", name

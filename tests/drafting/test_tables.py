@@ -202,9 +202,37 @@ def test_a_short_rest_is_one(tmp_path: Path) -> None:
     assert any("not at rest" in line for line in made.to_check)
 
 
+def test_a_table_that_repeats_the_muscle_and_its_length_in_every_row(tmp_path: Path) -> None:
+    rows = [
+        ["MAS-20", 250.0, p, e, p * (3 - e / 9)] for p in (100.0, 200.0, 300.0, 400.0) for e in (0.0, 5.0, 10.0, 15.0)
+    ]
+    made = pam.new(
+        tmp_path / "rig", [write(tmp_path / "a.csv", "muscle,length_mm,p_kPa,contraction_pct,force_N", rows)]
+    )
+    assert "Muscles.MAS20" in (tmp_path / "rig" / "Rig.mo").read_text()
+    assert written(made)["parameters"] == {"muscle.sleeve.L0": "250 mm"}
+    assert {round(1e3 * float(x), 6) for run in made.data.runs for x in run.inputs["s"]} == {0.0, 12.5, 25.0, 37.5}
+
+
+def test_a_way_for_each_file(tmp_path: Path) -> None:
+    """By their names, or by the order of their rows."""
+    rows = [[float(i), 5.0 * i] for i in range(6)]
+    for up, down, told in (
+        ("inflation_0N", "deflation_0N", ["up", "down"]),
+        ("test1_0N", "test2_0N", ["order", "order"]),
+    ):
+        files = [
+            write(tmp_path / f"{name}.csv", "p [bar],x [mm]", own) for name, own in ((up, rows), (down, rows[::-1]))
+        ]
+        made = pam.new(tmp_path / up, files)
+        assert [run["branch"] for run in written(made)["runs"]] == told
+        assert [float(run.inputs["branch"][0]) for run in made.data.runs] == [1.0, -1.0]
+        assert all(run.parameters["F"] == 0.0 for run in made.data.runs)
+
+
 @pytest.mark.full
 def test_tables_of_a_press_come_to_a_verdict_with_no_line_by_hand(tmp_path: Path) -> None:
-    """A muscle of another form than the library's: what is found meets a pressure that was never fitted, at the noise."""
+    """A muscle of another form than the library's: what is found meets a pressure that was never fitted."""
     files, sigma = [], 0.6
     for bar in (1, 2, 3, 4):
         p, x, pull = grid([1e5 * bar], list(np.arange(0.0, 0.045, 0.005)))
@@ -213,6 +241,6 @@ def test_tables_of_a_press_come_to_a_verdict_with_no_line_by_hand(tmp_path: Path
         files.append(write(tmp_path / f"Kraft_{bar}bar.csv", "Nr.,Länge [mm],Kraft [N]", rows, ","))
     diagnosis = pam.diagnose(pam.new(tmp_path / "rig", files).data)
     assert diagnosis.verdict.kind in ("identified", "ambiguous") and diagnosis.path
-    before, after = (c.scores["holdout"]["F"].rmse for c in (diagnosis.base.comparison, diagnosis.best.comparison))
+    before, after = (c.scores["holdout"]["F"].rmse for c in (diagnosis.base.comparison, diagnosis.final.comparison))
     assert after < 3 * sigma and after < before / 20
     assert {"pressure_sensor_lag", "temperature_sensor", "creep"} <= set(diagnosis.not_tried)
