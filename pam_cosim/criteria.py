@@ -120,6 +120,9 @@ class RecognitionCriteria:
     most_points: int = decides(2000, "rows", "of a table without time; more points at rest nobody waits for")
     levels_to_hold_out: int = decides(4, "values", "of what is imposed in a table; of fewer none is held out")
     points_to_hold_out: int = decides(8, "values", "the same along a single curve, which needs most of them")
+    longest: float = decides(0.1, "m", "of a contraction that a file's name tells by its number alone")
+    near_data_sheet: float = decides(0.3, "of its value", "how far a fit may go from the fibres of a muscle's data")
+    nominal: float = decides(0.05, "of the length", "a longest length nearer to the nominal one is that at rest")
     runs_to_hold_out: int = decides(3, "runs", "of fewer none is held out: they are needed for the fit")
 
 
