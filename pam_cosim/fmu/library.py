@@ -8,7 +8,7 @@ from pathlib import Path
 from pam_cosim.catalogue import full_name
 from pam_cosim.compiler import Ode, compile_model, flat_hash, smooth_parameters, with_sensitivities
 from pam_cosim.errors import InputError
-from pam_cosim.fmu.build import cached_fmu, cached_lean_model
+from pam_cosim.fmu.build import cached_fmu, cached_lean_model, cached_taped_model
 from pam_cosim.fmu.cache import cached, digest
 from pam_cosim.names import is_fmu
 
@@ -69,6 +69,7 @@ def build_source(
     sensitivities: Sequence[str] = (),
     library: str = "",
     lean: bool = False,
+    brief: bool = False,
 ) -> Path:
     """The FMU of a model whose Modelica source is at hand as text.
 
@@ -79,10 +80,13 @@ def build_source(
         sensitivities: as in ``build_model``, where the solution is smooth.
         library: ``compiler.library_hash()``, where somebody asked for it already.
         lean: only what fits ask for, unpacked: a folder; see ``cached_lean_model``.
+        brief: the same for a few runs; see ``cached_taped_model``.
 
     Raises:
         ModelError: the model cannot be compiled.
     """
     source = cached("sources", digest(text), ".mo", text.encode)
     key, make = _recipe(model, [*files, source], sensitivities, where_smooth=True, library=library)
+    if brief:
+        return cached_taped_model(key, make)
     return cached_lean_model(key, make) if lean else cached_fmu(key, make)
