@@ -10,6 +10,7 @@ from pam_cosim.compiler import Ode, compile_model, flat_hash, smooth_parameters,
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.build import cached_fmu, cached_lean_model, cached_taped_model
 from pam_cosim.fmu.cache import cached, digest
+from pam_cosim.fmu.odes import cached_ode
 from pam_cosim.names import is_fmu
 
 
@@ -52,13 +53,14 @@ def _recipe(
     model: str, files: Sequence[Path], sensitivities: Sequence[str], where_smooth: bool, library: str = ""
 ) -> tuple[str, Callable[[], Ode]]:
     """What determines a model, and how it is compiled."""
+    key = flat_hash(model, files=files, library=library)
 
     def make() -> Ode:
-        ode = compile_model(model, files=files)
+        ode = cached_ode(key, lambda: compile_model(model, files=files))
         known = smooth_parameters(ode) if where_smooth else sensitivities
         return with_sensitivities(ode, [name for name in sensitivities if name in known])
 
-    return digest(flat_hash(model, files=files, library=library), str(where_smooth), *sensitivities), make
+    return digest(key, str(where_smooth), *sensitivities), make
 
 
 def build_source(
