@@ -5,6 +5,7 @@
  */
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 
 #define PAM_MODEL_CONST
 #include "pam_model.h"
@@ -17,20 +18,23 @@
 
 /* In the order of OPERATIONS in pam_cosim/fmu/tape.py. */
 enum {
-    CONST, INPUT, OUTPUT, ASSIGN, ADD, SUB, MUL, DIV, NEG, EXP, LOG, POW, CONSTPOW, SQRT, SQ, TWICE, SIN, COS, TAN,
-    ASIN, ACOS, ATAN, LT, LE, EQ, NE, NOT, AND, OR, FLOOR, CEIL, FMOD, FABS, SIGN, COPYSIGN, IF_ELSE_ZERO, ERF, FMIN,
-    FMAX, INV, SINH, COSH, TANH, ASINH, ACOSH, ATANH, ATAN2
+    OUTPUT, ASSIGN, ADD, SUB, MUL, DIV, NEG, EXP, LOG, POW, CONSTPOW, SQRT, SQ, TWICE, SIN, COS, TAN, ASIN, ACOS, ATAN,
+    LT, LE, EQ, NE, NOT, AND, OR, FLOOR, CEIL, FMOD, FABS, SIGN, COPYSIGN, IF_ELSE_ZERO, ERF, FMIN, FMAX, INV, SINH,
+    COSH, TANH, ASINH, ACOSH, ATANH, ATAN2
 };
 
-/* w[to] = operation(w[a], w[b]); INPUT: w[to] = arg[a][b]; OUTPUT: res[to][b] = w[a]; CONST: w[to] = constants[a]. */
+/* w[to] = operation(w[a], w[b]); OUTPUT: res[to][b] = w[a], and there is a w[b] too. */
 typedef struct {
     int operation, to, a, b;
 } pam_operation;
 
+/* Before the first operation w holds the constants, then the arguments one after another. */
 typedef struct {
     long long count;
     const pam_operation *operations;
     const double *constants;
+    int constant_count, argument_count;
+    const int *argument_sizes;
 } pam_tape;
 
 /* In the order of the functions of pam_model. */
@@ -41,71 +45,64 @@ static pam_tape tapes[FUNCTIONS];
 pam_model pam_the_model;
 
 static void play(const pam_tape *tape, const double **arg, double **res, double *w) {
+    double *to = w + tape->constant_count;
+    memcpy(w, tape->constants, sizeof(double) * (size_t)tape->constant_count);
+    for (int i = 0; i < tape->argument_count; to += tape->argument_sizes[i++])
+        for (int k = 0; k < tape->argument_sizes[i]; k++) to[k] = arg[i] ? arg[i][k] : 0.0;
     const pam_operation *end = tape->operations + tape->count;
     for (const pam_operation *o = tape->operations; o != end; o++) {
-        double a, b;
-        if (o->operation == INPUT) {
-            w[o->to] = arg[o->a] ? arg[o->a][o->b] : 0.0;
-            continue;
-        }
-        if (o->operation == OUTPUT) {
-            if (res[o->to]) res[o->to][o->b] = w[o->a];
-            continue;
-        }
-        if (o->operation == CONST) {
-            w[o->to] = tape->constants[o->a];
-            continue;
-        }
-        a = w[o->a];
-        b = w[o->b];
+        const double a = w[o->a], b = w[o->b];
+        double *const r = w + o->to;
         switch (o->operation) {
-            case ASSIGN: break;
-            case ADD: a = a + b; break;
-            case SUB: a = a - b; break;
-            case MUL: a = a * b; break;
-            case DIV: a = a / b; break;
-            case NEG: a = -a; break;
-            case EXP: a = exp(a); break;
-            case LOG: a = log(a); break;
-            case POW: a = pow(a, b); break;
-            case CONSTPOW: a = pow(a, b); break;
-            case SQRT: a = sqrt(a); break;
-            case SQ: a = a * a; break;
-            case TWICE: a = 2.0 * a; break;
-            case SIN: a = sin(a); break;
-            case COS: a = cos(a); break;
-            case TAN: a = tan(a); break;
-            case ASIN: a = asin(a); break;
-            case ACOS: a = acos(a); break;
-            case ATAN: a = atan(a); break;
-            case LT: a = a < b; break;
-            case LE: a = a <= b; break;
-            case EQ: a = a == b; break;
-            case NE: a = a != b; break;
-            case NOT: a = !(a != 0.0); break;
-            case AND: a = a != 0.0 && b != 0.0; break;
-            case OR: a = a != 0.0 || b != 0.0; break;
-            case FLOOR: a = floor(a); break;
-            case CEIL: a = ceil(a); break;
-            case FMOD: a = fmod(a, b); break;
-            case FABS: a = fabs(a); break;
-            case SIGN: a = a < 0.0 ? -1.0 : a > 0.0 ? 1.0 : a; break;
-            case COPYSIGN: a = copysign(a, b); break;
-            case IF_ELSE_ZERO: a = a != 0.0 ? b : 0.0; break;
-            case ERF: a = erf(a); break;
-            case FMIN: a = fmin(a, b); break;
-            case FMAX: a = fmax(a, b); break;
-            case INV: a = 1.0 / a; break;
-            case SINH: a = sinh(a); break;
-            case COSH: a = cosh(a); break;
-            case TANH: a = tanh(a); break;
-            case ASINH: a = asinh(a); break;
-            case ACOSH: a = acosh(a); break;
-            case ATANH: a = atanh(a); break;
-            case ATAN2: a = atan2(a, b); break;
-            default: a = NAN;
+            case ADD: *r = a + b; break;
+            case SUB: *r = a - b; break;
+            case MUL: *r = a * b; break;
+            case DIV: *r = a / b; break;
+            case OUTPUT:
+                if (res[o->to]) res[o->to][o->b] = a;
+                break;
+            case ASSIGN: *r = a; break;
+            case NEG: *r = -a; break;
+            case EXP: *r = exp(a); break;
+            case LOG: *r = log(a); break;
+            case POW: *r = pow(a, b); break;
+            case CONSTPOW: *r = pow(a, b); break;
+            case SQRT: *r = sqrt(a); break;
+            case SQ: *r = a * a; break;
+            case TWICE: *r = 2.0 * a; break;
+            case SIN: *r = sin(a); break;
+            case COS: *r = cos(a); break;
+            case TAN: *r = tan(a); break;
+            case ASIN: *r = asin(a); break;
+            case ACOS: *r = acos(a); break;
+            case ATAN: *r = atan(a); break;
+            case LT: *r = a < b; break;
+            case LE: *r = a <= b; break;
+            case EQ: *r = a == b; break;
+            case NE: *r = a != b; break;
+            case NOT: *r = !(a != 0.0); break;
+            case AND: *r = a != 0.0 && b != 0.0; break;
+            case OR: *r = a != 0.0 || b != 0.0; break;
+            case FLOOR: *r = floor(a); break;
+            case CEIL: *r = ceil(a); break;
+            case FMOD: *r = fmod(a, b); break;
+            case FABS: *r = fabs(a); break;
+            case SIGN: *r = a < 0.0 ? -1.0 : a > 0.0 ? 1.0 : a; break;
+            case COPYSIGN: *r = copysign(a, b); break;
+            case IF_ELSE_ZERO: *r = a != 0.0 ? b : 0.0; break;
+            case ERF: *r = erf(a); break;
+            case FMIN: *r = fmin(a, b); break;
+            case FMAX: *r = fmax(a, b); break;
+            case INV: *r = 1.0 / a; break;
+            case SINH: *r = sinh(a); break;
+            case COSH: *r = cosh(a); break;
+            case TANH: *r = tanh(a); break;
+            case ASINH: *r = asinh(a); break;
+            case ACOSH: *r = acosh(a); break;
+            case ATANH: *r = atanh(a); break;
+            case ATAN2: *r = atan2(a, b); break;
+            default: *r = NAN;
         }
-        w[o->to] = a;
     }
 }
 

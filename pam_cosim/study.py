@@ -6,14 +6,15 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
 
-from pam_cosim.catalogue import EffectClass, RigPart, domain_of, effect_classes, put_together
+from pam_cosim.catalogue import Composition, EffectClass, RigPart, domain_of, effect_classes, put_together
 from pam_cosim.catalogue import benches as _benches
 from pam_cosim.catalogue import rig_parts as _rig_parts
-from pam_cosim.comparison import Comparison
+from pam_cosim.comparison import Comparison, with_starts
 from pam_cosim.comparison import compare as _compare
 from pam_cosim.compiler import read_library
 from pam_cosim.compiler.names import last
@@ -24,17 +25,24 @@ from pam_cosim.domain import Domain
 from pam_cosim.drafting import NewDataSet, Wishes, draft
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, write_text
-from pam_cosim.fitted_model import FittedModel, compose_fitted, fitted_model, read_fitted_model, with_own_values
-from pam_cosim.fitting import Fit, FitOptions, Profiles, Progress, base_parameters, with_free
+from pam_cosim.fitted_model import (
+    FittedModel,
+    compose_fitted,
+    fitted_model,
+    judged_data,
+    read_fitted_model,
+    with_own_values,
+)
+from pam_cosim.fitting import Fit, FitOptions, Profiles, Progress, base_parameters, estimated_starts, with_free
 from pam_cosim.fitting import fit as _fit
 from pam_cosim.fitting import profile as _profile
 from pam_cosim.fmu import read_interface
 from pam_cosim.interface import Interface, Variable
-from pam_cosim.measurement import DataSet, complete_noise, read_data_set
+from pam_cosim.measurement import DataSet, Run, complete_noise, read_data_set
 from pam_cosim.models import Paths, as_paths, opened
 from pam_cosim.models import build as build
 from pam_cosim.models import describe as describe
-from pam_cosim.names import is_fmu, is_modelica, is_ratio, parameter_of
+from pam_cosim.names import START_VALUES, is_fmu, is_modelica, is_ratio, parameter_of
 from pam_cosim.products import Product
 from pam_cosim.settings import Setting, resolve, value_of
 from pam_cosim.simulation import Inputs, Trajectory
@@ -58,20 +66,31 @@ def read(
 ) -> DataSet:
     """Reads a data set and checks it against its bench (or against ``model``).
 
-    ``roles``: "fit" or "holdout" by run, where it shall be another one than the data set says.
+    ``folder`` may also be a saved diagnosis, fit or comparison (``.npz``): the data set as that judged it, without the
+    samples that it set aside. ``roles``: "fit" or "holdout" by run, where it shall be another one than the data set
+    says.
 
     Raises:
         InputError: with file, line and column of what cannot be used; no such run or role.
     """
     described = _described(files)
-    data = read_data_set(Path(folder), described, model=model, benches=lambda: benches(files))
+    if Path(folder).suffix.lower() == ".npz":
+        data = judged_data(Path(folder))
+        data = replace(data, model=model or data.model)
+    else:
+        data = read_data_set(Path(folder), described, model=model, benches=lambda: benches(files))
     data = replace(data.with_roles(roles or {}), domain=_domain(data.model, described(data.model), files))
     return _for_model(data, model, files)
 
 
 def _for_model(data: DataSet, model: str | None, files: Paths) -> DataSet:
     """The data set for a model: values that a Modelica model of another name states stand before starts of a fit."""
-    if model is None or model == data.bench or is_fmu(model) or all(f.start is None for f in data.fit.values()):
+    if (
+        model in (None, data.bench)
+        or not data.bench
+        or is_fmu(model)
+        or all(f.start is None for f in data.fit.values())
+    ):
         return data
     return with_own_values(data, model, as_paths(files))
 
@@ -99,9 +118,29 @@ def compare(
 
     ``parameters`` are further values and ``timeout`` a limit, as in ``simulate``.
     """
-    data = _for_model(data, model, files)
-    with opened(model or data.model, files, timeout=timeout) as simulator:
-        return _compare(simulator, complete_noise(data), _of_runs(parameters or {}, data, simulator.interface))
+    name, data = model or data.model, _for_model(data, model, files)
+    interface = describe(name, files)
+    values = _of_runs(parameters or {}, data, interface)
+    data = _begun(complete_noise(data), name, values, files, timeout)
+    with opened(name, files, [START_VALUES] * data.estimates_starts, timeout) as simulator:
+        starts = estimated_starts(simulator, data, _without_start(data, values, interface), values)
+        return _compare(simulator, data, values | {name: e.value for name, e in starts.items()})
+
+
+def _begun(
+    data: DataSet, model: str, values: Mapping[str, float], files: Paths, timeout: float | None = None
+) -> DataSet:
+    """The data set where every run says how it begins."""
+    if all(run.is_static or run.start.mode is not None for run in data.runs):
+        return data
+    with opened(model, files, timeout=timeout) as simulator:
+        return with_starts(simulator, data, values)
+
+
+def _without_start(data: DataSet, values: Mapping[str, float], interface: Interface) -> list[Run]:
+    """The runs of which the values do not say where they begin."""
+    given = {name.rpartition("@")[2] for name in values if name.rpartition("@")[0] in interface.states}
+    return [run for run in data.runs if run.name not in given]
 
 
 def _of_runs(parameters: Mapping[str, Setting], data: DataSet, interface: Interface) -> dict[str, float]:
@@ -164,12 +203,13 @@ def fit(
         raise InputError(f"starts are for the method multi-start, not for {method}")
     if starts < 0:
         raise InputError(f"a fit cannot begin at {starts} points")
-    data = _freed(data, model, free, start, files)
-    with opened(model or data.model, files, data.free_names, timeout) as simulator:
+    data = complete_noise(_freed(data, model, free, start, files))
+    fixed = resolve(parameters or {}, describe(model or data.model, files))
+    data = _begun(data, model or data.model, fixed, files, timeout)
+    with opened(model or data.model, files, data.differentiated, timeout) as simulator:
         chosen = base_parameters(data, simulator.interface)
         if not chosen:
             raise InputError("nothing to fit: name the free parameters under [fit]", data.folder / "experiment.toml")
-        data, fixed = complete_noise(data), resolve(parameters or {}, simulator.interface)
         options, kept = FitOptions(method, starts=starts), Path(resume) if resume is not None else None
         return _fit(simulator, data, chosen, fixed=fixed, options=options, progress=progress, resume=kept)
 
@@ -306,6 +346,7 @@ def add(
     to: str | None = None,
     output: Path | str | None = None,
     *,
+    values: Mapping[str, Setting] | None = None,
     files: Paths = (),
 ) -> str:
     """The Modelica text of a model with effects, or with what a diagnosis or a fit found; ``output`` is its file.
@@ -320,6 +361,7 @@ def add(
             a saved diagnosis or fit, or the JSON or the parameters that a command wrote.
         to: the base model: a bench, a Modelica class or a ``.mo`` file. Default: the one that the product is of.
         output: a file that ends in ``.mo``; its name is that of the class.
+        values: of parameters, before those of the product: numbers [SI] or texts with a unit.
         files: further Modelica files.
 
     Raises:
@@ -336,10 +378,27 @@ def add(
     name = Path(output).stem if output else None
     parameters = describe(base, files).parameters if fitted.values else ()
     tree = read_library(files=extra)
-    composition = compose_fitted(tree, replace(fitted, model=base), name, parameters, files=extra)
+    fitted = replace(fitted, model=base)
+    if values:
+        bare = compose_fitted(tree, replace(fitted, values={}), name, parameters, files=extra)
+        fitted = replace(fitted, values={**fitted.values, **_resolved(values, bare, files)})
+        parameters = (*parameters, *fitted.values)
+    composition = compose_fitted(tree, fitted, name, parameters, files=extra)
     if output:
         write_text(Path(output), composition.text)
     return composition.text
+
+
+def _resolved(values: Mapping[str, Setting], composition: Composition, files: Paths) -> dict[str, float]:
+    """Values of parameters of a composed model [SI]."""
+    with TemporaryDirectory() as folder:
+        file = Path(folder) / f"{composition.name}.mo"
+        write_text(file, composition.text)
+        interface = describe(str(file), files)
+    stray = next((name for name in values if name not in interface.parameters), None)
+    if stray is not None:
+        raise InputError(f"there is no parameter '{stray}'; {did_you_mean(stray, list(interface.parameters))}")
+    return resolve(values, interface)
 
 
 def _fitted_model(what: Sequence[str] | Diagnosis | Fit | Path) -> FittedModel:

@@ -56,7 +56,7 @@ TimeoutOption = Annotated[
 VariablesOption = Annotated[
     list[str] | None, typer.Option("--output", help="A variable to keep beside the model's outputs; can be repeated.")
 ]
-Data = Annotated[Path, typer.Argument(help="Folder with experiment.toml and CSV files.")]
+Data = Annotated[Path, typer.Argument(help="Folder of a data set, or what 'diagnose --save' wrote.")]
 
 
 def check_results(*outputs: Path | None, sources: Iterable[Path | str | None] = (), new_folder: bool = False) -> None:

@@ -103,6 +103,7 @@ class Comparison(Printed):
                     "name": r.run.name,
                     "role": r.run.role,
                     "parameters": dict(r.run.parameters),
+                    **({} if r.run.start.mode is None else {"start": r.run.start.mode}),
                     "signals": {n: s.as_dict() for n, s in score([r], self.data.signals).items()},
                 }
                 for r in self.runs
@@ -113,10 +114,12 @@ class Comparison(Printed):
 
     def __str__(self) -> str:
         lines = [f"{self.model} against {self.data.title}"]
+        lines += [f"  {sentence}" for sentence in self.data.starts]
         for role in ROLES:
             for name, s in self.scores[role].items():
-                unit = self.data.signals[name].unit
-                noise = "" if s.noise_rmse != s.noise_rmse else f", noise {format_quantity(s.noise_rmse, unit)}"
+                signal = self.data.signals[name]
+                unit, scatter = signal.unit, signal.scatter
+                noise = "" if s.noise_rmse != s.noise_rmse else f", {scatter} {format_quantity(s.noise_rmse, unit)}"
                 share = f"{100 * s.nrmse:.1f} % of range{noise}"
                 lines.append(f"  {role:8} {name:4} rms error {format_quantity(s.rmse, unit):>10} ({share})")
         for rule in self.where[:5]:

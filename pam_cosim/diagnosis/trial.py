@@ -136,8 +136,9 @@ def run_stated(trial: Trial) -> Stated | FailedTrial:
 def _attempted(trial: Trial, work: Callable[[Trial, Simulator], Result], brief: bool) -> Result | FailedTrial:
     """What comes of some work on the model of a trial, which takes few runs or many; a failure is a result too."""
     own = [name for names in trial.composition.parameters.values() for name in names]
-    free = tuple(dict.fromkeys([*trial.data.free_names, *map(parameter_of, own)]))
+    free = tuple(dict.fromkeys([*trial.data.differentiated, *map(parameter_of, own)]))
     source, name = trial.composition.text, trial.composition.name
+    brief = brief and sum(len(run.time) for run in trial.data.fit_runs) <= CRITERIA.search.rows_without_compiler
     try:
         fmu = build_source(name, source, trial.files, sensitivities=free, library=trial.library, lean=True, brief=brief)
         with Simulator(fmu) as simulator:

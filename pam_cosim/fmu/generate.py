@@ -10,6 +10,7 @@ from typing import Any
 import casadi as ca
 
 from pam_cosim.compiler.ode import Ode
+from pam_cosim.compiler.sensitivities import sensitivity_symbols
 from pam_cosim.errors import ModelError
 from pam_cosim.fmu.c_text import c_array, c_string
 from pam_cosim.fmu.table import table
@@ -37,7 +38,7 @@ def model_functions(ode: Ode, lean: bool = False) -> list[ca.Function]:
     seed = [ca.SX.sym(n, s.numel()) for n, s in zip(("st", "sx", "su", "sd", "sp"), known, strict=True)]
     sp = seed[-1]
     core, own = f[: ode.core], x[: ode.core]
-    chosen = ca.vertcat(ca.SX(0, 1), *[p[list(ode.interface.parameters).index(n)] for n in ode.sensitivities])
+    chosen = sensitivity_symbols(ode)
     total = ca.jtimes(core, ca.vertcat(t, u, d), ca.vertcat(ca.SX(1), du, dd))
     conditions = ca.vertcat(ca.SX(0, 1), *[ca.SX(s.condition) for s in ode.statements])
     shown = ca.vertcat(ca.SX(0, 1), *[ca.SX(value) for s in ode.statements for value, _ in s.values])
@@ -102,6 +103,7 @@ def model_source(ode: Ode, guid: str, lean: bool = False) -> str:
         f"    guid, {', '.join(str(numbers[name]) for name in SIZES)},",
         f"    {numbers['tolerance']!r}, {numbers['max_step']!r},",
         "    state_names, state_nominals, input_starts, parameter_starts, delayed_inputs, direct_inputs,",
+        "    start_of,",
         f"    {', '.join(_slots({f.name() for f in functions}))},",
         "    statements,",
         "};\n",
@@ -131,6 +133,7 @@ def numbers_of(ode: Ode, functions: Sequence[ca.Function]) -> dict[str, Any]:
         "parameter_starts": [_finite(v.start) for v in interface.parameters.values()],
         "delayed_inputs": [-1 if d.input is None else d.input for d in ode.delays],
         "direct_inputs": [int(direct) for direct in _direct_inputs(ode)],
+        "start_of": _start_of(ode),
         "statements": [
             {"is_error": int(s.is_error), "at_start": int(s.at_start), "texts": list(s.texts),
              "digits": [digits for _, digits in s.values]}
@@ -142,7 +145,7 @@ def numbers_of(ode: Ode, functions: Sequence[ca.Function]) -> dict[str, Any]:
 # In the order of ``pam_model``.
 SIZES = ("nx", "nu", "nd", "ny", "np", "nw", "nc", "ns", "na", "nm", "size_iw", "size_w")
 _DOUBLES = ("state_nominals", "input_starts", "parameter_starts")
-_INTEGERS = ("delayed_inputs", "direct_inputs")
+_INTEGERS = ("delayed_inputs", "direct_inputs", "start_of")
 FUNCTIONS = ("pam_rhs", "pam_out", "pam_loc", "pam_core_rhs", "pam_lin", "pam_variation", "pam_jvp", "pam_init",
               "pam_init_jvp", "pam_delay", "pam_check")  # fmt: skip
 
@@ -159,6 +162,12 @@ def _statements(ode: Ode) -> list[str]:
         lines.append(c_array("const int", f"digits_{i}", [str(digits) for _, digits in s.values]))
         rows.append(f"{{{int(s.is_error)}, {int(s.at_start)}, {len(s.values)}, texts_{i}, digits_{i}}}")
     return [*lines, c_array("const pam_statement", "statements", rows or ["{0}"])]
+
+
+def _start_of(ode: Ode) -> list[int]:
+    """For each sensitivity, the number of the state whose start value it is with respect to; -1: of a parameter."""
+    states = [state.name for state in ode.states[: ode.core]]
+    return [states.index(name) if name in states else -1 for name in ode.sensitivities]
 
 
 def _direct_inputs(ode: Ode) -> list[bool]:

@@ -11,7 +11,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.fmu.build import cached_fmu, cached_lean_model, cached_taped_model
 from pam_cosim.fmu.cache import cached, digest
 from pam_cosim.fmu.odes import cached_ode
-from pam_cosim.names import is_fmu
+from pam_cosim.names import START_VALUES, is_fmu
 
 
 def build_model(
@@ -32,7 +32,8 @@ def build_model(
         platforms: as in ``build_fmu``.
         fmi: as in ``build_fmu``.
         sensitivities: parameters; the FMU gets the derivative of every output with respect to each of them as the
-            output ``sensitivity.<output>.<parameter>``, integrated with the states.
+            output ``sensitivity.<output>.<parameter>``, integrated with the states; ``names.START_VALUES`` among them
+            stands for the start values of all states.
         where_smooth: leave out those that the model does not have or that are lengths of delays.
 
     Raises:
@@ -58,7 +59,9 @@ def _recipe(
     def make() -> Ode:
         ode = cached_ode(key, lambda: compile_model(model, files=files))
         known = smooth_parameters(ode) if where_smooth else sensitivities
-        return with_sensitivities(ode, [name for name in sensitivities if name in known])
+        chosen = [name for name in sensitivities if name in known and name != START_VALUES]
+        starts = [s.name for s in ode.states if s.name not in chosen] if START_VALUES in sensitivities else []
+        return with_sensitivities(ode, [*chosen, *starts])
 
     return digest(key, str(where_smooth), *sensitivities), make
 

@@ -22,7 +22,7 @@ from pam_cosim.compiler.ode import Ode
 from pam_cosim.fmu.generate import FUNCTIONS, model_functions, numbers_of
 
 OPERATIONS = (
-    "CONST", "INPUT", "OUTPUT", "ASSIGN", "ADD", "SUB", "MUL", "DIV", "NEG", "EXP", "LOG", "POW", "CONSTPOW", "SQRT",
+    "OUTPUT", "ASSIGN", "ADD", "SUB", "MUL", "DIV", "NEG", "EXP", "LOG", "POW", "CONSTPOW", "SQRT",
     "SQ", "TWICE", "SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN", "LT", "LE", "EQ", "NE", "NOT", "AND", "OR", "FLOOR",
     "CEIL", "FMOD", "FABS", "SIGN", "COPYSIGN", "IF_ELSE_ZERO", "ERF", "FMIN", "FMAX", "INV", "SINH", "COSH", "TANH",
     "ASINH", "ACOSH", "ATANH", "ATAN2",
@@ -30,7 +30,7 @@ OPERATIONS = (
 """CasADi's operations in the order of ``pam_tape.c``."""
 TABLES, NUMBERS = "tape.json", "tape.bin"
 _WIDTH = 4  # numbers of an operation: itself, to, a, b
-_CONST, _INPUT, _OUTPUT = range(3)
+_OUTPUT = OPERATIONS.index("OUTPUT")
 
 
 class NoTapeError(ValueError):
@@ -39,10 +39,22 @@ class NoTapeError(ValueError):
 
 @dataclass(frozen=True)
 class Tape:
-    """One function: (n, 4) operations and (c,) constants."""
+    """One function.
+
+    Its work space holds the constants, the arguments one after another, and what the operations make.
+
+    Attributes:
+        operations: (n, 4) number in ``OPERATIONS``, and the places of the result and of two operands; of an output the
+            number of the result, the operand's place, and the element.
+        constants: (c,).
+        arguments: elements of each argument.
+        work: size of the work space.
+    """
 
     operations: NDArray[np.int32]
     constants: Array
+    arguments: tuple[int, ...]
+    work: int
 
 
 @dataclass(frozen=True)
@@ -70,22 +82,38 @@ def tape_of(function: ca.Function) -> Tape:
     Raises:
         NoTapeError: one of them is not among ``OPERATIONS``.
     """
-    numbers, rows = _numbers(), []
-    constants: list[float] = []
-    for k in range(function.n_instructions()):
-        number = numbers.get(function.instruction_id(k))
-        if number is None:
-            raise NoTapeError(f"{function.name()}: operation {function.instruction_id(k)}")
-        if number == _CONST:
-            rows.append((number, function.instruction_output(k)[0], len(constants), 0))
-            constants.append(function.instruction_constant(k))
-            continue
-        of, to = function.instruction_input(k), function.instruction_output(k)
-        if number == _OUTPUT:
-            rows.append((number, to[0], of[0], to[1]))
+    every = [_Step(function, k) for k in range(function.n_instructions())]
+    constants = sorted({step.constant for step in every if step.operation == ca.OP_CONST})
+    arguments = tuple(function.numel_in(i) for i in range(function.n_in()))
+    begin = np.cumsum([len(constants), *arguments]).tolist()
+    fixed, place = {value: i for i, value in enumerate(constants)}, dict[int, int]()
+    rows, numbers = [], _numbers()
+    for step in every:
+        if step.operation == ca.OP_CONST:
+            place[step.to[0]] = fixed[step.constant]
+        elif step.operation == ca.OP_INPUT:
+            argument, element = step.of
+            place[step.to[0]] = begin[argument] + element
+        elif step.operation == ca.OP_OUTPUT:
+            rows.append((_OUTPUT, step.to[0], place[step.of[0]], step.to[1]))
+        elif step.operation in numbers:
+            row = (numbers[step.operation], begin[-1] + step.to[0], place[step.of[0]], place[step.of[-1]])
+            place[step.to[0]] = row[1]
+            rows.append(row)
         else:
-            rows.append((number, to[0], of[0], of[-1]))
-    return Tape(np.array(rows, dtype=np.int32).reshape(-1, _WIDTH), np.array(constants, dtype=float))
+            raise NoTapeError(f"{function.name()}: operation {step.operation}")
+    operations = np.array(rows, dtype=np.int32).reshape(-1, _WIDTH)
+    results = max((function.numel_out(i) for i in range(function.n_out())), default=0)  # w is looked at there too
+    return Tape(operations, np.array(constants, dtype=float), arguments, max(begin[-1] + function.sz_w(), results, 1))
+
+
+class _Step:
+    """An instruction of CasADi's: its operation, where it takes from and puts to, and the constant that it is."""
+
+    def __init__(self, function: ca.Function, number: int) -> None:
+        self.operation = function.instruction_id(number)
+        self.constant = function.instruction_constant(number) if self.operation == ca.OP_CONST else 0.0
+        self.of, self.to = function.instruction_input(number), function.instruction_output(number)
 
 
 def taped(ode: Ode) -> TapedModel:
@@ -96,12 +124,14 @@ def taped(ode: Ode) -> TapedModel:
         NoTapeError: as ``tape_of``.
     """
     functions = model_functions(ode, lean=True)
-    return TapedModel(numbers_of(ode, functions), {f.name(): tape_of(f) for f in functions})
+    tapes = {f.name(): tape_of(f) for f in functions}
+    work = max(tape.work for tape in tapes.values())
+    return TapedModel(numbers_of(ode, functions) | {"size_w": work}, tapes)
 
 
 def tape_files(model: TapedModel, guid: str) -> dict[str, bytes]:
     """The model as two files by name."""
-    sizes = {name: [len(t.operations), len(t.constants)] for name, t in model.tapes.items()}
+    sizes = {n: [len(t.operations), len(t.constants), t.arguments, t.work] for n, t in model.tapes.items()}
     parts = [part for t in model.tapes.values() for part in (t.constants.tobytes(), t.operations.tobytes())]
     text = json.dumps({"guid": guid, "functions": sizes, **model.tables}, sort_keys=False)
     return {TABLES: text.encode(), NUMBERS: b"".join(parts)}
@@ -112,12 +142,12 @@ def read_tapes(folder: Path) -> tuple[dict[str, Any], dict[str, Tape]]:
     tables = json.loads((folder / TABLES).read_bytes())
     content, at = (folder / NUMBERS).read_bytes(), 0
     tapes = {}
-    for name, (operations, constants) in tables["functions"].items():
+    for name, (operations, constants, arguments, work) in tables["functions"].items():
         numbers = np.frombuffer(content, float, constants, at)
         at += numbers.nbytes
         rows = np.frombuffer(content, np.int32, operations * _WIDTH, at).reshape(-1, _WIDTH)
         at += rows.nbytes
-        tapes[name] = Tape(rows, numbers)
+        tapes[name] = Tape(rows, numbers, tuple(arguments), work)
     return tables, tapes
 
 

@@ -41,13 +41,21 @@ class _Model(ctypes.Structure):
         ("parameter_starts", ctypes.c_void_p),
         ("delayed_inputs", ctypes.c_void_p),
         ("direct_inputs", ctypes.c_void_p),
+        ("start_of", ctypes.c_void_p),
         *((name, ctypes.c_void_p) for name in FUNCTIONS),
         ("statements", ctypes.POINTER(_Statement)),
     ]
 
 
 class _Tape(ctypes.Structure):
-    _fields_ = [("count", ctypes.c_longlong), ("operations", ctypes.c_void_p), ("constants", ctypes.c_void_p)]
+    _fields_ = [
+        ("count", ctypes.c_longlong),
+        ("operations", ctypes.c_void_p),
+        ("constants", ctypes.c_void_p),
+        ("constant_count", ctypes.c_int),
+        ("argument_count", ctypes.c_int),
+        ("argument_sizes", ctypes.c_void_p),
+    ]
 
 
 class _Given:
@@ -62,7 +70,7 @@ class _Given:
             max_step=tables["max_step"],
             state_names=self._texts(tables["state_names"]),
             **{n: self._array(tables[n], float) for n in ("state_nominals", "input_starts", "parameter_starts")},
-            **{n: self._array(tables[n], np.intc) for n in ("delayed_inputs", "direct_inputs")},
+            **{n: self._array(tables[n], np.intc) for n in ("delayed_inputs", "direct_inputs", "start_of")},
             statements=self._statements(tables["statements"]),
         )
         self.tapes = (_Tape * len(tapes))(*map(self._tape, tapes))
@@ -87,9 +95,16 @@ class _Given:
 
     def _tape(self, tape: Tape | None) -> _Tape:
         if tape is None:
-            return _Tape(-1, None, None)
+            return _Tape(-1)
         self._kept.append(tape)
-        return _Tape(len(tape.operations), tape.operations.ctypes.data, tape.constants.ctypes.data)
+        return _Tape(
+            len(tape.operations),
+            tape.operations.ctypes.data,
+            tape.constants.ctypes.data,
+            len(tape.constants),
+            len(tape.arguments),
+            self._array(tape.arguments, np.intc),
+        )
 
 
 def is_taped(folder: Path) -> bool:
