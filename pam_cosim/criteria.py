@@ -277,6 +277,11 @@ class SearchCriteria:
     stated_ratio: tuple[float, float, float] = decides(
         (0.5, 1.05, 2.0), "1", "of a parameter to what is stated of it: at least, where a search begins, at most"
     )
+    rows_without_compiler: int = decides(
+        10_000,
+        "rows",
+        "of the fitted runs, up to which a model that is only looked at is not compiled; measured: docs/speed.md",
+    )
     looks: int = decides(8, "strengths", "of an effect that are looked at beside the base model, at most")
     weaker: float = decides(0.1, "1", "factor to the next strength where an effect acts the wrong way, or breaks down")
     same_strength: float = decides(0.2, "of a strength", "that another differs by at least, to be looked at as well")

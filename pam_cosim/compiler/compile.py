@@ -233,17 +233,19 @@ class _Assembly:
             if name not in starts and metadata.is_fixed(leaf, constants):
                 starts[name] = self._start(name)
         symbols = self.flat.symbols
-        equations = [Residual(self._not_yet(r.expression), r.place) for r in self.flat.initial]
-        system = replace(self.system, residuals=[replace(r, expression=self._not_yet(r.expression))
-                                                 for r in self.system.residuals])  # fmt: skip
+        equations = [self._not_yet(r) for r in self.flat.initial]
+        system = replace(self.system, residuals=[self._not_yet(r) for r in self.system.residuals])
         values, late = initial_values(system, self.states, starts, equations, (self.p, self.p_values), symbols.late)
         self.beginning = beginning(late, symbols.late, symbols.comparisons, symbols.t)
         return values
 
-    def _not_yet(self, expression: ca.SX) -> ca.SX:
+    def _not_yet(self, residual: Residual) -> Residual:
         """At the start, when no time has passed since the start."""
         comparisons = self.flat.symbols.comparisons
-        return put(expression, {n: c.symbol for n, c in comparisons.items()}, dict.fromkeys(comparisons, ca.SX(0)))
+        if not comparisons:
+            return residual
+        symbols, none = {n: c.symbol for n, c in comparisons.items()}, dict.fromkeys(comparisons, ca.SX(0))
+        return replace(residual, expression=put(residual.expression, symbols, none))
 
     def _delayed(self) -> DelayedInputs:
         """Everything is in terms of what is known when a run begins from here on."""

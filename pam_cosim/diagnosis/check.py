@@ -13,7 +13,7 @@ import numpy as np
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import FailedTrial
 from pam_cosim.diagnosis.could_be_measured import Option, everything
-from pam_cosim.diagnosis.events import Remark
+from pam_cosim.diagnosis.events import Remark, listened
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.resolution import Rows, Shown, Told
 from pam_cosim.diagnosis.search import Search
@@ -209,6 +209,7 @@ def check(
         InputError: the model cannot be compiled, or lacks a parameter that is to be fitted.
         SimulationFailure: the model cannot be simulated at its start values.
     """
+    say = listened(say, None)
     subject = subject_of(data, model, files, workers, say)
     data, name = subject.data, subject.name
     with subject.simulator() as simulator:
