@@ -72,14 +72,15 @@ def _check_lengths(content: dict[str, Any], arrays: Mapping[str, Any]) -> None:
     if isinstance(run, dict) and "time" in run:  # a run with what a model made of it
         timed = [(content, "model")]
     holder = run if isinstance(run, dict) else content
-    if not _is_reference(holder.get("time")):
+    time = holder.get("time")
+    if not isinstance(time, dict) or not _is_reference(time):
         return
-    shape = arrays[holder["time"]["array"]].shape
+    shape = arrays[time["array"]].shape
     for place, key in timed:
         value = place.get(key)
         several = list(value.values()) if isinstance(value, dict) and not _is_reference(value) else [value]
         for one in several:
-            if _is_reference(one) and arrays[one["array"]].shape != shape:
+            if isinstance(one, dict) and _is_reference(one) and arrays[one["array"]].shape != shape:
                 raise ValueError(f"'{key}' is not of the length of its times")
 
 

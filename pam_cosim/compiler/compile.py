@@ -13,6 +13,7 @@ from pam_cosim.compiler import metadata
 from pam_cosim.compiler.arithmetic import Shown
 from pam_cosim.compiler.assertions import Assertion
 from pam_cosim.compiler.blocks import solve
+from pam_cosim.compiler.budget import bounded, check_unknowns
 from pam_cosim.compiler.builtins import BUILTINS
 from pam_cosim.compiler.delays import DelayedInputs, put
 from pam_cosim.compiler.evaluation import Calls
@@ -35,6 +36,7 @@ from pam_cosim.resources import modelica_root
 _NOT_MODELS = frozenset(("package", "function", "record", "type", "connector"))
 
 
+@bounded
 def compile_model(model: str, *, files: Sequence[Path] = (), root: Path | None = None) -> Ode:
     """Compile a model.
 
@@ -59,6 +61,7 @@ def compile_model(model: str, *, files: Sequence[Path] = (), root: Path | None =
         raise
 
 
+@bounded
 def instantiate(model: str, *, files: Sequence[Path] = (), root: Path | None = None) -> tuple[Instantiator, Instance]:
     """The components of a model; arguments and errors as for :func:`compile_model`."""
     files = list(files)
@@ -150,6 +153,7 @@ class _Assembly:
 
     def _system(self) -> System:
         symbols = self.flat.symbols
+        check_unknowns(len(symbols.unknowns))
         variables = {leaf.name: symbol for leaf, symbol in symbols.unknowns.items()}
         derivative_of = {}
         for name, symbol in symbols.derivatives.items():
