@@ -32,6 +32,7 @@ from pam_cosim.errors import ModelError
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.names import is_modelica
 from pam_cosim.resources import modelica_root
+from pam_cosim.wording import shown
 
 _NOT_MODELS = frozenset(("package", "function", "record", "type", "connector"))
 
@@ -84,7 +85,7 @@ def _find(model: str, library: Library, lookup: Lookup) -> Class:
         return lookup.of(models[-1])
     of = lookup.qualified(model)
     if of is None:
-        raise ModelError(f"there is no model '{model}'{library.similar(model, 'model')}")
+        raise ModelError(f"there is no model {shown(model)}{library.similar(model, 'model')}")
     definition = of.definition
     if definition.kind in _NOT_MODELS:
         raise definition.source.error(f"'{model}' is a {definition.kind}, not a model", definition.at)
