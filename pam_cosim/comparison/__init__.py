@@ -1,5 +1,7 @@
 """Trajectory and data set -> residuals, scores, and where the error sits."""
 
+from pam_cosim.comparison.beginning import Beginning, beginning, measured, start_time
+from pam_cosim.comparison.chosen_starts import with_starts
 from pam_cosim.comparison.compare import Comparison, compare, scored
 from pam_cosim.comparison.condition_table import STATISTICS, Condition, ConditionTable, Statistic, write_tables
 from pam_cosim.comparison.doubts import Doubt
@@ -7,17 +9,19 @@ from pam_cosim.comparison.outliers import outliers, without_outliers
 from pam_cosim.comparison.reproducibility import Reproducibility, reproducibility
 from pam_cosim.comparison.residual_statistics import (
     ResidualStatistics,
+    Series,
     lag_one,
     residual_statistics,
     series_of,
-    stated_of,
 )
-from pam_cosim.comparison.residuals import RunComparison, simulate_run, start_time
+from pam_cosim.comparison.residuals import RunComparison, simulate_run
+from pam_cosim.comparison.rounding import expected_squares, slope, usual_square, weighted
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.comparison.where import Rule, sitting, where
 
 __all__ = [
     "STATISTICS",
+    "Beginning",
     "Comparison",
     "Condition",
     "ConditionTable",
@@ -26,11 +30,15 @@ __all__ = [
     "ResidualStatistics",
     "Rule",
     "RunComparison",
+    "Series",
     "SignalScore",
     "Statistic",
+    "beginning",
     "chi2_reduced",
     "compare",
+    "expected_squares",
     "lag_one",
+    "measured",
     "outliers",
     "reproducibility",
     "residual_statistics",
@@ -39,9 +47,12 @@ __all__ = [
     "series_of",
     "simulate_run",
     "sitting",
+    "slope",
     "start_time",
-    "stated_of",
+    "usual_square",
+    "weighted",
     "where",
+    "with_starts",
     "without_outliers",
     "write_tables",
 ]

@@ -25,8 +25,7 @@ def _correlated(s: ResidualStatistics) -> bool:
 
 def foretold(fit: Fit) -> Reproducibility:
     """How much of a fit's residual in one run the other runs foretell."""
-    sigma = {n: s.sigma for n, s in fit.comparison.data.signals.items() if s.fitted and s.sigma}
-    return reproducibility(fit.comparison.runs, sigma)
+    return reproducibility(fit.comparison.runs, fit.comparison.data.signals)
 
 
 def structured(s: ResidualStatistics, repeated: Reproducibility | None = None) -> bool:
@@ -68,7 +67,13 @@ def coherent(s: ResidualStatistics) -> bool:
 
 
 def leaves_structure(s: ResidualStatistics, repeated: Reproducibility | None = None) -> bool:
-    """Whether residuals of a model that explains much are still coherent: more than a fifth of the noise's variance."""
+    """Whether residuals of a model that explains much are still coherent: more than a fifth of the noise's variance.
+
+    Few samples, as those of a table, hardly show that; there what is larger than the stated noise is not that noise.
+    """
+    few = 0 < s.samples < CRITERIA.residuals.many_samples
+    if few and s.level_score > CRITERIA.residuals.level_of_few:
+        return True
     return (
         bool(s.samples)
         and _correlated(s)

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from math import sqrt
 from pathlib import Path
 from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.domain import Domain
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import FILE_NAME
 from pam_cosim.measurement.recording import Averaged
-from pam_cosim.names import is_ratio, parameter_of
+from pam_cosim.measurement.start import Start
+from pam_cosim.names import START_VALUES, is_ratio, parameter_of
 from pam_cosim.simulation.inputs import Interpolation
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, did_you_mean, shown
@@ -33,7 +36,7 @@ class Signal:
         sigma: standard deviation of the instrument's noise [unit]; None when nobody knows it.
         estimated: ``sigma`` was estimated from the samples, not stated by the experimenter.
         fitted: parameters are fitted to it and models judged by it; otherwise it is only shown beside the model.
-        step: of the record [unit], where that is coarse beside the stated noise: ``sigma`` holds what it adds. 0: none.
+        step: of the record [unit], where that is coarse beside the noise: ``sigma`` holds what it adds. 0: none.
         repeatability: standard deviation between runs of the same test [unit], the noise included: ``sigma`` is this
             where it is larger. 0: nobody knows.
         repeats: ``repeatability`` was estimated from runs that repeat one another, not stated by the experimenter.
@@ -59,6 +62,18 @@ class Signal:
         if self.scatter == "repeatability":
             return "of repeated runs" if self.repeats else "stated repeatability"
         return "estimated from the samples" if self.estimated else "stated"
+
+    @property
+    def noise(self) -> float:
+        """Standard deviation of the noise before it is rounded to steps [unit], at least a part of a step."""
+        assert self.sigma is not None
+        least = CRITERIA.noise.least_of_step * self.step
+        return sqrt(max(self.sigma**2 - self.step**2 / 12.0, least**2))
+
+    @property
+    def is_coarse(self) -> bool:
+        """Whether steps, and not the noise, say how far readings are off (Widrow and Kollar 2008)."""
+        return bool(self.step) and 2.0 * self.noise < self.step
 
 
 Transform = Literal["log", "linear"]
@@ -125,6 +140,7 @@ class Run:
         averaged: of signals whose samples are means of several.
         more_files: of other loggers.
         along: of a curve of points at rest, what it is drawn over; None: a recording over time.
+        start: in which state it begins.
     """
 
     name: str
@@ -140,6 +156,7 @@ class Run:
     averaged: dict[str, Averaged] = field(default_factory=dict)
     more_files: tuple[Path, ...] = ()
     along: Along | None = None
+    start: Start = Start()
 
     @property
     def is_static(self) -> bool:
@@ -201,6 +218,16 @@ class DataSet(Printed):
     def free_names(self) -> tuple[str, ...]:
         """Names in the model of what is fitted, each once."""
         return tuple(dict.fromkeys(free.parameter for free in self.fit.values()))
+
+    @property
+    def estimates_starts(self) -> bool:
+        """Whether start values of some run are parameters."""
+        return any(run.start.mode == "estimated" for run in self.runs)
+
+    @property
+    def differentiated(self) -> tuple[str, ...]:
+        """By what a model is differentiated for a fit: what is free, and start values where they are parameters."""
+        return (*self.free_names, *[START_VALUES] * self.estimates_starts)
 
     @property
     def constants(self) -> dict[str, float]:
@@ -266,18 +293,23 @@ class DataSet(Printed):
                 notes.append(f"the noise of {name} is not known")
             if not signal.fitted:
                 notes.append(f"{name} is compared but not fitted: it has no table [signals.{name}]")
-        notes += self.steps()
+        notes += [*self.starts, *self.steps()]
         for run in self.runs:
             notes += [f"{run.name}: {note}" for note in run.notes]
             if run.default_inputs:
                 notes.append(f"{run.name}: model defaults for the inputs {', '.join(run.default_inputs)}")
         return tuple(notes)
 
+    @property
+    def starts(self) -> tuple[str, ...]:
+        """Where runs begin, in sentences, as far as that was chosen and is not the model's own start."""
+        return tuple(run.start.reason for run in self.runs if run.start.reason)
+
     def steps(self) -> tuple[str, ...]:
-        """Which signals are recorded in steps that count, and what noise that makes, in sentences."""
+        """Which signals are recorded in steps that count, and how they are counted, in sentences."""
         return tuple(
-            f"{name} is recorded in steps of {format_quantity(s.step, s.unit)} (quantisation, an instrument): they "
-            f"are counted as noise, of {format_quantity(s.sigma, s.unit)} with that of the sensor"
+            f"{name} is recorded in steps of {format_quantity(s.step, s.unit)} (quantisation, an instrument): a "
+            f"reading counts by the interval it stands for, beside noise of {format_quantity(s.noise, s.unit)}"
             for name, s in self.signals.items()
             if s.step and s.sigma
         )
