@@ -23,6 +23,7 @@ from pam_cosim.simulation import keeper
 from pam_cosim.simulation.driver import Progress, Settle, prepare_driver
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs
+from pam_cosim.simulation.memory import MOST_MEMORY
 from pam_cosim.simulation.stepper import Abilities
 from pam_cosim.simulation.trajectory import Trajectory
 
@@ -158,14 +159,22 @@ class IsolatedSimulator:
             self._end()
             raise
         if kind == keeper.ANSWER:
-            answer: tuple[str, Any] = pickle.loads(content)
-            return answer
+            return self._unpacked(content)
         self._end()
         if kind == keeper.LATE:
             progress = pickle.loads(content) if content else None
             self._never_loaded = bool(content) and progress is None
             raise self._late(progress, request)
-        raise RunFailure(f"{self.path.name} crashed its process ({cause_of_end(int(content))})")
+        raise RunFailure(f"{self.path.name} crashed its process ({cause_of_end(int(content))}){_memory(content)}")
+
+    def _unpacked(self, content: bytes) -> tuple[str, Any]:
+        """An answer as the FMU's process packed it, unless the FMU wrote into it."""
+        try:
+            kind, answer = pickle.loads(content)
+        except Exception:
+            self._end()
+            raise RunFailure(f"{self.path.name} has written into the files of its process") from None
+        return kind, answer
 
     def _late(self, progress: Progress | None, request: dict[str, Any]) -> RunFailure:
         place = (
@@ -268,3 +277,8 @@ def cause_of_end(code: int) -> str:
         return f"signal {signal.Signals(-code).name}"
     except ValueError:
         return f"signal {-code}"
+
+
+def _memory(content: bytes) -> str:
+    """A hint where the end may come of too little memory."""
+    return f"; it may use {MOST_MEMORY / 1e9:g} GB of memory at most" if int(content) in (-6, -11, 134, 139) else ""
