@@ -18,6 +18,7 @@ from pam_cosim.comparison import Comparison, with_starts
 from pam_cosim.comparison import compare as _compare
 from pam_cosim.compiler import read_library
 from pam_cosim.compiler.names import last
+from pam_cosim.counts import checked_seed, checked_starts, checked_workers
 from pam_cosim.diagnosis import Check, Diagnosis, Listener, Message
 from pam_cosim.diagnosis import check as _check
 from pam_cosim.diagnosis import diagnose as _diagnose
@@ -202,8 +203,7 @@ def fit(
     """
     if starts and method != "multi-start":
         raise InputError(f"starts are for the method multi-start, not for {method}")
-    if starts < 0:
-        raise InputError(f"a fit cannot begin at {starts} points")
+    checked_starts(starts)
     data = complete_noise(_freed(data, model, free, start, files))
     fixed = resolve(parameters or {}, describe(model or data.model, files))
     data = _begun(data, model or data.model, fixed, files, timeout)
@@ -291,7 +291,7 @@ def diagnose(
         files=files,
         say=say,
         progress=progress,
-        workers=workers,
+        workers=checked_workers(workers),
         explain=explain,
         time_limit=limit,
         exclude=tuple(exclude),
@@ -312,7 +312,7 @@ def check(
     How exactly the free parameters will be known, which families of effects would show and from which strength on,
     which of them would not be told apart, and which further signal or run would help most.
     """
-    return _check(data, model, files=as_paths(files), say=say, workers=workers)
+    return _check(data, model, files=as_paths(files), say=say, workers=checked_workers(workers))
 
 
 def draw(product: Product, path: Path | str) -> None:
@@ -676,7 +676,7 @@ def sweep(
     plan = Plan(
         fmu=fmu,
         interface=interface,
-        design=design_of(vary, interface, design, runs, seed, patterns),
+        design=design_of(vary, interface, design, runs, checked_seed(seed), patterns),
         fixed=resolve(parameters or {}, interface),
         inputs=course,
         times=times,
@@ -687,7 +687,7 @@ def sweep(
         timeout=timeout,
     )
     result = None if output is None else Path(output)
-    made = make_sweep(plan, result, executor=executor, workers=workers, progress=progress)
+    made = make_sweep(plan, result, executor=executor, workers=checked_workers(workers, 1), progress=progress)
     if result is not None:
         made.save(result)
     return made

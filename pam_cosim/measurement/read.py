@@ -17,7 +17,7 @@ from pam_cosim.measurement.read_run import read_points, read_run
 from pam_cosim.measurement.resampling import with_noise_of_means
 from pam_cosim.measurement.start import Start
 from pam_cosim.names import BRANCH, is_file
-from pam_cosim.units import UnitError, parse_quantity
+from pam_cosim.units import LARGEST, UnitError, parse_quantity
 from pam_cosim.wording import did_you_mean, shown
 
 
@@ -146,6 +146,8 @@ def _deviation(document: ExperimentFile, name: str, key: str, value: Value | Non
         raise document.error(f"{key} of {name}: {error}", *path) from None
     if deviation <= 0.0:
         raise document.error(f"{key} of {name} must be greater than zero", *path)
+    if deviation < 1 / LARGEST:
+        raise document.error(f"{key} of {name} is smaller than that of any instrument: {shown(value)}", *path)
     return deviation
 
 
