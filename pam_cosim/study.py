@@ -38,6 +38,7 @@ from pam_cosim.fitting import fit as _fit
 from pam_cosim.fitting import profile as _profile
 from pam_cosim.fmu import build_model, read_interface
 from pam_cosim.interface import Interface, Variable
+from pam_cosim.mapped_model import mapped_model
 from pam_cosim.measurement import DataSet, complete_noise, read_data_set
 from pam_cosim.names import is_fmu, is_modelica, is_ratio, parameter_of
 from pam_cosim.products import Product
@@ -124,7 +125,13 @@ def read(
         data = judged_data(Path(folder))
         data = replace(data, model=model or data.model)
     else:
-        data = read_data_set(Path(folder), described, model=model, benches=lambda: benches(files))
+        data = read_data_set(
+            Path(folder),
+            described,
+            model=model,
+            benches=lambda: benches(files),
+            with_maps=lambda base, maps: mapped_model(base, described(base), maps, _paths(files)),
+        )
     data = replace(data.with_roles(roles or {}), domain=_domain(data.model, described(data.model), files))
     return _for_model(data, model, files)
 

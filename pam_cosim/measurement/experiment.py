@@ -109,6 +109,9 @@ class ColumnTable(_Table):
     unit: Name | None = None
     formula: Name | None = Field(default=None, max_length=300)
     zero: IntervalTable | None = None
+    gain: Value | None = None
+    offset: Value | None = None
+    fit: Literal[True, False, "gain", "offset"] = False
 
 
 class LoggerTable(_Table):
