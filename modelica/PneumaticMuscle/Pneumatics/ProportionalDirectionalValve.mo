@@ -4,9 +4,9 @@ model ProportionalDirectionalValve "A proportional valve whose opening to the su
   extends Icons.Valve;
   input Types.Voltage u(start=6) "Command of the valve";
   input Types.GaugePressure p_supply(start=600e3, min=-101e3) "Gauge pressure of the supply";
-  parameter Types.Voltage u_mid(min=-10, max=10) = 5 "Command of the closed valve" annotation (Dialog(group="Command"));
+  parameter Types.Voltage u_mid(min=-10, max=10) = 5 "Command of the closed valve" annotation (Dialog(group="Signal"));
   parameter Types.Voltage u_full(min=0.1, max=20) = 5 "Command beyond that which opens it fully"
-    annotation (Dialog(group="Command"));
+    annotation (Dialog(group="Signal"));
   parameter Real overlap(unit="1", min=0, max=0.5) = 0.02 "Part of the stroke, either way, on which it stays closed"
     annotation (Dialog(group="Flow"));
   parameter Types.Time tau(min=1e-4, max=10) = 5e-3 "Time constant of the spool" annotation (Dialog(group="Dynamics"));

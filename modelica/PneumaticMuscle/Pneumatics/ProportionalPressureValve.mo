@@ -5,8 +5,8 @@ model ProportionalPressureValve "A proportional valve that holds the pressure wh
   input Types.Voltage u(start=3) "Command of the valve";
   input Types.GaugePressure p_supply(start=600e3, min=-101e3) "Gauge pressure of the supply";
   parameter Real k_u(unit="Pa/V", min=1e3, max=1e6, nominal=1e5) = 60e3 "Pressure commanded by a volt"
-    annotation (Dialog(group="Command"));
-  parameter Types.Voltage u_0(min=-10, max=10) = 0 "Command of no pressure" annotation (Dialog(group="Command"));
+    annotation (Dialog(group="Signal"));
+  parameter Types.Voltage u_0(min=-10, max=10) = 0 "Command of no pressure" annotation (Dialog(group="Signal"));
   parameter Types.Time tau(min=1e-4, max=10) = 0.02 "Time constant of the command" annotation (Dialog(group="Dynamics"));
   parameter Types.Pressure p_band(min=100, max=1e6, nominal=1e4) = 10e3 "Deviation that opens three quarters of the valve"
     annotation (Dialog(group="Flow"));
