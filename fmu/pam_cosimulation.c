@@ -100,6 +100,17 @@ PAM_EXPORT int pam_settle(void *instance) {
     return pam_state_holds(c);
 }
 
+/* Beside FMI, right after initialization: the run begins at an equilibrium under the inputs; ``keep``: with those start
+ * values as they are that were set, and only the others so that they are at rest beside them.
+ */
+PAM_EXPORT int pam_settle_start(void *instance, int keep) {
+    pam_instance *c = pam_check(instance, CO_SIMULATION, STEP, "pam_settle_start");
+    if (!c) return PAM_ERROR;
+    if (pam_solver_settle_start(&c->solver, keep ? c->x_explicit : NULL)) return discard(c);
+    move_to(c, c->core.time);
+    return pam_state_holds(c);
+}
+
 /* Beside FMI: steps, rejected steps, evaluations of f, Jacobians and restarts since initialization. */
 PAM_EXPORT void pam_get_statistics(const void *instance, long long values[5]) {
     const pam_instance *c = instance;

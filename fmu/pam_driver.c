@@ -54,6 +54,8 @@ typedef struct {
     double tolerance, max_seconds; /* max_seconds: of processor time; 0: no limit */
     void (*follow)(void *instance, int on); /* pam_follow_sensitivities of our own FMUs, or null */
     int32_t plain; /* whether nobody asks for sensitivities */
+    int32_t settle_start; /* 0: the run begins with the start values, 1: what is not among those set settles, 2: all does */
+    int (*settle_at)(void *instance, int keep); /* pam_settle_start of our own FMUs, or null */
     int32_t at_rest; /* each point is an equilibrium under its own inputs, found from the start values, not a time */
     size_t n_parameters;
     const uint32_t *parameters;
@@ -157,6 +159,7 @@ static void initialise(driver_run *r, int64_t knot) {
     CALL(ENTER, enter(r));
     if (r->n_inputs && knot >= 0 && set_inputs(r, knot)) return;
     CALL(LEAVE, call(r, r->leave));
+    if (r->settle_start) CALL(SETTLE, r->settle_at(r->instance, r->settle_start == 1));
 }
 
 static void read_outputs(driver_run *r, int64_t row) {

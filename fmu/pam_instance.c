@@ -11,6 +11,10 @@ void pam_initialise_states(pam_instance *c) {
     m->init(arg, res, c->solver.iw, c->solver.w, 0);
     for (int i = 0; i < m->nx; i++)
         if (c->x_explicit[i] == 0.0) c->x[i] = c->result[i];
+    /* A start value that was set depends on nothing but itself. */
+    for (int i = 0; i < m->nc; i++)
+        for (int k = 0; k < m->ns && c->x_explicit[i] != 0.0; k++)
+            c->x[m->nc + i * m->ns + k] = m->start_of[k] == i ? 1.0 : 0.0;
     c->core.initial_known = 1;
 }
 

@@ -54,6 +54,7 @@ typedef struct pam_solver {
     double *k, *f, *ft, *stage, *u_stage, *d, *dd, *d_stage, *jac, *lu, *rhs, *w;
     int *pivot;
     long long *iw;
+    const double *held;        /* nc: not 0 where a state keeps its value while the others settle; or null */
     char message[PAM_MESSAGE]; /* why pam_solver_advance failed */
     /* Asked for each time up to which the solution is about to be used, in order; 1 with a message: no further.
      * May be null. The solution is known at all times since the one before. */
@@ -95,6 +96,11 @@ int pam_solver_advance(pam_solver *v, double t);
  * sensitivities. Returns 0, or 1 with a message. In pam_equilibrium.c.
  */
 int pam_solver_settle(pam_solver *v);
+
+/* Likewise at the start itself, before any step, with delayed inputs as they are there. Where ``held`` is not 0 (nc, or
+ * null) a state keeps its value and its sensitivities.
+ */
+int pam_solver_settle_start(pam_solver *v, const double *held);
 
 /* The first nc states at a time the pending step covers. */
 void pam_solver_core_state(const pam_solver *v, double t, double *x);

@@ -39,8 +39,11 @@ static pam_status set_one(pam_instance *c, unsigned vr, double value) {
             return PAM_OK;
         case STATE:
             c->x[index] = value;
-            if (starting) c->x_explicit[index] = 1.0;
-            else c->core.state_changed = 1;
+            if (starting) {
+                c->x_explicit[index] = 1.0;
+                c->core.initial_known = 0;
+            } else
+                c->core.state_changed = 1;
             return PAM_OK;
         default: return pam_log(c, PAM_ERROR, "the variable with value reference %u cannot be set", vr);
     }

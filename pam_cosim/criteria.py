@@ -116,7 +116,30 @@ class RecognitionCriteria:
     alike: float = decides(0.02, "of the largest", "traits of runs that differ by less do not tell them apart")
     steady: float = decides(0.3, "of its mean", "a supply pressure varies by less, and stays above the other")
     held_out: float = decides(0.25, "of runs", "that are held out to be judged")
+    uneven: float = decides(3.0, "median steps", "longer steps are of no clock, where nothing else says time")
+    most_points: int = decides(2000, "rows", "of a table without time; more points at rest nobody waits for")
+    levels_to_hold_out: int = decides(4, "values", "of what is imposed in a table; of fewer none is held out")
+    points_to_hold_out: int = decides(8, "values", "the same along a single curve, which needs most of them")
     runs_to_hold_out: int = decides(3, "runs", "of fewer none is held out: they are needed for the fit")
+
+
+@dataclass(frozen=True)
+class StartCriteria:
+    """Where a run begins: what its first samples say, and how far start values may be from that."""
+
+    most_samples: int = decides(100, "samples", "at the beginning of a run, through which a line is laid at most")
+    bent: float = decides(3.0, "sd", "of chi-square, from which on the first samples are not on a line any more")
+    moving: float = decides(4.0, "sd", "of the slope of the first samples, below which they do not show a motion")
+    away: float = decides(6.0, "sd", "of the noise, within which a first sample agrees with the model's own start")
+    range: float = decides(3.0, "of range", "sd of a start value by what the run itself goes through in that state")
+    told: float = decides(0.5, "1", "share of the variance beforehand that must be left: less, and the data tell it")
+    own_parameter: float = decides(
+        1e-3, "of a state", "by which a free parameter must move where the model begins, to be what says it"
+    )
+    steps: int = decides(8, "steps", "of Newton's method for the start values of a run, beside given parameters")
+    linear: float = decides(0.01, "1", "of the squares, that a further step may take away by the slopes alone")
+    settled: float = decides(0.01, "variances", "of the noise, that a further such step must take away to be made")
+    corrections: int = decides(4, "times", "a first reading is brought into agreement with the state that it shows")
 
 
 @dataclass(frozen=True)
@@ -274,6 +297,21 @@ class SearchCriteria:
 
 
 @dataclass(frozen=True)
+class FoldsCriteria:
+    """When an effect is named of which what remains is no noise."""
+
+    fewest: int = decides(3, "runs", "of fewer, too little is left to fit")
+    most: int = decides(5, "folds", "that runs are left out in: the usual number")
+    visible: float = decides(
+        0.1, "of the error beyond the noise", "squared, that an effect takes away in runs that were left out, at least"
+    )
+    beyond: float = decides(
+        2.0, "times", "the usual error, of runs that are named because the others do not foretell them"
+    )
+    believable: float = decides(1.5, "times", "more or less than stated is no slip of a ruler or a balance")
+
+
+@dataclass(frozen=True)
 class LedgerCriteria:
     """When a balance fails, and when an instrument does."""
 
@@ -358,12 +396,14 @@ class Criteria:
 
     recognition: RecognitionCriteria = RecognitionCriteria()
     noise: NoiseCriteria = NoiseCriteria()
+    starts: StartCriteria = StartCriteria()
     static: StaticCriteria = StaticCriteria()
     residuals: ResidualCriteria = ResidualCriteria()
     where: WhereCriteria = WhereCriteria()
     fit: FitCriteria = FitCriteria()
     evidence: EvidenceCriteria = EvidenceCriteria()
     search: SearchCriteria = SearchCriteria()
+    folds: FoldsCriteria = FoldsCriteria()
     ledger: LedgerCriteria = LedgerCriteria()
     learning: LearningCriteria = LearningCriteria()
     next_experiment: NextExperimentCriteria = NextExperimentCriteria()

@@ -36,6 +36,8 @@ class Interface(Printed):
         interval: default distance of output points [s].
         tolerance: default relative tolerance of the solver.
         sensitivities: outputs that are derivatives of outputs with respect to parameters; not among ``outputs``.
+        states: names of the continuous states whose start values can be set; they are locals or outputs too.
+        rates: names of their derivatives by time.
     """
 
     model: str
@@ -47,6 +49,8 @@ class Interface(Printed):
     interval: float = 0.01
     tolerance: float = 1e-6
     sensitivities: dict[str, Variable] = field(default_factory=dict)
+    states: tuple[str, ...] = ()
+    rates: tuple[str, ...] = ()
 
     def __str__(self) -> str:
         """Inputs, outputs and parameters, a line each: name, default, range, unit, meaning."""
@@ -71,10 +75,24 @@ class Interface(Printed):
         starts = {name: v for name, v in (self.locals | self.outputs).items() if v.start is not None}
         return {**self.parameters, **self.inputs, **starts}
 
+    @property
+    def start_values(self) -> dict[str, Variable]:
+        """The continuous states whose start values can be set."""
+        known = self.locals | self.outputs
+        return {name: known[name] for name in self.states}
+
+
+_SENSITIVITY = "sensitivity."
+
 
 def sensitivity_name(output: str, parameter: str) -> str:
-    """The variable that is the derivative of an output or state with respect to a parameter."""
-    return f"sensitivity.{output}.{parameter}"
+    """The variable that is the derivative of an output or state with respect to a parameter or a start value."""
+    return f"{_SENSITIVITY}{output}.{parameter}"
+
+
+def is_sensitivity(name: str) -> bool:
+    """Whether a variable is such a derivative."""
+    return name.startswith(_SENSITIVITY)
 
 
 def _line(variable: Variable) -> str:

@@ -21,6 +21,9 @@ def is_file(model: str) -> bool:
 BRANCH = "branch"
 """The input of a bench by which points at rest tell the direction in which they were reached: 1, -1, or 0."""
 
+START_VALUES = "start values"
+"""Stands for the start values of all states, where the parameters are named by which a model differentiates."""
+
 _STATED = "/stated"
 
 

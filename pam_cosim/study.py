@@ -14,7 +14,7 @@ import numpy as np
 from pam_cosim.catalogue import Composition, EffectClass, RigPart, domain_of, effect_classes, put_together
 from pam_cosim.catalogue import benches as _benches
 from pam_cosim.catalogue import rig_parts as _rig_parts
-from pam_cosim.comparison import Comparison
+from pam_cosim.comparison import Comparison, with_starts
 from pam_cosim.comparison import compare as _compare
 from pam_cosim.compiler import read_library
 from pam_cosim.compiler.names import last
@@ -24,7 +24,7 @@ from pam_cosim.diagnosis import diagnose as _diagnose
 from pam_cosim.domain import Domain
 from pam_cosim.drafting import NewDataSet, Wishes, draft
 from pam_cosim.errors import InputError
-from pam_cosim.files import check_writable, make_folder, write_bytes, write_text
+from pam_cosim.files import check_writable, write_text
 from pam_cosim.fitted_model import (
     FittedModel,
     compose_fitted,
@@ -33,79 +33,33 @@ from pam_cosim.fitted_model import (
     read_fitted_model,
     with_own_values,
 )
-from pam_cosim.fitting import Fit, FitOptions, Profiles, Progress, base_parameters, with_free
+from pam_cosim.fitting import Fit, FitOptions, Profiles, Progress, base_parameters, estimated_starts, with_free
 from pam_cosim.fitting import fit as _fit
 from pam_cosim.fitting import profile as _profile
-from pam_cosim.fmu import build_model, read_interface
+from pam_cosim.fmu import read_interface
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.mapped_model import mapped_model
-from pam_cosim.measurement import DataSet, complete_noise, read_data_set
-from pam_cosim.names import is_fmu, is_modelica, is_ratio, parameter_of
+from pam_cosim.measurement import DataSet, Run, complete_noise, read_data_set
+from pam_cosim.models import Paths, as_paths, opened
+from pam_cosim.models import build as build
+from pam_cosim.models import describe as describe
+from pam_cosim.names import START_VALUES, is_fmu, is_modelica, is_ratio, parameter_of
 from pam_cosim.products import Product
 from pam_cosim.settings import Setting, resolve, value_of
-from pam_cosim.simulation import Inputs, IsolatedSimulator, Simulator, Trajectory
+from pam_cosim.simulation import Inputs, Trajectory
 from pam_cosim.simulation.fmpy_engine import run_with_fmpy
 from pam_cosim.sources import Source, inputs_of
 from pam_cosim.sweeps import Plan, Sweep, design_of, make_sweep, read_scalars
 from pam_cosim.units import UnitError, seconds
 from pam_cosim.wording import did_you_mean
 
-Paths = Sequence[Path | str]
 MOST_STEPS = 10_000_000  # of one run, whose outputs are kept in memory: 80 MB each
 ENGINES = ("own", "fmpy")
 
 
-def describe(model: str, files: Paths = ()) -> Interface:
-    """Inputs, outputs and parameters of a model: a bench, a Modelica class, a ``.mo`` or an ``.fmu`` file.
-
-    Raises:
-        InputError: there is no such model, or it cannot be compiled.
-    """
-    return read_interface(build(model, files=files))
-
-
-def build(
-    model: str,
-    output: Path | str | None = None,
-    *,
-    files: Paths = (),
-    platforms: Sequence[str] = ("native",),
-    fmi: str = "2.0",
-    sensitivities: Sequence[str] = (),
-) -> Path:
-    """Builds an FMU, or finds it in the cache; with ``output`` it is put there.
-
-    ``platforms`` names those that the FMU shall run on: "native", "all", or names such as "x86_64-windows".
-    ``fmi`` is the version of the interface, "2.0" or "3.0". For each parameter in ``sensitivities`` the derivatives
-    of the outputs with respect to it are outputs too, ``sensitivity.<output>.<parameter>``.
-    """
-    if output is not None:
-        check_writable(Path(output), new_folder=True)
-    made = build_model(model, _paths(files), platforms=platforms, fmi=fmi, sensitivities=sensitivities)
-    if output is None:
-        return made
-    target = Path(output)
-    make_folder(target.parent)
-    write_bytes(target, made.read_bytes())
-    return target
-
-
-def opened(
-    model: str, files: Paths = (), free: Iterable[str] = (), timeout: float | None = None
-) -> Simulator | IsolatedSimulator:
-    """A model ready to run; an FMU of somebody else's runs in a process of its own, which it may crash.
-
-    A Modelica model tells its sensitivities to the ``free`` parameters. An FMU that makes no progress for ``timeout``
-    seconds is ended (None: the default of ``IsolatedSimulator``).
-    """
-    if is_fmu(model):
-        return IsolatedSimulator(build(model, files=files), timeout)
-    return Simulator(build_model(model, _paths(files), sensitivities=tuple(free), where_smooth=True))
-
-
 def benches(files: Paths = ()) -> list[str]:
     """Names of the benches of the library, and of those among ``files``."""
-    return [last(bench) for bench in _benches(read_library(files=_paths(files)))]
+    return [last(bench) for bench in _benches(read_library(files=as_paths(files)))]
 
 
 def read(
@@ -130,7 +84,7 @@ def read(
             described,
             model=model,
             benches=lambda: benches(files),
-            with_maps=lambda base, maps: mapped_model(base, described(base), maps, _paths(files)),
+            with_maps=lambda base, maps: mapped_model(base, described(base), maps, as_paths(files)),
         )
     data = replace(data.with_roles(roles or {}), domain=_domain(data.model, described(data.model), files))
     return _for_model(data, model, files)
@@ -138,9 +92,14 @@ def read(
 
 def _for_model(data: DataSet, model: str | None, files: Paths) -> DataSet:
     """The data set for a model: values that a Modelica model of another name states stand before starts of a fit."""
-    if model is None or model == data.bench or is_fmu(model) or all(f.start is None for f in data.fit.values()):
+    if (
+        model in (None, data.bench)
+        or not data.bench
+        or is_fmu(model)
+        or all(f.start is None for f in data.fit.values())
+    ):
         return data
-    return with_own_values(data, model, _paths(files))
+    return with_own_values(data, model, as_paths(files))
 
 
 def _described(files: Paths) -> Callable[[str], Interface]:
@@ -150,7 +109,7 @@ def _described(files: Paths) -> Callable[[str], Interface]:
 
 def _domain(model: str, interface: Interface, files: Paths) -> Domain:
     """The words of the model's field; an FMU says what class it was made from."""
-    sources = _paths(files) + ([Path(model)] if is_modelica(model) else [])
+    sources = as_paths(files) + ([Path(model)] if is_modelica(model) else [])
     return domain_of(read_library(files=sources), interface.model if is_fmu(model) else model)
 
 
@@ -166,9 +125,29 @@ def compare(
 
     ``parameters`` are further values and ``timeout`` a limit, as in ``simulate``.
     """
-    data = _for_model(data, model, files)
-    with opened(model or data.model, files, timeout=timeout) as simulator:
-        return _compare(simulator, complete_noise(data), _of_runs(parameters or {}, data, simulator.interface))
+    name, data = model or data.model, _for_model(data, model, files)
+    interface = describe(name, files)
+    values = _of_runs(parameters or {}, data, interface)
+    data = _begun(complete_noise(data), name, values, files, timeout)
+    with opened(name, files, [START_VALUES] * data.estimates_starts, timeout) as simulator:
+        starts = estimated_starts(simulator, data, _without_start(data, values, interface), values)
+        return _compare(simulator, data, values | {name: e.value for name, e in starts.items()})
+
+
+def _begun(
+    data: DataSet, model: str, values: Mapping[str, float], files: Paths, timeout: float | None = None
+) -> DataSet:
+    """The data set where every run says how it begins."""
+    if all(run.is_static or run.start.mode is not None for run in data.runs):
+        return data
+    with opened(model, files, timeout=timeout) as simulator:
+        return with_starts(simulator, data, values)
+
+
+def _without_start(data: DataSet, values: Mapping[str, float], interface: Interface) -> list[Run]:
+    """The runs of which the values do not say where they begin."""
+    given = {name.rpartition("@")[2] for name in values if name.rpartition("@")[0] in interface.states}
+    return [run for run in data.runs if run.name not in given]
 
 
 def _of_runs(parameters: Mapping[str, Setting], data: DataSet, interface: Interface) -> dict[str, float]:
@@ -231,12 +210,13 @@ def fit(
         raise InputError(f"starts are for the method multi-start, not for {method}")
     if starts < 0:
         raise InputError(f"a fit cannot begin at {starts} points")
-    data = _freed(data, model, free, start, files)
-    with opened(model or data.model, files, data.free_names, timeout) as simulator:
+    data = complete_noise(_freed(data, model, free, start, files))
+    fixed = resolve(parameters or {}, describe(model or data.model, files))
+    data = _begun(data, model or data.model, fixed, files, timeout)
+    with opened(model or data.model, files, data.differentiated, timeout) as simulator:
         chosen = base_parameters(data, simulator.interface)
         if not chosen:
             raise InputError("nothing to fit: name the free parameters under [fit]", data.folder / "experiment.toml")
-        data, fixed = complete_noise(data), resolve(parameters or {}, simulator.interface)
         options, kept = FitOptions(method, starts=starts), Path(resume) if resume is not None else None
         return _fit(simulator, data, chosen, fixed=fixed, options=options, progress=progress, resume=kept)
 
@@ -308,7 +288,7 @@ def diagnose(
     ``exclude`` and ``expect`` name families or effects that are known not to be missing, or that are likely, with those
     of the data set. ``free`` and ``start`` are as for ``fit``.
     """
-    limit, files = _seconds(time_limit, "time limit"), _paths(files)
+    limit, files = _seconds(time_limit, "time limit"), as_paths(files)
     if limit is not None and not limit > 0:
         raise InputError(f"the time limit must be longer than nothing: {time_limit}")
     return _diagnose(
@@ -338,7 +318,7 @@ def check(
     How exactly the free parameters will be known, which families of effects would show and from which strength on,
     which of them would not be told apart, and which further signal or run would help most.
     """
-    return _check(data, model, files=_paths(files), say=say, workers=workers)
+    return _check(data, model, files=as_paths(files), say=say, workers=workers)
 
 
 def draw(product: Product, path: Path | str) -> None:
@@ -365,7 +345,7 @@ def live() -> Callable[[Any], None]:
 
 def effects(files: Paths = ()) -> list[EffectClass]:
     """The catalogue: every effect of the library and of ``files``."""
-    return list(effect_classes(read_library(files=_paths(files))))
+    return list(effect_classes(read_library(files=as_paths(files))))
 
 
 def add(
@@ -401,7 +381,7 @@ def add(
     ratio = next((parameter_of(one) for one in fitted.effects if is_ratio(one)), None)
     if ratio is not None and not fitted.values:
         raise InputError(f"what is stated of {ratio} is no part of a model: correct it in the data set")
-    extra = _paths(files) + ([Path(base)] if is_modelica(base) else [])
+    extra = as_paths(files) + ([Path(base)] if is_modelica(base) else [])
     name = Path(output).stem if output else None
     parameters = describe(base, files).parameters if fitted.values else ()
     tree = read_library(files=extra)
@@ -438,7 +418,7 @@ def _fitted_model(what: Sequence[str] | Diagnosis | Fit | Path) -> FittedModel:
 
 def rig_parts(files: Paths = ()) -> list[RigPart]:
     """What a bench can be put together from: every part of the library and of ``files``."""
-    return list(_rig_parts(read_library(files=_paths(files))))
+    return list(_rig_parts(read_library(files=as_paths(files))))
 
 
 def bench(
@@ -473,7 +453,7 @@ def bench(
         ModelError: a part is not what its interface asks for.
     """
     name = Path(output).stem if output else None
-    rig = put_together(read_library(files=_paths(files)), pneumatics, mechanics, muscle, measure, name, static)
+    rig = put_together(read_library(files=as_paths(files)), pneumatics, mechanics, muscle, measure, name, static)
     if output:
         write_text(Path(output), rig.text)
     return rig.text
@@ -520,7 +500,7 @@ def new(
     stated = {name: str(value) for name, value in (parameters or {}).items()}
     wishes = Wishes(title, model, columns, stated, recording, muscle, roles)
     paths = [Path(one) for one in recordings]
-    made = draft(Path(folder), paths, wishes, read_library(files=_paths(files)), _described(files), _paths(files))
+    made = draft(Path(folder), paths, wishes, read_library(files=as_paths(files)), _described(files), as_paths(files))
     return replace(made, data=read(folder, files=files))
 
 
@@ -704,7 +684,3 @@ def sweep(
     if result is not None:
         made.save(result)
     return made
-
-
-def _paths(files: Paths) -> list[Path]:
-    return [Path(f) for f in files]

@@ -31,8 +31,8 @@ def judged(result: Result) -> str:
 
     One family or several: right is identified with exactly these, or with others that the case says give the very same
     data. Readings in steps and nothing else: right is none_missing too. Nothing hidden: right is none_missing; unknown
-    claims no effect either, and is counted by its own name. An effect in no family: unknown and ambiguous are right, and
-    so is what names instruments alone; another identified family is wrong.
+    claims no effect either, and is counted by its own name. An effect in no family: unknown and ambiguous are right,
+    and so is what names instruments alone; another identified family is wrong.
     """
     if "error" in result:
         return "error"

@@ -1,5 +1,7 @@
 """Trajectory and data set -> residuals, scores, and where the error sits."""
 
+from pam_cosim.comparison.beginning import Beginning, beginning, measured, start_time
+from pam_cosim.comparison.chosen_starts import with_starts
 from pam_cosim.comparison.compare import Comparison, compare, scored
 from pam_cosim.comparison.condition_table import STATISTICS, Condition, ConditionTable, Statistic, write_tables
 from pam_cosim.comparison.doubts import Doubt
@@ -12,13 +14,14 @@ from pam_cosim.comparison.residual_statistics import (
     residual_statistics,
     series_of,
 )
-from pam_cosim.comparison.residuals import RunComparison, simulate_run, start_time
+from pam_cosim.comparison.residuals import RunComparison, simulate_run
 from pam_cosim.comparison.rounding import expected_squares, slope, usual_square, weighted
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.comparison.where import Rule, sitting, where
 
 __all__ = [
     "STATISTICS",
+    "Beginning",
     "Comparison",
     "Condition",
     "ConditionTable",
@@ -30,10 +33,12 @@ __all__ = [
     "Series",
     "SignalScore",
     "Statistic",
+    "beginning",
     "chi2_reduced",
     "compare",
     "expected_squares",
     "lag_one",
+    "measured",
     "outliers",
     "reproducibility",
     "residual_statistics",
@@ -47,6 +52,7 @@ __all__ = [
     "usual_square",
     "weighted",
     "where",
+    "with_starts",
     "without_outliers",
     "write_tables",
 ]

@@ -103,6 +103,7 @@ class Comparison(Printed):
                     "name": r.run.name,
                     "role": r.run.role,
                     "parameters": dict(r.run.parameters),
+                    **({} if r.run.start.mode is None else {"start": r.run.start.mode}),
                     "signals": {n: s.as_dict() for n, s in score([r], self.data.signals).items()},
                 }
                 for r in self.runs
@@ -113,6 +114,7 @@ class Comparison(Printed):
 
     def __str__(self) -> str:
         lines = [f"{self.model} against {self.data.title}"]
+        lines += [f"  {sentence}" for sentence in self.data.starts]
         for role in ROLES:
             for name, s in self.scores[role].items():
                 signal = self.data.signals[name]

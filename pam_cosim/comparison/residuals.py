@@ -6,8 +6,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from pam_cosim.arrays import Array
+from pam_cosim.comparison.beginning import beginning, inputs_of_run, start_time
 from pam_cosim.measurement import DataSet, Run
-from pam_cosim.simulation import AnySimulator, Inputs
+from pam_cosim.simulation import AnySimulator
 
 
 @dataclass(frozen=True)
@@ -25,16 +26,6 @@ class RunComparison:
     def residual(self, signal: str) -> Array:
         """Measured minus modelled [SI], shape (n,), NaN where a sample is missing."""
         return self.run.measurements[signal] - self.model[signal]
-
-
-def start_time(run: Run) -> float:
-    """When the simulation of a run begins [s].
-
-    A run that records inputs begins with its first row: nothing is known of the inputs before. A run without
-    inputs is a free course from the state at time zero, which the first sample may come after.
-    """
-    first = float(run.time[0])
-    return first if run.inputs else min(0.0, first)
 
 
 def simulate_run(
@@ -66,13 +57,15 @@ def simulate_run(
             outputs=list(simulator.interface.outputs) if signals is None else signals,
         )
         return RunComparison(run, dict(points.values))
-    inputs = Inputs(run.time, run.inputs, run.interpolation) if run.inputs else None
+    own = data.parameters_of(run, parameters)
+    start = beginning(simulator, data, run, own)
     trajectory = simulator.run(
         run.time,
-        parameters=data.parameters_of(run, parameters),
-        inputs=inputs,
+        parameters={**own, **start.values},
+        inputs=inputs_of_run(run),
         outputs=list(simulator.interface.outputs) if signals is None else signals,
         start_time=start_time(run),
         tolerance=tolerance,
+        settle=start.settle,
     )
     return RunComparison(run, dict(trajectory.values))

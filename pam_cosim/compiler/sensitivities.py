@@ -20,7 +20,7 @@ def with_sensitivities(ode: Ode, parameters: Sequence[str]) -> Ode:
 
     Args:
         ode: the model.
-        parameters: names of s.
+        parameters: names of s; that of a state stands for its start value, where a run sets one.
 
     Raises:
         InputError: the model has no such parameter, it is named twice, or it is the length of a delay, with which
@@ -29,13 +29,15 @@ def with_sensitivities(ode: Ode, parameters: Sequence[str]) -> Ode:
     names = tuple(parameters)
     if not names:
         return ode
-    chosen = _chosen(ode, names)
+    _check(ode, names)
+    chosen = sensitivity_symbols(replace(ode, sensitivities=names))
     x, s = ode.x, ca.SX.sym("S", ode.x.numel(), len(names))
     rates = ca.jacobian(ode.derivatives, x) @ s + ca.jacobian(ode.derivatives, chosen)
     slopes = ca.jacobian(ode.outputs, x) @ s + ca.jacobian(ode.outputs, chosen)
     interface = ode.interface
-    states = [_variable(state, interface.parameters[n]) for state in ode.states for n in names]
-    outputs = [_variable(output, interface.parameters[n]) for output in interface.outputs.values() for n in names]
+    by = interface.parameters | {state.name: state for state in ode.states}
+    states = [_variable(state, by[n]) for state in ode.states for n in names]
+    outputs = [_variable(output, by[n]) for output in interface.outputs.values() for n in names]
     return replace(
         ode,
         interface=replace(interface, outputs=interface.outputs | {v.name: v for v in outputs}),
@@ -59,8 +61,15 @@ def smooth_parameters(ode: Ode) -> tuple[str, ...]:
     return tuple(name for i, name in enumerate(ode.interface.parameters) if i not in bound and name not in late)
 
 
-def _chosen(ode: Ode, names: tuple[str, ...]) -> ca.SX:
-    known, smooth = list(ode.interface.parameters), smooth_parameters(ode)
+def sensitivity_symbols(ode: Ode) -> ca.SX:
+    """(s,) what ``ode.sensitivities`` are with respect to; a start value stands in no equation."""
+    known = {name: ode.p[i] for i, name in enumerate(ode.interface.parameters)}
+    chosen = [known[n] if n in known else ca.SX.sym(f"start of {n}") for n in ode.sensitivities]
+    return ca.vertcat(ca.SX(0, 1), *chosen)
+
+
+def _check(ode: Ode, names: tuple[str, ...]) -> None:
+    known, smooth = [*ode.interface.parameters, *(state.name for state in ode.states)], smooth_parameters(ode)
     for i, name in enumerate(names):
         if name not in known:
             raise InputError(f"there is no parameter '{name}' to differentiate by", ode.interface.model)
@@ -72,13 +81,12 @@ def _chosen(ode: Ode, names: tuple[str, ...]) -> ca.SX:
                 "derivative with respect to it",
                 ode.interface.model,
             )
-        if name not in smooth:
+        if name in ode.interface.parameters and name not in smooth:
             raise InputError(
                 f"parameter '{name}' is the length of a delay: where an input jumps there is no derivative with "
                 "respect to it",
                 ode.interface.model,
             )
-    return ca.vertcat(*[ode.p[known.index(name)] for name in names])
 
 
 def _variable(of: Variable, by: Variable) -> Variable:

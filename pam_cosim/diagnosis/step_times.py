@@ -82,7 +82,7 @@ def run_retiming(task: Retiming) -> Retimed | None:
 
     None where they do less, in the first run, than a further effect has to, or the model cannot be simulated.
     """
-    names = tuple(dict.fromkeys(map(parameter_of, task.fit.parameters)))
+    names = tuple(dict.fromkeys([*map(parameter_of, task.fit.parameters), *task.data.differentiated]))
     text, name = task.composition.text, task.composition.name
     try:
         source = build_source(name, text, task.files, sensitivities=names, library=task.library, lean=True)
@@ -149,7 +149,7 @@ class _Clock:
         """Samples minus model of a run that steps at these times, in noise standard deviations."""
         run = with_step_times(self._recorded.runs[i], self._rows[i], times)
         objective = self._objective([run], (), self._values)
-        return _finite(objective, objective.plain_residuals(np.zeros(0)))
+        return _finite(objective, objective.plain_residuals(np.zeros(0)))[: objective.size]
 
     def _objective(
         self, runs: Sequence[Run], free: Sequence[Free], fixed: Mapping[str, float] | None = None

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from pam_cosim.catalogue import EffectClass, domain_of, effect_classes, origins, qualified
+from pam_cosim.comparison import with_starts
 from pam_cosim.compiler import ClassTree, Part, read_library, read_structure
 from pam_cosim.diagnosis.events import Remark
 from pam_cosim.diagnosis.message import Message
@@ -42,7 +43,8 @@ class Subject:
 
     def simulator(self) -> Simulator:
         """The model, with slopes by the free parameters where it is smooth."""
-        return Simulator(build_model(self.name, self.files, sensitivities=self.data.free_names, where_smooth=True))
+        names = self.data.differentiated
+        return Simulator(build_model(self.name, self.files, sensitivities=names, where_smooth=True))
 
     def effects(self, interface: Interface) -> list[EffectClass]:
         """All that the model may lack: effects of the library and of files, and wrong parameters that are stated."""
@@ -80,4 +82,9 @@ def subject_of(
     if said:
         say(Remark(said).message)
     data = complete_noise(replace(data, domain=domain_of(tree, name)))
+    if not all(run.is_static or run.start.mode for run in data.runs):
+        with Simulator(build_model(name, files)) as simulator:
+            data = with_starts(simulator, data)
+        for sentence in data.starts:
+            say(Remark(sentence).message)
     return Subject(name, tuple(files), sources, tree, data, said)

@@ -136,7 +136,7 @@ def run_stated(trial: Trial) -> Stated | FailedTrial:
 def _attempted(trial: Trial, work: Callable[[Trial, Simulator], Result]) -> Result | FailedTrial:
     """What comes of some work on the model of a trial; a failure is a result too."""
     own = [name for names in trial.composition.parameters.values() for name in names]
-    free = tuple(dict.fromkeys([*trial.data.free_names, *map(parameter_of, own)]))
+    free = tuple(dict.fromkeys([*trial.data.differentiated, *map(parameter_of, own)]))
     source, name = trial.composition.text, trial.composition.name
     try:
         fmu = build_source(name, source, trial.files, sensitivities=free, library=trial.library, lean=True)

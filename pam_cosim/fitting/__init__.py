@@ -12,6 +12,7 @@ from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.parameter_file import parameters_in, read_parameters, write_parameters
 from pam_cosim.fitting.profile import Profile, Profiles
 from pam_cosim.fitting.solve import spread_starts
+from pam_cosim.fitting.start_estimates import estimated_starts
 from pam_cosim.fitting.tracker import Convergence, Progress, Standing
 
 __all__ = [
@@ -30,6 +31,7 @@ __all__ = [
     "Record",
     "Standing",
     "base_parameters",
+    "estimated_starts",
     "estimates",
     "fit",
     "linearised",

@@ -30,6 +30,7 @@ from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.profile import Profiles, correlations, profiles
 from pam_cosim.fitting.resume import FitLog, LoggedObjective, identity_of
 from pam_cosim.fitting.solve import Problem
+from pam_cosim.fitting.start_estimates import held_out_starts, start_estimates
 from pam_cosim.fitting.tracker import Convergence, Progress, Tracker
 from pam_cosim.measurement import ROLES, DataSet
 from pam_cosim.simulation import AnySimulator
@@ -54,6 +55,7 @@ class Fit(Printed):
         correlation: (k, k) matrix of the estimates, in the order of ``parameters``; empty: not known.
         linear: the model about the optimum, where the options ask for it.
         leeway: of the held-out runs, where the options ask for it.
+        starts: start values that were estimated, as "state@run".
     """
 
     model: str
@@ -69,6 +71,7 @@ class Fit(Printed):
     correlation: Array = field(default_factory=lambda: np.zeros((0, 0)))
     linear: Linear | None = None
     leeway: Leeway = field(default_factory=Leeway)
+    starts: dict[str, Estimate] = field(default_factory=dict)
 
     @property
     def tested(self) -> dict[str, ResidualStatistics]:
@@ -86,8 +89,10 @@ class Fit(Printed):
 
     @property
     def freedom(self) -> int:
-        """Number of parameters that the data determine."""
-        return sum(e.determined for e in self.parameters.values())
+        """Number of parameters that the data determine, start values of the fitted runs among them."""
+        fitted = {run.run.name for run in self.comparison.runs if run.run.role == "fit"}
+        starts = sum(e.determined for e in self.starts.values() if e.run in fitted)
+        return starts + sum(e.determined for e in self.parameters.values())
 
     @property
     def chi2_priors(self) -> float:
@@ -112,6 +117,7 @@ class Fit(Printed):
             "search": self.search.as_dict() if self.search else None,
             "correlation": [[float(c) for c in row] for row in self.correlation],
             "convergence": self.convergence.as_dict(),
+            **({"starts": {n: e.as_dict() for n, e in self.starts.items()}} if self.starts else {}),
             "chi2_reduced": self.residuals["fit"].chi2_reduced,
             "comparison": self.comparison.as_dict(),
         }
@@ -185,7 +191,10 @@ def fit(
             log.write()
     end = solution.end
     linear = linearised(objective, end.z, options.rows) if options.rows else None
-    comparison = compare(simulator, data, objective.values(end.z), options.tolerance, rules=options.rules)
+    objective.residuals(end.z)  # a descent may have ended with a look elsewhere
+    begun = start_estimates(objective) | held_out_starts(simulator, data, objective.values(end.z), objective.tolerance)
+    values = objective.values(end.z) | {name: e.value for name, e in begun.items()}
+    comparison = compare(simulator, data, values, options.tolerance, rules=options.rules)
     by_role = statistics_by_role(comparison)
     spread = _spread(by_role["fit"])
     parameters = estimates(chosen, end.z, end.jacobian, objective.bounds, spread)
@@ -202,7 +211,8 @@ def fit(
         tracker.convergence,
         correlations(end.jacobian),
         linear,
-        _leeway(simulator, data, chosen, fixed, options, end, spread),
+        starts=begun,
+        leeway=_leeway(simulator, data, chosen, fixed, options, end, spread),
     )
 
 

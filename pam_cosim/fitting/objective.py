@@ -12,11 +12,14 @@ from pam_cosim.comparison import RunComparison, simulate_run, slope, usual_squar
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.free import Free
+from pam_cosim.fitting.start_values import StartValues, eliminate, start_values
 from pam_cosim.fitting.tracker import Tracker
 from pam_cosim.interface import sensitivity_name
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.names import is_ratio
 from pam_cosim.simulation import AnySimulator
+
+Outputs = Sequence[Sequence[str]] | Mapping[int, Sequence[str]]  # by number of the run
 
 
 class Objective:
@@ -30,6 +33,7 @@ class Objective:
         tracker: is told of every point.
         evaluations: simulations of the whole set so far.
         failures: the first message of each kind of breakdown.
+        starts: start values that are parameters of their runs, by number of the run.
         tolerance: relative, of the solver.
     """
 
@@ -50,6 +54,7 @@ class Objective:
         self.evaluations = 0
         self.failures: list[str] = []
         self._latest: tuple[bytes, Array, Array | None] | None = None  # where, residuals, exact Jacobian there
+        self.starts: dict[int, StartValues] | None = None  # by number of the run; None: nothing was simulated yet
         self._signals = [
             [s for s, signal in data.signals.items() if signal.fitted and run.sample_count(s)] for run in self.runs
         ]
@@ -79,9 +84,24 @@ class Objective:
         """Search coordinates to parameters by name, with the fixed ones [SI]."""
         return self.fixed | {f.name: f.to_value(float(c)) for f, c in zip(self.free, z, strict=True)}
 
-    def _simulate(self, z: Array, outputs: Sequence[Sequence[str]], chosen: Sequence[int]) -> list[RunComparison]:
+    @property
+    def start_values(self) -> dict[str, float]:
+        """Those that are estimated, as they are now, by name and run [SI]."""
+        return {n: v for one in (self.starts or {}).values() for n, v in one.settings().items()}
+
+    def _begun(self, z: Array) -> dict[int, StartValues]:
+        """The start values that are parameters, about where the first samples put them at the first ``z``."""
+        if self.starts is None:
+            estimated = [i for i, run in enumerate(self.runs) if run.start.mode == "estimated"]
+            values = self.values(z)
+            found = {i: start_values(self.simulator, self.data, self.runs[i], values) for i in estimated}
+            self.starts = {i: one for i, one in found.items() if one.names}
+        return self.starts
+
+    def _simulate(self, z: Array, outputs: Outputs, chosen: Sequence[int]) -> list[RunComparison]:
         """The chosen runs at ``z``. Raises SimulationFailure where one does not reach its end."""
-        values = self.values(z)
+        begun = self._begun(z)
+        values = self.values(z) | {n: v for i in chosen if i in begun for n, v in begun[i].settings().items()}
         return [
             simulate_run(self.simulator, self.data, self.runs[i], values, self.tolerance, outputs[i]) for i in chosen
         ]
@@ -126,27 +146,72 @@ class Objective:
         if self._latest is not None and self._latest[0] == z.tobytes():
             return self._latest[1]
         self.evaluations += 1
-        every = range(len(self.runs))
         try:
-            runs = self._simulate(z, self._outputs, every)
+            runs, left = self._without_starts(z)
         except SimulationFailure as failure:
             self._note(failure)
             return self._broken()
-        residuals = self._with_priors(z, self._weighted(runs, every))
+        residuals = self._with_priors(z, left)
         self._saw(z, residuals)
         if np.all(np.isfinite(residuals)):
             self._latest = (z.tobytes(), residuals, self._exact_jacobian(z, runs) if any(self._exact) else None)
             return residuals
         return self._broken()
 
+    def _without_starts(self, z: Array) -> tuple[list[RunComparison], Array]:
+        """All runs, and their residuals without what start values can take away of them."""
+        begun, runs, parts = self._begun(z), list[RunComparison](), []
+        for i in range(len(self.runs)):
+            if i not in begun:
+                runs += self._simulate(z, self._outputs, [i])
+                parts.append(self._weighted(runs[-1:], [i]))
+                continue
+            run, left = eliminate(begun[i], lambda i=i: self._about(z, i))  # type: ignore[misc]
+            runs.append(run)
+            parts.append(left)
+        return runs, np.concatenate(parts) if parts else np.zeros(0)
+
+    def _about(self, z: Array, i: int) -> tuple[RunComparison, Array, Array]:
+        """A run, its residuals and their slopes by its start values."""
+        one = self._begun(z)[i]
+        names = {s: [sensitivity_name(s, state) for state in one.names] for s in self._signals[i]}
+        told = all(n in self.simulator.interface.sensitivities for slopes in names.values() for n in slopes)
+        wanted = [*self._outputs[i], *(n for slopes in names.values() for n in slopes)] if told else self._outputs[i]
+        run = self._simulate(z, {i: wanted}, [i])[0]
+        residuals = self._weighted([run], [i])
+        if not told:
+            return run, residuals, self._moved_starts(z, i, residuals)
+        parts = []
+        for signal, slopes in names.items():
+            kept, sigma = np.isfinite(run.run.measurements[signal]), self.data.signals[signal].sigma
+            assert sigma is not None
+            parts.append(-np.column_stack([run.model[n][kept] for n in slopes]) / sigma)
+        return run, residuals, np.vstack(parts)
+
+    def _moved_starts(self, z: Array, i: int, at: Array) -> Array:
+        """The slopes of the residuals of a run by its start values, by differences."""
+        one = self._begun(z)[i]
+        here, columns = one.values, []
+        for k, sd in enumerate(one.sd):
+            one.values = here.copy()
+            one.values[k] += CRITERIA.fit.difference_step * sd
+            moved = self._weighted(self._simulate(z, {i: self._signals[i]}, [i]), [i])
+            columns.append((moved - at) / (one.values[k] - here[k]))
+            one.values = here
+        return np.column_stack(columns)
+
     def _broken(self) -> Array:
-        return np.full(self.size + len(self._priors), np.inf)
+        return np.full(self._rows, np.inf)
+
+    @property
+    def _rows(self) -> int:
+        """Samples, priors, and what is known of start values beforehand."""
+        return self.size + len(self._priors) + sum(len(one.names) for one in (self.starts or {}).values())
 
     def _with_priors(self, z: Array, residuals: Array) -> Array:
-        if not self._priors:
-            return residuals
         off = [(prior.mean - self.free[i].to_value(float(z[i]))) / prior.sd for i, prior in self._priors]
-        return np.append(residuals, off)
+        starts = [one.prior_rows(one.values) for one in (self.starts or {}).values()]
+        return np.concatenate([residuals, off, *starts]) if off or starts else residuals
 
     def _saw(self, z: Array, residuals: Array) -> None:
         chi2 = float(residuals @ residuals) / max(self.samples, 1.0)
@@ -159,9 +224,18 @@ class Objective:
         return float(residuals @ residuals) if np.all(np.isfinite(residuals)) else np.inf
 
     def plain_residuals(self, z: Array) -> Array:
-        """As ``residuals``, simulated without slopes."""
+        """As ``residuals``, simulated without slopes where no start values need them."""
+        if self._begun_or_none(z):
+            return self.residuals(z)
         self.evaluations += 1
         return self._with_priors(z, self._without_slopes(z, range(len(self.runs))))
+
+    def _begun_or_none(self, z: Array) -> bool:
+        """Whether start values are estimated, as far as the model runs."""
+        try:
+            return bool(self._begun(z))
+        except SimulationFailure:
+            return False
 
     def glance(self, z: Array) -> float:
         """The squared residuals of the first and the last run, which cost little and tell a good start from a bad one.
@@ -201,7 +275,7 @@ class Objective:
 
     def _exact_jacobian(self, z: Array, runs: Sequence[RunComparison]) -> Array:
         """(size + priors, parameters); columns of parameters whose sensitivities the model does not tell are zero."""
-        jacobian = np.zeros((self.size + len(self._priors), len(self.free)))
+        jacobian = np.zeros((self._rows, len(self.free)))
         by_z = [free.slope(float(c)) for free, c in zip(self.free, z, strict=True)]
         row = 0
         for run, told in zip(runs, self._told, strict=True):
@@ -226,7 +300,19 @@ class Objective:
         """
         told, exact = self._exact, self._exact_at(z)
         columns = [self._difference(z, at, i) if exact is None or not told[i] else exact[:, i] for i in range(len(z))]
-        return np.column_stack(columns) if columns else np.zeros((len(at), 0))
+        return self._following(np.column_stack(columns)) if columns else np.zeros((len(at), 0))
+
+    def _following(self, jacobian: Array) -> Array:
+        """The slopes with the start values moving along, so that least is left."""
+        followed, row = jacobian.copy(), self.size + len(self._priors)
+        for i, one in (self.starts or {}).items():
+            rows = slice(self.ends[i], self.ends[i + 1])
+            moved = one.following(jacobian[rows])
+            count = len(one.names)
+            followed[rows] += one.slopes[:-count] @ moved
+            followed[row : row + count] = one.slopes[-count:] @ moved
+            row += count
+        return followed
 
     def _exact_at(self, z: Array) -> Array | None:
         """The exact Jacobian at ``z``; None where the model has no sensitivities or breaks down."""

@@ -17,6 +17,7 @@ from pam_cosim.fmu.table import Entry, Kind
 from pam_cosim.interface import Variable
 from pam_cosim.units import BaseUnit, UnitError, base_unit
 
+_FOLLOWING = ("calculated", "approx")  # values of ``initial`` of what initialization finds
 _LONGEST = 150
 # What XML 1.0 has no place for, not even as a reference.
 _NOT_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -169,9 +170,9 @@ def model_structure(ode: Ode, entries: Sequence[Entry], *, dependencies: bool = 
     rates = {e.derivative_of: i for i, e in numbered if e.derivative_of is not None}
     derivatives = [rates[state] for state in range(len(ode.states))]
     initial = sorted(
-        {i for i, e in numbered if e.causality == "output" and e.initial == "calculated"}
-        | {i for i in derivatives if entries[i - 1].initial == "calculated"}
-        | {i for i, e in numbered if e.kind is Kind.STATE and e.initial == "calculated"}
+        {i for i, e in numbered if e.causality == "output" and e.initial in _FOLLOWING}
+        | {i for i in derivatives if entries[i - 1].initial in _FOLLOWING}
+        | {i for i, e in numbered if e.kind is Kind.STATE and e.initial in _FOLLOWING}
     )
     if not dependencies:
         return ModelStructure(outputs, derivatives, initial, {}, {})

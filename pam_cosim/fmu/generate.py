@@ -9,6 +9,7 @@ from collections.abc import Sequence, Set
 import casadi as ca
 
 from pam_cosim.compiler.ode import Ode
+from pam_cosim.compiler.sensitivities import sensitivity_symbols
 from pam_cosim.errors import ModelError
 from pam_cosim.fmu.c_text import c_array, c_string
 from pam_cosim.fmu.table import table
@@ -36,7 +37,7 @@ def model_functions(ode: Ode, lean: bool = False) -> list[ca.Function]:
     seed = [ca.SX.sym(n, s.numel()) for n, s in zip(("st", "sx", "su", "sd", "sp"), known, strict=True)]
     sp = seed[-1]
     core, own = f[: ode.core], x[: ode.core]
-    chosen = ca.vertcat(ca.SX(0, 1), *[p[list(ode.interface.parameters).index(n)] for n in ode.sensitivities])
+    chosen = sensitivity_symbols(ode)
     total = ca.jtimes(core, ca.vertcat(t, u, d), ca.vertcat(ca.SX(1), du, dd))
     conditions = ca.vertcat(ca.SX(0, 1), *[ca.SX(s.condition) for s in ode.statements])
     shown = ca.vertcat(ca.SX(0, 1), *[ca.SX(value) for s in ode.statements for value, _ in s.values])
@@ -105,11 +106,13 @@ def model_source(ode: Ode, guid: str, lean: bool = False) -> str:
         c_array("const double", "parameter_starts", (_double(v.start) for v in interface.parameters.values())),
         c_array("const int", "delayed_inputs", (str(-1 if d.input is None else d.input) for d in ode.delays)),
         c_array("const int", "direct_inputs", (str(int(direct)) for direct in _direct_inputs(ode))),
+        c_array("const int", "start_of", (str(number) for number in _start_of(ode))),
         *_statements(ode),
         "const pam_model pam_the_model = {",
         f"    guid, {', '.join(str(n) for n in sizes + work)},",
         f"    {_double(interface.tolerance)}, {_double(max_step)},",
         "    state_names, state_nominals, input_starts, parameter_starts, delayed_inputs, direct_inputs,",
+        "    start_of,",
         f"    {', '.join(_slots({f.name() for f in functions}))},",
         "    statements,",
         "};\n",
@@ -134,6 +137,12 @@ def _statements(ode: Ode) -> list[str]:
         lines.append(c_array("const int", f"digits_{i}", [str(digits) for _, digits in s.values]))
         rows.append(f"{{{int(s.is_error)}, {int(s.at_start)}, {len(s.values)}, texts_{i}, digits_{i}}}")
     return [*lines, c_array("const pam_statement", "statements", rows or ["{0}"])]
+
+
+def _start_of(ode: Ode) -> list[int]:
+    """For each sensitivity, the number of the state whose start value it is with respect to; -1: of a parameter."""
+    states = [state.name for state in ode.states[: ode.core]]
+    return [states.index(name) if name in states else -1 for name in ode.sensitivities]
 
 
 def _direct_inputs(ode: Ode) -> list[bool]:

@@ -10,7 +10,7 @@ from pam_cosim.compiler import Ode, compile_model, flat_hash, smooth_parameters,
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.build import cached_fmu, cached_lean_model
 from pam_cosim.fmu.cache import cached, digest
-from pam_cosim.names import is_fmu
+from pam_cosim.names import START_VALUES, is_fmu
 
 
 def build_model(
@@ -31,7 +31,8 @@ def build_model(
         platforms: as in ``build_fmu``.
         fmi: as in ``build_fmu``.
         sensitivities: parameters; the FMU gets the derivative of every output with respect to each of them as the
-            output ``sensitivity.<output>.<parameter>``, integrated with the states.
+            output ``sensitivity.<output>.<parameter>``, integrated with the states; ``names.START_VALUES`` among them
+            stands for the start values of all states.
         where_smooth: leave out those that the model does not have or that are lengths of delays.
 
     Raises:
@@ -56,7 +57,9 @@ def _recipe(
     def make() -> Ode:
         ode = compile_model(model, files=files)
         known = smooth_parameters(ode) if where_smooth else sensitivities
-        return with_sensitivities(ode, [name for name in sensitivities if name in known])
+        chosen = [name for name in sensitivities if name in known and name != START_VALUES]
+        starts = [s.name for s in ode.states if s.name not in chosen] if START_VALUES in sensitivities else []
+        return with_sensitivities(ode, [*chosen, *starts])
 
     return digest(flat_hash(model, files=files, library=library), str(where_smooth), *sensitivities), make
 

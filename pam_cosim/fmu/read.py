@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -10,7 +11,7 @@ import fmpy
 from fmpy.model_description import ModelDescription, ValidationError
 
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Interface, Variable, sensitivity_name
+from pam_cosim.interface import Interface, Variable, is_sensitivity, sensitivity_name
 
 _KEPT = 128  # descriptions: a diagnosis comes back to those of the catalogue's effects
 
@@ -112,7 +113,8 @@ def interface_of(description: ModelDescription) -> Interface:
         }
         given = {key: value for key, value in values.items() if value}
     outputs, parameters = groups["output"], groups["parameter"]
-    slopes = {n for o in outputs for p in parameters if (n := sensitivity_name(o, p)) in outputs}
+    states = _states(description, groups["local"] | groups["output"])
+    slopes = {n for o in outputs for p in (*parameters, *states) if (n := sensitivity_name(o, p)) in outputs}
     return Interface(
         description.modelName,
         groups["input"],
@@ -121,7 +123,16 @@ def interface_of(description: ModelDescription) -> Interface:
         groups["local"],
         **given,
         sensitivities={n: v for n, v in outputs.items() if n in slopes},
+        states=tuple(states),
+        rates=tuple(states.values()),
     )
+
+
+def _states(description: ModelDescription, known: Mapping[str, Variable]) -> dict[str, str]:
+    """The continuous states that a run can be given other start values of, with their rates; no sensitivities."""
+    rates = [unknown.variable for unknown in description.derivatives]
+    names = {rate.derivative.name: rate.name for rate in rates if rate.derivative is not None}
+    return {n: r for n, r in names.items() if n in known and known[n].start is not None and not is_sensitivity(n)}
 
 
 def _float(text: Any) -> float | None:

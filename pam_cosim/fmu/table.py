@@ -105,8 +105,10 @@ def table(ode: Ode) -> list[Entry]:
 def _entry(kind: Kind, index: int, reference: int, variable: Variable, starts: Sequence[float | None]) -> Entry:
     if kind is Kind.STATE:
         start = starts[index]
-        return Entry(variable, reference, kind, index, "local", initial="calculated" if start is None else "exact",
-                     start=start)  # fmt: skip
+        # One that follows from parameters is what the model begins with where nobody sets another value.
+        initial, usual = ("approx", variable.start) if start is None else ("exact", start)
+        initial = "calculated" if usual is None else initial
+        return Entry(variable, reference, kind, index, "local", initial=initial, start=usual)
     if kind is Kind.DERIVATIVE:
         return Entry(variable, reference, kind, index, "local", derivative_of=index)
     if kind is Kind.INPUT:

@@ -3,22 +3,28 @@
 from pam_cosim.measurement.condensing import condensed
 from pam_cosim.measurement.data_set import ROLES, DataSet, FreeParameter, Prior, Role, Run, Signal, Transform
 from pam_cosim.measurement.experiment import error_in
+from pam_cosim.measurement.first_samples import FirstSamples, first_samples
 from pam_cosim.measurement.noise import complete_noise, estimate_noise, record_step, with_noise
 from pam_cosim.measurement.read import read_data_set
 from pam_cosim.measurement.recording import Recording, read_recording
+from pam_cosim.measurement.start import START_MODES, Start, StartMode
 from pam_cosim.measurement.steps import between_samples, with_step_times
 from pam_cosim.measurement.text_file import any_text
 from pam_cosim.measurement.write import write_data_set
 
 __all__ = [
     "DataSet",
+    "FirstSamples",
     "FreeParameter",
     "Prior",
     "ROLES",
     "Recording",
     "Role",
     "Run",
+    "START_MODES",
     "Signal",
+    "Start",
+    "StartMode",
     "Transform",
     "any_text",
     "between_samples",
@@ -26,6 +32,7 @@ __all__ = [
     "condensed",
     "error_in",
     "estimate_noise",
+    "first_samples",
     "record_step",
     "read_data_set",
     "read_recording",

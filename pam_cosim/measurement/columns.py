@@ -8,13 +8,12 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-import pint
 
 from pam_cosim.compiler.elementwise import evaluate
 from pam_cosim.errors import InputError, ModelError
 from pam_cosim.measurement.experiment import ColumnTable, ExperimentFile, KeyPath
 from pam_cosim.measurement.table import TIME, Column, Table
-from pam_cosim.units import UnitError, convert, parse_quantity, quantity, with_unit
+from pam_cosim.units import UnitError, convert, parse_quantity, quantity, registry_errors, with_unit
 from pam_cosim.wording import did_you_mean, shown
 
 _NAME = re.compile(r"'([^']*)'|([A-Za-z_]\w*)", re.ASCII)
@@ -101,7 +100,7 @@ def _mapped(column: Column, renaming: Renaming, name: str) -> Column:
             key = "offset"
             result = result + _stated(one.offset, 0.0)
         values, unit = with_unit(result)
-    except (UnitError, pint.PintError) as error:
+    except registry_errors(UnitError) as error:
         raise renaming.error(f"{key}: {error}", name, key) from None
     return replace(column, unit=unit, values=np.array(values))
 
@@ -128,7 +127,7 @@ def _derived(
     except ModelError as error:
         place = f" (at character {error.column})" if error.column else ""
         raise renaming.error(f"{error.message}{place}", name, "formula") from None
-    except pint.PintError as error:
+    except registry_errors() as error:
         raise renaming.error(f"the units of the formula do not fit: {error}", name, "formula") from None
     except (ArithmeticError, RecursionError, TypeError, ValueError) as error:
         raise renaming.error(f"the formula cannot be evaluated: {error}", name, "formula") from None

@@ -16,7 +16,8 @@ from pam_cosim.domain import Domain
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import FILE_NAME
 from pam_cosim.measurement.recording import Averaged
-from pam_cosim.names import is_ratio, parameter_of
+from pam_cosim.measurement.start import Start
+from pam_cosim.names import START_VALUES, is_ratio, parameter_of
 from pam_cosim.simulation.inputs import Interpolation
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, did_you_mean, shown
@@ -139,6 +140,7 @@ class Run:
         averaged: of signals whose samples are means of several.
         more_files: of other loggers.
         along: of a curve of points at rest, what it is drawn over; None: a recording over time.
+        start: in which state it begins.
     """
 
     name: str
@@ -154,6 +156,7 @@ class Run:
     averaged: dict[str, Averaged] = field(default_factory=dict)
     more_files: tuple[Path, ...] = ()
     along: Along | None = None
+    start: Start = Start()
 
     @property
     def is_static(self) -> bool:
@@ -215,6 +218,16 @@ class DataSet(Printed):
     def free_names(self) -> tuple[str, ...]:
         """Names in the model of what is fitted, each once."""
         return tuple(dict.fromkeys(free.parameter for free in self.fit.values()))
+
+    @property
+    def estimates_starts(self) -> bool:
+        """Whether start values of some run are parameters."""
+        return any(run.start.mode == "estimated" for run in self.runs)
+
+    @property
+    def differentiated(self) -> tuple[str, ...]:
+        """By what a model is differentiated for a fit: what is free, and start values where they are parameters."""
+        return (*self.free_names, *[START_VALUES] * self.estimates_starts)
 
     @property
     def constants(self) -> dict[str, float]:
@@ -280,12 +293,17 @@ class DataSet(Printed):
                 notes.append(f"the noise of {name} is not known")
             if not signal.fitted:
                 notes.append(f"{name} is compared but not fitted: it has no table [signals.{name}]")
-        notes += self.steps()
+        notes += [*self.starts, *self.steps()]
         for run in self.runs:
             notes += [f"{run.name}: {note}" for note in run.notes]
             if run.default_inputs:
                 notes.append(f"{run.name}: model defaults for the inputs {', '.join(run.default_inputs)}")
         return tuple(notes)
+
+    @property
+    def starts(self) -> tuple[str, ...]:
+        """Where runs begin, in sentences, as far as that was chosen and is not the model's own start."""
+        return tuple(run.start.reason for run in self.runs if run.start.reason)
 
     def steps(self) -> tuple[str, ...]:
         """Which signals are recorded in steps that count, and how they are counted, in sentences."""

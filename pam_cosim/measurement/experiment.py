@@ -13,6 +13,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, PlainValidato
 from pydantic_core import ErrorDetails
 
 from pam_cosim.errors import InputError
+from pam_cosim.measurement.start import StartMode
 from pam_cosim.measurement.text_file import read_text
 from pam_cosim.measurement.toml_text import line_of, parse_toml
 from pam_cosim.wording import did_you_mean, shown
@@ -92,6 +93,7 @@ class RecordingTable(_Table):
     table: Name | None = None
     interval: Value | None = None
     ignore: list[Name] | None = None
+    missing: list[Name] | None = None
     resample: Value | None = None
 
 
@@ -112,6 +114,7 @@ class ColumnTable(_Table):
     gain: Value | None = None
     offset: Value | None = None
     fit: Literal[True, False, "gain", "offset"] = False
+    words: dict[str, Literal["up", "down", "none"]] | None = None
 
 
 class LoggerTable(_Table):
@@ -138,6 +141,7 @@ class RunTable(_Table):
     kind: Literal["dynamic", "static"] | None = None
     branch: Literal["up", "down", "none", "order"] | None = None
     hold_out: dict[str, list[Value]] = Field(default_factory=dict)
+    start: StartMode | None = None
 
 
 class EffectsTable(_Table):
@@ -154,6 +158,7 @@ class Experiment(_Table):
     title: Prose = ""
     model: Name | None = None
     kind: Literal["dynamic", "static"] = "dynamic"
+    start: StartMode | None = None
     recording: RecordingTable = RecordingTable()
     columns: dict[str, ColumnTable] = Field(default_factory=dict)
     signals: dict[str, SignalTable] = Field(default_factory=dict)

@@ -17,6 +17,7 @@ from pam_cosim.measurement.parameters import free_parameter, known_values
 from pam_cosim.measurement.points import Points
 from pam_cosim.measurement.read_run import read_points, read_run
 from pam_cosim.measurement.resampling import with_noise_of_means
+from pam_cosim.measurement.start import Start
 from pam_cosim.names import BRANCH, is_file, is_fmu
 from pam_cosim.units import UnitError, parse_quantity
 from pam_cosim.wording import did_you_mean, shown
@@ -239,6 +240,7 @@ def _runs(
         measurements=recordings[0].measurements,
         notes=recordings[0].notes,
         averaged=recordings[0].averaged,
+        start=Start() if points else Start(table.start or document.content.start),
         default_inputs=tuple(n for n in interface.inputs if n not in recordings[0].inputs and n not in values),
     )
     if table.fit and len(points) > 1:

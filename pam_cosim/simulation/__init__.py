@@ -1,5 +1,6 @@
 """.fmu and inputs -> Trajectory."""
 
+from pam_cosim.simulation.driver import Settle
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs
 from pam_cosim.simulation.isolated import IsolatedSimulator
@@ -16,6 +17,7 @@ __all__ = [
     "Inputs",
     "IsolatedSimulator",
     "RunFailure",
+    "Settle",
     "Simulator",
     "SolverStatistics",
     "Trajectory",

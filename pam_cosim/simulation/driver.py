@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from fmpy.fmi2 import (
@@ -51,6 +51,8 @@ FUNCTIONS: dict[int, tuple[str | None, ...]] = {
     ),
 }
 _SLOTS = ("reset", "setup", "enter", "leave", "set_real", "get_real", "set_slopes", "do_step", "terminate", "settle")
+Settle = Literal["none", "others", "all"]
+_SETTLING: dict[Settle, int] = {"none": 0, "others": 1, "all": 2}  # as the loop numbers them
 # Named instead of a function where the run took too long.
 TOO_SLOW = "time limit"
 
@@ -70,6 +72,8 @@ class _Run(ctypes.Structure):
         ("max_seconds", ctypes.c_double),
         ("follow", ctypes.c_void_p),
         ("plain", ctypes.c_int32),
+        ("settle_start", ctypes.c_int32),
+        ("settle_at", ctypes.c_void_p),
         ("at_rest", ctypes.c_int32),
         ("n_parameters", ctypes.c_size_t),
         ("parameters", ctypes.c_void_p),
@@ -186,6 +190,7 @@ class Driver:
         self._names = [name or "" for name in names.values()]
         self._addresses = {slot: _address(library, name) for slot, name in names.items()}
         self._follow = _address(library, "pam_follow_sensitivities")
+        self._settle_at = _address(library, "pam_settle_start")
         self._instance, self._slopes, self._version = instance, slopes, version
         self.settles = self._addresses["settle"] is not None
         self._running: _Run | None = None
@@ -207,10 +212,12 @@ class Driver:
         max_seconds: float | None,
         plain: bool = False,
         at_rest: bool = False,
+        settle: Settle = "none",
     ) -> Outcome:
         """One simulation; variables are given by value reference. ``plain``: none of the outputs is a sensitivity.
 
-        ``at_rest``: each point of the plan is an equilibrium under its own inputs, not a time.
+        ``settle``: as in ``Simulator.run``. ``at_rest``: each point of the plan is an equilibrium under its own
+        inputs, not a time.
         """
         references = [np.array(r, dtype=np.uint32) for r in (parameters[0], inputs, outputs)]
         values = np.array(parameters[1], dtype=np.float64)
@@ -226,6 +233,8 @@ class Driver:
             max_seconds=max_seconds or 0.0,
             follow=self._follow,
             plain=plain,
+            settle_start=_SETTLING[settle],
+            settle_at=self._settle_at,
             at_rest=at_rest,
             n_parameters=values.size,
             parameters=references[0].ctypes.data,

@@ -20,7 +20,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import read_interface
 from pam_cosim.interface import Interface
 from pam_cosim.simulation import keeper
-from pam_cosim.simulation.driver import Progress, prepare_driver
+from pam_cosim.simulation.driver import Progress, Settle, prepare_driver
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs
 from pam_cosim.simulation.stepper import Abilities
@@ -51,6 +51,7 @@ class IsolatedSimulator:
         if not self.timeout > 0:
             raise InputError(f"a time limit must be larger than zero, not {self.timeout:g} s")
         self.interface: Interface = read_interface(self.path)
+        self._settles: bool | None = None
         self._process: subprocess.Popen[bytes] | None = None
         self._never_loaded = False
 
@@ -93,6 +94,7 @@ class IsolatedSimulator:
         outputs: Sequence[str] | None = None,
         tolerance: float | None = None,
         start_time: float | None = None,
+        settle: Settle = "none",
     ) -> Trajectory:
         """As ``Simulator.run``; a crash of the FMU, or a call that does not return, is a ``RunFailure`` as well."""
         request = {
@@ -102,6 +104,7 @@ class IsolatedSimulator:
             "outputs": outputs,
             "tolerance": tolerance,
             "start_time": start_time,
+            "settle": settle,
         }
         answer = self._answer("run", request)
         assert isinstance(answer, Trajectory)
@@ -118,6 +121,13 @@ class IsolatedSimulator:
         answer = self._answer("equilibria", {"inputs": inputs, "parameters": parameters, "outputs": outputs})
         assert isinstance(answer, Trajectory)
         return answer
+
+    @property
+    def settles(self) -> bool:
+        """As ``Simulator.settles``."""
+        if self._settles is None:
+            self._settles = bool(self._answer("settles", {}))
+        return self._settles
 
     def stepper(self) -> RemoteStepper:
         """A new run, step by step, in the FMU's process; it ends when another run begins, and with that process."""

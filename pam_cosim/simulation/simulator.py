@@ -19,7 +19,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import interface_of, read_description, real_variables
 from pam_cosim.interface import Interface
-from pam_cosim.simulation.driver import TOO_SLOW, Callbacks, Driver, Outcome, Progress
+from pam_cosim.simulation.driver import TOO_SLOW, Callbacks, Driver, Outcome, Progress, Settle
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs, with_held
 from pam_cosim.simulation.instance import (
@@ -35,6 +35,8 @@ from pam_cosim.simulation.stepper import Abilities, Stepper, abilities_of
 from pam_cosim.simulation.trajectory import Trajectory
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import did_you_mean
+
+_OTHER_TOOLS = "FMUs of other tools do not find"
 
 
 @dataclass(frozen=True)
@@ -125,6 +127,7 @@ class Simulator:
         tolerance: float | None = None,
         start_time: float | None = None,
         max_seconds: float | None = None,
+        settle: Settle = "none",
     ) -> Trajectory:
         """Simulates from the start values.
 
@@ -134,16 +137,20 @@ class Simulator:
         Args:
             times: (n,) [s] of the values wanted, never decreasing; a time given twice, where an input steps,
                 yields the values before and after the step.
-            parameters: values by name [SI] that differ from the defaults; an input among them is held constant.
+            parameters: values by name [SI] that differ from the defaults; an input among them is held constant, and
+                a state begins there.
             inputs: over time; default: the start values, held.
             outputs: names of outputs or of any other variable; default: every output,
                 sensitivities among them.
             tolerance: relative, of the solver; default: the model's.
             start_time: [s]; default: the first of ``times``.
             max_seconds: processor time [s] after which the run counts as failed.
+            settle: which states begin at an equilibrium under the first inputs: "others", those whose start value is
+                not among the parameters, while these stay; or "all" of them, found from there.
 
         Raises:
-            InputError: unknown names, an input given both ways, or times out of order.
+            InputError: unknown names, an input given both ways, or times out of order; an FMU of another tool, which
+                does not find equilibria, where states shall settle.
             SimulationFailure: (``RunFailure``) the run did not reach its end.
         """
         wanted = np.ascontiguousarray(times, dtype=float)
@@ -155,7 +162,9 @@ class Simulator:
         layout = plan(shown, start, course, None if self._slopes else self.interface.interval)
         names = self._wanted(outputs)
         values = course.values if course else {}
-        outcome = self._outcome(layout, own, values, names, tolerance, max_seconds)
+        if settle != "none" and not self._driver.settles:
+            raise InputError(f"a start at rest is an equilibrium, which {_OTHER_TOOLS}", self.path)
+        outcome = self._outcome(layout, own, values, names, tolerance, max_seconds, settle=settle)
         settings = {**own, **held}
         if outcome.failed is not None:
             raise self._failure(outcome.failed, outcome.time, settings)
@@ -190,7 +199,7 @@ class Simulator:
             SimulationFailure: (``RunFailure``) there is no equilibrium, or none was found; says under which inputs.
         """
         if not self._driver.settles:
-            raise InputError("quasi-static data need equilibria, which FMUs of other tools do not find", self.path)
+            raise InputError(f"quasi-static data need equilibria, which {_OTHER_TOOLS}", self.path)
         held, own = self._split(parameters)
         given = {name: np.asarray(values, dtype=float) for name, values in inputs.items()}
         count = max((values.size for values in given.values()), default=1)
@@ -227,6 +236,7 @@ class Simulator:
         tolerance: float | None,
         max_seconds: float | None,
         at_rest: bool = False,
+        settle: Settle = "none",
     ) -> Outcome:
         if self._instance is None:
             raise RuntimeError("the simulator is closed")
@@ -240,7 +250,7 @@ class Simulator:
         def drive() -> Outcome:
             return self._driver.run(
                 layout, (parameter_references, parameter_values), input_references, output_references,
-                tolerance, self._used, max_seconds, plain, at_rest,
+                tolerance, self._used, max_seconds, plain, at_rest, settle,
             )  # fmt: skip
 
         self._end_steps()
@@ -288,6 +298,11 @@ class Simulator:
         stepper, self._stepper = self._stepper, None
         if stepper is not None and self._instance is not None:
             stepper.close()
+
+    @property
+    def settles(self) -> bool:
+        """Whether the FMU finds equilibria."""
+        return self._driver.settles
 
     @property
     def progress(self) -> Progress | None:

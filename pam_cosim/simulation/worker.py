@@ -77,6 +77,8 @@ class _Worker:
             return simulator.run(**arguments)
         if call == "equilibria":
             return simulator.equilibria(**arguments)
+        if call == "settles":
+            return simulator.settles
         if call == "begin":
             self._stepper = simulator.stepper()
         if self._stepper is None:

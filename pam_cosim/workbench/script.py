@@ -82,6 +82,7 @@ def python_of(state: State, base: str, folder: Path, catalogue: Catalogue) -> st
     return "\n".join(lines) + "\n"
 
 
+_DIAGNOSED = ("time_limit", "exclude", "expect", "free", "start")  # what a step of a diagnosis may hold
 _COMPARED = "comparison = pam.compare(data, model, values, files=files)"
 
 
@@ -107,7 +108,8 @@ def _python_step(step: Step, place: _Place) -> list[str]:
             ]
         case "diagnose":
             place.diagnosed = place.effects
-            options = "".join(f"{name}={_value(v)}, " for name, v in told.items() if v or v == 0)
+            known = {name: told[name] for name in _DIAGNOSED if told.get(name) or told.get(name) == 0}
+            options = "".join(f"{name}={_value(v)}, " for name, v in known.items())
             return [f"diagnosis = pam.diagnose(data, model, {options}files=files, say=print)", "print(diagnosis)"]
         case "take":
             effects = tuple(told["effects"])
@@ -178,7 +180,7 @@ def _command_step(step: Step, place: _Place, data: str) -> list[str]:
         case "fit":
             place.fits += 1
             file = f"fit-{place.fits}.json"
-            options = [f"--method {told['method']}", *_free_words(told), f"-o {file}"]
+            options = [f"--method {quote(told['method'])}", *_free_words(told), f"-o {file}"]
             place.fitted = file
             place.held = {n: v for n, v in {**place.held, **told["start"]}.items() if n not in told["free"]}
             return [_command("fit", data, place, *options), _compare(data, place)]
@@ -203,7 +205,7 @@ def _free_words(told: Mapping[str, Any]) -> list[str]:
 
 
 def _compare(data: str, place: _Place) -> str:
-    fitted = [f"--params {place.fitted}"] if place.fitted else []
+    fitted = [f"--params {quote(place.fitted)}"] if place.fitted else []
     return _command("compare", data, place, *fitted, *(f"--set {quote(f'{n}={v!r}')}" for n, v in place.held.items()))
 
 

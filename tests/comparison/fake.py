@@ -35,6 +35,7 @@ class FakeSimulator:
         outputs: Sequence[str] | None,
         start_time: float,
         tolerance: float | None,
+        settle: bool = False,
     ) -> Trajectory:
         self.calls.append({"parameters": dict(parameters), "inputs": inputs, "start_time": start_time})
         values = self.model(times, parameters)

@@ -106,6 +106,21 @@ def test_settings_mean_the_same_to_fmpy(run: Callable[..., str], tmp_path: Path)
     assert own["p"][-1] == pytest.approx(138e3, rel=1e-3)
 
 
+@pytest.mark.parametrize("fmi", VERSIONS)
+def test_start_values_of_states_mean_the_same_to_fmpy(run: Callable[..., str], tmp_path: Path, fmi: str) -> None:
+    """Also of a state whose usual start value follows from parameters."""
+    result, path = tmp_path / "result.csv", pam.build("Isotonic", fmi=fmi)
+    values = {"muscle.gas.p": 219325.0, "load.s": 0.031, "u_in": 0.0, "u_out": 0.0}
+    words = [str(word) for item in values.items() for word in item]
+    for kind in ("CoSimulation", "ModelExchange"):
+        run("simulate", path, "--interface-type", kind, "--start-values", *words, "--output-file", result)
+        theirs = read_csv(str(result))
+        own = pam.simulate("Isotonic", values)
+        assert theirs["p"][0] == own["p"][0] == pytest.approx(118e3)
+        assert theirs["x"][0] == own["x"][0] == 0.031
+        assert theirs["p"][-1] == pytest.approx(own["p"][-1], rel=1e-4)
+
+
 README = (ROOT / "README.md").read_text()
 FETCH = "import sys, urllib.request as u; open(sys.argv[1], 'wb').write(u.urlopen(sys.argv[2]).read())"
 

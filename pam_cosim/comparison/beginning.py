@@ -1,0 +1,231 @@
+"""The state in which the simulation of a run begins, so that it agrees with the first samples.
+
+A signal that depends on one state alone shows it: a pressure reading the pressure, a ruler the position. Where the rate
+of such a state depends on one further state alone, the slope of the samples shows that: the speed, or what lies behind
+the lag of an instrument. The others follow: they are at rest beside these, under the first inputs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.errors import SimulationFailure
+from pam_cosim.measurement import DataSet, FirstSamples, Run, first_samples
+from pam_cosim.simulation import AnySimulator, Inputs, Settle, Trajectory
+
+
+@dataclass(frozen=True)
+class Beginning:
+    """How a simulation begins.
+
+    Attributes:
+        values: start values of states by name [SI].
+        settle: which states come to rest first, as ``Simulator.run`` has it.
+        shown: the signal that shows each of the states; of one that a rate shows, the signal of that.
+    """
+
+    values: dict[str, float] = field(default_factory=dict)
+    settle: Settle = "none"
+    shown: dict[str, str] = field(default_factory=dict)
+
+
+def start_time(run: Run) -> float:
+    """When the simulation of a run begins [s].
+
+    A run that records inputs begins with its first row: nothing is known of the inputs before. A run without
+    inputs is a free course from the state at time zero, which the first sample may come after.
+    """
+    first = float(run.time[0])
+    return first if run.inputs or run.start.is_found else min(0.0, first)
+
+
+def inputs_of_run(run: Run) -> Inputs | None:
+    """What drives the model."""
+    return Inputs(run.time, run.inputs, run.interpolation) if run.inputs else None
+
+
+def beginning(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> Beginning:
+    """How the simulation of a run begins.
+
+    Args:
+        simulator: the model.
+        data: the data set the run belongs to.
+        run: says in which state it begins.
+        parameters: what it is simulated with [SI], start values among them.
+    """
+    given = [name for name in simulator.interface.states if name in parameters]
+    if run.start.mode in (None, "rest") or run.is_static:
+        return Beginning()
+    if given:
+        return Beginning(settle="none" if len(given) == len(simulator.interface.states) else "others")
+    found = measured(simulator, data, run, parameters)
+    return Beginning(found.values, "all", found.shown) if run.start.mode == "steady" else found
+
+
+def measured(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> Beginning:
+    """The beginning at which what the first samples show is as they show it; arguments as for ``beginning``."""
+    probe = Probe(simulator, data, run, parameters)
+    first = probe.first_samples()
+    if not simulator.interface.states or not first:
+        return Beginning()
+    shown: dict[str, _Shown] = {}
+    values: dict[str, float] = {}
+    links = probe.links({})
+    for _ in range(2):  # what acts on what may not show where the model begins by itself
+        shown = _shown_states(links, first, probe.signals, simulator.interface.states)
+        values = probe.corrected(shown, values)
+        links = links.joined(probe.links(values))
+    signals = {state: one.signal for state, one in shown.items()}
+    settle: Settle = "others" if probe.rests(values) else "none"
+    return Beginning(values, settle, signals)
+
+
+@dataclass(frozen=True)
+class _Shown:
+    """What shows a state: row ``row`` of what is computed shall have a value; its slope there by the state."""
+
+    row: int
+    aim: float
+    spread: float
+    signal: str
+    rate: float
+
+
+@dataclass(frozen=True)
+class _Links:
+    """(signals + states, states): slopes of signals and rates by states, one after the other; 0: none at all."""
+
+    matrix: Array
+
+    def joined(self, other: _Links) -> _Links:
+        """The later slopes, and the earlier ones where those have vanished."""
+        return _Links(np.where(other.matrix != 0.0, other.matrix, self.matrix))
+
+
+def _shown_states(
+    links: _Links, first: Mapping[str, FirstSamples], signals: list[str], states: tuple[str, ...]
+) -> dict[str, _Shown]:
+    """By name of the state. Of two signals that show the same state, the one that shows it better."""
+    matrix, shown = links.matrix, dict[str, _Shown]()
+    better: dict[str, float] = {}
+    for row, signal in enumerate(signals):
+        told = np.flatnonzero(matrix[row])
+        if len(told) != 1 or signal not in first:
+            continue
+        slope, sample = matrix[row, told[0]], first[signal]
+        state, spread = states[told[0]], sample.sd / abs(slope)
+        if state not in shown or spread < better[state]:
+            better[state] = spread
+            rate = sample.slope / slope if sample.moves else 0.0
+            shown[state] = _Shown(row, sample.value, sample.sd, signal, rate)
+    waiting = list(shown)
+    while waiting:
+        by = waiting.pop(0)
+        i, known = states.index(by), shown[by]
+        row = len(signals) + i
+        others = [int(j) for j in np.flatnonzero(matrix[row]) if j != i]
+        if len(others) == 1 and states[others[0]] not in shown:
+            follows = -matrix[row, i] / matrix[row, others[0]]
+            state = states[others[0]]
+            shown[state] = _Shown(row, known.rate, 0.0, known.signal, known.rate * follows)
+            waiting.append(state)
+    return shown
+
+
+class Probe:
+    """What the model gives at the very start of a run, for start values of its states."""
+
+    def __init__(self, simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> None:
+        self.simulator, self.data, self.run = simulator, data, run
+        self.states, self.rates = simulator.interface.states, simulator.interface.rates
+        self.signals = [n for n, s in data.signals.items() if s.fitted and run.sample_count(n)]
+        self._parameters = {n: v for n, v in parameters.items() if n not in self.states}
+        self._start, self._inputs = start_time(run), inputs_of_run(run)
+
+    def first_samples(self) -> dict[str, FirstSamples]:
+        """Of the signals that are fitted."""
+        known = {
+            name: first_samples(
+                self.run.time, self.run.measurements[name], self.data.signals[name].sigma or 0.0, self._start
+            )
+            for name in self.signals
+        }
+        return {name: one for name, one in known.items() if one is not None}
+
+    def at(self, values: Mapping[str, float], settle: Settle = "none") -> tuple[Array, Array]:
+        """Signals and rates, and the states, right at the start."""
+        names = [*self.signals, *self.rates, *self.states]
+        trajectory = self.simulator.run(
+            np.array([self._start]),
+            parameters={**self._parameters, **values},
+            inputs=self._inputs,
+            outputs=names,
+            start_time=self._start,
+            settle=settle,
+        )
+        row = np.array([trajectory[name][0] for name in names])
+        count = len(names) - len(self.states)
+        return row[:count], row[count:]
+
+    def course(self, times: Array, names: Sequence[str]) -> Trajectory:
+        """The run at some times as the model begins by itself."""
+        return self.simulator.run(
+            times, parameters=self._parameters, inputs=self._inputs, outputs=names, start_time=self._start
+        )
+
+    def showing(self) -> list[str]:
+        """The signals that depend on one state alone."""
+        count = np.count_nonzero(self.links({}).matrix[: len(self.signals)], axis=1) if self.states else ()
+        return [name for name, n in zip(self.signals, count, strict=False) if n == 1]
+
+    def links(self, values: Mapping[str, float]) -> _Links:
+        """About a state; by central differences, which are exactly zero where there is no dependence."""
+        _, state = self.at(values)
+        here = dict(zip(self.states, state.tolist(), strict=True))
+        columns = []
+        for name in self.states:
+            step = _STEP * self._size(name, here[name])
+            above, below = (self.at({**here, name: here[name] + sign * step})[0] for sign in (1.0, -1.0))
+            columns.append((above - below) / (2.0 * step))
+        return _Links(np.column_stack(columns))
+
+    def _size(self, name: str, value: float) -> float:
+        variable = self.simulator.interface.start_values[name]
+        return max(abs(variable.nominal or 0.0), abs(value)) or 1.0
+
+    def corrected(self, shown: Mapping[str, _Shown], values: Mapping[str, float]) -> dict[str, float]:
+        """Start values of the states that are shown, at which what shows them is as it was measured."""
+        state = dict(zip(self.states, self.at({})[1].tolist(), strict=True))
+        held = {name: values.get(name, state[name]) for name in shown}
+        rows = [one.row for one in shown.values()]
+        aims = np.array([one.aim for one in shown.values()])
+        places = [self.states.index(name) for name in shown]
+        for _ in range(CRITERIA.starts.corrections if held else 0):
+            miss = aims - self.at(held)[0][rows]
+            slopes = self.links(held).matrix[np.ix_(rows, places)]
+            step = np.linalg.lstsq(slopes, miss, rcond=None)[0]
+            held = {name: held[name] + float(s) for name, s in zip(held, step, strict=True)}
+            if np.all(np.abs(step) <= _STEP * np.array([self._size(n, v) for n, v in held.items()])):
+                break
+        return held
+
+    def rests(self, values: Mapping[str, float]) -> bool:
+        """Whether the other states find a rest beside these."""
+        if not self.simulator.settles:
+            return False
+        try:
+            self.at(values, "others")
+        except SimulationFailure:
+            return False
+        return True
+
+
+_STEP = 1e-5  # of the size of a state, in which it is moved to see on what it acts
+
+
+__all__ = ["Beginning", "Probe", "beginning", "inputs_of_run", "measured", "start_time"]

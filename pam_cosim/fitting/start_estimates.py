@@ -1,0 +1,62 @@
+"""Start values that were estimated, with what is known of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.errors import SimulationFailure
+from pam_cosim.fitting.estimate import Estimate
+from pam_cosim.fitting.objective import Objective
+from pam_cosim.measurement import DataSet, Run
+from pam_cosim.simulation import AnySimulator
+
+
+def start_estimates(objective: Objective) -> dict[str, Estimate]:
+    """By "state@run": where the runs of an objective begin, with 95 % intervals beside the other parameters."""
+    known = objective.simulator.interface.start_values
+    estimates = {}
+    for one in (objective.starts or {}).values():
+        told = (one.deviations() / one.sd) ** 2 < CRITERIA.starts.told
+        reach = CRITERIA.fit.interval * one.deviations()
+        for k, (name, value) in enumerate(one.settings().items()):
+            estimates[name] = Estimate(
+                value,
+                float(value - reach[k]),
+                float(value + reach[k]),
+                known[one.names[k]].unit,
+                determined=bool(told[k]),
+                run=one.run.name,
+            )
+    return estimates
+
+
+def estimated_starts(
+    simulator: AnySimulator,
+    data: DataSet,
+    runs: Sequence[Run],
+    values: Mapping[str, float],
+    tolerance: float | None = None,
+) -> dict[str, Estimate]:
+    """Where runs begin whose start is to be estimated, with given parameters [SI]; none where they cannot be simulated.
+
+    Start values among the parameters are where the estimate begins.
+    """
+    chosen = [run for run in runs if run.start.mode == "estimated"]
+    if not chosen:
+        return {}
+    objective = Objective(simulator, data, chosen, (), values, tolerance)
+    try:
+        objective.residuals(np.zeros(0))
+    except SimulationFailure:
+        return {}
+    return start_estimates(objective)
+
+
+def held_out_starts(
+    simulator: AnySimulator, data: DataSet, values: Mapping[str, float], tolerance: float | None
+) -> dict[str, Estimate]:
+    """Those of held-out runs, whose samples say nothing about any other parameter."""
+    return estimated_starts(simulator, data, data.holdout_runs, values, tolerance)

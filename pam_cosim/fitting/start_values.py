@@ -1,0 +1,149 @@
+"""Start values of single runs as parameters that a fit does not see: what they can take away is taken away, run by run.
+
+For given parameters the start values of a run are those that leave least of its own residuals: a small linear least
+squares problem of one run, solved again where the model bends. What is left, and its slopes by the parameters with the
+start values following, are then those of a fit of everything together (variable projection: Golub and Pereyra, SIAM J.
+Numer. Anal. 10, 1973; for dynamic systems with local parameters e.g. Schloeder, 1988). Twenty runs cost twenty small
+blocks, and a search over the parameters has no more of them than before.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Generic, TypeVar
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.comparison import measured, start_time
+from pam_cosim.comparison.beginning import inputs_of_run
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.measurement import DataSet, Run
+from pam_cosim.simulation import AnySimulator
+
+Result = TypeVar("Result")
+
+
+@dataclass
+class StartValues:
+    """The start values of one run.
+
+    Attributes:
+        run: the run.
+        names: of the k states.
+        mean, sd: (k,) what is known of them beforehand [SI]: where the first samples and the model's rest beside them
+            say that it begins, and how far the run itself takes them.
+        shown: the signal that shows a state, by its name.
+        values: (k,) the present ones [SI].
+        slopes: (n, k) of the run's residuals by them, where they were last eliminated; of all rows those of what is
+            known beforehand come last.
+    """
+
+    run: Run
+    names: tuple[str, ...]
+    mean: Array
+    sd: Array
+    shown: dict[str, str]
+    values: Array
+    slopes: Array = field(default_factory=lambda: np.zeros((0, 0)))
+
+    def settings(self) -> dict[str, float]:
+        """The present values by name, each with that of the run."""
+        return {f"{n}@{self.run.name}": float(v) for n, v in zip(self.names, self.values, strict=True)}
+
+    def prior_rows(self, values: Array) -> Array:
+        """(k,) how far values are from what is known beforehand, in standard deviations."""
+        return np.asarray((self.mean - values) / self.sd)
+
+    def following(self, columns: Array) -> Array:
+        """(k, m) by how much the start values move along with what moves the residuals of the run by (n, m) columns."""
+        below = np.zeros((len(self.names), columns.shape[1]))
+        return np.asarray(-np.linalg.lstsq(self.slopes, np.vstack([columns, below]), rcond=None)[0])
+
+    def deviations(self) -> Array:
+        """(k,) standard deviations [SI] of the start values beside given parameters."""
+        return np.sqrt(np.diag(np.linalg.inv(self.slopes.T @ self.slopes)))
+
+    def told(self) -> int:
+        """How many of them the data tell, and not what is known beforehand alone."""
+        left = (self.deviations() / self.sd) ** 2
+        return int(np.sum(left < CRITERIA.starts.told))
+
+
+def start_values(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> StartValues:
+    """What is to be estimated of the start of a run, about where the first samples and the model's rest put it.
+
+    Args:
+        simulator: the model.
+        data: the measurement with its noise.
+        run: whose start is estimated.
+        parameters: fitted values [SI]; start values among them are where the estimate goes on from.
+    """
+    own = data.parameters_of(run, parameters)
+    names = simulator.interface.states
+    bare = {n: v for n, v in own.items() if n not in names}
+    begins = measured(simulator, data, run, bare)
+    times = np.unique(np.append(start_time(run), run.time))
+    course = simulator.run(
+        times, parameters={**bare, **begins.values}, inputs=inputs_of_run(run), outputs=names,
+        start_time=start_time(run), settle=begins.settle,
+    )  # fmt: skip
+    mean = np.array([course[n][0] for n in names])
+    through = np.array([np.ptp(course[n]) for n in names])
+    moved = [i for i in range(len(names)) if through[i] > 0.0]
+    chosen = tuple(names[i] for i in moved)
+    values = np.array([own.get(n, m) for n, m in zip(chosen, mean[moved], strict=True)])
+    return StartValues(run, chosen, mean[moved], CRITERIA.starts.range * through[moved], begins.shown, values)
+
+
+def eliminate(
+    of: StartValues, simulate: Callable[[], tuple[Result, Array, Array]], guess: Array | None = None
+) -> tuple[Result, Array]:
+    """Moves the start values to where they leave least of the residuals of their run.
+
+    Returns the result of a simulation there, and (n,) the residuals without what the start values can take away.
+
+    Args:
+        of: the start values, which are changed.
+        simulate: gives a result, the residuals (n,) and their slopes (n, k) for the present values.
+        guess: (k,) where to begin; default: the present ones.
+
+    Raises:
+        SimulationFailure: the run does not reach its end wherever it begins.
+    """
+    if guess is not None:
+        of.values = guess
+    here = _Point(of, *simulate())
+    for _ in range(CRITERIA.starts.steps):
+        if here.gain <= max(CRITERIA.starts.settled, CRITERIA.starts.linear * here.cost):
+            break
+        before, step = of.values, here.step
+        for _ in range(CRITERIA.starts.steps):
+            of.values = before + step
+            there = _Point(of, *simulate())
+            if there.cost < here.cost:
+                break
+            step = step / 2.0
+        else:
+            of.values = before
+            break
+        here = there
+    of.values, of.slopes = here.values + here.step, here.slopes
+    return here.result, here.residuals + here.slopes[: len(here.residuals)] @ here.step
+
+
+class _Point(Generic[Result]):
+    """A run about some start values, linearised."""
+
+    def __init__(self, of: StartValues, result: Result, residuals: Array, slopes: Array) -> None:
+        self.result, self.residuals, self.values = result, residuals, of.values
+        rows = np.append(residuals, of.prior_rows(of.values))
+        self.slopes = np.vstack([slopes, -np.diag(1.0 / of.sd)])
+        self.cost = float(rows @ rows)
+        self.step: Array = np.linalg.lstsq(self.slopes * of.sd, -rows, rcond=None)[0] * of.sd
+        left = rows + self.slopes @ self.step
+        self.gain = self.cost - float(left @ left)
+
+
+__all__ = ["StartValues", "eliminate", "start_values"]

@@ -1,0 +1,125 @@
+"""Runs that begin in the middle: what is chosen, what is estimated, and that a fit does not see the difference."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pam_cosim as pam
+from pam_cosim.comparison import with_starts
+from pam_cosim.errors import InputError
+from pam_cosim.fitting import Free
+from pam_cosim.fitting.objective import Objective
+from pam_cosim.fmu import build_model
+from pam_cosim.measurement import DataSet
+from pam_cosim.names import START_VALUES
+from pam_cosim.simulation import Simulator
+from rig.measurement import measure, write_data_set
+from rig.plan import default_plan
+
+CUT = 2.5  # s
+
+
+def _folder(tmp_path: Path, cut: float, start: str = "") -> Path:
+    """Runs of the independent rig, one of them held out, without their first seconds."""
+    plan = (default_plan()[0], default_plan()[2], default_plan()[4])
+    folder = tmp_path / "data"
+    write_data_set(folder, _measured(plan))
+    for file in folder.glob("*.csv"):
+        head, *rows = file.read_text().splitlines()
+        file.write_text("\n".join([head, *(r for r in rows if float(r.split(",")[0]) >= cut)]) + "\n")
+    text = (folder / "experiment.toml").read_text()
+    (folder / "experiment.toml").write_text(f'start = "{start}"\n{text}' if start else text)
+    return folder
+
+
+@cache
+def _measured(plan: tuple[object, ...]) -> list[object]:
+    return measure(plan, seed=3)  # type: ignore[arg-type, return-value]
+
+
+@pytest.fixture
+def data(tmp_path: Path) -> Callable[..., DataSet]:
+    return lambda cut=CUT, start="": pam.read(_folder(tmp_path, cut, start))
+
+
+def _chi2(fit: pam.Fit, role: str) -> float:
+    return fit.comparison.chi2_reduced(role)
+
+
+def test_a_whole_recording_begins_at_rest(data: Callable[..., DataSet]) -> None:
+    compared = pam.compare(data(cut=0.0))
+    assert {run.start.mode for run in compared.data.runs} == {"rest"}
+    assert "begins" not in str(compared)
+
+
+def test_a_cut_recording_is_told_first(data: Callable[..., DataSet]) -> None:
+    compared = pam.compare(data())
+    assert {run.start.mode for run in compared.data.runs} == {"estimated"}
+    told = str(compared).splitlines()[1:4]
+    assert [line.split(" begins at ")[0].strip() for line in told] == ["run-01", "run-02", "run-03"]
+    assert all(line.endswith(": estimated") for line in told)
+    assert compared.as_dict()["runs"][0]["start"] == "estimated"  # type: ignore[index]
+
+
+def test_cut_and_whole_have_the_same_parameters_and_leave_noise(data: Callable[..., DataSet]) -> None:
+    whole, cut = pam.fit(data(cut=0.0)), pam.fit(data())
+    for role in ("fit", "holdout"):
+        assert 0.9 < _chi2(cut, role) < 1.1
+    for name, estimate in cut.parameters.items():
+        other = whole.parameters[name]
+        assert estimate.low < other.high and other.low < estimate.high
+    assert not whole.starts
+    assert {name.rpartition("@")[2] for name in cut.starts} == {"run-01", "run-02", "run-03"}
+
+
+def test_at_rest_a_cut_recording_is_wrong(data: Callable[..., DataSet]) -> None:
+    assert _chi2(pam.fit(data(start="rest")), "fit") > 1000
+
+
+def test_measured_is_near(data: Callable[..., DataSet]) -> None:
+    fit = pam.fit(data(start="measured"))
+    assert _chi2(fit, "fit") < 2.0
+    assert not fit.starts
+
+
+def test_steady_is_right_where_the_rig_rested(data: Callable[..., DataSet]) -> None:
+    """At 3.3 s the muscle has been at the pressure of the supply for some time, with the inlet still open."""
+    data_set = data(cut=3.3, start="steady")
+    first = replace(data_set, runs=(replace(data_set.runs[0], role="fit"),))
+    assert _chi2(pam.fit(first), "fit") < 1.2
+
+
+def test_an_unknown_start_is_refused(data: Callable[..., DataSet]) -> None:
+    with pytest.raises(InputError, match="'start': 'sitting' is not possible"):
+        data(start="sitting")
+
+
+def test_slopes_with_the_start_following_are_those_of_the_whole(data: Callable[..., DataSet]) -> None:
+    """The eliminated slopes are the differences of what is left when the starts are estimated anew."""
+    data_set = pam.read(data().folder)
+    free = (Free("valve.C_A", 0.5, 0.9, 0.7, "1"), Free("muscle.mu_fb", 0.005, 0.05, 0.018, "1"))
+    path = build_model("Isotonic", sensitivities=(*(f.name for f in free), START_VALUES), where_smooth=True)
+    with Simulator(path) as simulator:
+        begun = with_starts(simulator, data_set)
+        objective = Objective(simulator, begun, begun.fit_runs, free, tolerance=1e-9)
+        z = np.array([f.to_z(f.start) for f in free])
+        for _ in range(3):  # the starts settle
+            objective._latest = None
+            at = objective.residuals(z)
+        jacobian = objective.jacobian(z, at)
+        for i in range(len(free)):
+            low, high = z.copy(), z.copy()
+            step = 1e-4 * abs(z[i])
+            low[i], high[i] = z[i] - step, z[i] + step
+            below, above = objective.residuals(low), objective.residuals(high)
+            size = float(np.linalg.norm(jacobian[:, i]))
+            # The sum of squares and its slope are what a descent goes by.
+            slope = (above @ above - below @ below) / (2 * step)
+            assert slope == pytest.approx(2 * at @ jacobian[:, i], rel=1e-3)
+            assert np.linalg.norm((above - below) / (2 * step) - jacobian[:, i]) < 0.02 * size
