@@ -49,6 +49,7 @@ def read_data_set(
     maps = input_maps(document, interface)
     if maps and (with_maps is None or is_fmu(name)):
         raise _no_map(document, maps[0])
+    unmapped = name if maps else ""
     if maps and with_maps is not None:
         name = with_maps(name, maps)
         interface = describe(name)
@@ -70,6 +71,7 @@ def read_data_set(
         title=content.title or document.file.parent.resolve().name,
         model=name,
         bench=_bench(document) or name,
+        unmapped=unmapped,
         signals=with_noise_of_means(_signals(document, interface, runs), runs),
         parameters=known,
         fit=free | {one.name: one for several in own for one in several},

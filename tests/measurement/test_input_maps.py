@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +15,7 @@ from pam_cosim.fmu import build_model
 from pam_cosim.interface import sensitivity_name
 from pam_cosim.measurement import complete_noise, read_data_set
 from pam_cosim.simulation import Simulator
+from rig.effect import Effect
 from rig.measurement import TRUTH
 from rig.short import write_light_data
 from tests.measurement.bench import MODEL, describe
@@ -24,15 +25,16 @@ GAIN, OFFSET = 0.045, 0.02
 KNOWN = f'"valve.C_A" = {TRUTH.calibration}\n"muscle.mu_fb" = {TRUTH.mu_fb}\n'
 
 
-def recorded_in_volts(folder: Path, columns: str, **without: str) -> Path:
+def recorded_in_volts(folder: Path, columns: str, effects: Sequence[Effect] = (), **without: str) -> Path:
     """Data of the rig whose current of the inlet valve was recorded as volts before its amplifier.
 
     Args:
         folder: where.
         columns: what ``[columns]`` says.
+        effects: that the rig has.
         without: heading of a column that was not recorded, and what stands for it under ``[[runs]]``, by its name.
     """
-    write_light_data(folder, seed=3)
+    write_light_data(folder, effects, seed=3)
     for file in sorted(folder.glob("*.csv")):
         with open(file, newline="") as lines:
             rows = list(csv.DictReader(lines))
@@ -119,3 +121,11 @@ def test_what_is_no_map_is_one_error(tmp_path: Path, columns: str, run: str, mes
     with pytest.raises(InputError, match=message) as caught:
         read_data_set(tmp_path, describe)
     assert caught.value.file is not None and caught.value.line
+
+
+def test_a_model_that_is_asked_for_gets_the_maps_of_the_data(tmp_path: Path) -> None:
+    columns = '[columns]\nu_in = { column = "u", gain = "45 mA/V", offset = "20 mA", fit = "gain" }'
+    folder = recorded_in_volts(tmp_path / "data", columns)
+    asked = study.read(folder, model="Isotonic")
+    assert asked.model == study.read(folder).model and asked.unmapped == "Isotonic"
+    assert study.compare(asked, "Isotonic").chi2_reduced("holdout") < 1.2

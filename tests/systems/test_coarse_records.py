@@ -25,10 +25,10 @@ DURATION, RATE = 24.0, 50.0  # s, Hz
 
 
 def _holds(seed: int) -> tuple[Phase, ...]:
-    """Three levels on the way up and down, each held for seconds."""
+    """Three levels on the way up and down, each held for seconds; commands step where samples are taken."""
     rng = np.random.default_rng(seed)
-    up = [(Phase(float(s), u_in=0.32), Phase(3.5)) for s in rng.uniform(0.25, 0.6, 3)]
-    down = [(Phase(float(s), u_out=0.33), Phase(3.0)) for s in rng.uniform(0.25, 0.5, 3)]
+    up = [(Phase(float(n) / RATE, u_in=0.32), Phase(3.5)) for n in rng.integers(12, 30, 3)]
+    down = [(Phase(float(n) / RATE, u_out=0.33), Phase(3.0)) for n in rng.integers(12, 25, 3)]
     return tuple(phase for pair in up + down for phase in pair)
 
 
