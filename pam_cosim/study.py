@@ -39,6 +39,7 @@ from pam_cosim.fitting import fit as _fit
 from pam_cosim.fitting import profile as _profile
 from pam_cosim.fmu import read_interface
 from pam_cosim.interface import Interface, Variable
+from pam_cosim.mapped_model import mapped_model
 from pam_cosim.measurement import DataSet, Run, complete_noise, read_data_set
 from pam_cosim.models import Paths, as_paths, opened
 from pam_cosim.models import build as build
@@ -80,7 +81,13 @@ def read(
         data = judged_data(Path(folder))
         data = replace(data, model=model or data.model)
     else:
-        data = read_data_set(Path(folder), described, model=model, benches=lambda: benches(files))
+        data = read_data_set(
+            Path(folder),
+            described,
+            model=model,
+            benches=lambda: benches(files),
+            with_maps=lambda base, maps: mapped_model(base, described(base), maps, as_paths(files)),
+        )
     data = replace(data.with_roles(roles or {}), domain=_domain(data.model, described(data.model), files))
     return _for_model(data, model, files)
 
@@ -88,7 +95,7 @@ def read(
 def _for_model(data: DataSet, model: str | None, files: Paths) -> DataSet:
     """The data set for a model: values that a Modelica model of another name states stand before starts of a fit."""
     if (
-        model in (None, data.bench)
+        model in (None, data.bench, data.unmapped)
         or not data.bench
         or is_fmu(model)
         or all(f.start is None for f in data.fit.values())
@@ -120,7 +127,7 @@ def compare(
 
     ``parameters`` are further values and ``timeout`` a limit, as in ``simulate``.
     """
-    name, data = model or data.model, _for_model(data, model, files)
+    name, data = data.model_for(model), _for_model(data, model, files)
     interface = describe(name, files)
     values = _of_runs(parameters or {}, data, interface)
     data = _begun(complete_noise(data), name, values, files, timeout)
@@ -205,9 +212,9 @@ def fit(
         raise InputError(f"starts are for the method multi-start, not for {method}")
     checked_starts(starts)
     data = complete_noise(_freed(data, model, free, start, files))
-    fixed = resolve(parameters or {}, describe(model or data.model, files))
-    data = _begun(data, model or data.model, fixed, files, timeout)
-    with opened(model or data.model, files, data.differentiated, timeout) as simulator:
+    fixed = resolve(parameters or {}, describe(data.model_for(model), files))
+    data = _begun(data, data.model_for(model), fixed, files, timeout)
+    with opened(data.model_for(model), files, data.differentiated, timeout) as simulator:
         chosen = base_parameters(data, simulator.interface)
         if not chosen:
             raise InputError("nothing to fit: name the free parameters under [fit]", data.folder / "experiment.toml")
@@ -226,7 +233,7 @@ def _freed(
     data = _for_model(data, model, files)
     if free is None and not start:
         return data
-    interface = describe(model or data.model, files)
+    interface = describe(data.model_for(model), files)
     return with_free(data, interface, free, _of_runs(start or {}, data, interface))
 
 
@@ -254,7 +261,7 @@ def profile(
     Raises:
         InputError: as ``fit``.
     """
-    with opened(model or data.model, files, data.free_names, timeout) as simulator:
+    with opened(data.model_for(model), files, data.free_names, timeout) as simulator:
         fixed = resolve(parameters or {}, simulator.interface)
         return _profile(simulator, complete_noise(data), fit, fixed=fixed, progress=progress)
 
