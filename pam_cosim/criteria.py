@@ -116,6 +116,9 @@ class StartCriteria:
     own_parameter: float = decides(
         1e-3, "of a state", "by which a free parameter must move where the model begins, to be what says it"
     )
+    periods: int = decides(50, "periods", "of a periodic recording that are simulated before it at most")
+    round: float = decides(0.1, "sd", "of the noise, by which a periodic motion may differ from what it comes to")
+    step: float = decides(1e-5, "of its size", "by which a state is moved to see on which readings and rates it acts")
     steps: int = decides(8, "steps", "of Newton's method for the start values of a run, beside given parameters")
     linear: float = decides(0.01, "1", "of the squares, that a further step may take away by the slopes alone")
     settled: float = decides(0.01, "variances", "of the noise, that a further such step must take away to be made")

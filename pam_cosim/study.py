@@ -13,7 +13,7 @@ import numpy as np
 from pam_cosim.catalogue import EffectClass, RigPart, domain_of, effect_classes, put_together
 from pam_cosim.catalogue import benches as _benches
 from pam_cosim.catalogue import rig_parts as _rig_parts
-from pam_cosim.comparison import Comparison, with_starts
+from pam_cosim.comparison import Comparison, starts_are_open, with_starts
 from pam_cosim.comparison import compare as _compare
 from pam_cosim.compiler import read_library
 from pam_cosim.compiler.names import last
@@ -158,7 +158,7 @@ def _begun(
     data: DataSet, model: str, values: Mapping[str, float], files: Paths, timeout: float | None = None
 ) -> DataSet:
     """The data set where every run says how it begins."""
-    if all(run.is_static or run.start.mode is not None for run in data.runs):
+    if not starts_are_open(data):
         return data
     with opened(model, files, timeout=timeout) as simulator:
         return with_starts(simulator, data, values)

@@ -7,10 +7,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pam_cosim.comparison.beginning import Probe, measured
+from pam_cosim.comparison.beginning import Probe, beginning, first_of_run, inputs_of_run, measured, start_time
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.measurement import DataSet, FirstSamples, Run, Start, first_samples
+from pam_cosim.measurement import DataSet, FirstSamples, Run, StartMode
 from pam_cosim.simulation import AnySimulator
 from pam_cosim.units import format_quantity
 
@@ -40,50 +40,90 @@ def with_starts(simulator: AnySimulator, data: DataSet, parameters: Mapping[str,
     Raises:
         InputError: a parameter that the model does not have.
     """
-    if all(run.is_static or run.start.mode is not None for run in data.runs):
+    if not starts_are_open(data):
         return data
-    runs = tuple(
-        run if run.is_static or run.start.mode is not None else _with_start(simulator, data, run, parameters or {})
-        for run in data.runs
-    )
-    return replace(data, runs=runs)
+    runs = (_with_start(simulator, data, r, parameters or {}) if _is_open(r) else r for r in data.runs)
+    return replace(data, runs=tuple(runs))
+
+
+def starts_are_open(data: DataSet) -> bool:
+    """Whether it is to be chosen how some run begins."""
+    return any(map(_is_open, data.runs))
+
+
+def _is_open(run: Run) -> bool:
+    return not run.is_static and (not run.start.periods if run.start.periodic else run.start.mode is None)
 
 
 def _with_start(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> Run:
     own = data.parameters_of(run, parameters)
+
+    def begun(mode: StartMode, reason: str = "") -> Run:
+        return replace(run, start=replace(run.start, mode=mode, reason=reason, chosen=True))
+
     try:
+        if run.start.periodic:
+            return _repeated(simulator, data, run, own)
         first = _first(simulator, data, run, own)
         away = [one for one in first if one.away]
         if not away or _is_fitted(simulator, data, run, own):
-            return replace(run, start=Start("rest"))
+            return begun("rest")
         shown = measured(simulator, data, run, own).shown
     except SimulationFailure:  # who simulates the run says why it cannot be
-        return replace(run, start=Start("rest"))
+        return begun("rest")
     moving = any(one.sample.moves for one in first)
     begins = f"{run.name} begins at {', '.join(one.said() for one in first)}, {'moving' if moving else 'at rest'}"
     if not shown:
         where = ", ".join(f"{one.name} = {one.said(model=True)}" for one in away)
-        return replace(run, start=Start("rest", f"{begins}: the model begins at {where}, and cannot begin elsewhere"))
-    return replace(run, start=Start("estimated", f"{begins}: estimated"))
+        return begun("rest", f"{begins}: the model begins at {where}, and cannot begin elsewhere")
+    return begun("estimated", f"{begins}: estimated")
+
+
+def _repeated(simulator: AnySimulator, data: DataSet, run: Run, own: Mapping[str, float]) -> Run:
+    """The run with so many periods before it that one more would change nothing that is measured."""
+    most = CRITERIA.starts.periods
+    signals = {n: s.sigma or 0.0 for n, s in data.signals.items() if s.fitted and run.sample_count(n)}
+    tried = replace(run, start=replace(run.start, periods=most))
+    begins = beginning(simulator, data, tried, own)
+    period = (float(run.time[0]) - start_time(tried)) / most
+    times = start_time(tried) + period * np.arange(most + 1)
+    course = simulator.run(
+        times, parameters={**own, **begins.values}, inputs=inputs_of_run(tried), outputs=list(signals),
+        start_time=start_time(tried), settle=begins.settle,
+    )  # fmt: skip
+    off = np.max([np.abs(course[n] - course[n][-1]) / (sigma or 1.0) for n, sigma in signals.items()], axis=0)
+    there = np.flatnonzero(off > CRITERIA.starts.round)
+    count = max(int(there[-1]) + 1 if there.size else 0, 1)
+    said = f"{run.name} is periodic: {count} periods of {format_quantity(period, 's', 4)} are simulated before it"
+    reason = f"{said}, and it has not come round by then" if count >= most else said
+    return replace(run, start=replace(run.start, periods=count, reason=reason, chosen=True))
 
 
 def _first(simulator: AnySimulator, data: DataSet, run: Run, own: Mapping[str, float]) -> list[_First]:
     """Signals that show a state, or all that are fitted where none does, beside the model that begins by itself."""
     probe = Probe(simulator, data, run, own)
-    when = {name: float(run.time[np.isfinite(run.measurements[name])][0]) for name in probe.signals}
+    when = {name: _first_time(run, name) for name in probe.signals}
     times = np.unique(list(when.values()))
     if not times.size:
         return []
     course = probe.course(times, probe.signals)
-    first = [_beside(data, run, n, when[n], float(course[n][np.searchsorted(times, when[n])])) for n in probe.signals]
+    first = [_beside(data, run, n, float(course[n][np.searchsorted(times, when[n])])) for n in probe.signals]
+    if not any(one.away for one in first):
+        return []
     shows = probe.showing()
     return [one for one in first if one.name in shows] or first
 
 
-def _beside(data: DataSet, run: Run, name: str, time: float, model: float) -> _First:
+def _first_time(run: Run, name: str) -> float:
+    times, values = run.start.leading.get(name, (run.time[:0], run.time[:0]))
+    both = np.append(values, run.measurements[name])
+    return float(np.append(times, run.time)[np.isfinite(both)][0])
+
+
+def _beside(data: DataSet, run: Run, name: str, model: float) -> _First:
     signal = data.signals[name]
     sigma = signal.sigma or 0.0
-    sample = first_samples(run.time, run.measurements[name], sigma, time)
+    sample = first_of_run(run, name, sigma)
     assert sample is not None
     values = np.concatenate([[model], *(r.measurements[name] for r in data.runs if name in r.measurements)])
     span = float(np.nanmax(values) - np.nanmin(values))
@@ -105,4 +145,4 @@ def _is_fitted(simulator: AnySimulator, data: DataSet, run: Run, own: Mapping[st
     return False
 
 
-__all__ = ["with_starts"]
+__all__ = ["starts_are_open", "with_starts"]

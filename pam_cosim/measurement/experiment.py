@@ -136,6 +136,9 @@ class RunTable(_Table):
     branch: Literal["up", "down", "none", "order"] | None = None
     hold_out: dict[str, list[Value]] = Field(default_factory=dict)
     start: StartMode | None = None
+    before: dict[str, Value] | None = None
+    lead: Value | None = None
+    periodic: bool | None = None
 
 
 class EffectsTable(_Table):
@@ -153,6 +156,9 @@ class Experiment(_Table):
     model: Name | None = None
     kind: Literal["dynamic", "static"] = "dynamic"
     start: StartMode | None = None
+    before: dict[str, Value] | None = None
+    lead: Value | None = None
+    periodic: bool | None = None
     recording: RecordingTable = RecordingTable()
     columns: dict[str, ColumnTable] = Field(default_factory=dict)
     signals: dict[str, SignalTable] = Field(default_factory=dict)

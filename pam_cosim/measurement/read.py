@@ -14,8 +14,8 @@ from pam_cosim.measurement.inside import file_inside
 from pam_cosim.measurement.parameters import free_parameter, known_values
 from pam_cosim.measurement.points import Points
 from pam_cosim.measurement.read_run import read_points, read_run
+from pam_cosim.measurement.read_start import with_start
 from pam_cosim.measurement.resampling import with_noise_of_means
-from pam_cosim.measurement.start import Start
 from pam_cosim.names import BRANCH, is_file
 from pam_cosim.units import UnitError, parse_quantity
 from pam_cosim.wording import did_you_mean, shown
@@ -215,13 +215,13 @@ def _runs(
         measurements=recordings[0].measurements,
         notes=recordings[0].notes,
         averaged=recordings[0].averaged,
-        start=Start() if points else Start(table.start or document.content.start),
         default_inputs=tuple(n for n in interface.inputs if n not in recordings[0].inputs and n not in values),
     )
     if table.fit and len(points) > 1:
         message = f"{shown(table.file)} holds {len(points)} curves, which have no parameter of their own"
         raise document.error(f"{message}; free it under [fit]", "runs", index, "fit")
-    return [_curve(run, one, i == 0) for i, one in enumerate(points)] or [run]
+    every = [_curve(run, one, i == 0) for i, one in enumerate(points)] or [run]
+    return [with_start(document, interface, index, one) for one in every]
 
 
 def _curve(run: Run, points: Points, first: bool) -> Run:
