@@ -12,6 +12,8 @@
 enum { MOST_STEPS = 400 };
 static const double FIRST = 1e-4, LAST = 1e9, LEAST = 1e-14; /* [s] steps */
 static const double NEAREST = 1e-9;     /* [s] steps that are not made shorter because they lead far */
+static const double WAIT = 1e5;         /* [s] of a step: what it hardly moves nobody would see move */
+static const double UNSEEN = 1e-6;      /* part of a state's size that it moves in such a step, at most */
 static const double STILL = 1e-11;      /* part of a state's size by which Newton's last step may change it */
 static const double CONTRACTION = 0.5;  /* of a correction by the next one, at most (Deuflhard 2004, 2.1) */
 static const double FAR = 1.0;          /* part of its size by which a state may change in one step, at most */
@@ -70,27 +72,36 @@ static int fail(pam_solver *v, int worst) {
     return 1;
 }
 
-/* dx/ds at the equilibrium: J S + F = 0. A state that is at rest anywhere has no slope, but for what moves it; one
- * that is held has the slope with which it begins.
+/* dx/ds at the equilibrium: J S + F = 0. A state that is at rest anywhere has no slope, but for what moves it in ``h``;
+ * one that is held has the slope with which it begins.
  */
-static int slopes(pam_solver *v) {
+static int slopes(pam_solver *v, double h) {
     const pam_model *m = v->model;
     pam_sensitivity *s = &v->sensitivity;
     const double *arg[] = {&v->s->t, v->x, v->u, v->d, v->p};
     double *res[] = {s->jac, s->forcing};
     m->variation(arg, res, v->iw, v->w, 0);
     memcpy(v->jac, s->jac, sizeof(double) * (size_t)(m->nc * m->nc));
-    hold(v, v->jac, 1.0 / LAST - 1.0); /* makes the diagonal 1 */
+    hold(v, v->jac, 1.0 / h - 1.0); /* makes the diagonal 1 */
     for (int i = 0; i < m->nc; i++)
         if (is_held(v, i))
             memcpy(s->forcing + i * m->ns, v->x + m->nc + i * m->ns, sizeof(double) * (size_t)m->ns);
-    if (factorise(v, LAST)) {
+    if (factorise(v, h)) {
         snprintf(v->message, sizeof v->message, "the sensitivities of the equilibrium cannot be solved for");
         return 1;
     }
     lu_solve_many(m->nc, v->lu, v->pivot, m->ns, s->forcing);
     memcpy(v->x + m->nc, s->forcing, sizeof(double) * (size_t)(m->nc * m->ns));
     return 0;
+}
+
+/* Where nothing pulls a state back, as an end of a slack muscle under no load, Newton's steps never end: it is at rest
+ * where a long step first hardly moved it. */
+static int come_to_rest(pam_solver *v, int rested, const double *there, int worst) {
+    if (!rested) return fail(v, worst);
+    memcpy(v->x, there, sizeof(double) * (size_t)v->model->nc);
+    if (look(v)) return fail(v, worst);
+    return v->model->ns && !v->s->plain ? slopes(v, WAIT) : 0;
 }
 
 /* Every delayed input has arrived by then. */
@@ -102,8 +113,8 @@ static void let_delays_pass(pam_solver *v) {
 }
 
 static int settle(pam_solver *v) {
-    int n = v->model->nc, worst = 0;
-    double h = FIRST, *step = v->k, *next = v->k + n, *before = v->k + 2 * n;
+    int n = v->model->nc, worst = 0, rested = 0;
+    double h = FIRST, *step = v->k, *next = v->k + n, *before = v->k + 2 * n, *there = v->k + 3 * n;
     v->s->h = 0.0;
     v->s->estimate = 1;
     if (!n) return 0;
@@ -116,7 +127,11 @@ static int settle(pam_solver *v) {
         memcpy(step, v->f, sizeof(double) * (size_t)n);
         lu_solve(n, v->lu, v->pivot, step);
         double moved = measure(v, step, &worst);
-        if (moved <= STILL && h >= LAST) return v->model->ns && !v->s->plain ? slopes(v) : 0;
+        if (moved <= STILL && h >= LAST) return v->model->ns && !v->s->plain ? slopes(v, LAST) : 0;
+        if (!rested && h >= WAIT && moved <= UNSEEN) {
+            memcpy(there, v->x, sizeof(double) * (size_t)n);
+            rested = 1;
+        }
         if (!(moved <= FAR) && h > NEAREST) {
             h *= SHRINK;
             continue;
@@ -138,7 +153,7 @@ static int settle(pam_solver *v) {
             if (look(v)) return fail(v, worst);
         }
     }
-    return fail(v, worst);
+    return come_to_rest(v, rested, there, worst);
 }
 
 int pam_solver_settle(pam_solver *v) {

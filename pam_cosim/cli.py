@@ -1,40 +1,71 @@
-"""Words to calls: the command ``pam-cosim``. No logic of its own."""
+"""Words to calls: the command ``pam-cosim``. No logic of its own.
+
+A command's module, and what that needs, is loaded when the command is called.
+"""
 
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
+from importlib import import_module
 from importlib.metadata import version as installed
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
-from pam_cosim.commands.add import add
-from pam_cosim.commands.bench import bench
-from pam_cosim.commands.bode import bode
-from pam_cosim.commands.build import build
-from pam_cosim.commands.check import check
 from pam_cosim.commands.common import INTERRUPTED, interrupted, remarks, results
-from pam_cosim.commands.compare import compare
-from pam_cosim.commands.couple import couple
-from pam_cosim.commands.describe import describe
-from pam_cosim.commands.diagnose import diagnose
-from pam_cosim.commands.effects import effects
-from pam_cosim.commands.fit import fit
-from pam_cosim.commands.linearise import linearise
-from pam_cosim.commands.new import new
-from pam_cosim.commands.observe import observe
-from pam_cosim.commands.simulate import simulate
-from pam_cosim.commands.sweep import sweep
-from pam_cosim.commands.track import track
-from pam_cosim.commands.workbench import workbench
 from pam_cosim.errors import InputError, SimulationFailure
 
+_RUN = ("build", "describe", "simulate", "sweep", "couple", "linearise", "bode", "observe", "track")
+_STUDY = ("new", "check", "compare", "fit", "diagnose", "add", "effects", "bench", "workbench")
+COMMANDS = _RUN + _STUDY
+_STYLE: dict[str, Any] = {"add_completion": False, "pretty_exceptions_enable": False, "rich_markup_mode": None}
+
+
+class _Commands(Mapping[str, Any]):
+    """The commands by name, in the order in which help lists them; each is the function of its name, in its module."""
+
+    def __getitem__(self, name: str) -> Any:
+        if name not in COMMANDS:
+            raise KeyError(name)
+        return _command(name)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(COMMANDS)
+
+    def __len__(self) -> int:
+        return len(COMMANDS)
+
+
+@cache
+def _command(name: str) -> Any:
+    alone = typer.Typer(**_STYLE)
+    alone.command(name)(getattr(import_module(f"pam_cosim.commands.{name}"), name))
+    return typer.main.get_command(alone)
+
+
+_COMMANDS = _Commands()
+
+
+class _Group(typer.core.TyperGroup):
+    """All commands under one name."""
+
+    def __init__(self, **options: Any) -> None:
+        super().__init__(**options | {"commands": _COMMANDS})
+
+
+def load(arguments: Sequence[str]) -> None:
+    """Loads what the words of a command line call, if that can be seen from the first of them."""
+    if arguments and arguments[0] in COMMANDS:
+        _command(arguments[0])
+
+
 app = typer.Typer(
+    cls=_Group,
     no_args_is_help=True,
-    add_completion=False,
-    pretty_exceptions_enable=False,
-    rich_markup_mode=None,
     help="Compare models with measurements and find the physical effect they lack.",
+    **_STYLE,
 )
 
 
@@ -46,12 +77,6 @@ def version(
     if shown:
         typer.echo(f"pam-cosim {installed('pam-cosim')}")
         raise typer.Exit
-
-
-_RUN = (build, describe, simulate, sweep, couple, linearise, bode, observe, track)
-_STUDY = (new, check, compare, fit, diagnose, add, effects, bench, workbench)
-for _command in _RUN + _STUDY:
-    app.command()(_command)
 
 
 def main(arguments: list[str] | None = None) -> int:

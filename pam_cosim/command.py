@@ -59,9 +59,10 @@ class _Command:
         # what tracks semaphores removes them also where this process ends without a word, and need not say so
         quiet = "ignore:resource_tracker:UserWarning"
         os.environ["PYTHONWARNINGS"] = ",".join(filter(None, (os.environ.get("PYTHONWARNINGS"), quiet)))
-        from pam_cosim.cli import main
+        from pam_cosim.cli import load, main
         from pam_cosim.commands.common import interrupted
 
+        load(sys.argv[1:])
         self.loading = False
         try:
             status = main()

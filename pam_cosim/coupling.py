@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from pam_cosim import study
+from pam_cosim import models
 from pam_cosim.cosimulation import Controller, Part, Rig, System, connect, couple_values
 from pam_cosim.cosimulation.ssp_read import read_ssp
 from pam_cosim.cosimulation.ssp_write import write_ssp
@@ -26,7 +26,7 @@ def start(
     outputs: Sequence[str] | None = None,
     start_time: float = 0.0,
     tolerance: float | None = None,
-    files: study.Paths = (),
+    files: models.Paths = (),
     timeout: float | None = None,
 ) -> Rig:
     """A model to be driven step by step, as a rig in the laboratory.
@@ -51,7 +51,7 @@ def start(
         InputError: an unknown model or name, a value that cannot be used.
         SimulationFailure: the model cannot be started.
     """
-    simulator = study.opened(model, files, timeout=timeout)
+    simulator = models.opened(model, files, timeout=timeout)
     try:
         return Rig(simulator, parameters, outputs, start_time, tolerance)
     except BaseException:
@@ -66,7 +66,7 @@ def couple(
     *,
     samples: Mapping[str, float | str] | None = None,
     title: str = "",
-    files: study.Paths = (),
+    files: models.Paths = (),
     timeout: float | None = None,
 ) -> System:
     """A system of FMUs and controllers, to be simulated together.
@@ -102,8 +102,8 @@ def couple(
     return System(made, joined, couple_values(parameters or {}, made), timeout, title).sampling(samples or {})
 
 
-def _part(name: str, model: str, files: study.Paths) -> Part:
-    path = study.build(model, files=files)
+def _part(name: str, model: str, files: models.Paths) -> Part:
+    path = models.build(model, files=files)
     return Part(name, model, path, read_interface(path), *feedthrough(path), foreign=is_fmu(model))
 
 
@@ -112,7 +112,7 @@ def read_system(
     controllers: Mapping[str, Controller] | None = None,
     parameters: Mapping[str, Setting] | None = None,
     *,
-    files: study.Paths = (),
+    files: models.Paths = (),
     timeout: float | None = None,
 ) -> System:
     """A coupled system from a file: ``.toml`` as a person writes it, or ``.ssp`` as other tools do.

@@ -45,10 +45,26 @@ class NoiseCriteria:
         2.0, "1/sqrt(samples)", "or by more than this, where the samples are so few that chance lowers it"
     )
     off_step: float = decides(
-        0.01, "of a step", "conversion of units may put a sample of a record in steps so far off; others lie anywhere"
+        0.05,
+        "of a step",
+        "that units and digits of a file may put a sample of a record in steps off; others lie anywhere",
+    )
+    least_of_step: float = decides(
+        0.1, "of a step", "noise beside rounding, at least: less is hardly seen, and no model is that exact"
     )
     assumed_share: float = decides(
         0.01, "of range", "noise assumed where nobody states it and the samples show none, as points of a figure"
+    )
+    same_test: float = decides(
+        0.01, "of range", "that inputs and durations of two runs differ by at most, for one to repeat the other"
+    )
+    fewest_repeated: int = decides(
+        10, "samples", "of repeated runs; fewer tell a standard deviation to no better than a quarter"
+    )
+    repeatability_excess: float = decides(
+        0.2,
+        "noise variances",
+        "by which repeated runs differ more than the noise, to count in its place: less may be chance",
     )
     outlier_window: int = decides(7, "samples", "three neighbours on each side outvote a pair of outliers")
     outlier_far: float = decides(6.0, "sd", "Gaussian noise alone does this once in 5e8 samples", "normal distribution")
@@ -100,6 +116,10 @@ class RecognitionCriteria:
     alike: float = decides(0.02, "of the largest", "traits of runs that differ by less do not tell them apart")
     steady: float = decides(0.3, "of its mean", "a supply pressure varies by less, and stays above the other")
     held_out: float = decides(0.25, "of runs", "that are held out to be judged")
+    uneven: float = decides(3.0, "median steps", "longer steps are of no clock, where nothing else says time")
+    most_points: int = decides(2000, "rows", "of a table without time; more points at rest nobody waits for")
+    levels_to_hold_out: int = decides(4, "values", "of what is imposed in a table; of fewer none is held out")
+    points_to_hold_out: int = decides(8, "values", "the same along a single curve, which needs most of them")
     runs_to_hold_out: int = decides(3, "runs", "of fewer none is held out: they are needed for the fit")
 
 
@@ -280,6 +300,18 @@ class SearchCriteria:
 
 
 @dataclass(frozen=True)
+class FoldsCriteria:
+    """When an effect is named of which what remains is no noise."""
+
+    fewest: int = decides(3, "runs", "of fewer, too little is left to fit")
+    most: int = decides(5, "folds", "that runs are left out in: the usual number")
+    visible: float = decides(
+        0.1, "of the error beyond the noise", "squared, that an effect takes away in runs that were left out, at least"
+    )
+    believable: float = decides(1.5, "times", "more or less than stated is no slip of a ruler or a balance")
+
+
+@dataclass(frozen=True)
 class LedgerCriteria:
     """When a balance fails, and when an instrument does."""
 
@@ -371,6 +403,7 @@ class Criteria:
     fit: FitCriteria = FitCriteria()
     evidence: EvidenceCriteria = EvidenceCriteria()
     search: SearchCriteria = SearchCriteria()
+    folds: FoldsCriteria = FoldsCriteria()
     ledger: LedgerCriteria = LedgerCriteria()
     learning: LearningCriteria = LearningCriteria()
     next_experiment: NextExperimentCriteria = NextExperimentCriteria()

@@ -9,7 +9,7 @@ from typing import Literal
 
 import numpy as np
 
-from pam_cosim import study
+from pam_cosim import models
 from pam_cosim.analysis.apart import work_on
 from pam_cosim.analysis.frequency_response import FrequencyResponse
 from pam_cosim.analysis.kalman import Belief, Samples, observe_samples
@@ -46,20 +46,20 @@ class Exchange:
     interface: Interface
 
 
-def exchange(model: str, files: study.Paths = ()) -> Exchange:
+def exchange(model: str, files: models.Paths = ()) -> Exchange:
     """Finds or builds the FMU of a model.
 
     Raises:
         InputError: no such model, or one without model exchange.
     """
-    path = study.build(model, files=files)
+    path = models.build(model, files=files)
     return Exchange(path, not is_fmu(model), interface_of(exchange_description(path)))
 
 
-def interface(model: str, files: study.Paths = ()) -> Interface:
-    """As ``study.describe``, also for an FMU for model exchange alone."""
-    path = study.build(model, files=files)
-    return interface_of(exchange_description(path)) if has_exchange(path) else study.describe(model, files)
+def interface(model: str, files: models.Paths = ()) -> Interface:
+    """As ``models.describe``, also for an FMU for model exchange alone."""
+    path = models.build(model, files=files)
+    return interface_of(exchange_description(path)) if has_exchange(path) else models.describe(model, files)
 
 
 def linearise(
@@ -70,7 +70,7 @@ def linearise(
     free: Sequence[str] = (),
     inputs: Inputs | None = None,
     outputs: Sequence[str] | None = None,
-    files: study.Paths = (),
+    files: models.Paths = (),
     timeout: float | None = None,
 ) -> LinearModel:
     """The linear model about a point, from the FMU's exact derivatives.
@@ -122,7 +122,7 @@ def linearise_along(
     *,
     times: Sequence[float],
     outputs: Sequence[str] | None = None,
-    files: study.Paths = (),
+    files: models.Paths = (),
     timeout: float | None = None,
 ) -> LinearCourse:
     """The linear models at several times of one run.
@@ -190,14 +190,14 @@ def _of_run(
     inputs: Inputs | None,
     times: list[float],
     known: Exchange,
-    files: study.Paths,
+    files: models.Paths,
     timeout: float | None,
 ) -> list[tuple[float, dict[str, float]]]:
     start = float(inputs.time[0]) if inputs is not None else 0.0
     if times[0] < start or any(b <= a for a, b in zip(times, times[1:], strict=False)):
         raise InputError(f"the times must increase, from {start:g} s on")
     names = [*state_names(known.path), *known.interface.inputs]
-    with study.opened(model, files, timeout=timeout) as simulator:
+    with models.opened(model, files, timeout=timeout) as simulator:
         run = simulator.run(times, parameters=settings, inputs=inputs, outputs=names, start_time=start)
     return [(t, {name: float(run[name][i]) for name in names}) for i, t in enumerate(times)]
 
@@ -218,7 +218,7 @@ def frequency_response(
     at: Literal["rest"] | Mapping[str, Setting] = "rest",
     free: Sequence[str] = (),
     most_periods: int = 200,
-    files: study.Paths = (),
+    files: models.Paths = (),
     progress: Callable[[int, int], None] | None = None,
     timeout: float | None = None,
 ) -> FrequencyResponse:
@@ -249,7 +249,7 @@ def frequency_response(
         raise InputError("frequencies must be above zero")
     if most_periods < 2:
         raise InputError("two periods at least are compared")
-    path, face = study.build(model, files=files), interface(model, files)
+    path, face = models.build(model, files=files), interface(model, files)
     exchanging = has_exchange(path)
     if input not in face.inputs:
         raise InputError(f"{face.model} has no input '{input}'; {did_you_mean(input, face.inputs)}")
@@ -269,7 +269,7 @@ def frequency_response(
         return work_on(path, trusted, timeout, respond, settings, conditions, list(free), sines, told)
     if conditions:
         raise InputError("a rest can be looked for in an FMU with model exchange only", path)
-    with study.opened(model, files, timeout=timeout) as simulator:
+    with models.opened(model, files, timeout=timeout) as simulator:
         return respond_from_start(simulator, settings, sines, progress)
 
 
@@ -285,7 +285,7 @@ def observe(
     spread: Mapping[str, Setting] | None = None,
     start: Mapping[str, Setting] | None = None,
     interpolation: Interpolation = "linear",
-    files: study.Paths = (),
+    files: models.Paths = (),
     timeout: float | None = None,
 ) -> Observation:
     """What is not measured, estimated from what is, by an extended Kalman filter on the FMU.

@@ -41,6 +41,10 @@ class FittedModel:
         """The values that a model can hold: those of its own parameters."""
         return {name: value for name, value in self.values.items() if not _of_the_data(name)}
 
+    def stated(self, parameters: Collection[str]) -> dict[str, float]:
+        """What the model's text states [SI]: constants that are among the base model's parameters, and its values."""
+        return {n: v for n, v in self.constants.items() if n in parameters} | self.of_the_model
+
     @property
     def of_the_data(self) -> dict[str, float]:
         """The others: of one run alone, and ratios to what the data set states of a parameter."""
@@ -102,6 +106,25 @@ def _stated(tree: ClassTree, name: str) -> set[str]:
     return inherited | own | {c.name for c in info.components if c.value}
 
 
+def judged_data(path: Path) -> DataSet:
+    """The data set of a saved product, without the samples that were set aside.
+
+    Raises:
+        InputError: no such file, or nothing that was compared with a measurement.
+    """
+    product = _judgement(path)
+    if isinstance(product, Fit):
+        return product.comparison.data
+    return product.data
+
+
+def _judgement(path: Path) -> Diagnosis | Fit | Comparison:
+    product = load(path)
+    if not isinstance(product, Diagnosis | Fit | Comparison):
+        raise InputError(f"a {type(product).__name__} was not compared with a measurement", path)
+    return product
+
+
 def read_fitted_model(path: Path) -> FittedModel:
     """The model of a saved diagnosis, fit or comparison, or of the JSON or the parameters that a command wrote.
 
@@ -110,10 +133,7 @@ def read_fitted_model(path: Path) -> FittedModel:
     """
     suffix = path.suffix.lower()
     if suffix == ".npz":
-        product = load(path)
-        if not isinstance(product, Diagnosis | Fit | Comparison):
-            raise InputError(f"a {type(product).__name__} holds no parameters of a model", path)
-        return fitted_model(product)
+        return fitted_model(_judgement(path))
     if suffix == ".ssv":
         return FittedModel("", (), read_parameters(path))
     content = read_json(path)
@@ -141,12 +161,12 @@ def compose_fitted(
     Raises:
         InputError: an effect finds no place; a value is of none of the parameters; there is a class of that name.
     """
-    values = {n: v for n, v in fitted.constants.items() if n in parameters} | fitted.of_the_model
+    values = fitted.stated(parameters)
     made = compose(tree, fitted.model, fitted.effects, name, files=files, values=values)
     if made is None:
         raise InputError(f"{fitted.model} has no place for {', '.join(fitted.effects)}")
     known = {*parameters, *(n for names in made.parameters.values() for n in names)}
-    stray = next((n for n in fitted.of_the_model if n not in known), None)
+    stray = next((n for n in values if n not in known), None)
     if stray is not None:
         raise InputError(f"{made.name} has no parameter '{stray}', of which there is a value")
     if made.name in tree.classes:

@@ -10,11 +10,9 @@ import io
 import json
 from pathlib import Path
 from typing import Any, get_args
-from zipfile import BadZipFile
 
 import numpy as np
 from cattrs import Converter
-from cattrs.errors import BaseValidationError
 from cattrs.strategies import configure_tagged_union, include_subclasses
 
 from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation, Tracking
@@ -24,6 +22,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, write_bytes
 from pam_cosim.fitting import Fit, Leeway, Profiles, Record
 from pam_cosim.ledger import Ledger
+from pam_cosim.saved_content import arrays_in, check_plain, plain_value
 from pam_cosim.simulation import Trajectory
 
 Product = (
@@ -42,7 +41,7 @@ Product = (
 )
 _KINDS: dict[str, type[Any]] = {kind.__name__: kind for kind in get_args(Product)}
 _TEXT = "product"
-_DAMAGE = (ValueError, KeyError, TypeError, AttributeError, EOFError, BadZipFile, BaseValidationError)
+_DAMAGED = "is no saved product of a study, or was damaged"
 
 
 def save(product: Product, path: Path | str) -> Path:
@@ -74,15 +73,20 @@ def load(path: Path | str) -> Any:
     """
     source = Path(path)
     try:
-        with np.load(source, allow_pickle=False) as file:
-            arrays = {name: file[name] for name in file.files}
-        document = json.loads(bytes(arrays.pop(_TEXT)).decode())
-        kind = _KINDS[document["kind"]]
-        return _converter(arrays).structure(document["content"], kind)
+        content = source.read_bytes()
     except OSError as problem:
         raise InputError(f"cannot be read: {problem.strerror or problem}", source) from problem
-    except _DAMAGE as problem:
-        raise InputError("is no saved product of a study, or was damaged", source) from problem
+    try:
+        arrays = arrays_in(content)
+        document = json.loads(bytes(arrays.pop(_TEXT)).decode())
+        check_plain(document["content"], arrays)
+        product = _converter(arrays).structure(document["content"], _KINDS[document["kind"]])
+        str(product)  # what cannot say what it is holds numbers that do not belong together
+        if hasattr(product, "as_dict"):
+            product.as_dict()
+    except Exception as problem:  # whatever readers of archives, arrays and JSON raise for what they do not know
+        raise InputError(_DAMAGED, source) from problem
+    return product
 
 
 def _converter(arrays: dict[Any, Any]) -> Converter:
@@ -105,6 +109,8 @@ def _converter(arrays: dict[Any, Any]) -> Converter:
     )
     converter.register_unstructure_hook(Path, str)
     converter.register_structure_hook(Path, lambda text, _: Path(text))
+    for kind in (str, float, int, bool):
+        converter.register_structure_hook(kind, plain_value)
     include_subclasses(Record, converter, union_strategy=configure_tagged_union)
     return converter
 

@@ -6,11 +6,12 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
 
-from pam_cosim.catalogue import EffectClass, RigPart, domain_of, effect_classes, put_together
+from pam_cosim.catalogue import Composition, EffectClass, RigPart, domain_of, effect_classes, put_together
 from pam_cosim.catalogue import benches as _benches
 from pam_cosim.catalogue import rig_parts as _rig_parts
 from pam_cosim.comparison import Comparison, starts_are_open, with_starts
@@ -23,80 +24,41 @@ from pam_cosim.diagnosis import diagnose as _diagnose
 from pam_cosim.domain import Domain
 from pam_cosim.drafting import NewDataSet, Wishes, draft
 from pam_cosim.errors import InputError
-from pam_cosim.files import check_writable, make_folder, write_bytes, write_text
-from pam_cosim.fitted_model import FittedModel, compose_fitted, fitted_model, read_fitted_model, with_own_values
+from pam_cosim.files import check_writable, write_text
+from pam_cosim.fitted_model import (
+    FittedModel,
+    compose_fitted,
+    fitted_model,
+    judged_data,
+    read_fitted_model,
+    with_own_values,
+)
 from pam_cosim.fitting import Fit, FitOptions, Profiles, Progress, base_parameters, estimated_starts, with_free
 from pam_cosim.fitting import fit as _fit
 from pam_cosim.fitting import profile as _profile
-from pam_cosim.fmu import build_model, read_interface
+from pam_cosim.fmu import read_interface
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.measurement import DataSet, Run, complete_noise, read_data_set
+from pam_cosim.models import Paths, as_paths, opened
+from pam_cosim.models import build as build
+from pam_cosim.models import describe as describe
 from pam_cosim.names import START_VALUES, is_fmu, is_modelica, is_ratio, parameter_of
 from pam_cosim.products import Product
 from pam_cosim.settings import Setting, resolve, value_of
-from pam_cosim.simulation import Inputs, IsolatedSimulator, Simulator, Trajectory
+from pam_cosim.simulation import Inputs, Trajectory
 from pam_cosim.simulation.fmpy_engine import run_with_fmpy
 from pam_cosim.sources import Source, inputs_of
 from pam_cosim.sweeps import Plan, Sweep, design_of, make_sweep, read_scalars
 from pam_cosim.units import UnitError, seconds
 from pam_cosim.wording import did_you_mean
 
-Paths = Sequence[Path | str]
 MOST_STEPS = 10_000_000  # of one run, whose outputs are kept in memory: 80 MB each
 ENGINES = ("own", "fmpy")
 
 
-def describe(model: str, files: Paths = ()) -> Interface:
-    """Inputs, outputs and parameters of a model: a bench, a Modelica class, a ``.mo`` or an ``.fmu`` file.
-
-    Raises:
-        InputError: there is no such model, or it cannot be compiled.
-    """
-    return read_interface(build(model, files=files))
-
-
-def build(
-    model: str,
-    output: Path | str | None = None,
-    *,
-    files: Paths = (),
-    platforms: Sequence[str] = ("native",),
-    fmi: str = "2.0",
-    sensitivities: Sequence[str] = (),
-) -> Path:
-    """Builds an FMU, or finds it in the cache; with ``output`` it is put there.
-
-    ``platforms`` names those that the FMU shall run on: "native", "all", or names such as "x86_64-windows".
-    ``fmi`` is the version of the interface, "2.0" or "3.0". For each parameter in ``sensitivities`` the derivatives
-    of the outputs with respect to it are outputs too, ``sensitivity.<output>.<parameter>``.
-    """
-    if output is not None:
-        check_writable(Path(output), new_folder=True)
-    made = build_model(model, _paths(files), platforms=platforms, fmi=fmi, sensitivities=sensitivities)
-    if output is None:
-        return made
-    target = Path(output)
-    make_folder(target.parent)
-    write_bytes(target, made.read_bytes())
-    return target
-
-
-def opened(
-    model: str, files: Paths = (), free: Iterable[str] = (), timeout: float | None = None
-) -> Simulator | IsolatedSimulator:
-    """A model ready to run; an FMU of somebody else's runs in a process of its own, which it may crash.
-
-    A Modelica model tells its sensitivities to the ``free`` parameters. An FMU that makes no progress for ``timeout``
-    seconds is ended (None: the default of ``IsolatedSimulator``).
-    """
-    if is_fmu(model):
-        return IsolatedSimulator(build(model, files=files), timeout)
-    return Simulator(build_model(model, _paths(files), sensitivities=tuple(free), where_smooth=True))
-
-
 def benches(files: Paths = ()) -> list[str]:
     """Names of the benches of the library, and of those among ``files``."""
-    return [last(bench) for bench in _benches(read_library(files=_paths(files)))]
+    return [last(bench) for bench in _benches(read_library(files=as_paths(files)))]
 
 
 def read(
@@ -104,22 +66,33 @@ def read(
 ) -> DataSet:
     """Reads a data set and checks it against its bench (or against ``model``).
 
-    ``roles``: "fit" or "holdout" by run, where it shall be another one than the data set says.
+    ``folder`` may also be a saved diagnosis, fit or comparison (``.npz``): the data set as that judged it, without the
+    samples that it set aside. ``roles``: "fit" or "holdout" by run, where it shall be another one than the data set
+    says.
 
     Raises:
         InputError: with file, line and column of what cannot be used; no such run or role.
     """
     described = _described(files)
-    data = read_data_set(Path(folder), described, model=model, benches=lambda: benches(files))
+    if Path(folder).suffix.lower() == ".npz":
+        data = judged_data(Path(folder))
+        data = replace(data, model=model or data.model)
+    else:
+        data = read_data_set(Path(folder), described, model=model, benches=lambda: benches(files))
     data = replace(data.with_roles(roles or {}), domain=_domain(data.model, described(data.model), files))
     return _for_model(data, model, files)
 
 
 def _for_model(data: DataSet, model: str | None, files: Paths) -> DataSet:
     """The data set for a model: values that a Modelica model of another name states stand before starts of a fit."""
-    if model is None or model == data.bench or is_fmu(model) or all(f.start is None for f in data.fit.values()):
+    if (
+        model in (None, data.bench)
+        or not data.bench
+        or is_fmu(model)
+        or all(f.start is None for f in data.fit.values())
+    ):
         return data
-    return with_own_values(data, model, _paths(files))
+    return with_own_values(data, model, as_paths(files))
 
 
 def _described(files: Paths) -> Callable[[str], Interface]:
@@ -129,7 +102,7 @@ def _described(files: Paths) -> Callable[[str], Interface]:
 
 def _domain(model: str, interface: Interface, files: Paths) -> Domain:
     """The words of the model's field; an FMU says what class it was made from."""
-    sources = _paths(files) + ([Path(model)] if is_modelica(model) else [])
+    sources = as_paths(files) + ([Path(model)] if is_modelica(model) else [])
     return domain_of(read_library(files=sources), interface.model if is_fmu(model) else model)
 
 
@@ -308,7 +281,7 @@ def diagnose(
     ``exclude`` and ``expect`` name families or effects that are known not to be missing, or that are likely, with those
     of the data set. ``free`` and ``start`` are as for ``fit``.
     """
-    limit, files = _seconds(time_limit, "time limit"), _paths(files)
+    limit, files = _seconds(time_limit, "time limit"), as_paths(files)
     if limit is not None and not limit > 0:
         raise InputError(f"the time limit must be longer than nothing: {time_limit}")
     return _diagnose(
@@ -338,7 +311,7 @@ def check(
     How exactly the free parameters will be known, which families of effects would show and from which strength on,
     which of them would not be told apart, and which further signal or run would help most.
     """
-    return _check(data, model, files=_paths(files), say=say, workers=workers)
+    return _check(data, model, files=as_paths(files), say=say, workers=workers)
 
 
 def draw(product: Product, path: Path | str) -> None:
@@ -365,7 +338,7 @@ def live() -> Callable[[Any], None]:
 
 def effects(files: Paths = ()) -> list[EffectClass]:
     """The catalogue: every effect of the library and of ``files``."""
-    return list(effect_classes(read_library(files=_paths(files))))
+    return list(effect_classes(read_library(files=as_paths(files))))
 
 
 def add(
@@ -373,6 +346,7 @@ def add(
     to: str | None = None,
     output: Path | str | None = None,
     *,
+    values: Mapping[str, Setting] | None = None,
     files: Paths = (),
 ) -> str:
     """The Modelica text of a model with effects, or with what a diagnosis or a fit found; ``output`` is its file.
@@ -387,6 +361,7 @@ def add(
             a saved diagnosis or fit, or the JSON or the parameters that a command wrote.
         to: the base model: a bench, a Modelica class or a ``.mo`` file. Default: the one that the product is of.
         output: a file that ends in ``.mo``; its name is that of the class.
+        values: of parameters, before those of the product: numbers [SI] or texts with a unit.
         files: further Modelica files.
 
     Raises:
@@ -399,14 +374,31 @@ def add(
     ratio = next((parameter_of(one) for one in fitted.effects if is_ratio(one)), None)
     if ratio is not None and not fitted.values:
         raise InputError(f"what is stated of {ratio} is no part of a model: correct it in the data set")
-    extra = _paths(files) + ([Path(base)] if is_modelica(base) else [])
+    extra = as_paths(files) + ([Path(base)] if is_modelica(base) else [])
     name = Path(output).stem if output else None
     parameters = describe(base, files).parameters if fitted.values else ()
     tree = read_library(files=extra)
-    composition = compose_fitted(tree, replace(fitted, model=base), name, parameters, files=extra)
+    fitted = replace(fitted, model=base)
+    if values:
+        bare = compose_fitted(tree, replace(fitted, values={}), name, parameters, files=extra)
+        fitted = replace(fitted, values={**fitted.values, **_resolved(values, bare, files)})
+        parameters = (*parameters, *fitted.values)
+    composition = compose_fitted(tree, fitted, name, parameters, files=extra)
     if output:
         write_text(Path(output), composition.text)
     return composition.text
+
+
+def _resolved(values: Mapping[str, Setting], composition: Composition, files: Paths) -> dict[str, float]:
+    """Values of parameters of a composed model [SI]."""
+    with TemporaryDirectory() as folder:
+        file = Path(folder) / f"{composition.name}.mo"
+        write_text(file, composition.text)
+        interface = describe(str(file), files)
+    stray = next((name for name in values if name not in interface.parameters), None)
+    if stray is not None:
+        raise InputError(f"there is no parameter '{stray}'; {did_you_mean(stray, list(interface.parameters))}")
+    return resolve(values, interface)
 
 
 def _fitted_model(what: Sequence[str] | Diagnosis | Fit | Path) -> FittedModel:
@@ -419,7 +411,7 @@ def _fitted_model(what: Sequence[str] | Diagnosis | Fit | Path) -> FittedModel:
 
 def rig_parts(files: Paths = ()) -> list[RigPart]:
     """What a bench can be put together from: every part of the library and of ``files``."""
-    return list(_rig_parts(read_library(files=_paths(files))))
+    return list(_rig_parts(read_library(files=as_paths(files))))
 
 
 def bench(
@@ -454,7 +446,7 @@ def bench(
         ModelError: a part is not what its interface asks for.
     """
     name = Path(output).stem if output else None
-    rig = put_together(read_library(files=_paths(files)), pneumatics, mechanics, muscle, measure, name, static)
+    rig = put_together(read_library(files=as_paths(files)), pneumatics, mechanics, muscle, measure, name, static)
     if output:
         write_text(Path(output), rig.text)
     return rig.text
@@ -501,7 +493,7 @@ def new(
     stated = {name: str(value) for name, value in (parameters or {}).items()}
     wishes = Wishes(title, model, columns, stated, recording, muscle, roles)
     paths = [Path(one) for one in recordings]
-    made = draft(Path(folder), paths, wishes, read_library(files=_paths(files)), _described(files), _paths(files))
+    made = draft(Path(folder), paths, wishes, read_library(files=as_paths(files)), _described(files), as_paths(files))
     return replace(made, data=read(folder, files=files))
 
 
@@ -685,7 +677,3 @@ def sweep(
     if result is not None:
         made.save(result)
     return made
-
-
-def _paths(files: Paths) -> list[Path]:
-    return [Path(f) for f in files]

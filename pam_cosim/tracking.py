@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pam_cosim import study
+from pam_cosim import models
 from pam_cosim.analysis.tracking import Tracking
 from pam_cosim.arrays import Array
 from pam_cosim.cosimulation import Controller
@@ -35,7 +35,7 @@ def track(
     rate: float = 80.0,
     lead: float = 4.0,
     periods: int = 4,
-    files: study.Paths = (),
+    files: models.Paths = (),
     progress: Callable[[int, int], None] | None = None,
     timeout: float | None = None,
 ) -> Tracking:
@@ -69,7 +69,7 @@ def track(
         raise InputError("frequencies and the rate must be above zero")
     if periods < 2 or not lead > 0:
         raise InputError("two periods at least are compared, after a lead above zero")
-    face = study.describe(plant, files)
+    face = models.describe(plant, files)
     if output not in face.outputs:
         raise InputError(f"{face.model} has no output '{output}'; {did_you_mean(output, face.outputs)}")
     middle, swing = (value_of(v, face.outputs[output]) for v in (mean, amplitude))
@@ -104,8 +104,8 @@ def _interval(one: str | Controller, rate: float) -> float:
     return one.seconds if isinstance(one, Controller) else 1 / rate
 
 
-def _face(one: str | Controller, files: study.Paths) -> Interface:
-    return one.interface if isinstance(one, Controller) else study.describe(one, files)
+def _face(one: str | Controller, files: models.Paths) -> Interface:
+    return one.interface if isinstance(one, Controller) else models.describe(one, files)
 
 
 def _connections(plant: Interface, control: Interface, output: str) -> tuple[list[str], list[str]]:

@@ -16,11 +16,19 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    for item in items:
+        item.add_marker(pytest.mark.xdist_group(_group(item)))
     if config.getoption("--full"):
         return
     slow = [item for item in items if item.get_closest_marker("full")]
     items[:] = [item for item in items if not item.get_closest_marker("full")]
     config.hook.pytest_deselected(items=slow)
+
+
+def _group(item: pytest.Item) -> str:
+    """Tests that share a process, with what they keep in memory: those of a file; of every effect, those of one."""
+    effect = getattr(getattr(item, "callspec", None), "params", {}).get("effect")
+    return str(item.path.relative_to(item.config.rootpath)) + (f":{effect.name}" if hasattr(effect, "name") else "")
 
 
 @pytest.fixture(scope="session")

@@ -35,6 +35,10 @@ DECIDE_NOTHING = {
     "_ZEROS": "the atmosphere and the ice point",
     "_ROUNDS": "how often a linear problem is solved again from where it led",
     "_INSIDE": "keeps a step off the samples beside it",
+    "_FINE": "accuracy of a table",
+    "_CENTRE": "keeps a quotient off nought by nought",
+    "_TAIL": "the end of a sum",
+    "_NODES": "accuracy of a table",
     "_SAME": "digits in which two values of a run are one condition of a table",
 }
 BY_NAME = {c.name: c for c in every_criterion()}

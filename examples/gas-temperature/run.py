@@ -2,8 +2,8 @@
 
 An independent simulator (SciPy; states are internal energy, mass of gas, contraction and speed) makes three runs of the
 latex muscle whose wall conducts as DP (45) prints and whose gas obeys the balances of mass and energy, with noise. Four
-models are fitted to them, and the printed one is diagnosed. Writes the data set (to demo/gas-temperature), report.md
-and result.png.
+models are fitted to them; the printed one is diagnosed, and the library's own with films. Writes the data set
+(to demo/gas-temperature), report.md and result.png, and prints what docs/stories/doumit-pardoel-temperature.md quotes.
 """
 
 from __future__ import annotations
@@ -100,6 +100,13 @@ def row(rung: str, fit: Fit) -> list[str]:
     return [*cells, ", ".join(f"{name} {e.value:.4g}" for name, e in fit.parameters.items())]
 
 
+def holdout_row(rung: str, fit: Fit) -> str:
+    """Errors of a model on the run that was never fitted, two digits each, as a row of Markdown."""
+    scores = fit.comparison.scores["holdout"]
+    cells = [f"{scores[name].rmse * factor:#.2g}".rstrip(".") for name, (_, factor) in SIGNALS.items()]
+    return f"| {' | '.join([rung, *cells])} |"
+
+
 def draw(fits: dict[str, Fit], picture: Path) -> None:
     """The holdout run: pressure, contraction and temperature, measured and by each model."""
     page, axes = plt.subplots(1, 3, figsize=(12, 3.9), layout="constrained")
@@ -125,6 +132,8 @@ def main() -> None:
     draw(fits, HERE / "result.png")
     diagnosis = pam.diagnose(pam.read(folder), say=lambda line: print(line, flush=True))
     print(diagnosis)
+    print(pam.diagnose(pam.read(folder), FILMS))
+    print(*(holdout_row(rung, fit) for rung, fit in fits.items()), sep="\n")
     head = ["model", *(f"{n}, {role} [{u}]" for role in ("fit", "holdout") for n, (u, _) in SIGNALS.items()), "fitted"]
     table = markdown_table(head, [row(rung, fit) for rung, fit in fits.items()])
     text = (HERE / "report.template.md").read_text(encoding="utf-8")

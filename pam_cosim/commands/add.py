@@ -8,8 +8,10 @@ from typing import Annotated
 import typer
 
 from pam_cosim import study
+from pam_cosim.arguments import parse_pairs
 from pam_cosim.commands.common import (
     FilesOption,
+    SetOption,
     check_model_file,
     check_results,
     say_used_with,
@@ -31,6 +33,7 @@ def add(
             "--from", help="Effects and values from a result: of 'diagnose --json', 'fit -o' or a saved product (.npz)."
         ),
     ] = None,
+    settings: SetOption = None,
     files: FilesOption = None,
 ) -> None:
     """Write a readable Modelica model that extends another with effects, and with fitted values."""
@@ -40,6 +43,7 @@ def add(
         raise InputError("name the model that the effects are added to: --to MODEL")
     check_model_file(output)
     check_results(output, sources=[to, origin, *(files or [])])
-    typer.echo(study.add(origin or effects or [], to, output, files=files or []), nl=False)
+    values = parse_pairs(settings or [])
+    typer.echo(study.add(origin or effects or [], to, output, values=values, files=files or []), nl=False)
     say_written(output)
     say_used_with(files or [])

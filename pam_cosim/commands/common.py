@@ -1,4 +1,7 @@
-"""What the commands share: options, where results go, and what an interrupted command says."""
+"""What the commands share: options, where results go, and what an interrupted command says.
+
+Every command loads it, so that it loads no room of the package by itself.
+"""
 
 from __future__ import annotations
 
@@ -6,20 +9,19 @@ import sys
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from shlex import quote
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from rich.console import Console
 from rich.markup import escape
 
-from pam_cosim import study
-from pam_cosim.analysis import FrequencyResponse, LinearModel, Observation, Tracking
-from pam_cosim.arguments import parse_pairs
-from pam_cosim.diagnosis import Message
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_distinct, check_spared, check_writable, identity
-from pam_cosim.measurement import DataSet
-from pam_cosim.workers import stop_workers
+
+if TYPE_CHECKING:
+    from pam_cosim.analysis import FrequencyResponse, LinearModel, Observation, Tracking
+    from pam_cosim.diagnosis import Message
+    from pam_cosim.measurement import DataSet
 
 INTERRUPTED = 130  # as shells have it for a command that Ctrl-C ended
 results: dict[Path, object] = {}  # files that the command is to write, and what was there before
@@ -54,7 +56,7 @@ TimeoutOption = Annotated[
 VariablesOption = Annotated[
     list[str] | None, typer.Option("--output", help="A variable to keep beside the model's outputs; can be repeated.")
 ]
-Data = Annotated[Path, typer.Argument(help="Folder with experiment.toml and CSV files.")]
+Data = Annotated[Path, typer.Argument(help="Folder of a data set, or what 'diagnose --save' wrote.")]
 
 
 def check_results(*outputs: Path | None, sources: Iterable[Path | str | None] = (), new_folder: bool = False) -> None:
@@ -82,6 +84,9 @@ def say_used_with(files: Iterable[Path]) -> None:
 
 def read_data(data: Path, model: str | None, files: list[Path] | None, roles: list[str] | None = None) -> DataSet:
     """The data set; no result may replace one of its files."""
+    from pam_cosim import study
+    from pam_cosim.arguments import parse_pairs
+
     read = study.read(data, model=model, files=files or [], roles=parse_pairs(roles or []))
     check_spared(results, [read.model, *read.files])
     return read
@@ -100,6 +105,8 @@ def tell_and_write(
     plot: Path | None,
 ) -> None:
     """Prints a product and writes it where that was asked for: as CSV, as JSON and as a picture."""
+    from pam_cosim import study
+
     typer.echo(str(product))
     if output:
         product.to_csv(output)
@@ -113,7 +120,10 @@ def tell_and_write(
 
 def interrupted() -> int:
     """Ends what the command has started and says what it has written; the status for it."""
-    stop_workers()
+    if "pam_cosim.workers" in sys.modules:  # who has not loaded it has started nothing
+        from pam_cosim.workers import stop_workers
+
+        stop_workers()
     saved = [str(path) for path, before in results.items() if identity(path) not in (None, before)]
     what = f"written: {', '.join(saved)}" if saved else "nothing was written"
     more = "".join(f"; {text}" for text in (remark() for remark in remarks) if text)

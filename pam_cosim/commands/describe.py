@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from pam_cosim import study
+from pam_cosim import models
 from pam_cosim.commands.common import FilesOption
 
 
@@ -16,7 +16,7 @@ def describe(
     every: Annotated[bool, typer.Option("--all", help="Also every variable inside, which --output can keep.")] = False,
 ) -> None:
     """Inputs, outputs and parameters of a model, with units, defaults and ranges."""
-    interface = study.describe(model, files or [])
+    interface = models.describe(model, files or [])
     typer.echo(str(interface))
     if every:
         typer.echo("variables inside:")

@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from pam_cosim import study
+from pam_cosim import products, study
 from pam_cosim.arguments import parse_pairs
 from pam_cosim.commands.common import (
     Data,
@@ -28,6 +28,7 @@ from pam_cosim.commands.common import (
     teller,
 )
 from pam_cosim.diagnosis import Diagnosis
+from pam_cosim.errors import InputError
 from pam_cosim.files import write_json, write_text
 from pam_cosim.fitted_model import fitted_model
 from pam_cosim.reporting import diagnosis_report, diagnosis_text, write_report
@@ -40,6 +41,9 @@ def diagnose(
     output: Annotated[
         Path | None,
         typer.Option("--output", "-o", help="Write the model with its effects and fitted values as Modelica (.mo)."),
+    ] = None,
+    save: Annotated[
+        Path | None, typer.Option(help="Save all of it, with the samples that were judged (.npz); pam.load reads it.")
     ] = None,
     json: JsonOption = None,
     report: ReportOption = None,
@@ -66,7 +70,9 @@ def diagnose(
     for path in (output, learned):
         if path is not None:
             check_model_file(path)
-    check_results(output, json, report, following, learned, sources=[model, *(files or [])])
+    if save is not None and save.suffix != ".npz":
+        raise InputError("a diagnosis is saved as .npz: name a file that ends so", save)
+    check_results(output, save, json, report, following, learned, sources=[model, *(files or [])])
     read = read_data(data, model, files, roles)
     with console.status("refitting the base model") as status:
         say = teller(status)
@@ -85,26 +91,34 @@ def diagnose(
     typer.echo(diagnosis_text(diagnosis))
     if output:
         study.add(diagnosis, output=output, files=files or [])
+    if save:
+        products.save(diagnosis, save)
     if json:
         write_json(json, diagnosis.as_dict())
     if report:
         write_report(report, diagnosis_report(diagnosis))
     if output:
-        _say_model(diagnosis, data, output, files or [])
+        _say_model(diagnosis, data, save, output, files or [])
+    say_written(save)
     say_written(json)
     say_written(report)
     _write_advice(diagnosis, following, learned)
 
 
-def _say_model(diagnosis: Diagnosis, data: Path, output: Path, files: Sequence[Path]) -> None:
+def _say_model(diagnosis: Diagnosis, data: Path, save: Path | None, output: Path, files: Sequence[Path]) -> None:
     """Names the model that was written, and the command that shows its errors."""
     say_written(output)
+    changes = diagnosis.changes_of_data
+    if changes and save is not None:
+        data, changes = save, ()
     further = [f"--file {quote(str(file))}" for file in files]
     values = [f"--set {quote(f'{name}={value!r}')}" for name, value in fitted_model(diagnosis).of_the_data.items()]
     words = ["pam-cosim compare", quote(str(data)), "--model", quote(str(output)), *further, *values]
     typer.echo(f"compare it: {' '.join(words)}")
-    for change in diagnosis.changes_of_data:
+    for change in changes:
         typer.echo(f"  the verdict's numbers differ: {change}")
+    if changes:
+        typer.echo("  with --save FILE.npz the samples are kept as they were judged, and compare takes that file")
 
 
 def _write_advice(diagnosis: Diagnosis, following: Path | None, learned: Path | None) -> None:

@@ -9,12 +9,13 @@ from pam_cosim.comparison.outliers import outliers, without_outliers
 from pam_cosim.comparison.reproducibility import Reproducibility, reproducibility
 from pam_cosim.comparison.residual_statistics import (
     ResidualStatistics,
+    Series,
     lag_one,
     residual_statistics,
     series_of,
-    stated_of,
 )
 from pam_cosim.comparison.residuals import RunComparison, simulate_run
+from pam_cosim.comparison.rounding import expected_squares, slope, usual_square, weighted
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.comparison.where import Rule, sitting, where
 
@@ -29,11 +30,13 @@ __all__ = [
     "ResidualStatistics",
     "Rule",
     "RunComparison",
+    "Series",
     "SignalScore",
     "Statistic",
     "beginning",
     "chi2_reduced",
     "compare",
+    "expected_squares",
     "lag_one",
     "measured",
     "outliers",
@@ -44,9 +47,11 @@ __all__ = [
     "series_of",
     "simulate_run",
     "sitting",
+    "slope",
     "start_time",
     "starts_are_open",
-    "stated_of",
+    "usual_square",
+    "weighted",
     "where",
     "with_starts",
     "without_outliers",

@@ -117,8 +117,9 @@ class Comparison(Printed):
         lines += [f"  {sentence}" for sentence in self.data.starts]
         for role in ROLES:
             for name, s in self.scores[role].items():
-                unit = self.data.signals[name].unit
-                noise = "" if s.noise_rmse != s.noise_rmse else f", noise {format_quantity(s.noise_rmse, unit)}"
+                signal = self.data.signals[name]
+                unit, scatter = signal.unit, signal.scatter
+                noise = "" if s.noise_rmse != s.noise_rmse else f", {scatter} {format_quantity(s.noise_rmse, unit)}"
                 share = f"{100 * s.nrmse:.1f} % of range{noise}"
                 lines.append(f"  {role:8} {name:4} rms error {format_quantity(s.rmse, unit):>10} ({share})")
         for rule in self.where[:5]:

@@ -114,7 +114,14 @@ def _mended(signal: Signal, measured: Array, modelled: Array, error: float) -> s
         return "It would fit with its sign turned"
     gain = float(measured @ modelled) / max(float(modelled @ modelled), 1e-300)
     if _rms(measured - gain * modelled) < enough:
-        return f"It would fit if it were divided by {gain:.4g}{_as_units(signal.unit, gain)}"
+        units = _as_units(signal.unit, gain)
+        if units:
+            return f"It would fit if it were divided by {gain:.4g}{units}"
+        if gain > 0.0:
+            return (
+                f"Its course is the model's, {gain:.3g} times as large: a size of the muscle or a load that is not the "
+                "rig's does this, and so does a wrong factor of the instrument"
+            )
     return ""
 
 

@@ -14,7 +14,9 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.comparison.residuals import RunComparison
+from pam_cosim.comparison.rounding import expected_squares, weighted
 from pam_cosim.criteria import CRITERIA
+from pam_cosim.measurement import Signal
 
 
 @dataclass(frozen=True)
@@ -30,28 +32,31 @@ class Reproducibility:
     score: float
 
 
-def reproducibility(runs: Sequence[RunComparison], sigma: Mapping[str, float]) -> Reproducibility:
+def reproducibility(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> Reproducibility:
     """Judges the residuals of all runs together.
 
     Args:
         runs: more tell more; NaN where they are too few to tell.
-        sigma: noise level [SI] of each signal that counts.
+        signals: by name; those that are fitted and have a noise level count.
     """
     if not runs:
         return Reproducibility(float("nan"), float("nan"))
     gains: dict[int, float] = {}
-    total = 0
+    total = 0.0
     tables = _features(runs)
     parts = _parts(runs)
-    for name, level in sigma.items():
-        residuals = [r.residual(name) / level if r.run.sample_count(name) else None for r in runs]
+    for name, signal in signals.items():
+        if not signal.fitted or not signal.sigma:
+            continue
+        measured = [r.residual(name) if r.run.sample_count(name) else None for r in runs]
+        residuals = [None if error is None else weighted(error, signal) for error in measured]
         pieces = [_piece(tables, residuals, where) for where in parts]
         usable = [p for p in pieces if p is not None]
         if len(usable) < 2:
             continue
         gram, moment = sum(x.T @ x for x, _ in usable), sum(x.T @ e for x, e in usable)
         samples = sum(len(e) for _, e in usable)
-        total += samples
+        total += sum(_samples(error, signal) for error in measured if error is not None)
         for number, piece in enumerate(pieces):
             if piece is None:
                 continue
@@ -66,6 +71,11 @@ def reproducibility(runs: Sequence[RunComparison], sigma: Mapping[str, float]) -
     by_piece = np.array([gains[k] for k in sorted(gains)])
     error = float(np.std(by_piece, ddof=1)) * np.sqrt(len(by_piece))
     return Reproducibility(float(by_piece.sum()) / total, float(by_piece.sum()) / error if error > 0 else 0.0)
+
+
+def _samples(error: Array, signal: Signal) -> float:
+    """How many samples an error counts for, missing ones aside."""
+    return float(np.sum(expected_squares(error[np.isfinite(error)], signal)))
 
 
 def _parts(runs: Sequence[RunComparison]) -> list[tuple[int, slice]]:

@@ -11,6 +11,7 @@ from scipy.optimize import nnls
 
 from pam_cosim.arrays import Array
 from pam_cosim.comparison.residuals import RunComparison
+from pam_cosim.comparison.rounding import expected_squares, weighted
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement import Signal
 
@@ -20,7 +21,7 @@ class ResidualStatistics:
     """Statistics of weighted residuals, all signals and runs together.
 
     Attributes:
-        chi2: sum of squares; ``samples`` their number.
+        chi2: sum of squares; ``samples`` how many samples these count for: what noise alone gives on average.
         white_variance: mean square that neighbouring samples do not share (von Neumann): the white part.
         whiteness_score: of "the residuals are white", in standard deviations (``lag_one``).
         correlation_time: how many samples make one independent one, at least 1.
@@ -28,7 +29,7 @@ class ResidualStatistics:
     """
 
     chi2: float
-    samples: int
+    samples: float
     white_variance: float
     whiteness_score: float
     correlation_time: float
@@ -45,85 +46,125 @@ class ResidualStatistics:
         return max(self.chi2_reduced - self.noise_floor, 0.0)
 
 
-def series_of(runs: Sequence[RunComparison], sigma: dict[str, float]) -> list[Array]:
-    """Weighted residuals as separate series, one for each run and signal, missing samples left out."""
+@dataclass(frozen=True)
+class Series:
+    """Weighted residuals of one signal in one run, in time order.
+
+    Attributes:
+        values: (n,).
+        expected: (n,) mean squares that the noise gives; one each, but for readings in coarse steps (``rounding``).
+        stated: whether the level of the noise is known, not estimated; known noise may have any colour up to it.
+    """
+
+    values: Array
+    expected: Array
+    stated: bool = True
+
+    @classmethod
+    def plain(cls, values: Array, stated: bool = True) -> Series:
+        """Residuals in standard deviations of the noise."""
+        return cls(values, np.ones(len(values)), stated)
+
+    @property
+    def samples(self) -> float:
+        """How many samples these count for."""
+        return float(np.sum(self.expected))
+
+    @property
+    def pairs(self) -> float:
+        """How many pairs of neighbours these count for: what white noise of these squares may be correlated by."""
+        first, second = self.expected[:-1], self.expected[1:]
+        shared = float(first @ second)
+        return float(np.sum(first)) * float(np.sum(second)) / shared if shared > 0 else 0.0
+
+    def differences(self, lag: int) -> tuple[float, float]:
+        """Half the squared differences of samples at a distance, and how much of that is expected of white noise."""
+        v, expected = self.values, self.expected
+        return float(np.sum((v[lag:] - v[:-lag]) ** 2)) / 2, float(np.sum(expected[lag:] + expected[:-lag])) / 2
+
+
+def series_of(
+    runs: Sequence[RunComparison],
+    signals: Mapping[str, Signal],
+    shifts: Mapping[tuple[str, str], Array] | None = None,
+) -> list[Series]:
+    """Weighted residuals, one series for each run and fitted signal, missing samples left out.
+
+    Args:
+        runs: of a model.
+        signals: by name; those that are fitted and have a noise level count.
+        shifts: (n,) what is added to the weighted residuals, by run and signal.
+    """
     series = []
     for r in runs:
-        for name, s in sigma.items():
-            if r.run.sample_count(name):
-                residual = r.residual(name)
-                series.append(residual[np.isfinite(residual)] / s)
+        for name, signal in signals.items():
+            if signal.fitted and signal.sigma and r.run.sample_count(name):
+                error = r.residual(name)
+                kept = np.isfinite(error)
+                values = weighted(error[kept], signal)
+                if shifts and (r.run.name, name) in shifts:
+                    values = values + shifts[r.run.name, name][kept]
+                # Steps are what they are, also where the noise beside them is not known.
+                known = not signal.estimated or signal.is_coarse
+                series.append(Series(values, expected_squares(error[kept], signal), known))
     return series
 
 
-def stated_of(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> list[bool]:
-    """For each series of ``series_of``, whether the noise level of its signal was stated."""
-    return [not s.estimated for r in runs for n, s in signals.items() if s.fitted and s.sigma and r.run.sample_count(n)]
-
-
-def residual_statistics(series: Sequence[Array], stated: Sequence[bool] | None = None) -> ResidualStatistics:
-    """Statistics of ``series``, weighted residuals in time order.
-
-    Args:
-        series: one for each run and signal.
-        stated: for each, whether its noise level was stated by the experimenter. Stated noise may have any colour
-            up to that level; None: noise is white.
-    """
-    chi2 = float(sum(np.sum(e**2) for e in series))
-    samples = sum(len(e) for e in series)
-    steps = float(sum(np.sum(np.diff(e) ** 2) for e in series))
-    pairs = sum(max(len(e) - 1, 0) for e in series)
-    white_variance = steps / (2 * pairs) if pairs else float("nan")
+def residual_statistics(series: Sequence[Series]) -> ResidualStatistics:
+    """Statistics of weighted residuals, one series for each run and signal."""
+    chi2 = float(sum(np.sum(e.values**2) for e in series))
+    samples = float(sum(e.samples for e in series))
     _, whiteness_score = lag_one(series)
-    noise_floor = white_variance if stated is None else _noise_floor(series, stated)
-    return ResidualStatistics(chi2, samples, white_variance, whiteness_score, _correlation_time(series), noise_floor)
+    return ResidualStatistics(
+        chi2, samples, _white_part(series, 1), whiteness_score, _correlation_time(series), _noise_floor(series)
+    )
 
 
-def _noise_floor(series: Sequence[Array], stated: Sequence[bool]) -> float:
-    """Mean square that noise explains: of stated noise at least its own variance, else the estimate for red noise."""
-    total, samples = 0.0, 0
+def _noise_floor(series: Sequence[Series]) -> float:
+    """Mean square that noise explains: of known noise at least its own variance, else the estimate for red noise."""
+    total, samples = 0.0, 0.0
     for known in (True, False):
-        chosen = [e for e, s in zip(series, stated, strict=True) if s is known and len(e) > CRITERIA.residuals.lags]
-        count = sum(len(e) for e in chosen)
+        chosen = [e for e in series if e.stated is known and len(e.values) > CRITERIA.residuals.lags]
+        count = sum(e.samples for e in chosen)
         if count:
-            total += count * (max(1.0, _steps(chosen, 1)) if known else red_noise(chosen))
+            total += count * (max(1.0, _white_part(chosen, 1)) if known else red_noise(chosen))
             samples += count
     return total / samples if samples else 1.0
 
 
-def _steps(series: Sequence[Array], lag: int) -> float:
-    """Half the mean square difference of samples at a distance."""
-    squares = sum(float(np.sum((e[lag:] - e[:-lag]) ** 2)) for e in series)
-    return squares / (2 * sum(len(e) - lag for e in series))
+def _white_part(series: Sequence[Series], lag: int) -> float:
+    """Half the mean square difference of samples at a distance; NaN without any."""
+    parts = [e.differences(lag) for e in series]
+    expected = sum(part[1] for part in parts)
+    return sum(part[0] for part in parts) / expected if expected > 0 else float("nan")
 
 
-def lag_one(series: Sequence[Array]) -> tuple[float, float]:
+def lag_one(series: Sequence[Series]) -> tuple[float, float]:
     """Correlation of neighbours about zero over all series, and how many standard deviations of white noise that is.
 
     Args:
-        series: residuals in time order, missing samples left out; each series has a scale of its own.
+        series: each has a scale of its own.
     """
-    weighted, pairs = 0.0, 0
+    correlated, pairs = 0.0, 0.0
     for e in series:
-        power = float(np.sum(e**2))
-        if len(e) > 2 and power > 0:
-            n = len(e) - 1
-            weighted += n * float(np.sum(e[1:] * e[:-1])) / power
+        power, n = float(np.sum(e.values**2)), e.pairs
+        if len(e.values) > 2 and power > 0 and n > 0:
+            correlated += n * float(np.sum(e.values[1:] * e.values[:-1])) / power
             pairs += n
-    return (weighted / pairs, weighted / float(np.sqrt(pairs))) if pairs else (0.0, 0.0)
+    return (correlated / pairs, correlated / float(np.sqrt(pairs))) if pairs else (0.0, 0.0)
 
 
-def red_noise(series: Sequence[Array]) -> float:
+def red_noise(series: Sequence[Series]) -> float:
     """Variance of first-order autoregressive noise under a slow course.
 
     Samples at a distance l differ by noise, half mean square v (1 - r^l), and by what the slow course gains, a l^2.
     v, a >= 0 and the correlation r of neighbours are fitted to the first few distances.
 
     Args:
-        series: weighted residuals in time order, each longer than those distances.
+        series: each longer than those distances.
     """
     lags = np.arange(1, CRITERIA.residuals.lags + 1)
-    variogram = np.array([_steps(series, int(lag)) for lag in lags])
+    variogram = np.array([_white_part(series, int(lag)) for lag in lags])
     best, variance = np.inf, variogram[0]
     for r in np.linspace(0.0, CRITERIA.residuals.reddest, CRITERIA.residuals.colours):
         columns = np.column_stack([1 - r**lags, lags**2]) / variogram[:, None].clip(1e-300)
@@ -133,10 +174,10 @@ def red_noise(series: Sequence[Array]) -> float:
     return max(float(variance), 0.0)
 
 
-def _correlation_time(series: Sequence[Array]) -> float:
+def _correlation_time(series: Sequence[Series]) -> float:
     """1 + 2 sum of the autocorrelation up to where it first falls below zero, averaged by power."""
     total, power = 0.0, 0.0
-    for e in series:
+    for e in (one.values for one in series):
         own = float(np.sum(e**2))
         if len(e) < 3 or own <= 0:
             continue

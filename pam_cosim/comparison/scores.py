@@ -7,8 +7,10 @@ from dataclasses import asdict, dataclass
 
 import numpy as np
 
-from pam_cosim.comparison.residual_statistics import lag_one
+from pam_cosim.arrays import Array
+from pam_cosim.comparison.residual_statistics import Series, lag_one
 from pam_cosim.comparison.residuals import RunComparison
+from pam_cosim.comparison.rounding import expected_squares, weighted
 from pam_cosim.measurement import Signal
 
 
@@ -23,9 +25,11 @@ class SignalScore:
         max: largest size of the difference; ``max_time`` [s] and ``max_run`` say where; of
             points at rest, the former is what they are sorted by [SI].
         correlation: Pearson's, measured against model.
-        chi2_reduced: mean square of the difference in noise standard deviations; NaN without a known noise.
+        chi2_reduced: mean square of the difference in noise standard deviations, of readings in coarse steps beyond
+            their rounding (``rounding``); NaN without a known noise.
         noise_rmse: the noise's standard deviation, the lowest rmse a model can honestly reach.
-        samples: how many samples were compared.
+        samples: how many samples were compared; ``effective_samples``: how many those count for in chi-square, fewer
+            where they were rounded to coarse steps.
         autocorrelation: of neighbouring differences, about zero.
         whiteness_score: the same in standard deviations of white noise; the larger, the less they are white, because
             of a wrong model or of an instrument that drifts.
@@ -43,6 +47,7 @@ class SignalScore:
     samples: int
     autocorrelation: float = float("nan")
     whiteness_score: float = float("nan")
+    effective_samples: float = float("nan")
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON; a number that does not exist is None."""
@@ -67,8 +72,10 @@ def score_signal(runs: Sequence[RunComparison], signal: Signal) -> SignalScore |
     rmse = float(np.sqrt(np.mean(e**2)))
     span = float(np.ptp(y))
     worst = int(np.argmax(np.abs(e)))
-    correlation, whiteness_score = lag_one(error)
-    sigma = signal.sigma if signal.sigma is not None else np.nan
+    series = [_series(own, signal) for own in error]
+    correlation, whiteness_score = lag_one(series)
+    effective = sum(one.samples for one in series)
+    chi2 = float(sum(np.sum(one.values**2) for one in series))
     return SignalScore(
         rmse=rmse,
         nrmse=rmse / span if span else np.nan,
@@ -77,12 +84,20 @@ def score_signal(runs: Sequence[RunComparison], signal: Signal) -> SignalScore |
         max_time=float(t[worst]),
         max_run=names[worst],
         correlation=float(np.corrcoef(y, m)[0, 1]) if span and np.ptp(m) else np.nan,
-        chi2_reduced=float(np.mean((e / sigma) ** 2)),
-        noise_rmse=float(sigma),
+        chi2_reduced=chi2 / effective if signal.sigma is not None else np.nan,
+        noise_rmse=float(signal.sigma if signal.sigma is not None else np.nan),
         samples=len(e),
         autocorrelation=correlation,
         whiteness_score=whiteness_score,
+        effective_samples=effective,
     )
+
+
+def _series(error: Array, signal: Signal) -> Series:
+    """Differences of one run as they count; as they are where nobody knows the noise."""
+    if signal.sigma is None:
+        return Series.plain(error)
+    return Series(weighted(error, signal), expected_squares(error, signal))
 
 
 def score(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> dict[str, SignalScore]:
@@ -93,5 +108,6 @@ def score(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> dict[
 
 def chi2_reduced(scores: Mapping[str, SignalScore]) -> float:
     """Mean square of all differences in noise standard deviations, over all signals; NaN without samples."""
-    samples = sum(s.samples for s in scores.values())
-    return sum(s.chi2_reduced * s.samples for s in scores.values()) / samples if samples else float("nan")
+    samples = sum(s.effective_samples for s in scores.values())
+    chi2 = sum(s.chi2_reduced * s.effective_samples for s in scores.values())
+    return chi2 / samples if samples else float("nan")

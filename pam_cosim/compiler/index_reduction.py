@@ -13,7 +13,6 @@ from dataclasses import dataclass, field
 
 import casadi as ca
 import numpy as np
-from scipy.optimize import linear_sum_assignment
 
 from pam_cosim.compiler.flattening import Residual
 from pam_cosim.compiler.matching import Matching
@@ -165,6 +164,8 @@ def select_states(system: System, preference: Callable[[str], float]) -> Selecti
                     j = position[name]
                     costs[i, j] = _dummy_cost(expression, system.variables[name], name, preference)
                     costs[i, j] -= 1e-3 * j
+        from scipy.optimize import linear_sum_assignment  # a third of a second, which no model from the cache needs
+
         rows, columns = linear_sum_assignment(costs)
         if len(rows) < len(constraints) or costs[rows, columns].max() >= _FORBIDDEN / 2:
             raise ModelError("index reduction finds no set of states: the constraints contradict each other")

@@ -58,7 +58,8 @@ def everything(simulator: AnySimulator, data: DataSet) -> Everything:
     """
     modelled = {run.name: _modelled(simulator, data, run) for run in data.fit_runs}
     signals = {**data.signals, **_unmeasured(simulator, data, list(modelled.values()))}
-    signals = {name: replace(s, fitted=True) for name, s in signals.items() if s.sigma}
+    # where a reading would lie between two steps nobody knows: rounding is noise here
+    signals = {name: replace(s, fitted=True, step=0.0) for name, s in signals.items() if s.sigma}
     runs: list[Run] = []
     option: dict[tuple[str, str], Option] = {}
     for run in data.fit_runs:

@@ -20,7 +20,8 @@ from pam_cosim.diagnosis.events import (
 )
 from pam_cosim.diagnosis.evidence import incomplete, rank
 from pam_cosim.diagnosis.explanation import LearnedModel, learned_term, ledger_of
-from pam_cosim.diagnosis.finding import Finding, base_of, found, found_by_all_runs, shown_by_role
+from pam_cosim.diagnosis.finding import Finding, base_of, found, found_by_all_runs, shown_by_role, with_these
+from pam_cosim.diagnosis.folds import Folds, cross_validated, folds_of
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.missing_term import MissingTerm, missing_term
 from pam_cosim.diagnosis.next_experiment import NextExperiment, Plan, told_apart
@@ -59,6 +60,7 @@ class Diagnosis(Printed):
         not_tried: families that were not looked for, with the reason.
         step_times: steps of commands that stand between two samples, to which the search gave a time.
         means: where very many rows became means, which are in ``data``: a sentence on it.
+        folds: where what remains has structure: which effects are needed whichever runs are left out.
     """
 
     data: DataSet
@@ -78,6 +80,7 @@ class Diagnosis(Printed):
     not_tried: dict[str, str] = field(default_factory=dict)
     step_times: int = 0
     means: str = ""
+    folds: Folds | None = None
 
     @property
     def final(self) -> Fit:
@@ -119,6 +122,7 @@ class Diagnosis(Printed):
             "candidates": [*(c.as_dict() for c in self.candidates), *(c.as_dict() for c in self.failed)],
             "verdict": self.verdict.as_dict(),
             "final": self._final(),
+            "folds": self.folds.as_dict() if self.folds else None,
             "doubts": [vars(doubt) for doubt in self.final.comparison.doubts],
             "outliers": self.outliers,
             "step_times": self.step_times,
@@ -152,11 +156,11 @@ class Diagnosis(Printed):
         for role in ROLES:
             for name, before in self.base.comparison.scores[role].items():
                 after = self.final.comparison.scores[role][name]
-                unit = self.data.signals[name].unit
-                noise = format_quantity(before.noise_rmse, unit)
+                signal = self.data.signals[name]
+                unit, noise = signal.unit, f"{signal.scatter} {format_quantity(before.noise_rmse, signal.unit)}"
                 lines.append(
                     f"  {role:8} {name:4} rms error {format_quantity(before.rmse, unit)} -> "
-                    f"{format_quantity(after.rmse, unit)} (noise {noise})"
+                    f"{format_quantity(after.rmse, unit)} ({noise}){'' if signal.fitted else ' (not fitted)'}"
                 )
         lines += [f"  {n} = {e}" for n, e in self.final.parameters.items()]
         if self.untried:
@@ -225,6 +229,13 @@ def diagnose(
     verdict, others = _verdict(asked or finding, sources, asked is not None)
     if asked is not None:
         finding = shown_by_role(finding, asked)
+    folds = None
+    if verdict.kind == "unknown" and finding.path and time.monotonic() < deadline:
+        folds = folds_of(subject, finding.search, finding.path[-1].effects, finding.last)
+    if folds is not None:
+        finding = with_these(finding, folds.everywhere)
+        verdict, others = _verdict(finding, sources, all_asked=False)
+        verdict = cross_validated(verdict, folds, data.signals)
     search, base, data, selection = finding.search, finding.base, finding.search.data, finding.selection
     selected, tried = list(finding.path), list(selection.tried)
     candidates = _ranked(asked or finding, data)
@@ -257,6 +268,7 @@ def diagnose(
         not_tried=_not_tried(shelf, excluded, search, selection),
         step_times=finding.step_times,
         means=subject.means,
+        folds=folds,
     )
 
 

@@ -130,6 +130,16 @@ class FittingBegun(Event):
 
 
 @dataclass(frozen=True)
+class RunsLeftOut(Event):
+    """Runs are left out in turn, so many times, to see which effects are needed whichever they are."""
+
+    folds: int
+
+    def __str__(self) -> str:
+        return f"leaving out runs in turn, in {self.folds} folds: which effects are needed in all?"
+
+
+@dataclass(frozen=True)
 class CandidateTried(Event):
     """A model with some effects was fitted, or could not be; its comparison has no samples."""
 

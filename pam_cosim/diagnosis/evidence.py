@@ -25,8 +25,7 @@ def _correlated(s: ResidualStatistics) -> bool:
 
 def foretold(fit: Fit) -> Reproducibility:
     """How much of a fit's residual in one run the other runs foretell."""
-    sigma = {n: s.sigma for n, s in fit.comparison.data.signals.items() if s.fitted and s.sigma}
-    return reproducibility(fit.comparison.runs, sigma)
+    return reproducibility(fit.comparison.runs, fit.comparison.data.signals)
 
 
 def structured(s: ResidualStatistics, repeated: Reproducibility | None = None) -> bool:

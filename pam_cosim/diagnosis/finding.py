@@ -111,6 +111,18 @@ def found_by_all_runs(subject: Subject, finding: Finding, deadline: float) -> Fi
     return None if over or not asked.path or incomplete(asked.last) else asked
 
 
+def with_these(finding: Finding, effects: Sequence[str]) -> Finding:
+    """The same, the model with only some of its effects."""
+    path: list[Candidate] = []
+    known = {c.effects: c for c in finding.selection.tried if not c.brief}
+    for k in range(1, len(effects) + 1):
+        names = tuple(effects[:k])
+        own = known.get(names) or finding.search.finished(names, finding.last.values)
+        if own is not None:
+            path += rank(path[-1].fit if path else finding.base, [own.without_slopes])
+    return replace(finding, selection=replace(finding.selection, path=tuple(path)))
+
+
 def _anew(subject: Subject, search: Search, data: DataSet) -> tuple[Search, Fit, Mapping[str, int]]:
     with subject.simulator() as simulator:
         data, base, outliers = base_of(simulator, data, search.say)

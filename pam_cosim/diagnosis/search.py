@@ -169,6 +169,13 @@ class Search:
         ]
         return next(iter(self._run("to the end", trials)), None)
 
+    def again(self, models: Sequence[Wanted]) -> list[Candidate]:
+        """Models from where they stand to the end, on other samples; no line is printed of them."""
+        changes = {"descents": 1, "rules": False, "precision": CRITERIA.search.precision}
+        trials = [t.fitted_with(**changes) for t in self._trials(models)]
+        results = run_tasks(run_afar, trials, crashed, lambda _: None, self.workers)
+        return [self._with_data(c) for c in results if isinstance(c, Candidate)]
+
     def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:
         if trials:
             self.say(FittingBegun(len(trials), how).message)

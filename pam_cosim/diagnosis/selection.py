@@ -86,6 +86,7 @@ def select_effects(search: Search, base: Fit, deadline: float = math.inf, clocks
                 break
         if 1 < count < CRITERIA.search.most_effects:
             models.look_again()
+    models.try_without_one()
     return Selection(
         models.search,
         models.base,
@@ -234,6 +235,22 @@ class _Models:
                 return
             self.improve(len(best.effects))
 
+    def try_without_one(self) -> None:
+        """What is chosen without each of its effects, to the end, until each of them is needed.
+
+        What the search expects of a set is reckoned from slopes; an effect may have been chosen beside others that
+        need it no more once they are fitted together.
+        """
+        while (best := self.order.answer()) is not None and len(best.effects) > 1:
+            sets = [tuple(e for e in best.effects if e != name) for name in best.effects]
+            self._try([Wanted(effects, best.fit.values) for effects in sets])
+            brief = [c for c in self.order.known.values() if c.brief and set(c.effects) < set(best.effects)]
+            brief = [c for c in brief if len(c.effects) == len(best.effects) - 1]
+            if brief and not self._late([c.effects for c in brief]):
+                self._finish(brief)
+            if self.order.answer() is best:
+                return
+
     def _members(self, family: str) -> Iterator[str]:
         """The effects of a family that can show."""
         return (e.name for e in self.search.shelf if e.family == family and e.name not in self.search.unseen)
@@ -255,12 +272,16 @@ class _Models:
             chosen = [p.expected for p in self.promises.untried(count)]
             if not (brief or chosen) or self._late([*(c.effects for c in brief), *(e.effects for e in chosen)]):
                 break
-            self._keep(self.search.to_the_end(brief, self.base))
-            for c in brief:  # whatever came of it, it is not brief any more
-                self.known[c.effects] = replace(self.known[c.effects], brief=False)
+            self._finish(brief)
             if not brief:
                 self._keep(self.search.briefly([self.promises.wanted(e) for e in chosen]))
                 self.promises.learn(chosen)
+
+    def _finish(self, brief: Sequence[Candidate]) -> None:
+        """Fits models to the end that were fitted briefly."""
+        self._keep(self.search.to_the_end(brief, self.base))
+        for c in brief:  # whatever came of it, it is not brief any more
+            self.known[c.effects] = replace(self.known[c.effects], brief=False)
 
     def path(self) -> list[Candidate]:
         """The best model's effects, added one after another; none if the best is no better than the base model."""
@@ -282,8 +303,10 @@ class _Models:
         return [c.without_slopes for c in models]
 
     def _keep(self, candidates: Sequence[Candidate]) -> None:
+        """Keeps the better fit of each model; one to the end began where the brief one stood, and is more exact."""
         for c in candidates:
             old = self.known.get(c.effects)
-            if old is None or c.fit.residuals["fit"].chi2 <= old.fit.residuals["fit"].chi2:
+            to_the_end = old is not None and old.brief and not c.brief
+            if old is None or to_the_end or c.fit.residuals["fit"].chi2 <= old.fit.residuals["fit"].chi2:
                 self.known[c.effects] = c
         self.order.renew()

@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from pam_cosim.catalogue.ports import Ports, ports
 from pam_cosim.catalogue.rig import put_together
+from pam_cosim.catalogue.rig_parts import rig_parts
 from pam_cosim.compiler import ClassTree
-from pam_cosim.drafting.choice import Choice, choose
+from pam_cosim.drafting.choice import MECHANICAL, Choice, choose, meaning_of
+from pam_cosim.drafting.file_names import Muscle, muscle_in
 from pam_cosim.drafting.folder import copy_files
 from pam_cosim.drafting.wishes import Known, Wishes
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Interface
-from pam_cosim.names import is_file
+from pam_cosim.interface import Interface, Variable
+from pam_cosim.names import BRANCH, is_file
 from pam_cosim.wording import listed
 
 _SUFFIX = "Rig"
@@ -29,6 +31,7 @@ class Bench:
     name: str
     interface: Interface
     why: str
+    muscle: Muscle | None = None
 
 
 def take_bench(
@@ -46,16 +49,24 @@ def take_bench(
     Raises:
         InputError: there is no such bench, or none that the recordings feed.
     """
-    candidates, runs = ports(tree), len(known.sources)
+    candidates, runs = [one for one in map(_at_rest(known), ports(tree)) if one is not None], len(known.sources)
     rigs = {one.name: one for one in candidates if one.parts}
     if wishes.model is not None and wishes.model not in rigs:
         if wishes.muscle is not None:
             raise InputError(f"a muscle is named for a bench that is put together, and {wishes.model} is there already")
         return _named(place, wishes.model, known, describe)
-    if wishes.muscle is not None:
+    muscle = wishes.muscle
+    told = muscle_in(known.files, _muscles(tree)) if muscle is None and wishes.model is None else None
+    if told is not None:
+        muscle = told.name
+    if muscle is not None:
         candidates = list(rigs.values())
+    if known.points and wishes.model is None:
+        candidates = [one for one in candidates if _all_imposed(one)]
     candidates = candidates if wishes.model is None else [rigs[wishes.model]]
-    choice = choose(candidates, known.columns, known.asked, known.formulas, runs)
+    every = dict.fromkeys([*known.stated, *(name for own in known.own for name in own)])
+    stated = [name for name in every if "." not in name]
+    choice = choose(candidates, known.columns, known.asked, known.formulas, runs, stated)
     fed = listed(f"{one} = {column.name}" for one, column in choice.fed.items())
     why = f"guessed: the bench, because it takes and shows what was recorded: {fed}"
     if choice.others:
@@ -65,11 +76,34 @@ def take_bench(
     feed, hold = choice.ports.parts
     outputs = [one for one in choice.ports.outputs if one not in choice.ports.inputs]
     measure = [one for one in outputs if one in choice.outputs or one in known.formulas]
-    text = put_together(tree, feed, hold, wishes.muscle, measure, name).text
+    text = put_together(tree, feed, hold, muscle, measure, name, known.points).text
     (place / f"{name}.mo").write_text(text, encoding="utf-8", newline="\n")
     made = f"{name}.mo was put together from {choice.ports.name}"
+    if told is not None:
+        made += f", with the muscle {told.name}, of which the names of the files tell"
     why = made if wishes.model else f"{why}. {made}"
-    return Bench(choice, f"{name}.mo", describe(str(place / f"{name}.mo")), why)
+    return Bench(choice, f"{name}.mo", describe(str(place / f"{name}.mo")), why, told)
+
+
+def _at_rest(known: Known) -> Callable[[Ports], Ports | None]:
+    """What a bench is to such recordings: those of points at rest have a direction, and no others; None: not one."""
+
+    def of(one: Ports) -> Ports | None:
+        if one.parts and known.points:
+            return replace(one, inputs={**one.inputs, BRANCH: Variable(BRANCH, "1", "Direction of the branch")})
+        return one if (BRANCH in one.inputs) == known.points else None
+
+    return of
+
+
+def _all_imposed(one: Ports) -> bool:
+    """Whether a row says what acts on the muscle: a table tells no mass, spring or lever."""
+    meanings = [meaning_of(variable) for variable in one.inputs.values()]
+    return any(meaning is not None and meaning.kind in MECHANICAL for meaning in meanings)
+
+
+def _muscles(tree: ClassTree) -> list[str]:
+    return [part.name for part in rig_parts(tree) if part.role == "muscle"]
 
 
 def _named(place: Path, model: str, known: Known, describe: Callable[[str], Interface]) -> Bench:

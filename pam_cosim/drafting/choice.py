@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -14,6 +14,7 @@ from pam_cosim.drafting.rest import correlation, span
 from pam_cosim.drafting.words import Meaning, read_variable
 from pam_cosim.errors import InputError
 from pam_cosim.interface import Variable
+from pam_cosim.names import BRANCH
 from pam_cosim.wording import did_you_mean, listed, shown
 
 # What a column costs that is used nowhere, an input that nothing feeds, a column that looks imposed and is read or the
@@ -22,7 +23,8 @@ _UNUSED, _UNFED, _UNLIKELY, _ROUNDABOUT, _UNDRIVEN = 8.0, 4.0, 1.0, 0.25, 1e3
 _ISOMETRIC = 5.0
 _NAMED = 0.6  # An input that is called as the bench calls it was meant for it.
 _LENGTHS = ("contraction", "length", "ratio")
-_MECHANICAL = (*_LENGTHS, "force")
+_NO_SIGNALS = ("voltage", "mass", "count", "direction")
+MECHANICAL = (*_LENGTHS, "force")
 
 
 @dataclass(frozen=True)
@@ -59,6 +61,7 @@ def choose(
     asked: Mapping[str, str],
     formulas: Mapping[str, str],
     runs: int,
+    stated: Collection[str] = (),
 ) -> Choice:
     """The bench that uses most of what was recorded and lacks least.
 
@@ -68,17 +71,20 @@ def choose(
         asked: names of columns by the bench's names, as the user says.
         formulas: what the user gives a formula for.
         runs: how many recordings there are; an input must be in all of them.
+        stated: inputs whose values the user states.
 
     Raises:
         InputError: no bench has the names that the user says, or none can be fed.
     """
     said = [name for name in (*asked, *formulas) if name != "time"]
     able = [one for one in candidates if all(name in one.inputs or name in one.outputs for name in said)]
+    able = [one for one in able if all(name in one.inputs for name in stated)]
+    said += stated
     if not able:
         known = dict.fromkeys(name for one in candidates for name in (*one.inputs, *one.outputs))
         name = next((name for name in said if name not in known), said[0] if said else "")
         raise InputError(f"no bench has an input or output {shown(name)}; {did_you_mean(name, known)}")
-    choices = [_feed(one, columns, asked, formulas, runs) for one in able]
+    choices = [_feed(one, columns, asked, formulas, runs, stated) for one in able]
     order = sorted(choices, key=lambda c: (c.cost, c.ports.rank, c.unread))
     if not order[0].driven:
         raise InputError(_nothing_fits(order[0], columns))
@@ -106,23 +112,29 @@ def meaning_of(variable: Variable) -> Meaning | None:
 
 
 def _feed(
-    ports: Ports, columns: Sequence[Found], asked: Mapping[str, str], formulas: Mapping[str, str], runs: int
+    ports: Ports,
+    columns: Sequence[Found],
+    asked: Mapping[str, str],
+    formulas: Mapping[str, str],
+    runs: int,
+    stated: Collection[str],
 ) -> Choice:
     free = [c for c in columns if c.meaning is not None and not c.of("time") and "ambient" not in c.meaning.roles]
     reserved = set(asked.values())
     whole = [c for c in free if len(c.values) == runs and c.whole]
+    free = [c for c in free if not c.in_names]
     inputs, roundabout = _assign(ports.inputs, whole, asked, columns, reserved)
     imposed = {meaning_of(v) for v in ports.inputs.values()}
     readable = {n: v for n, v in ports.outputs.items() if not (ports.parts and meaning_of(v) in imposed)}
     left = [c for c in free if c not in inputs.values()]
     outputs, more = _assign(readable, left, asked, columns, reserved)
-    wanted = [name for name in ports.inputs if name not in inputs and name not in formulas]
+    wanted = [n for n in ports.inputs if n not in {*inputs, *formulas, *stated, BRANCH}]
     driving = [name for name, v in ports.inputs.items() if _drives(meaning_of(v))]
     used = [*inputs.values(), *outputs.values()]
-    left = [c for c in free if c not in used and c.meaning and c.meaning.kind not in ("voltage", "mass")]
+    left = [c for c in free if c not in used and c.meaning and c.meaning.kind not in _NO_SIGNALS]
     unused = [c for c in left if c.meaning not in [u.meaning for u in used]]
     # A bench without inputs runs by itself: where more was recorded than it shows, something drove it.
-    driven = any(name in inputs or name in formulas for name in driving) if driving else not left
+    driven = any(name in {*inputs, *formulas, *stated} for name in driving) if driving else not left
     measured = bool(outputs) or any(name in readable for name in formulas)
     cost = _UNUSED * len(unused) + _UNFED * len(wanted) + _ROUNDABOUT * (roundabout + more)
     cost += _UNLIKELY * _unlikely(inputs, outputs) + _UNDRIVEN * ((not driven) + 2 * (not measured))
@@ -141,8 +153,8 @@ def _must_be_fixed(ports: Ports, used: Sequence[Found]) -> bool:
 
 
 def _drives(meaning: Meaning | None) -> bool:
-    """Whether an input is what a run is about: all but what a supply happens to hold."""
-    return meaning is None or "supply" not in meaning.roles
+    """Whether an input is what a run is about: all but what a supply happens to hold, and a direction."""
+    return meaning is None or not ("supply" in meaning.roles or meaning.kind == "direction")
 
 
 def _assign(
@@ -195,8 +207,8 @@ def _unlikely(inputs: Mapping[str, Found], outputs: Mapping[str, Found]) -> floa
     pressure = next(
         (c for c in (*outputs.values(), *inputs.values()) if c.of("pressure") or c.of("pressure", "set")), None
     )
-    read = [c for c in outputs.values() if c.meaning and c.meaning.kind in _MECHANICAL]
-    imposed = [c for c in inputs.values() if c.meaning and c.meaning.kind in _MECHANICAL]
+    read = [c for c in outputs.values() if c.meaning and c.meaning.kind in MECHANICAL]
+    imposed = [c for c in inputs.values() if c.meaning and c.meaning.kind in MECHANICAL]
     doubt = sum(1.0 for c in read if _held(c, pressure))
     doubt += sum(0.5 if c.of("force") else 0.4 for c in imposed if not _held(c, pressure))
     return doubt + (0.5 if len(read) > 1 and not any(_held(c, pressure) for c in read) else 0.0)

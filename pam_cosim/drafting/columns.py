@@ -5,32 +5,22 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from pathlib import Path
 
 import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.rest import is_constant, is_held, is_switch, span
+from pam_cosim.drafting.sources import Source
 from pam_cosim.drafting.words import Meaning, fits, read_heading, usual_unit
 from pam_cosim.errors import InputError
+from pam_cosim.measurement.curves import levels
 from pam_cosim.measurement.experiment import RecordingTable
-from pam_cosim.measurement.formats import is_text, read_table
-from pam_cosim.measurement.table import Column, Layout, Table
-from pam_cosim.measurement.text_table import text_columns
+from pam_cosim.measurement.table import Column
 from pam_cosim.units import seconds
 from pam_cosim.wording import did_you_mean, listed, shown
 
 _C = CRITERIA.recognition
-
-
-@dataclass(frozen=True)
-class Source:
-    """One recording: its file, its table, and the columns of text that are left out."""
-
-    file: Path
-    table: Table
-    texts: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -44,6 +34,10 @@ class Found:
         why: what ``meaning`` and ``unit`` were guessed from, in sentences without a subject.
         known: share of its words that are known.
         values: numbers in its unit by the number of the recording.
+        points: the recordings are points at rest, whose rows have no pace.
+        in_names: it stands in the names of the files, one value for each.
+        words: of a direction that is told in words: what its numbers are places of.
+        senses: of a direction: 1 up, -1 down, 0 neither, by its numbers.
     """
 
     name: str
@@ -55,6 +49,10 @@ class Found:
     absolute: bool = False
     known: float = 0.0
     places: dict[int, Column] = field(default_factory=dict)
+    points: bool = False
+    in_names: bool = False
+    words: tuple[str, ...] = ()
+    senses: dict[float, int] = field(default_factory=dict)
 
     @property
     def every(self) -> Array:
@@ -63,7 +61,12 @@ class Found:
 
     @cached_property
     def held(self) -> bool:
-        """It hardly moves within runs beside what it does between them, or steps from one value to another."""
+        """It hardly moves within runs beside what it does between them, or steps from one value to another.
+
+        Of points at rest, it takes few values.
+        """
+        if self.points:
+            return all(levels(one[np.isfinite(one)]) is not None for one in self.values.values())
         whole = span(self.every)
         own = max(span(one) for one in self.values.values())
         return (
@@ -77,39 +80,13 @@ class Found:
         """It lacks so few samples that it may be meant as an input."""
         return float(np.mean(np.isnan(self.every))) <= _C.gaps
 
+    def text_of(self, value: float) -> str:
+        """One of its numbers, or the word that it stands for."""
+        return shown(self.words[int(value)]) if self.words else f"{value:g}"
+
     def of(self, kind: str, *roles: str) -> bool:
         """Whether it is of a kind, with just these roles."""
         return self.meaning == Meaning(kind, frozenset(roles))
-
-
-def read_sources(files: Sequence[Path], stated: RecordingTable) -> list[Source]:
-    """Reads every file; columns of text are left out.
-
-    Raises:
-        InputError: as the readers, with file, line and column.
-    """
-    layout = Layout(
-        encoding=stated.encoding,
-        separator=stated.separator,
-        decimal=stated.decimal,
-        names=None if stated.names is None else tuple(stated.names),
-        header_line=stated.header_line,
-        units_line=stated.units_line,
-        table=stated.table,
-        ignore=tuple(stated.ignore or ()),
-    )
-    sources = []
-    for file in files:
-        try:
-            texts = text_columns(file, layout) if is_text(file) else ()
-            table = read_table(file, replace(layout, ignore=(*layout.ignore, *texts)))
-        except InputError as error:
-            here = " (here: --recording KEY=VALUE)" if "[recording]" in error.message else ""
-            raise InputError(f"{error.message}{here}", error.file, error.line, error.column) from None
-        if not table.columns:
-            raise InputError("there is no column of numbers", file)
-        sources.append(Source(file, table, texts))
-    return sources
 
 
 def find_columns(sources: Sequence[Source], asked: Mapping[str, str]) -> list[Found]:
@@ -153,6 +130,9 @@ def _found(name: str, sources: Sequence[Source]) -> Found:
         raise InputError(f"{message}; draft data sets of their own", sources[other].file, None, name)
     if not values:
         return replace(one, meaning=None, why=("it is empty",))
+    words = next((s.words[h] for s in sources for h in (name, first.heading) if h in s.words), ())
+    if words:
+        return replace(one, meaning=Meaning("direction"), words=words, unit="", stated=True)
     if one.meaning is None:
         return one
     if reading.known == 0.0:
@@ -233,7 +213,7 @@ def _time(columns: list[Found], sources: Sequence[Source], asked: str | None) ->
         likely = [c for c in columns if c.of("time") and _rises(c)]
         wanted, why = max(likely, key=lambda c: c.known, default=None), ()
         if wanted is None:
-            wanted = next((c for c in columns if c.meaning is None and _rises(c) and _fits_time(c)), None)
+            wanted = next((c for c in columns if c.meaning is None and _runs(c) and _fits_time(c)), None)
             why = ("its numbers rise from row to row",)
         if wanted is None:
             wanted = next((c for c in columns if c.of("time")), None)  # Its fault is told when it is read.
@@ -263,6 +243,14 @@ def _rises(column: Found) -> bool:
     )
 
 
+def _runs(column: Found) -> bool:
+    """Whether numbers of which nobody knows what they are rise in every row, and about evenly: as a clock does."""
+    steps = [np.diff(one) for one in column.values.values() if len(one) > 1]
+    return bool(steps) and all(
+        bool((one > 0.0).all()) and float(one.max()) <= _C.uneven * float(np.median(one)) for one in steps
+    )
+
+
 def _unit_of_time(column: Found) -> tuple[str, tuple[str, ...]]:
     steps = np.concatenate([np.diff(one) for one in column.values.values()] or [np.empty(0)])
     step = float(np.median(steps[np.isfinite(steps)])) if np.isfinite(steps).any() else 0.0
@@ -276,7 +264,7 @@ def _unit_of_time(column: Found) -> tuple[str, tuple[str, ...]]:
 
 
 def check_time(columns: Sequence[Found], sources: Sequence[Source], recording: RecordingTable) -> Found | None:
-    """The column of time; None where an interval is stated instead.
+    """The column of time; None where an interval is stated instead, or the files are tables of points at rest.
 
     Raises:
         InputError: there is neither.
@@ -285,11 +273,19 @@ def check_time(columns: Sequence[Found], sources: Sequence[Source], recording: R
     if recording.interval is not None:
         seconds(recording.interval)
         return None
+    if time is None and may_be_points(columns, sources):
+        return None
     for i, source in enumerate(sources):
         if time is None or i not in time.values:
-            hint = "say which by --column time=NAME, or --recording interval='1 ms' where rows are evenly apart; "
-            hint += 'a run of kind = "static" needs none, and is written by hand'
+            hint = "say which by --column time=NAME, or --recording interval='1 ms' where rows are evenly apart"
             texts = f"; {listed(map(shown, source.texts))} is text, dates are not read" if source.texts else ""
             message = f"there is no column of time among {listed(source.table.columns)}{texts}; {hint}"
             raise InputError(message, source.file, source.table.header_line)
     return time
+
+
+def may_be_points(columns: Sequence[Found], sources: Sequence[Source]) -> bool:
+    """Whether tables without time are of points at rest: so few rows that somebody waited for each, and no valve."""
+    driven = any(c.meaning is not None and c.meaning.kind in ("command", "current") for c in columns)
+    rows = max(len(next(iter(s.table.columns.values())).values) for s in sources)
+    return not driven and rows <= _C.most_points and any(c.of("pressure") or c.of("pressure", "set") for c in columns)

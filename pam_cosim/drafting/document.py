@@ -8,6 +8,7 @@ from textwrap import wrap
 
 from pam_cosim.drafting.mapping import Entry
 from pam_cosim.drafting.noise import Sigma
+from pam_cosim.drafting.points import PointsDraft
 from pam_cosim.drafting.roles import Role
 from pam_cosim.drafting.values import Told, text_of
 from pam_cosim.interface import Interface, Variable
@@ -29,6 +30,7 @@ class Draft:
         told: by recording, what it tells of itself.
         interpolation: of each recording's inputs.
         resample: proposed for long recordings.
+        points: of tables of points at rest, what each file says of its direction, and values that are held out.
         having: which recordings have the column of a signal, if only empty.
     """
 
@@ -52,6 +54,7 @@ class Draft:
     interpolation: Sequence[str]
     resample: str = ""
     having: Mapping[str, Sequence[int]] = field(default_factory=dict)
+    points: PointsDraft | None = None
 
 
 def document(draft: Draft) -> str:
@@ -76,6 +79,9 @@ def _head(draft: Draft) -> Iterator[str]:
     yield f"title = {toml_string(draft.title)}"
     yield from remark(draft.why_model)
     yield f"model = {toml_string(draft.model)}"
+    if draft.points is not None:
+        yield from _guessed("", "these are points at rest, for no column is a time: each row is an equilibrium")
+        yield 'kind = "static"'
 
 
 def _recording(draft: Draft) -> Iterator[str]:
@@ -114,7 +120,7 @@ def _own(draft: Draft, entry: Entry) -> bool:
 
 def _told(entry: Entry) -> bool:
     renamed = entry.column is not None and entry.column != entry.name
-    return bool(renamed or entry.unit or entry.formula or entry.zero)
+    return bool(renamed or entry.unit or entry.formula or entry.zero or entry.words)
 
 
 def _entry(entry: Entry, zero: tuple[float, float] | None) -> Iterator[str]:
@@ -127,6 +133,9 @@ def _entry(entry: Entry, zero: tuple[float, float] | None) -> Iterator[str]:
         cells.append(f"column = {toml_string(entry.column)}")
     if entry.unit and entry.formula is None:
         cells.append(f"unit = {toml_string(entry.unit)}")
+    if entry.words:
+        words = ", ".join(f"{toml_key(word)} = {toml_string(way)}" for word, way in entry.words.items())
+        cells.append(f"words = {{ {words} }}")
     if zero is not None:
         cells.append(f'zero = {{ from = "{seconds(zero[0])}", to = "{seconds(zero[1])}" }}')
     yield f"{toml_key(entry.name)} = {{ {', '.join(cells)} }}"
@@ -207,17 +216,32 @@ def _run(draft: Draft, i: int) -> Iterator[str]:
     if draft.interpolation[i] != "linear":
         yield from _guessed("inputs keep their value until the next sample", "they step and stay")
         yield f'interpolation = "{draft.interpolation[i]}"'
+    if draft.points is not None:
+        yield from _points(draft.points, i)
     told = draft.told[i]
     if told:
         yield "[runs.parameters]"
     for name, one in told.items():
-        yield from _guessed(name, one.why)
+        if one.why:
+            yield from _guessed(name, one.why)
         yield f"{toml_string(name)} = {_value(one.value)}"
     own = [e for e in draft.entries.values() if _own(draft, e) and i in draft.having.get(e.name, ()) and _told(e)]
     if own:
         yield "[runs.columns]"
     for entry in own:
         yield from _entry(entry, entry.zero.get(i))
+
+
+def _points(points: PointsDraft, i: int) -> Iterator[str]:
+    """Direction and rows that are held out, of a table of points at rest."""
+    if points.branch[i]:
+        if points.branch[i] == "order":
+            yield from _guessed("branch", "the rows go up and come back: their order tells the direction of each")
+        yield f"branch = {toml_string(points.branch[i])}"
+    if points.hold_out[i]:
+        yield from _guessed("", "rows that are held out lie within what the fitted ones span")
+        values = ", ".join(f"{toml_key(name)} = {_value(list(v))}" for name, v in points.hold_out[i].items())
+        yield f"hold_out = {{ {values} }}"
 
 
 def _quantity(value: float, unit: str, digits: int) -> str:

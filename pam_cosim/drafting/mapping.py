@@ -12,10 +12,13 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.choice import Choice, meaning_of
-from pam_cosim.drafting.columns import Found, Source
+from pam_cosim.drafting.columns import Found
+from pam_cosim.drafting.direction import words_of
 from pam_cosim.drafting.rest import Rest, correlation, noise_of, rests, span
+from pam_cosim.drafting.sources import Source
 from pam_cosim.drafting.wishes import Known
 from pam_cosim.drafting.words import fits
+from pam_cosim.errors import InputError
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.measurement.experiment import RecordingTable
 from pam_cosim.units import convert, format_quantity, parse_quantity
@@ -30,6 +33,8 @@ class Entry:
     """One key of ``[columns]``: ``column``, ``unit``, ``formula`` as stated; ``zero`` in seconds by recording.
 
     Attributes:
+        words: of a direction, up, down or none by the words of the column.
+        held: one value for each recording [SI], of which the name of its file tells: no column has it.
         why: what was guessed, in sentences.
     """
 
@@ -39,6 +44,8 @@ class Entry:
     formula: str | None = None
     zero: dict[int, tuple[float, float]] = field(default_factory=dict)
     why: tuple[str, ...] = ()
+    words: dict[str, str] = field(default_factory=dict)
+    held: dict[int, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -83,12 +90,17 @@ def map_columns(choice: Choice, interface: Interface, known: Known) -> Mapped:
     arrays: dict[str, dict[int, Array]] = {}
     for name, column in choice.fed.items():
         entries[name], arrays[name] = _named(name, column, variables[name], interface, known.stated)
+        if column.in_names:
+            held = {i: float(values[0]) for i, values in arrays[name].items()}
+            entries[name] = Entry(name, why=entries[name].why, held=held)
     for name, formula in known.formulas.items():
         entries[name] = Entry(name, formula=formula)
     times = {i: _time(i, source, time, known.recording) for i, source in enumerate(known.sources)}
     pressure = _pressure(interface, arrays)
     for name in arrays:
         entries[name], arrays[name] = _signed(entries[name], arrays[name], choice, variables[name], pressure)
+    if known.points:
+        return Mapped(entries, _courses(interface, times, arrays, moving=False))
     courses = _courses(interface, times, arrays)
     for name in arrays:
         entries[name] = _zeroed(entries[name], name, choice, interface, courses, pressure)
@@ -104,6 +116,8 @@ def _named(
 ) -> tuple[Entry, dict[int, Array]]:
     """The entry that renames a column or makes it what the bench calls so, and its numbers."""
     kind = column.meaning.kind if column.meaning else ""
+    if kind == "direction":
+        return _direction(name, column)
     wanted = meaning_of(variable)
     if wanted and wanted.kind == "contraction" and kind in ("length", "ratio"):
         return _contraction(name, column, interface, stated)
@@ -120,6 +134,21 @@ def _named(
         formula = f'{_term(column)} - "{ambient}"'
         return Entry(name, formula=formula, why=(*column.why, why)), {i: v - _C.ambient for i, v in numbers.items()}
     return Entry(name, column.name, _unit(column), None, {}, column.why), numbers
+
+
+def _direction(name: str, column: Found) -> tuple[Entry, dict[int, Array]]:
+    """Words for directions, or a formula that gives 1 and -1."""
+    values = {i: np.array([float(column.senses.get(v, 0)) for v in own.tolist()]) for i, own in column.values.items()}
+    if column.words:
+        return Entry(name, column.name, None, None, {}, column.why, words_of(column)), values
+    if all(number == sense for number, sense in column.senses.items()):
+        return Entry(name, column.name, None, None, {}, column.why), values
+    up, down = (next((n for n, s in column.senses.items() if s == sense), None) for sense in (1, -1))
+    if up is None or down is None or len(column.senses) > 2:
+        hint = f"leave it out: --recording ignore={column.name}"
+        raise InputError(f"the values of {column.name} are no directions; {hint}")
+    scale, offset = 2.0 / (up - down), -(up + down) / (up - down)
+    return Entry(name, formula=f"{scale:g} * {_term(column)} + ({offset:g})", why=column.why), values
 
 
 def _contraction(
@@ -147,12 +176,20 @@ def _contraction(
 
 def _length_at_rest(interface: Interface, stated: Mapping[str, str]) -> tuple[str, str] | None:
     """The value of the parameter that is a muscle's length at rest, and where it comes from."""
+    name = length_parameter(interface)
+    if name is None:
+        return None
+    if name in stated:
+        return stated[name], "stated"
+    return f"{interface.parameters[name].start:g} m", f"the bench's default of {name}, state yours and change it here"
+
+
+def length_parameter(interface: Interface) -> str | None:
+    """The parameter that is a muscle's length at rest, by what is said of it."""
     for name, variable in interface.parameters.items():
         said = variable.description.casefold()
         if variable.unit == "m" and "length" in said and any(word in said for word in ("rest", "initial")):
-            if name in stated:
-                return stated[name], "stated"
-            return f"{variable.start:g} m", f"the bench's default of {name}, state yours and change it here"
+            return name
     return None
 
 
@@ -163,12 +200,12 @@ def _term(column: Found) -> str:
 
 
 def _time(i: int, source: Source, time: Found | None, recording: RecordingTable) -> Array:
-    """(n,) [s]."""
+    """(n,) [s]; of points at rest, their numbers."""
     if time is not None:
         return convert(time.values[i], time.unit, "s")
     count = len(next(iter(source.table.columns.values())).values)
-    assert recording.interval is not None
-    return np.arange(count, dtype=np.float64) * parse_quantity(recording.interval, "s")
+    step = 1.0 if recording.interval is None else parse_quantity(recording.interval, "s")
+    return np.arange(count, dtype=np.float64) * step
 
 
 def _pressure(interface: Interface, arrays: Mapping[str, dict[int, Array]]) -> dict[int, Array] | None:
@@ -205,14 +242,14 @@ def _signed(
 
 
 def _courses(
-    interface: Interface, times: Mapping[int, Array], arrays: Mapping[str, Mapping[int, Array]]
+    interface: Interface, times: Mapping[int, Array], arrays: Mapping[str, Mapping[int, Array]], moving: bool = True
 ) -> tuple[Course, ...]:
     made = []
     for i, time in times.items():
         inputs = {n: v[i] for n, v in arrays.items() if n in interface.inputs and i in v}
         outputs = {n: v[i] for n, v in arrays.items() if n in interface.outputs and i in v}
         slow = [v for n, v in outputs.items() if not fits(interface.outputs[n].unit, "temperature")]
-        made.append(Course(time, inputs, outputs, tuple(rests(time, [*inputs.values(), *slow]))))
+        made.append(Course(time, inputs, outputs, tuple(rests(time, [*inputs.values(), *slow])) if moving else ()))
     return tuple(made)
 
 

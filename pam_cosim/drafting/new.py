@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,13 +14,14 @@ from pam_cosim.compiler import ClassTree
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting import values
 from pam_cosim.drafting.bench import Bench, class_name, take_bench
-from pam_cosim.drafting.choice import meaning_of
+from pam_cosim.drafting.choice import MECHANICAL, meaning_of
 from pam_cosim.drafting.document import Draft, document
 from pam_cosim.drafting.folder import beside, check_place, copy_files, put, read_draft
-from pam_cosim.drafting.mapping import Course, Mapped, map_columns
+from pam_cosim.drafting.mapping import Course, Mapped, length_parameter, map_columns
 from pam_cosim.drafting.noise import Sigma, sigma_of
+from pam_cosim.drafting.points import check_imposed, drafted
 from pam_cosim.drafting.rest import is_held, is_switch
-from pam_cosim.drafting.roles import roles, stated_roles
+from pam_cosim.drafting.roles import Role, roles, stated_roles
 from pam_cosim.drafting.telling import NewDataSet, guesses, next_commands, to_check
 from pam_cosim.drafting.wishes import Known, Wishes, known
 from pam_cosim.errors import InputError
@@ -55,11 +57,16 @@ def draft(
     recorded = known(files, wishes)
     with beside(folder) as place:
         bench = take_bench(place, class_name(folder), wishes, recorded, tree, describe)
+        recorded = _with_length(recorded, bench)
         copies = copy_files(files, place)
         try:
-            values.check(recorded.stated, bench.interface)
+            for stated in (recorded.stated, *recorded.own):
+                values.check(stated, bench.interface)
         except UnitError as error:
             raise InputError(f"--parameter {error}") from None
+        if recorded.points:
+            known_of = [{**recorded.stated, **own} for own in recorded.own]
+            check_imposed(bench.choice.unfed, known_of, bench.interface)
         mapped = map_columns(bench.choice, bench.interface, recorded)
         made = _content(wishes.title or folder.resolve().name, bench, recorded, mapped, copies, wishes.roles or {})
         (place / FILE_NAME).write_text(document(made), encoding="utf-8", newline="\n")
@@ -69,6 +76,14 @@ def draft(
     return NewDataSet(folder, data, bench.name, *told, next_commands(folder, extra))
 
 
+def _with_length(recorded: Known, bench: Bench) -> Known:
+    """With the length of the muscle that the names of the files tell."""
+    name = length_parameter(bench.interface)
+    if name is None or bench.muscle is None or not bench.muscle.length or name in recorded.stated:
+        return recorded
+    return replace(recorded, stated={**recorded.stated, name: bench.muscle.length})
+
+
 def _content(
     title: str, bench: Bench, recorded: Known, mapped: Mapped, copies: Sequence[str], stated: Mapping[str, str]
 ) -> Draft:
@@ -76,6 +91,11 @@ def _content(
     interface, choice = bench.interface, bench.choice
     told = _told(bench, recorded, mapped)
     traits = [{name: one.number for name, one in run.items()} for run in told]
+    names = [file.stem for file in recorded.files]
+    guessed = roles(mapped.courses, interface, traits, paced=not recorded.points)
+    if _unknown_mechanics(bench, recorded):  # What differs between the runs nobody knows yet.
+        guessed = [Role("fit") for _ in guessed]
+    by_run = any(role.role == "holdout" for role in guessed) or bool(stated)
     outputs = [name for name in interface.outputs if name in choice.outputs or name in recorded.formulas]
     shown = [name for name in outputs if len(outputs) > 1 and _is_temperature(interface.outputs[name])]
     return Draft(
@@ -89,16 +109,17 @@ def _content(
         sigmas={name: _sigma(name, bench, recorded, mapped) for name in outputs if name not in shown},
         shown=shown,
         stated=recorded.stated,
-        unfed=choice.unfed,
+        unfed=[name for name in choice.unfed if not all(name in run for run in told)],
         free=values.free(interface),
         perhaps=values.perhaps(interface),
         to_state=values.to_state(interface),
         files=copies,
-        roles=stated_roles(roles(mapped.courses, interface, traits), [file.stem for file in recorded.files], stated),
+        roles=stated_roles(guessed, names, stated),
         told=told,
         interpolation=[_interpolation(course.inputs) for course in mapped.courses],
         resample=_means(mapped.courses),
-        having={name: sorted(column.places) for name, column in choice.fed.items()},
+        having={name: sorted(column.places) for name, column in choice.fed.items() if not column.in_names},
+        points=drafted(mapped.courses, interface, by_run) if recorded.points else None,
     )
 
 
@@ -108,11 +129,23 @@ def _told(bench: Bench, recorded: Known, mapped: Mapped) -> list[dict[str, value
     left = [column for column in recorded.columns if column not in bench.choice.fed.values()]
     of_names = values.in_names(recorded.files, interface)
     of_columns = values.recorded(left, interface, len(recorded.sources))
+    of_names = [{**names, **values.held(mapped, i, interface)} for i, names in enumerate(of_names)]
+    own = [values.stated(one, interface) for one in recorded.own]
     told = [
-        {**values.starts(course, interface), **names, **columns}
-        for course, names, columns in zip(mapped.courses, of_names, of_columns, strict=True)
+        {**({} if recorded.points else values.starts(course, interface)), **names, **columns, **said}
+        for course, names, columns, said in zip(mapped.courses, of_names, of_columns, own, strict=True)
     ]
     return [{name: one for name, one in run.items() if name not in recorded.stated} for run in told]
+
+
+def _unknown_mechanics(bench: Bench, recorded: Known) -> bool:
+    """Whether several recordings were taken at lengths or loads that nobody says, and that may differ."""
+    variables = [(name, meaning_of(bench.interface.inputs[name])) for name in bench.choice.unfed]
+    return len(recorded.sources) > 1 and any(
+        meaning is not None and meaning.kind in MECHANICAL and name not in recorded.stated
+        and not all(name in own for own in recorded.own)
+        for name, meaning in variables
+    )  # fmt: skip
 
 
 def _is_temperature(variable: Variable) -> bool:
@@ -124,6 +157,8 @@ def _is_temperature(variable: Variable) -> bool:
 def _sigma(name: str, bench: Bench, recorded: Known, mapped: Mapped) -> Sigma:
     if name in recorded.formulas:
         return Sigma(None, "it is of a formula of yours: the software estimates it from the samples")
+    if recorded.points:
+        return Sigma(None, "the rows are points at rest: the software estimates it from neighbouring ones")
     return sigma_of(name, bench.interface.outputs[name].unit, mapped.courses, recorded.files)
 
 
@@ -152,10 +187,14 @@ def _ignored(bench: Bench, recorded: Known, mapped: Mapped) -> dict[str, str]:
     ignored = {name: "a column of text" for source in recorded.sources for name in source.texts}
     by_meaning = {column.meaning: name for name, column in choice.fed.items()}
     for column in recorded.columns:
-        if column.name in used:
+        if column.name in used or column.in_names:
             continue
         if column.meaning is None:
             why = "nobody knows what it is"
+        elif column.meaning.kind == "count":
+            why = "a count of rows or cycles"
+        elif column.meaning.kind == "direction":
+            why = "a direction, which the course in time tells by itself"
         elif column.meaning.kind == "voltage":
             why = "a voltage; a formula under [columns] can scale it"
         elif column.meaning in by_meaning:

@@ -37,8 +37,10 @@ class _Trait:
     values: Array
 
 
-def roles(courses: Sequence[Course], interface: Interface, own: Sequence[dict[str, float]] = ()) -> list[Role]:
-    """One for each recording.
+def roles(
+    courses: Sequence[Course], interface: Interface, own: Sequence[dict[str, float]] = (), *, paced: bool = True
+) -> list[Role]:
+    """One for each recording; those of points at rest have no pace.
 
     A quarter is held out, each the one that differs most from its nearest neighbour among those that are fitted while
     every trait of it (level, span and pace of each signal, and what is known of the run) lies between theirs; where
@@ -48,7 +50,7 @@ def roles(courses: Sequence[Course], interface: Interface, own: Sequence[dict[st
     made = [Role("fit") for _ in courses]
     if count < _C.runs_to_hold_out:
         return made
-    traits = [t for t in _traits(courses, interface, own) if np.isfinite(t.values).all() and _differ(t.values)]
+    traits = [t for t in _traits(courses, interface, own, paced) if np.isfinite(t.values).all() and _differ(t.values)]
     if not traits:
         made[-1] = Role("holdout", "the last: as far as is seen, all are alike")
         return made
@@ -62,7 +64,9 @@ def roles(courses: Sequence[Course], interface: Interface, own: Sequence[dict[st
     return made
 
 
-def _traits(courses: Sequence[Course], interface: Interface, own: Sequence[dict[str, float]]) -> list[_Trait]:
+def _traits(
+    courses: Sequence[Course], interface: Interface, own: Sequence[dict[str, float]], paced: bool
+) -> list[_Trait]:
     variables = {**interface.inputs, **interface.outputs, **interface.parameters}
     traits = []
     for name in dict.fromkeys(name for course in courses for name in course.every):
@@ -74,6 +78,8 @@ def _traits(courses: Sequence[Course], interface: Interface, own: Sequence[dict[
         if held:
             continue
         traits.append(_Trait(f"span of {name}", unit, _each(values, span)))
+        if not paced:
+            continue
         paces = [
             np.nan
             if v is None

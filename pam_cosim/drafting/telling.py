@@ -10,6 +10,7 @@ from shlex import quote
 from pam_cosim.drafting import values
 from pam_cosim.drafting.choice import Choice
 from pam_cosim.drafting.columns import Found
+from pam_cosim.drafting.direction import SENSES
 from pam_cosim.drafting.document import Draft
 from pam_cosim.drafting.mapping import Mapped
 from pam_cosim.measurement import DataSet
@@ -66,6 +67,10 @@ def guesses(made: Draft, choice: Choice, time: Found | None) -> tuple[Guess, ...
         column = choice.fed.get(name) or (time if name == "time" else None)
         unit = f" [{column.unit}]" if column is not None and column.unit else ""
         what = column.name if column is not None else entry.formula or ""
+        if entry.words:
+            unit = f": {', '.join(f'{word} = {way}' for word, way in entry.words.items())}"
+        elif column is not None and column.senses:
+            unit = f": {', '.join(f'{v:g} = {SENSES[s]}' for v, s in column.senses.items())}"
         kind = "" if name == "time" else " (input)" if name in made.interface.inputs else " (measured)"
         rows.append(Guess(what, f"{name}{unit}{kind}", "guessed: " + "; ".join(entry.why) if entry.why else ""))
     rows += [Guess(name, "not read", why) for name, why in made.ignored.items()]
@@ -78,7 +83,21 @@ def guesses(made: Draft, choice: Choice, time: Found | None) -> tuple[Guess, ...
         for file, role in zip(made.files, made.roles, strict=True)
         if role.why
     ]
-    return tuple(rows)
+    return tuple(rows + _of_points(made))
+
+
+def _of_points(made: Draft) -> list[Guess]:
+    """Directions by the order of rows, and rows that are held out."""
+    if made.points is None:
+        return []
+    rows = []
+    for file, branch, aside in zip(made.files, made.points.branch, made.points.hold_out, strict=True):
+        if branch:
+            why = "guessed: the rows go up and come back" if branch == "order" else "its rows tell none"
+            rows.append(Guess(f"order of {file}", f"branch = {branch}", why))
+        for name, taken in aside.items():
+            rows.append(Guess(file, f"held out: {name} = {listed(taken)}", "guessed: they lie within what is fitted"))
+    return rows
 
 
 def to_check(made: Draft, mapped: Mapped, choice: Choice) -> tuple[str, ...]:
@@ -92,13 +111,15 @@ def to_check(made: Draft, mapped: Mapped, choice: Choice) -> tuple[str, ...]:
         )
     if made.why_model:
         said.append(made.why_model.removeprefix("guessed: ") + "; --model takes another")
-    for name in choice.unfed:
+    for name in made.unfed:
         if name not in made.stated:
-            said.append(f"no column was recognised as the input {name}: state its value, or --column {name}=...")
-    if not any(role.role == "holdout" for role in made.roles):
+            hint = f"state its value, or --column {name}=..., or of each file --parameter {name}@FILE=..."
+            said.append(f"no column was recognised as the input {name}: {hint}")
+    aside = made.points is not None and any(made.points.hold_out)
+    if not aside and not any(role.role == "holdout" for role in made.roles):
         said.append(f"nothing is held out of {_counted(len(made.roles))}: nothing checks a fit on data it has not seen")
     under = [f for f, c in zip(made.files, mapped.courses, strict=True) if c.first_rest is None]
-    if under:
+    if under and made.points is None:
         said.append(f"not at rest at the start, where the model is: {listed(under)}")
     free = [name for name in made.free if name not in made.stated]
     said.append(

@@ -12,7 +12,7 @@ import numpy as np
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.choice import meaning_of
 from pam_cosim.drafting.columns import Found
-from pam_cosim.drafting.mapping import Course
+from pam_cosim.drafting.mapping import Course, Mapped
 from pam_cosim.drafting.rest import is_constant, noise_of, span
 from pam_cosim.drafting.words import UNITS, Meaning, fits, read_variable
 from pam_cosim.interface import Interface, Variable
@@ -94,6 +94,25 @@ def recorded(columns: Sequence[Found], interface: Interface, count: int) -> list
                 mean = float(np.nanmean(convert(values, column.unit, unit)))
                 told[i][alike[0]] = Told(text_of(mean, unit), mean, f"{column.name} was recorded, and this is its mean")
     return told
+
+
+def held(mapped: Mapped, recording: int, interface: Interface) -> dict[str, Told]:
+    """Inputs that the name of a recording's file tells."""
+    told = {}
+    for name, entry in mapped.entries.items():
+        if recording in entry.held:
+            value = entry.held[recording]
+            told[name] = Told(text_of(value, interface.inputs[name].unit), value, "; ".join(entry.why))
+    return told
+
+
+def stated(own: Mapping[str, str], interface: Interface) -> dict[str, Told]:
+    """What the user states of one recording."""
+    variables = {**interface.parameters, **interface.inputs}
+    return {
+        name: Told(value, parse_quantity(value, variables[name].unit) if name in variables else 0.0, "")
+        for name, value in own.items()
+    }
 
 
 def in_names(files: Sequence[Path], interface: Interface) -> list[dict[str, Told]]:

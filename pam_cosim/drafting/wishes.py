@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 import re
+import tomllib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from pydantic import ValidationError
 
-from pam_cosim.drafting.columns import Found, Source, check_time, find_columns, read_sources
+from pam_cosim.drafting.columns import Found, check_time, find_columns
+from pam_cosim.drafting.direction import with_senses
+from pam_cosim.drafting.file_names import quantities
+from pam_cosim.drafting.sources import Source, read_sources
+from pam_cosim.drafting.words import Meaning
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import RecordingTable
 from pam_cosim.wording import did_you_mean, shown
@@ -40,6 +46,8 @@ class Known:
         asked: names of columns, by the bench's names, as the user says.
         formulas: likewise, of what is no column.
         stated: parameters as texts.
+        own: likewise, those that the user states of one recording, by its number.
+        points: the recordings are tables of points at rest.
     """
 
     sources: tuple[Source, ...]
@@ -49,6 +57,8 @@ class Known:
     asked: dict[str, str]
     formulas: dict[str, str]
     stated: dict[str, str]
+    own: tuple[dict[str, str], ...] = ()
+    points: bool = False
 
     @property
     def files(self) -> list[Path]:
@@ -72,8 +82,47 @@ def known(files: Sequence[Path], wishes: Wishes) -> Known:
     _check_asked(formulas, names)
     columns = find_columns(sources, asked)
     time = check_time(columns, sources, recording)
-    stated = dict(wishes.parameters or {})
-    return Known(tuple(sources), tuple(columns), time, recording, asked, formulas, stated)
+    points = time is None and recording.interval is None
+    columns = _as_points(columns) if points else columns
+    columns += quantities(files, columns, [_rows(source) for source in sources])
+    stated, own = _stated(wishes.parameters or {}, [file.stem for file in files])
+    recording = _with_missing(recording, sources)
+    return Known(tuple(sources), tuple(columns), time, recording, asked, formulas, stated, own, points)
+
+
+def _rows(source: Source) -> int:
+    return len(next(iter(source.table.columns.values())).values)
+
+
+def _as_points(columns: Sequence[Found]) -> list[Found]:
+    """The columns of tables of points at rest: directions have a sense, and a pressure that was set was reached."""
+    set_, plain = Meaning("pressure", frozenset({"set"})), Meaning("pressure")
+    made = [replace(c, points=True) for c in with_senses(columns)]
+    if not any(c.meaning == plain for c in made):
+        why = "a set point, taken as reached"
+        made = [replace(c, meaning=plain, why=(*c.why, why)) if c.meaning == set_ else c for c in made]
+    return made
+
+
+def _stated(parameters: Mapping[str, str], names: Sequence[str]) -> tuple[dict[str, str], tuple[dict[str, str], ...]]:
+    """Parameters of all recordings, and those of one, ``NAME@RECORDING``."""
+    shared: dict[str, str] = {}
+    own: tuple[dict[str, str], ...] = tuple({} for _ in names)
+    for key, value in parameters.items():
+        name, at, run = key.partition("@")
+        if not at:
+            shared[name] = value
+        elif run not in names:
+            raise InputError(f"--parameter {key}: there is no recording {shown(run)}; {did_you_mean(run, names)}")
+        else:
+            own[names.index(run)][name] = value
+    return shared, own
+
+
+def _with_missing(recording: RecordingTable, sources: Sequence[Source]) -> RecordingTable:
+    """What is stated of the files, with the words for missing samples that they have."""
+    words = list(dict.fromkeys(word for source in sources for word in source.table.missing))
+    return recording.model_copy(update={"missing": words}) if words else recording
 
 
 def _recording(settings: Mapping[str, object]) -> RecordingTable:
@@ -93,8 +142,13 @@ def _recording(settings: Mapping[str, object]) -> RecordingTable:
 
 
 def _listed(name: str, value: object) -> object:
-    several = name in ("names", "ignore") and isinstance(value, str)
-    return [one.strip() for one in str(value).split(",")] if several else value
+    """A list as it is written with commas, or as ``experiment.toml`` has it."""
+    if name not in ("names", "ignore", "missing") or not isinstance(value, str):
+        return value
+    if value.strip().startswith("["):
+        with suppress(tomllib.TOMLDecodeError):
+            return tomllib.loads(f"list = {value}")["list"]
+    return [one.strip() for one in value.split(",")]
 
 
 def _check_asked(formulas: Mapping[str, str], names: set[str]) -> None:

@@ -17,7 +17,8 @@ from pam_cosim.units import UnitError, convert
 
 UNITS = {
     "time": "s", "pressure": "Pa", "contraction": "m", "length": "m", "ratio": "1", "force": "N", "mass": "kg",
-    "temperature": "K", "current": "A", "command": "1", "voltage": "V", "angle": "rad",
+    "temperature": "K", "current": "A", "command": "1", "voltage": "V", "angle": "rad", "count": "1",
+    "direction": "1",
 }  # fmt: skip
 """What can be measured, and its SI unit."""
 
@@ -27,7 +28,7 @@ _KINDS = {
     "temperature": "=temp temperature temperatur thermo",
     "current": "=i =u =strom =courant current strom courant intensite",
     "command": "valve ventil vanne schalt switch solenoid =pwm duty command befehl commande relais relay =cmd =u",
-    "force": "=f =fz =fx =last =load =charge force kraft effort loadcell kraftmess zugkraft =pull traction",
+    "force": "=f =fz =fx =last =load =charge force kraft effort loadcell kraftmess zugkraft =pull =traction",
     "ratio": "=eps epsilon strain ratio dehnung stauchung verhaltnis",
     "contraction": "=x =s =z =y =dx =dl =weg =hub =pos =disp contraction kontraktion displacement "
     "verschiebung verkurzung verkuerzung raccourcissement deplacement stroke position weggeber "
@@ -36,6 +37,8 @@ _KINDS = {
     "mass": "=mass =masse =gewicht weight gewicht poids",
     "angle": "angle winkel",
     "voltage": "voltage spannung",
+    "count": "cycle zyklus takt index sample trial versuch number nummer numero =no =nr =n =id =point =punkt =lauf",
+    "direction": "=dir direction richtung =branch =zweig =ast =sens =phase =hysteresis hysterese inflat deflat loading",
 }  # fmt: skip
 _ROLES = {
     "supply": "supply source versorgung vordruck netzdruck alimentation reservoir tank upstream kessel =sup =src",
@@ -44,10 +47,19 @@ _ROLES = {
     "exhaust": "=out =ex =exh =aus =vent exhaust outlet auslass abluft entluft entlueft echappement purge vidange",
     "ambient": "ambient room umgebung raumtemp raumluft ambiant atmos outside labor",
 }  # fmt: skip
+_WITHOUT_ROLES = ("count", "direction")
 _OF_VALVES = ("inlet", "exhaust")
 _SAID_IN_PASSING = frozenset(
     ["a", "as", "at", "by", "in", "is", "it", "of", "off", "on", "out", "that", "the", "to", "up"]
 )
+# "unloading" and "unbelastet" hold words of the other way: these come first.
+_WAYS = (
+    (-1, "deflat =down =ab abwarts =fall falling decreas unload entlast entluft release =vent venting exhaust extend "
+         "extension =ruck ruckhub descen degonfl =back backward return =out"),
+    (1, "inflat =up =auf aufwarts =rise rising increas load belast beluft press fill contract =hin hinhub mont gonfl "
+        "=forward =in"),
+)  # fmt: skip
+_NO_LOAD = ("noload", "unload", "lastfrei", "unbelastet", "leerhub", "freehub", "freestroke", "sanscharge", "zeroload")
 _SPELLINGS = {
     "bara": "bar", "bar(a)": "bar", "bar(g)": "bar", "bar a": "bar", "bar g": "bar", "bar abs": "bar", "bar rel": "bar",
     "bar abs.": "bar", "bar (abs)": "bar", "kpaa": "kPa", "kpa abs": "kPa", "psia": "psi", "sec": "s", "sek": "s",
@@ -122,6 +134,21 @@ def read_heading(name: str, unit: str) -> Reading:
     return Reading(meaning, stated, bool(stated) and stated == unit.strip(), absolute, share)
 
 
+def direction_word(word: str) -> int:
+    """1 where a word says that a muscle contracts or its pressure rises, -1 the other way; 0: it says neither."""
+    text = folded(word)
+    for way, said in _WAYS:
+        if _among(text, said):
+            return way
+    return 0
+
+
+def says_no_load(text: str) -> bool:
+    """Whether a text, such as a file's name, says that a muscle pulled at nothing."""
+    plain = re.sub(r"[\W_]+", "", folded(text))
+    return any(word in plain for word in _NO_LOAD)
+
+
 def read_variable(name: str, description: str, unit: str) -> Meaning | None:
     """What an input or output of a bench is, by its unit and what is said of it."""
     said = [folded(word) for word in split_words(description)]
@@ -136,6 +163,11 @@ def known_unit(unit: str) -> str:
     if usual and not (is_unit(text) and folded(usual) == folded(text)):
         return usual
     return text if text and is_unit(text) and not text.isdigit() else usual
+
+
+def kinds_of(word: str) -> list[str]:
+    """What a word in small letters means."""
+    return [kind for kind, listed in _KINDS.items() if _among(word, listed)]
 
 
 def usual_unit(kind: str, largest: float) -> str:
@@ -196,6 +228,8 @@ def _meaning(words: list[str], unit: str, *, exact: bool = False) -> Meaning | N
             kind = "force"
     if kind is None:
         return None
+    if kind in _WITHOUT_ROLES:
+        return Meaning(kind)
     roles = _roles_of(words)
     roles -= set() if kind in ("command", "current") else set(_OF_VALVES)
     roles &= set(_OF_VALVES) if kind in ("command", "current") else roles
@@ -210,7 +244,7 @@ def _kinds_of(word: str, place: int) -> list[str]:
     """What a word means; one letter means something at the beginning only."""
     if len(word) == 1 and place > 0:
         return []
-    return [kind for kind, listed in _KINDS.items() if _among(word, listed)]
+    return kinds_of(word)
 
 
 def _roles_of(words: list[str]) -> set[str]:

@@ -15,7 +15,6 @@ from pam_cosim.comparison import (
     compare,
     residual_statistics,
     series_of,
-    stated_of,
 )
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
@@ -79,8 +78,7 @@ class Fit(Printed):
         """``residuals``, those of held-out runs but for what the parameters' uncertainty explains of them."""
         if not self.leeway.shifts:
             return self.residuals
-        moved = tuple(self.leeway.applied(run) for run in self.comparison.runs)
-        by_role = statistics_by_role(replace(self.comparison, runs=moved))
+        by_role = statistics_by_role(self.comparison, self.leeway.shifts)
         held = replace(by_role["holdout"], chi2=by_role["holdout"].chi2 + self.leeway.cost)
         return {**self.residuals, "holdout": held}
 
@@ -202,7 +200,7 @@ def fit(
         objective.residuals(end.z)  # a descent may have ended with a look elsewhere
     begun = start_estimates(objective) | held_out_starts(simulator, data, objective.values(end.z), objective.tolerance)
     values = objective.values(end.z) | {name: e.value for name, e in begun.items()}
-    comparison = compare(simulator, data, values, objective.tolerance, rules=options.rules)
+    comparison = compare(simulator, data, values, options.tolerance, rules=options.rules)
     by_role = statistics_by_role(comparison)
     spread = _spread(by_role["fit"])
     parameters = estimates(chosen, end.z, end.jacobian, objective.bounds, spread)
@@ -263,14 +261,19 @@ def profile(
     return profiles(objective, fit.values, _spread(fit.residuals["fit"]), fit.model)
 
 
-def statistics_by_role(comparison: Comparison) -> dict[str, ResidualStatistics]:
-    """What the residuals of a comparison are like, per role ("fit", "holdout")."""
-    signals = comparison.data.signals
-    sigma = {n: s.sigma for n, s in signals.items() if s.fitted and s.sigma}
+def statistics_by_role(
+    comparison: Comparison, shifts: Mapping[tuple[str, str], Array] | None = None
+) -> dict[str, ResidualStatistics]:
+    """What the residuals of a comparison are like, per role ("fit", "holdout").
+
+    Args:
+        comparison: of a model.
+        shifts: (n,) what is added to the weighted residuals, by run and signal.
+    """
     by_role: dict[str, ResidualStatistics] = {}
     for role in ROLES:
         runs = [r for r in comparison.runs if r.run.role == role]
-        by_role[role] = residual_statistics(series_of(runs, sigma), stated_of(runs, signals))
+        by_role[role] = residual_statistics(series_of(runs, comparison.data.signals, shifts))
     return by_role
 
 

@@ -8,12 +8,11 @@ problem, in which the fitted runs say what a change costs. That is what a fit of
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison import RunComparison
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.fitting.levenberg_marquardt import Minimum
 from pam_cosim.fitting.objective import Objective
@@ -24,17 +23,12 @@ class Leeway:
     """What held-out runs gain when the parameters move as the fitted ones allow.
 
     Attributes:
-        shifts: (n,) what is added to the model's values [SI], by run and signal; zero where a sample is missing.
+        shifts: (n,) what is added to the weighted residuals, by run and signal; zero where a sample is missing.
         cost: what that costs in the fitted runs, in variances of the noise.
     """
 
     shifts: Mapping[tuple[str, str], Array] = field(default_factory=dict)
     cost: float = 0.0
-
-    def applied(self, run: RunComparison) -> RunComparison:
-        """The run with the model's values as they may be as well."""
-        own = {name: run.model[name] + shift for (of, name), shift in self.shifts.items() if of == run.run.name}
-        return replace(run, model={**run.model, **own}) if own else run
 
 
 def leeway(held: Objective, end: Minimum, spread: float) -> Leeway:
@@ -60,13 +54,11 @@ def leeway(held: Objective, end: Minimum, spread: float) -> Leeway:
 
 
 def _shifts(held: Objective, moved: Array) -> dict[tuple[str, str], Array]:
-    """What the residuals of each series move by, as the model's values."""
+    """What the residuals of each series move by."""
     shifts, row = {}, 0
     for (run, name), kept in zip(held.series, held.kept, strict=True):
-        sigma = held.data.signals[name].sigma
-        assert sigma is not None
         shift = np.zeros(len(kept))
-        shift[kept] = -moved[row : row + int(kept.sum())] * sigma
+        shift[kept] = moved[row : row + int(kept.sum())]
         shifts[run.name, name] = shift
         row += int(kept.sum())
     return shifts

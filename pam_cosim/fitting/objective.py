@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison import RunComparison, simulate_run
+from pam_cosim.comparison import RunComparison, simulate_run, slope, usual_square, weighted
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.free import Free
@@ -26,7 +27,7 @@ class Objective:
 
     Attributes:
         free: the parameters that are searched.
-        size: number of samples.
+        size: number of samples. samples: how many these count for, fewer where they were rounded to coarse steps.
         ends: (runs + 1,) where the rows of each run begin, and the last ones end.
         series: run and signal of each part of the rows, in their order; ``kept``: which samples of each there are.
         tracker: is told of every point.
@@ -70,6 +71,8 @@ class Objective:
         self.series = [(run, s) for run, names in zip(self.runs, self._signals, strict=True) for s in names]
         self.kept = [np.isfinite(run.measurements[s]) for run, s in self.series]
         self.ends = np.cumsum([0, *counts])
+        self.samples = sum(run.sample_count(s) * usual_square(data.signals[s]) for run, s in self.series)
+        self._errors: dict[str, float] = {}
 
     @property
     def bounds(self) -> tuple[Array, Array]:
@@ -180,9 +183,9 @@ class Objective:
             return run, residuals, self._moved_starts(z, i, residuals)
         parts = []
         for signal, slopes in names.items():
-            kept, sigma = np.isfinite(run.run.measurements[signal]), self.data.signals[signal].sigma
-            assert sigma is not None
-            parts.append(-np.column_stack([run.model[n][kept] for n in slopes]) / sigma)
+            kept = np.isfinite(run.run.measurements[signal])
+            by_error = slope(run.residual(signal)[kept], self.data.signals[signal])
+            parts.append(-np.column_stack([run.model[n][kept] * by_error for n in slopes]))
         return run, residuals, np.vstack(parts)
 
     def _moved_starts(self, z: Array, i: int, at: Array) -> Array:
@@ -211,19 +214,8 @@ class Objective:
         return np.concatenate([residuals, off, *starts]) if off or starts else residuals
 
     def _saw(self, z: Array, residuals: Array) -> None:
-        chi2 = float(residuals @ residuals) / max(self.size, 1)
-        self.tracker.saw(self.evaluations, chi2, lambda: self._rmse(residuals), lambda: self.values(z))
-
-    def _rmse(self, residuals: Array) -> dict[str, float]:
-        """Rms error of each signal [SI]."""
-        squares: dict[str, list[float]] = {}
-        row = 0
-        for run, names in zip(self.runs, self._signals, strict=True):
-            for name in names:
-                part = residuals[row : row + run.sample_count(name)]
-                squares.setdefault(name, []).extend((part * (self.data.signals[name].sigma or 1.0)) ** 2)
-                row += len(part)
-        return {name: float(np.sqrt(np.mean(values))) for name, values in squares.items()}
+        chi2 = float(residuals @ residuals) / max(self.samples, 1.0)
+        self.tracker.saw(self.evaluations, chi2, lambda: self._errors, lambda: self.values(z))
 
     def cost(self, z: Array) -> float:
         """The squared residuals of all runs, without slopes; infinite where a simulation breaks down."""
@@ -272,13 +264,13 @@ class Objective:
             self.failures.append(str(failure))
 
     def _weighted(self, runs: Sequence[RunComparison], chosen: Sequence[int]) -> Array:
-        parts = []
+        parts, errors = [], defaultdict(list)
         for run, i in zip(runs, chosen, strict=True):
             for name in self._signals[i]:
-                residual = run.residual(name)
-                sigma = self.data.signals[name].sigma
-                assert sigma is not None, "fits need a noise level; see measurement.with_noise"
-                parts.append(residual[np.isfinite(run.run.measurements[name])] / sigma)
+                error = run.residual(name)[np.isfinite(run.run.measurements[name])]
+                errors[name].append(error)
+                parts.append(weighted(error, self.data.signals[name]))
+        self._errors = {name: float(np.sqrt(np.mean(np.concatenate(e) ** 2))) for name, e in errors.items()}
         return np.concatenate(parts) if parts else np.zeros(0)
 
     def _exact_jacobian(self, z: Array, runs: Sequence[RunComparison]) -> Array:
@@ -288,13 +280,12 @@ class Objective:
         row = 0
         for run, told in zip(runs, self._told, strict=True):
             for name, slopes in told.items():
-                sigma = self.data.signals[name].sigma
-                assert sigma is not None
                 kept = np.isfinite(run.run.measurements[name])
                 count = int(kept.sum())
-                for i, slope in slopes:
+                by_error = slope(run.residual(name)[kept], self.data.signals[name])
+                for i, sensitivity in slopes:
                     moved = by_z[i] * self.free[i].size_in(run.run)
-                    jacobian[row : row + count, i] = -run.model[slope][kept] * moved / sigma
+                    jacobian[row : row + count, i] = -by_error * run.model[sensitivity][kept] * moved
                 row += count
         for k, (i, prior) in enumerate(self._priors):
             jacobian[self.size + k, i] = -self.free[i].slope(float(z[i])) / prior.sd

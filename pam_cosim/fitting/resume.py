@@ -92,8 +92,8 @@ def _digest(data: DataSet) -> str:
         digest.update(json.dumps([run.name, run.interpolation, known]).encode())
         for name, values in [("time", run.time), *run.inputs.items(), *run.measurements.items()]:
             digest.update(name.encode() + np.ascontiguousarray(values).tobytes())
-    sigmas = {n: s.sigma for n, s in data.signals.items() if s.fitted}
-    return hashlib.sha256(digest.digest() + json.dumps(sigmas).encode()).hexdigest()
+    noise = {n: [s.sigma, s.step] for n, s in data.signals.items() if s.fitted}
+    return hashlib.sha256(digest.digest() + json.dumps(noise).encode()).hexdigest()
 
 
 class FitLog:
@@ -197,7 +197,7 @@ class LoggedObjective(Objective):
             after, answer = known
             self.evaluations = max(self.evaluations, after)  # a point that is asked for again counts once
             if question in ("squares", "cost"):
-                self.tracker.saw(self.evaluations, answer / max(self.size, 1), None)
+                self.tracker.saw(self.evaluations, answer / max(self.samples, 1.0), None)
             return answer
         answer = getattr(super(), question)(z)
         self.log.failures = self.failures

@@ -45,10 +45,10 @@ def solve(problem: Problem) -> Minimum:
         starts = _winners(problem, starts)
     for start in itertools.islice(starts, options.descents):
         reached = _minimise(problem, start)
-        objective.tracker.descents.append(reached.cost / max(objective.size, 1))
+        objective.tracker.descents.append(reached.cost / max(objective.samples, 1.0))
         if best is None or reached.cost < best.cost:
             best = reached
-        if best.cost <= CRITERIA.fit.at_noise * objective.size and not options.starts:
+        if best.cost <= CRITERIA.fit.at_noise * objective.samples and not options.starts:
             break  # nothing is left that another start could find
     return best or _minimise(problem, _rescue(objective))
 

@@ -55,7 +55,7 @@ def keep_ledger(
     """The ledger of ``model`` (default: the bench of the data set) with ``effects`` on all runs.
 
     Args:
-        data: the measurement; every signal needs a noise level (``pam_cosim.fitting.complete_noise``).
+        data: the measurement; every signal needs a noise level (``pam_cosim.measurement.complete_noise``).
         values: parameters [SI], as a fit of the model found them; those under [fit] are estimated along from there.
         model: full name of a class, a bench's name, or a ``.mo`` file.
         effects: names of effects that the model has.

@@ -8,13 +8,12 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-import pint
 
 from pam_cosim.compiler.elementwise import evaluate
 from pam_cosim.errors import InputError, ModelError
 from pam_cosim.measurement.experiment import ColumnTable, ExperimentFile, KeyPath
 from pam_cosim.measurement.table import TIME, Column, Table
-from pam_cosim.units import UnitError, convert, parse_quantity, quantity, with_unit
+from pam_cosim.units import UnitError, convert, parse_quantity, quantity, registry_errors, with_unit
 from pam_cosim.wording import did_you_mean, shown
 
 _NAME = re.compile(r"'([^']*)'|([A-Za-z_]\w*)", re.ASCII)
@@ -107,7 +106,7 @@ def _derived(
     except ModelError as error:
         place = f" (at character {error.column})" if error.column else ""
         raise renaming.error(f"{error.message}{place}", name, "formula") from None
-    except pint.PintError as error:
+    except registry_errors() as error:
         raise renaming.error(f"the units of the formula do not fit: {error}", name, "formula") from None
     except (ArithmeticError, RecursionError, TypeError, ValueError) as error:
         raise renaming.error(f"the formula cannot be evaluated: {error}", name, "formula") from None

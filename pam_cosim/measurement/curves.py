@@ -11,7 +11,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import spearmanr
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
@@ -107,6 +106,8 @@ def _along(inputs: Mapping[str, Array], on: Mapping[str, Indices | None], measur
 def _strength(one: Array, other: Array) -> float:
     if len(one) < 3 or np.ptp(one) == 0.0 or np.ptp(other) == 0.0:
         return 0.0
+    from scipy.stats import spearmanr  # half a second, which few need
+
     return abs(float(spearmanr(one, other).statistic))
 
 

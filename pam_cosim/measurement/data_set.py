@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from math import sqrt
 from pathlib import Path
 from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.domain import Domain
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import FILE_NAME
@@ -34,7 +36,10 @@ class Signal:
         sigma: standard deviation of the instrument's noise [unit]; None when nobody knows it.
         estimated: ``sigma`` was estimated from the samples, not stated by the experimenter.
         fitted: parameters are fitted to it and models judged by it; otherwise it is only shown beside the model.
-        step: of the record [unit], where that is coarse beside the stated noise: ``sigma`` holds what it adds. 0: none.
+        step: of the record [unit], where that is coarse beside the noise: ``sigma`` holds what it adds. 0: none.
+        repeatability: standard deviation between runs of the same test [unit], the noise included: ``sigma`` is this
+            where it is larger. 0: nobody knows.
+        repeats: ``repeatability`` was estimated from runs that repeat one another, not stated by the experimenter.
     """
 
     name: str
@@ -43,6 +48,32 @@ class Signal:
     estimated: bool = False
     fitted: bool = True
     step: float = 0.0
+    repeatability: float = 0.0
+    repeats: bool = False
+
+    @property
+    def scatter(self) -> str:
+        """What ``sigma`` is the standard deviation of, in a word."""
+        return "repeatability" if self.sigma is not None and self.repeatability >= self.sigma else "noise"
+
+    @property
+    def source(self) -> str:
+        """Where ``sigma`` comes from, in words."""
+        if self.scatter == "repeatability":
+            return "of repeated runs" if self.repeats else "stated repeatability"
+        return "estimated from the samples" if self.estimated else "stated"
+
+    @property
+    def noise(self) -> float:
+        """Standard deviation of the noise before it is rounded to steps [unit], at least a part of a step."""
+        assert self.sigma is not None
+        least = CRITERIA.noise.least_of_step * self.step
+        return sqrt(max(self.sigma**2 - self.step**2 / 12.0, least**2))
+
+    @property
+    def is_coarse(self) -> bool:
+        """Whether steps, and not the noise, say how far readings are off (Widrow and Kollar 2008)."""
+        return bool(self.step) and 2.0 * self.noise < self.step
 
 
 Transform = Literal["log", "linear"]
@@ -275,10 +306,10 @@ class DataSet(Printed):
         return tuple(run.start.reason for run in self.runs if run.start.reason)
 
     def steps(self) -> tuple[str, ...]:
-        """Which signals are recorded in steps that count, and what noise that makes, in sentences."""
+        """Which signals are recorded in steps that count, and how they are counted, in sentences."""
         return tuple(
-            f"{name} is recorded in steps of {format_quantity(s.step, s.unit)} (quantisation, an instrument): they "
-            f"are counted as noise, of {format_quantity(s.sigma, s.unit)} with that of the sensor"
+            f"{name} is recorded in steps of {format_quantity(s.step, s.unit)} (quantisation, an instrument): a "
+            f"reading counts by the interval it stands for, beside noise of {format_quantity(s.noise, s.unit)}"
             for name, s in self.signals.items()
             if s.step and s.sigma
         )

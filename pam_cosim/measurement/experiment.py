@@ -61,6 +61,7 @@ class SignalTable(_Table):
     """``[signals.NAME]``."""
 
     sigma: Value | None = None
+    repeatability: Value | None = None
 
 
 class PriorTable(_Table):
@@ -92,6 +93,7 @@ class RecordingTable(_Table):
     table: Name | None = None
     interval: Value | None = None
     ignore: list[Name] | None = None
+    missing: list[Name] | None = None
     resample: Value | None = None
 
 
@@ -109,6 +111,7 @@ class ColumnTable(_Table):
     unit: Name | None = None
     formula: Name | None = Field(default=None, max_length=300)
     zero: IntervalTable | None = None
+    words: dict[str, Literal["up", "down", "none"]] | None = None
 
 
 class LoggerTable(_Table):

@@ -23,6 +23,7 @@ from numpy.typing import ArrayLike
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement.data_set import DataSet, Signal
+from pam_cosim.measurement.repeatability import with_repeatability
 
 _CLIP = CRITERIA.noise.clip
 _CLIPPED_VARIANCE = 1.0 - 2.0 * _CLIP * exp(-(_CLIP**2) / 2.0) / sqrt(2.0 * pi) / erf(_CLIP / sqrt(2.0))
@@ -70,9 +71,11 @@ def with_noise(data_set: DataSet) -> DataSet:
 def complete_noise(data: DataSet) -> DataSet:
     """Keeps stated noise levels, estimates the others from the samples, and assumes 1 % of range where that fails.
 
+    Where runs of the same test differ more than that, or more is stated, their repeatability takes its place.
+
     Sparse samples, such as points read off a printed figure, show no noise to estimate. A record in steps has their
     noise of step/sqrt(12) besides a stated one, which is that of the sensor (B. Widrow, I. Kollar, Quantization Noise,
-    2008); an estimated one holds it already.
+    2008); an estimated one holds it already. (What rounding does to a residual, ``comparison.rounding`` says.)
     """
     data = with_noise(data)
     signals = {}
@@ -85,7 +88,7 @@ def complete_noise(data: DataSet) -> DataSet:
             level = CRITERIA.noise.assumed_share * span or max(abs(float(np.nanmean(values))), 1.0) * 1e-6
             signal = replace(signal, sigma=level, estimated=True)
         signals[name] = signal
-    return replace(data, signals=signals)
+    return with_repeatability(replace(data, signals=signals))
 
 
 def record_step(values: ArrayLike) -> float:
@@ -95,24 +98,33 @@ def record_step(values: ArrayLike) -> float:
         values: (n,) samples, NaN where one is missing; fewer than some 30 show none.
     """
     samples: Array = np.asarray(values, dtype=float)
-    samples = samples[np.isfinite(samples)]
-    quantum = _quantum(samples)
-    if len(samples) < CRITERIA.noise.fewest_samples or quantum == 0.0:
+    levels = np.unique(samples[np.isfinite(samples)])
+    quantum = _quantum(levels)
+    if np.isfinite(samples).sum() < CRITERIA.noise.fewest_samples or quantum == 0.0:
         return 0.0
-    places = (samples - samples[0]) / quantum
-    # A conversion from the unit of the file rounds too, by little; a gap that is no step is anywhere.
-    on_steps = np.abs(places - np.round(places)) < CRITERIA.noise.off_step
-    return quantum if bool(on_steps.all()) else 0.0
+    # From level to level, so that digits which round a step themselves do not add up; then the step that suits all.
+    places = np.concatenate([[0.0], np.cumsum(np.round(np.diff(levels) / quantum))])
+    step, first = (float(c) for c in np.polyfit(places, levels, 1))
+    off = np.abs(levels - first - step * places)
+    return step if bool((off < CRITERIA.noise.off_step * step).all()) else 0.0
 
 
 def _with_steps(data_set: DataSet, signal: Signal) -> Signal:
-    """The signal with the step of its record and its noise, where that adds to what is known."""
+    """The signal with the step of its record, where that adds to its noise; its noise with that of the steps.
+
+    A stated noise is that of the sensor; an estimated one holds the steps. What is less than a part of a step is no
+    estimate: so small a noise is seen only where a signal rests near the edge of a step.
+    """
     runs = [run.measurements[signal.name] for run in data_set.runs if signal.name in run.measurements]
-    step = float(np.median([record_step(values) for values in runs])) if runs else 0.0
+    steps = [record_step(values) for values in runs if _quantum(values[np.isfinite(values)])]
+    step = float(np.median(steps)) if steps else 0.0
     noise, rounding = signal.sigma or 0.0, step**2 / 12.0
     if rounding < CRITERIA.residuals.slight_excess * noise**2:
         return signal
-    return replace(signal, step=step, sigma=noise if signal.estimated else sqrt(noise**2 + rounding))
+    if signal.estimated:
+        noise = sqrt(max(noise**2 - rounding, 0.0))
+    noise = max(noise, CRITERIA.noise.least_of_step * step)
+    return replace(signal, step=step, sigma=sqrt(noise**2 + rounding))
 
 
 def _typical(data_set: DataSet, signal: str) -> float | None:

@@ -13,7 +13,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.interface import Interface
 from pam_cosim.measurement.curves import Curve, Indices, curves, directions
 from pam_cosim.measurement.experiment import ExperimentFile
-from pam_cosim.measurement.recording import Recording, converted, locked, unknown_column, without_gaps
+from pam_cosim.measurement.recording import Recording, converted, locked, only_whole_rows, unknown_column, without_gaps
 from pam_cosim.measurement.table import TIME, Table
 from pam_cosim.names import BRANCH
 from pam_cosim.units import UnitError, format_quantity, parse_quantity
@@ -21,8 +21,8 @@ from pam_cosim.wording import listed, shown
 
 WORDS = {"up": 1.0, "down": -1.0, "none": 0.0}
 """Directions of a branch in words: contraction, extension, not known."""
-# What a muscle does where an imposed quantity of this unit rises.
-_CONTRACTS = {"Pa": 1.0, "m": 1.0, "N": -1.0}
+CONTRACTS = {"Pa": 1.0, "m": 1.0, "N": -1.0}
+"""What a muscle does where an imposed quantity of this unit rises: 1 contracts, -1 extends."""
 
 
 @dataclass(frozen=True)
@@ -65,6 +65,7 @@ def points_of(
     for name in table.columns:
         if name not in interface.inputs and name not in interface.outputs:
             raise table.error(unknown_column(name, interface, time=False), name)
+    table = only_whole_rows(table, interface.inputs)
     imposed = {
         name: without_gaps(table, name, interface.inputs[name].unit, "a row must say what is imposed")
         for name in table.columns
@@ -136,7 +137,7 @@ def _branch(
     count = len(next(iter(imposed.values())))
     if stated in WORDS:
         return np.full(count, WORDS[stated])
-    by_unit = {unit: [n for n in imposed if interface.inputs[n].unit == unit] for unit in _CONTRACTS}
+    by_unit = {unit: [n for n in imposed if interface.inputs[n].unit == unit] for unit in CONTRACTS}
     first = [name for names in by_unit.values() for name in names]
     ways = directions(imposed, first)
     if not ways.any():
@@ -147,7 +148,7 @@ def _branch(
 
 def _signed(imposed: Mapping[str, Array], interface: Interface, first: list[str]) -> float:
     moving = next(name for name in first if np.ptp(imposed[name]) > 0)
-    return _CONTRACTS[interface.inputs[moving].unit]
+    return CONTRACTS[interface.inputs[moving].unit]
 
 
 def _held_out(

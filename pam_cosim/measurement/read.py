@@ -9,7 +9,7 @@ from pathlib import Path
 from pam_cosim.errors import InputError, ModelError
 from pam_cosim.interface import Interface
 from pam_cosim.measurement.data_set import Along, DataSet, FreeParameter, Run, Signal
-from pam_cosim.measurement.experiment import FILE_NAME, ExperimentFile, RunTable, read_experiment
+from pam_cosim.measurement.experiment import FILE_NAME, ExperimentFile, RunTable, Value, read_experiment
 from pam_cosim.measurement.inside import file_inside
 from pam_cosim.measurement.parameters import free_parameter, known_values
 from pam_cosim.measurement.points import Points
@@ -128,16 +128,25 @@ def _signals(document: ExperimentFile, interface: Interface, runs: tuple[Run, ..
 def _signal(document: ExperimentFile, name: str, unit: str) -> Signal:
     declared = document.content.signals
     table = declared.get(name)
-    if table is None or table.sigma is None:
-        return Signal(name, unit, fitted=not declared or name in declared)
-    path = ("signals", name, "sigma")
+    if table is None:
+        return Signal(name, unit, fitted=not declared)
+    sigma = _deviation(document, name, "sigma", table.sigma, unit)
+    repeatability = _deviation(document, name, "repeatability", table.repeatability, unit)
+    return Signal(name, unit, sigma, repeatability=repeatability or 0.0)
+
+
+def _deviation(document: ExperimentFile, name: str, key: str, value: Value | None, unit: str) -> float | None:
+    """A standard deviation of a signal [unit]; None: not stated."""
+    if value is None:
+        return None
+    path = ("signals", name, key)
     try:
-        sigma = parse_quantity(table.sigma, unit, difference=True)
+        deviation = parse_quantity(value, unit, difference=True)
     except UnitError as error:
-        raise document.error(f"sigma of {name}: {error}", *path) from None
-    if sigma <= 0.0:
-        raise document.error(f"sigma of {name} must be greater than zero", *path)
-    return Signal(name, unit, sigma)
+        raise document.error(f"{key} of {name}: {error}", *path) from None
+    if deviation <= 0.0:
+        raise document.error(f"{key} of {name} must be greater than zero", *path)
+    return deviation
 
 
 def _check_runs(document: ExperimentFile) -> None:

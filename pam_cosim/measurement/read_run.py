@@ -73,8 +73,14 @@ def read_points(
     file = file_inside(document, run.file, *place, "file")
     branch = renaming.tables.get(BRANCH)
     source = branch.column if branch is not None and isinstance(branch.column, str) else BRANCH
-    layout = replace(_layout(stated, renaming, interface), words={source: WORDS})
+    words = WORDS if branch is None or branch.words is None else _own_words(branch.words)
+    layout = replace(_layout(stated, renaming, interface), words={source: words})
     return points_of(with_columns(read_table(file, layout), renaming), interface, document, index, held), (file,)
+
+
+def _own_words(stated: Mapping[str, str]) -> dict[str, float]:
+    """Directions by the cells of a file that stand for them."""
+    return {cell.casefold(): WORDS[word] for cell, word in stated.items()}
 
 
 def _recording(
@@ -137,6 +143,7 @@ def _layout(stated: RecordingTable, renaming: Renaming, interface: Interface) ->
         units_line=stated.units_line,
         table=stated.table,
         ignore=tuple(stated.ignore or ()),
+        missing=frozenset(word.casefold() for word in stated.missing or ()),
         asked=frozenset(asked),
     )
 

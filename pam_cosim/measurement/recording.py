@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +14,7 @@ from pam_cosim.interface import Interface
 from pam_cosim.measurement.formats import read_table
 from pam_cosim.measurement.table import TIME, Table
 from pam_cosim.units import UnitError, convert
-from pam_cosim.wording import did_you_mean, shown
+from pam_cosim.wording import did_you_mean, listed, shown
 
 
 @dataclass(frozen=True)
@@ -62,6 +63,7 @@ def recording_of(table: Table, interface: Interface) -> Recording:
     for name in table.columns:
         if name != TIME and name not in interface.inputs and name not in interface.outputs:
             raise table.error(unknown_column(name, interface), name)
+    table = only_whole_rows(table, [TIME, *interface.inputs])
     time = _time(table)
     inputs, measurements = {}, {}
     for name in table.columns:
@@ -70,6 +72,24 @@ def recording_of(table: Table, interface: Interface) -> Recording:
         elif name in interface.outputs:
             measurements[name] = converted(table, name, interface.outputs[name].unit)
     return Recording(time, inputs, measurements, table.notes)
+
+
+def only_whole_rows(table: Table, needed: Iterable[str]) -> Table:
+    """The table without the rows in which a needed column lacks a sample; only where words for missing ones are stated.
+
+    Without such words an empty cell is a slip, which is told as an error.
+    """
+    columns = [table.columns[name].values for name in needed if name in table.columns]
+    if not table.missing or not columns:
+        return table
+    whole = np.asarray(~np.isnan(np.array(columns)).any(axis=0))
+    if whole.all():
+        return table
+    kept = {name: replace(column, values=column.values[whole]) for name, column in table.columns.items()}
+    count, words = int((~whole).sum()), listed(map(shown, table.missing))
+    note = f"left out: {count} of {len(whole)} rows, in which a value that is needed is missing ({words})"
+    lines = None if table.lines is None else table.lines[whole]
+    return replace(table, columns=kept, lines=lines, notes=(*table.notes, note))
 
 
 def unknown_column(name: str, interface: Interface, time: bool = True) -> str:

@@ -42,6 +42,7 @@ class Table:
         header_line: of a text, the line of the names.
         lines: (n,) of a text, the lines of the rows; errors can name them.
         notes: what a reader should know of how the file was read.
+        missing: words that stood for missing samples, as they were written.
     """
 
     file: Path
@@ -49,6 +50,7 @@ class Table:
     header_line: int | None = None
     lines: NDArray[np.int64] | None = None
     notes: tuple[str, ...] = ()
+    missing: tuple[str, ...] = ()
 
     def error(self, message: str, column: str, row: int | None = None) -> InputError:
         """An error about a column: its header, or one of its rows."""
@@ -72,6 +74,7 @@ class Layout:
         units_line: line of a text's units.
         table: which group, channel group or variable of a file with several.
         ignore: patterns of names of columns that are not read; ``*`` stands for any text.
+        missing: of a text, words that stand where a sample is missing, in small letters.
         asked: names that a pattern with ``*`` does not mean.
         words: of a text, by column: numbers of the words that it may hold.
     """
@@ -84,6 +87,7 @@ class Layout:
     units_line: int | None = None
     table: str | None = None
     ignore: tuple[str, ...] = ()
+    missing: frozenset[str] = frozenset()
     asked: frozenset[str] = field(default=frozenset())
     words: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 

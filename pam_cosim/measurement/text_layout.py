@@ -149,7 +149,7 @@ def _by(separator: str, lines: list[Line], stated: Layout) -> TextLayout | None:
     headings = header.headings()
     parts = [(heading, split_heading(heading) or ("", "")) for heading, _ in headings]
     kept = [i for i, (heading, (name, _)) in enumerate(parts) if stated.keeps(heading, name)]
-    fits = all(_fits(row.cells, len(headings), kept) for row in rows[start:])
+    fits = all(_fits(row.cells, len(headings), kept, stated.missing) for row in rows[start:])
     return TextLayout(separator, headings, header.line, rows[start].index, fits)
 
 
@@ -188,10 +188,15 @@ def _holds_number(row: _Row, count: int) -> bool:
     return len(row.cells) == count and any(_NUMBER.fullmatch(cell) for cell in row.cells)
 
 
-def _fits(cells: list[str], count: int, kept: list[int]) -> bool:
-    if len(cells) != count and not (len(cells) == count + 1 and not cells[-1]):
+def _fits(cells: list[str], count: int, kept: list[int], missing: frozenset[str]) -> bool:
+    if len(cells) < count or any(cells[count:]):
         return False
-    return all(not cells[i] or _NUMBER.fullmatch(cells[i]) for i in kept)
+    return all(not cells[i] or _NUMBER.fullmatch(cells[i]) or cells[i].casefold() in missing for i in kept)
+
+
+def _ends(count: int, row: list[str]) -> bool:
+    """Whether so many names are those of a row: separators at the end of a line make no column."""
+    return 0 < count <= len(row) and not any(row[count:])
 
 
 def _header(separator: str, above: list[_Row], ends: list[str], comments: list[Line], stated: Layout) -> _Header | str:
@@ -208,13 +213,12 @@ def _header(separator: str, above: list[_Row], ends: list[str], comments: list[L
         return ("the header is missing; begin with a line such as 'time [s],p [kPa]', or state it under [recording]: "
                 'names = ["time [s]", "p [kPa]"]')  # fmt: skip
     last = above[-1]
-    fitting = (count,) if ends[-1] else (count, count - 1)  # A separator at the end of the line makes no column.
-    if len(above) > 1 and len(last.cells) in (*fitting, count + 1) and _are_units(last.cells):
+    if len(above) > 1 and _are_units(last.cells):
         names = _names(separator, above[-2].text, count)
-        if len(names) in fitting and len(names) <= len(last.cells) and all(names):
+        if _ends(len(names), ends) and _ends(len(names), last.cells) and all(names):
             return _Header(above[-2].number, names, _bare(last.cells))
     names = _names(separator, last.text, count)
-    if len(names) in fitting:
+    if _ends(len(names), ends):
         return _Header(last.number, names)
     decimal = "; write decimal points, not commas" if separator == "," and count == 2 * len(names) else ""
     return f"this row has {count} cells, the header has {len(names)}{decimal}"
@@ -255,7 +259,7 @@ def _names(separator: str, text: str, count: int) -> list[str]:
         cells = [word.strip() for word in re.findall(r"\S+(?:\s+[\[(][^\])]*[\])])?", text)]
         if len(cells) != count:
             cells = re.split(r"\s{2,}|\t", text.strip())
-    if len(cells) > 1 and not cells[-1]:
+    while len(cells) > 1 and not cells[-1]:
         cells = cells[:-1]
     return [" ".join(cell.split()) if "\n" in cell else cell for cell in cells]
 

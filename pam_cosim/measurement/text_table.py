@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from itertools import chain
 from pathlib import Path
@@ -60,17 +60,19 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     heads = [heading for heading, _ in layout.headings]
     said = zip((name for name, _ in names), heads, strict=True)
     reader.words = [stated.words.get(name, stated.words.get(heading, {})) for name, heading in said]
+    reader.missing = stated.missing
     reader.decimal = stated.decimal or decimal_sign(reader.cells(body), layout.separator, file)
     columns = {
         names[i][0]: Column(*names[i], values, layout.headings[i][0], i + 1)
         for i, values in zip(keep, reader.columns(body), strict=True)
     }
     numbers = np.array([number for number, _ in body], dtype=np.int64)
-    return Table(file, columns, layout.header_line or None, numbers, _notes(layout, encoding, reader.decimal))
+    notes, met = _notes(layout, encoding, reader.decimal), tuple(reader.met)
+    return Table(file, columns, layout.header_line or None, numbers, notes, met)
 
 
-def text_columns(file: Path, stated: Layout) -> tuple[str, ...]:
-    """Headings of the columns in which no row that is looked at has a number, such as remarks and dates.
+def text_columns(file: Path, stated: Layout) -> dict[str, tuple[str, ...]]:
+    """The columns in which no row has a number, such as remarks and dates: the different cells of each, by heading.
 
     Raises:
         InputError: as ``read_text_table``, where the file has no rows or its separator is ambiguous.
@@ -78,17 +80,24 @@ def text_columns(file: Path, stated: Layout) -> tuple[str, ...]:
     text, _ = read_any_text(file, stated.encoding)
     lines = [(number, line) for number, line in _lines(text) if line and not line.isspace()]
     if not lines:
-        return ()
+        return {}
     layout = find_layout(lines, stated, file)
-    rows = []
-    for _, line in lines[layout.start : layout.start + LOOKED_AT]:
-        with suppress(csv.Error):
-            rows.append([] if is_comment(line) else split_cells(line, layout.separator))
-    return tuple(
-        heading
+    looked_at = _rows(lines[layout.start : layout.start + LOOKED_AT], layout.separator)
+    texts = {
+        i: heading
         for i, (heading, _) in enumerate(layout.headings)
-        if (cells := [row[i] for row in rows if i < len(row) and row[i]]) and not any(map(_MEANT.fullmatch, cells))
-    )
+        if (cells := [row[i] for row in looked_at if i < len(row) and row[i]]) and not any(map(_MEANT.fullmatch, cells))
+    }
+    rows = _rows(lines[layout.start :], layout.separator) if texts else []
+    return {h: tuple(dict.fromkeys(row[i] for row in rows if i < len(row) and row[i])) for i, h in texts.items()}
+
+
+def _rows(lines: Sequence[Line], separator: str) -> list[list[str]]:
+    rows = []
+    for _, line in lines:
+        with suppress(csv.Error):
+            rows.append([] if is_comment(line) else split_cells(line, separator))
+    return rows
 
 
 def _lines(text: str) -> Iterator[Line]:
@@ -150,6 +159,8 @@ class _Reader:
         self.separator, self.names, self.keep, self.file = layout.separator, names, keep, file
         self.decimal = decimal
         self.words: list[Mapping[str, float]] = [{} for _ in names]
+        self.missing: frozenset[str] = frozenset()
+        self.met: dict[str, None] = {}
 
     def cells(self, lines: list[Line]) -> Iterator[Line]:
         """Line and text of every cell that holds a sign for decimals."""
@@ -199,15 +210,17 @@ class _Reader:
 
     def _row(self, number: int, line: str) -> list[str]:
         cells = self._split(number, line)
-        if len(cells) == len(self.names) + 1 and not cells[-1]:
-            return cells[:-1]
-        if len(cells) == len(self.names):
-            return cells
+        count = len(self.names)
+        if len(cells) >= count and not any(cells[count:]):
+            return cells[:count]
         hint = "; write decimal points, not commas" if len(cells) == 2 * len(self.names) else ""
         raise InputError(f"this row has {len(cells)} cells, the header has {len(self.names)}{hint}", self.file, number)
 
     def _number(self, line: int, cell: str, column: int) -> float:
         if not cell:
+            return math.nan
+        if cell.casefold() in self.missing:
+            self.met[cell] = None
             return math.nan
         words = self.words[column]
         if cell.casefold() in words:
@@ -224,7 +237,8 @@ class _Reader:
 
     def _not_a_number(self, cell: str) -> str:
         if cell.lower().lstrip("+-") in _NOT_FINITE:
-            return f"{shown(cell)} is not a finite number; leave the cell empty where a sample is missing"
+            where = f', or state the word under [recording]: missing = ["{cell}"]' if "nan" in cell.lower() else ""
+            return f"{shown(cell)} is not a finite number; leave the cell empty where a sample is missing{where}"
         if re.fullmatch(r"[+-]?\d+[.,]\d+", cell, re.ASCII):
             if self.decimal == ".":
                 stated = 'state decimal = "," under [recording]'

@@ -103,6 +103,8 @@ class _Writer:
             yield f"\n[signals.{toml_key(name)}]"
             if signal.sigma is not None and not signal.estimated:
                 yield f"sigma = {self._quantity(name, signal.sigma, difference=True)}"
+            if signal.repeatability and not signal.repeats:
+                yield f"repeatability = {self._quantity(name, signal.repeatability, difference=True)}"
 
     def _parameters(self) -> Iterator[str]:
         if self.data_set.parameters:

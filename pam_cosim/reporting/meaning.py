@@ -111,7 +111,7 @@ def error_sentence(diagnosis: Diagnosis) -> str:
     name = max(names, key=lambda n: before[n].chi2_reduced - (after[n].chi2_reduced if final else 0.0))
     unit = signals[name].unit
     runs = "runs that were never fitted" if role == "holdout" else "the fitted runs"
-    noise = f"the noise is {quantity_text(before[name].noise_rmse, unit)}"
+    noise = f"the {signals[name].scatter} is {quantity_text(before[name].noise_rmse, unit)}"
     if not final:
         return f"On {runs} the rms error of {name} is {quantity_text(before[name].rmse, unit)}; {noise}."
     old, new = before[name].rmse, after[name].rmse

@@ -56,13 +56,12 @@ def signal_rows(data: DataSet) -> list[dict[str, str]]:
     """The measured signals with their noise."""
     rows = []
     for name, signal in data.signals.items():
-        source = "estimated from the samples" if signal.estimated else "stated"
         counts = {role: sum(r.sample_count(name) for r in data.runs if r.role == role) for role in ROLES}
         rows.append(
             {
                 "name": name,
                 "noise": quantity_text(signal.sigma, signal.unit),
-                "source": NOTHING if signal.sigma is None else source,
+                "source": NOTHING if signal.sigma is None else signal.source,
                 "use": "fitted" if signal.fitted else "compared, not fitted",
                 "fit": str(counts["fit"]),
                 "holdout": str(counts["holdout"]),

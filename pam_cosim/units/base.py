@@ -54,7 +54,10 @@ def base_unit(text: str) -> BaseUnit:
     if not _MODELICA.fullmatch(text.replace(" ", "")):
         raise UnitError(f"unit '{text}' cannot be read; write it as Modelica does, for example 'W/(m2.K)'")
     unit = read_unit(text, False)
-    zero, one = (registry().Quantity(value, unit).to_base_units() for value in (0.0, 1.0))
+    try:
+        zero, one = (registry().Quantity(value, unit).to_base_units() for value in (0.0, 1.0))
+    except (OverflowError, ZeroDivisionError):
+        raise UnitError(f"unit '{text}' has a factor beyond what a number holds") from None
     exponents = {}
     for name, exponent in one.unit_items():
         if name not in _BASE or exponent != int(exponent):

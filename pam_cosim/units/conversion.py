@@ -6,10 +6,9 @@ import math
 import re
 
 import numpy as np
-import pint
 from numpy.typing import ArrayLike, NDArray
 
-from pam_cosim.units.grammar import UnitError, is_dimensionless, read_unit, registry
+from pam_cosim.units.grammar import UnitError, is_dimensionless, read_unit, registry, registry_errors
 from pam_cosim.wording import shown
 
 _EXAMPLES = {
@@ -47,7 +46,7 @@ def convert(values: ArrayLike, unit: str, target: str, *, difference: bool = Fal
     try:
         with np.errstate(over="ignore", invalid="ignore"):
             return np.asarray(registry().Quantity(numbers, source).to(goal).magnitude, dtype=float)
-    except (pint.PintError, ValueError, OverflowError):
+    except registry_errors(ValueError, OverflowError):
         raise UnitError(f"unit {shown(unit)} cannot be converted to '{target}'") from None
 
 

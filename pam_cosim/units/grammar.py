@@ -10,8 +10,6 @@ import re
 from functools import cache, lru_cache
 from typing import Any
 
-import pint
-
 from pam_cosim.wording import shown
 
 _ALIASES = {
@@ -31,10 +29,19 @@ class UnitError(ValueError):
 
 @cache
 def registry() -> Any:
-    """The one registry of units, pint's."""
+    """The one registry of units, pint's: a third of a second, which a process without units does not spend."""
+    import pint
+
     registry: Any = pint.UnitRegistry(autoconvert_offset_to_baseunit=True, cache_folder=None)
     registry.formatter.default_format = "~"
     return registry
+
+
+def registry_errors(*further: type[Exception]) -> tuple[type[Exception], ...]:
+    """What the registry raises, and ``further`` exceptions: what ``except`` is to catch."""
+    import pint
+
+    return (pint.PintError, *further)
 
 
 def is_dimensionless(unit: str) -> bool:
@@ -117,7 +124,7 @@ class _Parser:
             if not self.alone or self.difference:
                 delta = f"delta_{unit:D}"
                 unit = registry().parse_units(delta) if f"{unit:D}" in _offset_units() else unit
-        except (pint.PintError, AttributeError, ValueError, TypeError, KeyError):
+        except registry_errors(AttributeError, ValueError, TypeError, KeyError):
             raise UnitError(f"unit {shown(symbol)} is unknown; write 'kPa', 'mm', 'degC' or the like") from None
         return unit
 
@@ -138,5 +145,5 @@ def read_unit(text: str, difference: bool) -> Any:
         return registry().Unit("")
     try:
         return _Parser(text, difference).parse()
-    except (pint.PintError, OverflowError, ZeroDivisionError):
+    except registry_errors(OverflowError, ZeroDivisionError):
         raise UnitError(f"unit {shown(text)} cannot be read") from None

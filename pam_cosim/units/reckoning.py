@@ -24,7 +24,10 @@ def quantity(values: ArrayLike | str, unit: str = "") -> Any:
             raise UnitError(f"{shown(values)} is not a number with a unit; write for example '5 kPa'")
         values, unit = parts
     numbers = np.asarray(values, dtype=float)
-    return registry().Quantity(numbers, read_unit(unit, False)).to_base_units()
+    try:
+        return registry().Quantity(numbers, read_unit(unit, False)).to_base_units()
+    except (OverflowError, ZeroDivisionError):
+        raise UnitError(f"unit {shown(unit)} has a factor beyond what a number holds") from None
 
 
 def with_unit(value: Any) -> tuple[NDArray[np.float64], str]:

@@ -16,7 +16,7 @@ from collections.abc import Callable
 from typing import Any
 
 from pam_cosim import study
-from pam_cosim.diagnosis import Event, Message
+from pam_cosim.diagnosis import Event
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fitting import Standing
 from pam_cosim.simulation.keeper import ANSWER, PROGRESS, read_frame, write_frame
@@ -70,10 +70,7 @@ def main() -> None:
     threading.Thread(target=_end_with, args=(os.getppid(),), daemon=True).start()
 
     def tell(event: object) -> None:
-        said: object = event
-        if isinstance(event, Message):  # a text that is copied loses what it knows
-            said = ("line", str(event), event.detail, event.event)
-        write_frame(channel, PROGRESS, pickle.dumps(said))
+        write_frame(channel, PROGRESS, pickle.dumps(event))
 
     while True:
         try:

@@ -22,6 +22,7 @@ from pam_cosim.compiler import ClassTree, read_library, read_structure
 from pam_cosim.compiler.names import last
 from pam_cosim.errors import InputError
 from pam_cosim.files import identity
+from pam_cosim.fitted_model import FittedModel, compose_fitted
 from pam_cosim.names import is_fmu, is_modelica
 from pam_cosim.workbench.protocol import ShownEffect
 
@@ -73,6 +74,11 @@ class Catalogue:
         if composition is None:
             raise InputError(f"{model} has no place for {', '.join(effects)} together")
         return composition
+
+    def written(self, fitted: FittedModel, name: str, parameters: Collection[str]) -> str:
+        """The Modelica text of a model with effects and values; see ``compose_fitted``."""
+        sources = self.sources(fitted.model)
+        return compose_fitted(self.tree(fitted.model), fitted, name, parameters, files=sources).text
 
     def shown(self, model: str, on: Collection[str]) -> tuple[ShownEffect, ...]:
         """Every effect of the model's library, and whether it finds a place in it; none for an FMU."""

@@ -24,13 +24,18 @@ def safe_name(name: str) -> str:
     return made.rstrip(" .")
 
 
+def is_name_here(name: str) -> bool:
+    """Whether a file directly inside a folder may have this name."""
+    return _NAME.fullmatch(name) is not None and not name.endswith((" ", "."))
+
+
 def inside(folder: Path, name: str) -> Path:
     """The place of a file directly inside a folder.
 
     Raises:
         InputError: the name is not that of a file there: it has a separator, begins with a dot, or is a link.
     """
-    if not _NAME.fullmatch(name) or name.endswith((" ", ".")):
+    if not is_name_here(name):
         raise InputError(
             f"{shown(name)} cannot be the name of a file here: use letters, digits, dots, dashes and underscores"
         )

@@ -12,7 +12,6 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
-from pam_cosim.diagnosis import Message
 from pam_cosim.simulation.keeper import ANSWER, read_frame, write_frame
 
 CAN_HOLD = hasattr(signal, "SIGSTOP")
@@ -63,7 +62,7 @@ class Worker:
                 said = pickle.loads(content)
                 if kind == ANSWER:
                     break
-                heard(_unpacked(said))
+                heard(said)
         except (EOFError, OSError, ValueError):
             with contextlib.suppress(subprocess.TimeoutExpired):  # it is ending, and the next job needs to know
                 process.wait(_PATIENCE)
@@ -107,9 +106,3 @@ class Worker:
             os.killpg(process.pid, getattr(signal, name))
             return True
         return False
-
-
-def _unpacked(said: object) -> object:
-    if isinstance(said, tuple) and said and said[0] == "line":
-        return Message(said[1].removeprefix("  ") if said[2] else said[1], detail=said[2], event=said[3])
-    return said

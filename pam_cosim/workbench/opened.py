@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from pam_cosim import study
+from pam_cosim import models
 from pam_cosim.files import write_text
 from pam_cosim.fitting import Free, base_parameters, model_parameter
 from pam_cosim.measurement import DataSet, FreeParameter
@@ -59,7 +59,7 @@ def open_model(data: DataSet, model: str, effects: Sequence[str], catalogue: Cat
         file = scratch / f"{composition.name}.mo"
         write_text(file, text)
         name, needed = str(file), catalogue.sources(model)
-    simulator = study.opened(name, needed)
+    simulator = models.opened(name, needed)
     try:
         parameters = {free.name: free for free in base_parameters(data, simulator.interface)}
         origin = {}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import re
 import time
 from collections.abc import Mapping
 from contextlib import suppress
@@ -15,17 +16,17 @@ from pam_cosim.diagnosis import Candidate, Diagnosis
 from pam_cosim.errors import InputError
 from pam_cosim.files import read_json, write_bytes, write_json
 from pam_cosim.fitting import Fit, Leeway
-from pam_cosim.measurement import ROLES
 from pam_cosim.products import load, save
 from pam_cosim.workbench.inside import inside
 from pam_cosim.workbench.protocol import Level, Rung
 from pam_cosim.workbench.protocol import plain as as_plain
+from pam_cosim.workbench.saved import SavedContent, SavedRung, checked_content, plain_step
 from pam_cosim.workbench.state import State
 from pam_cosim.workbench.steps import step_of
 
 FILE = "workbench.json"
 _FORMAT = "pam-cosim workbench 1"
-_DAMAGE = (KeyError, TypeError, ValueError, AttributeError)
+_PRODUCT = re.compile(r"workbench-(fit|diagnosis)-[0-9a-f]{12}\.npz")  # what a study may remove with itself
 
 
 @dataclass(frozen=True)
@@ -86,10 +87,10 @@ def _products(file: Path) -> set[str]:
     """Names of the files that a saved study refers to."""
     try:
         content = read_json(file)
-        names = {content.get("fit"), content.get("diagnosis")}
-    except (InputError, AttributeError):
+    except InputError:
         return set()
-    return {name for name in names if isinstance(name, str) and name.startswith("workbench-")}
+    named = [content.get("fit"), content.get("diagnosis")] if isinstance(content, dict) else []
+    return {name for name in named if isinstance(name, str) and _PRODUCT.fullmatch(name)}
 
 
 def _kept(product: Fit | Diagnosis | None, folder: Path, what: str) -> str | None:
@@ -114,52 +115,43 @@ def load_state(folder: Path, first: State) -> State:
     if not isinstance(content, Mapping) or content.get("format") != _FORMAT:
         raise InputError("is no study that the workbench saved", target)
     try:
-        return _state(content, folder, first)
-    except InputError:
-        raise
-    except _DAMAGE as problem:
+        return _state(checked_content(content, {first.model, first.data.model, first.data.bench}), folder, first)
+    except ValueError as problem:
         raise InputError(f"the saved study was damaged: {problem}", target) from problem
 
 
-def _state(content: Mapping[str, Any], folder: Path, first: State) -> State:
-    roles = content["roles"]
-    if set(roles) != {run.name for run in first.data.runs} or not set(roles.values()) <= set(ROLES):
+def _state(content: SavedContent, folder: Path, first: State) -> State:
+    roles = content.roles
+    if set(roles) != {run.name for run in first.data.runs}:
         raise InputError("the saved study is of other runs than the data set has now", folder / FILE)
     same = all(roles[run.name] == run.role for run in first.data.runs)
     runs = tuple(replace(run, role=roles[run.name]) for run in first.data.runs)
-    fit, diagnosis = _product(content["fit"], folder, Fit), _product(content["diagnosis"], folder, Diagnosis)
     return State(
         data=first.data if same else replace(first.data, runs=runs),
-        model=_text(content["model"]),
-        effects=tuple(_text(e) for e in content["effects"]),
-        values={_text(name): float(value) for name, value in content["values"].items()},
-        fit=fit,
-        diagnosis=diagnosis,
-        diagnosed=tuple(_text(e) for e in content["diagnosed"]),
-        rungs=tuple(_rung(one) for one in content["ladder"]),
-        milestone=_text(content["milestone"]),
-        steps=tuple(step_of(one) for one in content["steps"]),
-        file=None if content["file"] is None else inside(folder, _text(content["file"])).name,
+        model=content.model,
+        effects=tuple(content.effects),
+        values=dict(content.values),
+        fit=_product(content.fit, folder, Fit),
+        diagnosis=_product(content.diagnosis, folder, Diagnosis),
+        diagnosed=tuple(content.diagnosed),
+        rungs=tuple(_rung(one) for one in content.ladder),
+        milestone=content.milestone,
+        steps=tuple(step_of(plain_step(one)) for one in content.steps),
+        file=content.file,
     )
 
 
-def _text(value: Any) -> str:
-    if not isinstance(value, str):
-        raise TypeError(f"{value!r} is no text")
-    return value
-
-
-def _rung(content: Any) -> Rung:
-    by_role = {role: {name: Level(**level) for name, level in content[role].items()} for role in ROLES}
-    return Rung(
-        _text(content["label"]), by_role["fit"], by_role["holdout"], content["chi2_fit"], content["chi2_holdout"]
+def _rung(saved: SavedRung) -> Rung:
+    fit, holdout = (
+        {name: Level(**level.model_dump()) for name, level in by.items()} for by in (saved.fit, saved.holdout)
     )
+    return Rung(saved.label, fit, holdout, saved.chi2_fit, saved.chi2_holdout)
 
 
-def _product(name: Any, folder: Path, kind: type[Any]) -> Any:
+def _product(name: str | None, folder: Path, kind: type[Any]) -> Any:
     if name is None:
         return None
-    product = load(inside(folder, _text(name)))
+    product = load(inside(folder, name))
     if not isinstance(product, kind):
-        raise TypeError(f"{name} holds something else")
+        raise ValueError(f"{name} holds something else")
     return product

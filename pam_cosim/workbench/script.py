@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from shlex import quote
+from types import MappingProxyType
 from typing import Any
 
 from pam_cosim.names import is_modelica
@@ -81,6 +82,7 @@ def python_of(state: State, base: str, folder: Path, catalogue: Catalogue) -> st
     return "\n".join(lines) + "\n"
 
 
+_DIAGNOSED = ("time_limit", "exclude", "expect", "free", "start")  # what a step of a diagnosis may hold
 _COMPARED = "comparison = pam.compare(data, model, values, files=files)"
 
 
@@ -106,7 +108,8 @@ def _python_step(step: Step, place: _Place) -> list[str]:
             ]
         case "diagnose":
             place.diagnosed = place.effects
-            options = "".join(f"{name}={_value(v)}, " for name, v in told.items() if v or v == 0)
+            known = {name: told[name] for name in _DIAGNOSED if told.get(name) or told.get(name) == 0}
+            options = "".join(f"{name}={_value(v)}, " for name, v in known.items())
             return [f"diagnosis = pam.diagnose(data, model, {options}files=files, say=print)", "print(diagnosis)"]
         case "take":
             effects = tuple(told["effects"])
@@ -117,7 +120,10 @@ def _python_step(step: Step, place: _Place) -> list[str]:
                 _COMPARED,
             ]
         case "add":
-            return [f"pam.add({told['effects']!r}, to={place.base!r}, output={told['file']!r}, files=files)"]
+            return [
+                f"pam.add({told['effects']!r}, to={place.base!r}, output={told['file']!r}, "
+                f"values={_numbers(told.get('values', {}))}, files=files)"
+            ]
     return []
 
 
@@ -174,7 +180,7 @@ def _command_step(step: Step, place: _Place, data: str) -> list[str]:
         case "fit":
             place.fits += 1
             file = f"fit-{place.fits}.json"
-            options = [f"--method {told['method']}", *_free_words(told), f"-o {file}"]
+            options = [f"--method {quote(told['method'])}", *_free_words(told), f"-o {file}"]
             place.fitted = file
             place.held = {n: v for n, v in {**place.held, **told["start"]}.items() if n not in told["free"]}
             return [_command("fit", data, place, *options), _compare(data, place)]
@@ -189,7 +195,7 @@ def _command_step(step: Step, place: _Place, data: str) -> list[str]:
             place.held, place.fitted = {**told["kept"], **told["values"]}, ""
             return [*_command_effects((*place.diagnosed, *told["effects"]), place), _compare(data, place)]
         case "add":
-            return [_add(told["effects"], told["file"], place)]
+            return [_add(told["effects"], told["file"], place, told.get("values", {}))]
     return []
 
 
@@ -199,7 +205,7 @@ def _free_words(told: Mapping[str, Any]) -> list[str]:
 
 
 def _compare(data: str, place: _Place) -> str:
-    fitted = [f"--params {place.fitted}"] if place.fitted else []
+    fitted = [f"--params {quote(place.fitted)}"] if place.fitted else []
     return _command("compare", data, place, *fitted, *(f"--set {quote(f'{n}={v!r}')}" for n, v in place.held.items()))
 
 
@@ -210,9 +216,11 @@ def _command(name: str, data: str, place: _Place, *options: str) -> str:
     return " ".join(["pam-cosim", name, data, *model, *further, *roles, *options])
 
 
-def _add(effects: Sequence[str], file: str, place: _Place) -> str:
+def _add(effects: Sequence[str], file: str, place: _Place, values: Mapping[str, float] = MappingProxyType({})) -> str:
+    stated = [f"--set {quote(f'{name}={value!r}')}" for name, value in values.items()]
     further = [f"--file {quote(f)}" for f in place.files]
-    return " ".join(["pam-cosim add", *map(quote, effects), f"--to {quote(place.base)}", f"-o {quote(file)}", *further])
+    words = [*map(quote, effects), f"--to {quote(place.base)}", f"-o {quote(file)}"]
+    return " ".join(["pam-cosim add", *words, *stated, *further])
 
 
 def _command_effects(effects: Sequence[str], place: _Place) -> list[str]:

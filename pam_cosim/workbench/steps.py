@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from pam_cosim.wording import shown
+from pam_cosim.workbench.saved import checked_step
 
 SET, SWITCH, CHOOSE, FIT, DIAGNOSE, TAKE, ADD, ROLES_STEP = (
     "set", "switch", "choose", "fit", "diagnose", "take", "add", "roles"
@@ -53,20 +53,10 @@ def step_of(content: Any) -> Step:
     """A step from plain data.
 
     Raises:
-        ValueError: it is none.
+        ValueError: it is none; names what is wrong.
     """
-    if not isinstance(content, dict) or content.get("do") not in (
-        SET,
-        SWITCH,
-        CHOOSE,
-        FIT,
-        DIAGNOSE,
-        TAKE,
-        ADD,
-        ROLES_STEP,
-    ):
-        raise ValueError(f"{shown(content)} is no step of a study")
-    return Step(content["do"], {key: value for key, value in content.items() if key != "do"})
+    checked = checked_step(content)
+    return Step(checked.pop("do"), checked)
 
 
 def with_step(steps: Sequence[Step], step: Step) -> tuple[Step, ...]:

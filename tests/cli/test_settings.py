@@ -14,6 +14,7 @@ import typer
 import pam_cosim as pam
 from pam_cosim import study
 from pam_cosim.cli import app
+from pam_cosim.simulation import IsolatedSimulator, Simulator
 from tests.cli.conftest import Outcome, everything
 from tests.cli.test_bad_input import refused
 from tests.cli.test_commands import done, rows
@@ -88,7 +89,7 @@ def test_start_values_are_settings_too(command: Command, place: Path) -> None:
 @pytest.mark.parametrize("own", [True, False], ids=["ours", "isolated"])
 def test_an_fmu_takes_them_alike(own: bool) -> None:
     fmu = models.fmu(models.lag, "3.0")
-    opened = pam.study.Simulator(fmu) if own else pam.study.IsolatedSimulator(fmu)
+    opened = Simulator(fmu) if own else IsolatedSimulator(fmu)
     times = np.linspace(0.0, 2.0, 5)
     with opened as simulator:
         moved = simulator.run(times, inputs=pam.Inputs([0.0, 2.0], {"u": [0.0, 2.0]}))["y"]

@@ -29,6 +29,13 @@ def page(name: str) -> Path:
     return ROOT / "docs" / "stories" / f"{name}.md"
 
 
+def rms(compared: str, signal: str) -> str:
+    """What ``compare`` prints as the error of a signal over the runs that are fitted."""
+    found = re.search(rf"^ *fit +{signal} +.*?rms[^0-9]*([0-9.]+ \S+)", compared, re.MULTILINE)
+    assert found, compared
+    return found.group(1)
+
+
 @pytest.mark.parametrize("story", STORIES, ids=lambda p: p.stem)
 def test_what_a_story_links_to_is_there(story: Path) -> None:
     links = re.findall(r"\]\(([^)#:]+)\)", story.read_text(encoding="utf-8"))
@@ -51,18 +58,19 @@ def test_vessel(command: Callable[..., Outcome], place: Path) -> None:
     said = [done(command(*words[1:])) for words in lines(page("vessel")) if words[0] == "pam-cosim"]
     assert len(said) == 3 and "identified: gas_energy (EnergyGas)" in said[1].out
     assert "8.41 kPa -> 1.96 kPa" in said[1].out
+    assert rms(said[2].out, "p") == "1.96 kPa"  # the error falls at the last command
     assert {"vessel.html", "Vessel.mo"} <= {p.name for p in place.iterdir()}
 
 
+@pytest.mark.full
 def test_muscle(command: Callable[..., Outcome], place: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """All but the diagnosis, which the tests of whole systems make."""
     python, *rest = lines(page("muscle"))
     assert python[:3] == ["python", "-m", "rig"]
     measurement.main(python[3:])
-    for words in rest:
-        if words[1] != "diagnose":
-            done(command(*words[1:]))
+    before, diagnosis, after = [done(command(*words[1:])).out for words in rest]
     assert "FlexibleBladder" in (place / "Better.mo").read_text(encoding="utf-8")
+    assert "1.80 mm -> 0.201 mm" in diagnosis
+    assert rms(after, "x") == "0.201 mm" != rms(before, "x")
 
 
 def test_temperature(command: Callable[..., Outcome], place: Path) -> None:

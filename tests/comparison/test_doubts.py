@@ -46,7 +46,7 @@ def test_a_model_with_an_ordinary_error_is_not_doubted() -> None:
         (PRESSURE + 101325.0, "absolute and gauge pressure mixed up"),
         (PRESSURE - 2e5, "its zero is wrong"),
         (-PRESSURE, "sign turned"),
-        (PRESSURE * 3.3, "divided by 3.3"),
+        (PRESSURE * 3.3, "3.3 times as large: a size of the muscle"),
         (np.random.default_rng(1).permutation(PRESSURE), "come before a missing effect"),
     ],
 )

@@ -6,11 +6,17 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from pam_cosim.comparison import residual_statistics
+from pam_cosim.comparison import ResidualStatistics, Series
+from pam_cosim.comparison import residual_statistics as statistics_of_series
 from pam_cosim.measurement import complete_noise
 from tests.fitting.models import data_set, recording
 
 Array = NDArray[np.float64]
+
+
+def residual_statistics(series: list[Array]) -> ResidualStatistics:
+    """Of residuals in standard deviations of a known noise."""
+    return statistics_of_series([Series.plain(e) for e in series])
 
 
 def white(seed: int, n: int = 400) -> Array:
@@ -38,12 +44,13 @@ def test_white_noise_has_a_standard_score() -> None:
 
 @pytest.mark.parametrize("rho", [0.3, 0.6, 0.9])
 def test_autoregression(rho: float) -> None:
-    """Correlation time (1 + rho)/(1 - rho), white part 1 - rho, score rho sqrt(n)."""
+    """Correlation time (1 + rho)/(1 - rho), white part 1 - rho, score rho sqrt(n); no more than the noise."""
     statistics = [residual_statistics([red(rho, s)]) for s in range(20)]
     assert np.mean([f.correlation_time for f in statistics]) == pytest.approx((1 + rho) / (1 - rho), rel=0.1)
     assert np.mean([f.white_variance for f in statistics]) == pytest.approx(1 - rho, rel=0.05)
-    assert np.mean([f.excess for f in statistics]) == pytest.approx(rho, abs=0.05)
+    assert np.mean([f.chi2_reduced - f.white_variance for f in statistics]) == pytest.approx(rho, abs=0.05)
     assert np.mean([f.whiteness_score for f in statistics]) == pytest.approx(rho * np.sqrt(4000), rel=0.05)
+    assert np.mean([f.excess for f in statistics]) < 0.05
 
 
 def test_alternating_residuals_are_not_taken_for_drift() -> None:

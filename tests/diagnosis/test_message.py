@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from pathlib import Path
 
 import pytest
@@ -65,3 +66,10 @@ def test_what_happens_is_told_as_data_too(tmp_path: Path) -> None:
     assert [event.message for event in spoken] == lines and [line.event for line in lines] == spoken
     assert isinstance(events[0], BaseFitted) and events[0].fit.values == diagnosis.base.values
     assert isinstance(events[-1], Judged) and events[-1].verdict == diagnosis.verdict and not str(events[-1])
+
+
+def test_a_line_is_copied_with_what_it_knows() -> None:
+    said = Message("Spring (elasticity)", detail=True, event=("tried", "Spring"))
+    copied = pickle.loads(pickle.dumps(said))
+    assert copied == said == "  Spring (elasticity)"
+    assert type(copied) is Message and copied.detail and copied.event == ("tried", "Spring")

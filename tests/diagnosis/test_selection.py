@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 import time
+from itertools import combinations
 
 import pytest
 
-from pam_cosim.diagnosis.selection import select_effects
+from pam_cosim.diagnosis.selection import _Models, select_effects
 from tests.diagnosis.linear_world import KNOWN, SHELF, LinearWorld, world
 
 
@@ -87,3 +89,24 @@ def test_the_same_answer_twice() -> None:
     a, b = (world({"LinearBladder": 5.0, "ThermocoupleLag": 3.0}) for _ in range(2))
     first, second = (select_effects(w, w.fitted(())) for w in (a, b))
     assert [c.effects for c in first.tried] == [c.effects for c in second.tried]
+
+
+@pytest.mark.parametrize("superfluous", ["OrificeLeak", "GeneralLeak"])
+def test_an_effect_that_is_chosen_but_not_needed_goes(superfluous: str) -> None:
+    """The set that the search came to by its expectations holds one too many; nobody fitted it without."""
+    needed = ("LinearBladder", "ThermocoupleLag")
+    pair = world(dict.fromkeys(needed, 5.0))
+    models = _Models(pair, pair.fitted(()), math.inf)
+    chosen = (needed[0], superfluous, needed[1])
+    models.known[chosen] = pair.candidate(chosen)
+    models.order.renew()
+    models.try_without_one()
+    answer = models.order.answer()
+    assert answer is not None and set(answer.effects) == set(needed)
+
+
+def test_whatever_is_chosen_is_compared_with_all_that_lacks_one_of_its_effects() -> None:
+    triple = world({"LinearBladder": 8.0, "ThermocoupleLag": 5.0, "OrificeLeak": 3.0})
+    selection = select_effects(triple, triple.fitted(()))
+    to_the_end = {frozenset(c.effects) for c in selection.tried if not c.brief}
+    assert {frozenset(two) for two in combinations(selection.path[-1].effects, 2)} <= to_the_end

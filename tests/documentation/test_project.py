@@ -8,6 +8,10 @@ from pathlib import Path
 
 import yaml
 
+from pam_cosim import benches
+from pam_cosim.catalogue import effect_classes
+from pam_cosim.compiler import read_library
+
 ROOT = Path(__file__).parents[2]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
 
@@ -44,3 +48,25 @@ def test_extras_do_what_the_scripts_ask_for() -> None:
         asked = re.search(r"environment\.py (\w+)", (ROOT / "scripts" / script).read_text())
         assert asked and asked[1] in extras
     assert f"{PROJECT['name']}[docs]" in extras["test"], "the full tier builds the site"
+
+
+NUMBERS = ("ten", "eleven", "twelve", "thirteen", "fourteen", "fifteen", "sixteen")
+
+
+def test_what_the_readme_counts() -> None:
+    text = " ".join((ROOT / "README.md").read_text(encoding="utf-8").split())
+    effects = effect_classes(read_library())
+    assert f"{NUMBERS[len(benches()) - 10]} benches" in text
+    assert f"{len(effects)} effects in {len({e.family for e in effects})} families" in text
+
+
+def test_every_package_has_a_line_in_how_it_works() -> None:
+    page = (ROOT / "docs" / "how-it-works.md").read_text(encoding="utf-8")
+    packages = [p.parent.name for p in (ROOT / "pam_cosim").glob("*/__init__.py")]
+    assert [name for name in packages if f"pam_cosim/{name}`" not in page] == []
+
+
+def test_contributing_says_what_continuous_integration_runs() -> None:
+    run = (ROOT / ".ci" / "run").read_text(encoding="utf-8")
+    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    assert "--full" not in run and "continuous integration runs the line above" in text

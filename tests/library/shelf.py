@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -29,6 +30,17 @@ _OPENED = (1e-5 + 2.61e-7) / 1.80e-6
 _DRIVE_TIMES = np.array([0, 2, 2, 4, 4, 6, 6, 10.0])
 
 Values = dict[str, np.ndarray]
+
+
+def check_each(check: Callable[[str], None], names: Iterable[str]) -> None:
+    """One question to many classes: names all that fail it, with the reason."""
+    failed = []
+    for name in names:
+        try:
+            check(name)
+        except AssertionError as problem:
+            failed.append(f"{name}: {problem}")
+    assert not failed, "\n".join(failed)
 
 
 @cache

@@ -10,7 +10,7 @@ import pytest
 from pam_cosim.compiler.instance import Class
 from pam_cosim.compiler.syntax import Reference
 from scripts.icons import SQUARE, Pictures, Placed, diagram, gallery
-from tests.library.shelf import benches, tree
+from tests.library.shelf import benches, check_each, tree
 
 PICTURES = Pictures()
 
@@ -27,10 +27,14 @@ SHAPES = {"Line", "Polygon", "Rectangle", "Ellipse", "Text"}
 """Modelica 3.6, section 18.6.5; without Bitmap, which would need a file."""
 
 
-@pytest.mark.parametrize("name", CLASSES)
-def test_class_has_an_icon(name: str) -> None:
+def test_every_class_has_an_icon() -> None:
+    assert len(CLASSES) > 400
+    check_each(_has_icon, CLASSES)
+
+
+def _has_icon(name: str) -> None:
     kinds = {kind for kind, _ in PICTURES.shapes(PICTURES.of(name))}
-    assert kinds and kinds <= SHAPES
+    assert kinds and kinds <= SHAPES, kinds
 
 
 def test_every_family_has_a_picture_of_its_own() -> None:
@@ -43,15 +47,18 @@ def test_every_family_has_a_picture_of_its_own() -> None:
             assert shown[-len(own) :] == own, member.qualified_name  # what is drawn last is seen
 
 
-@pytest.mark.parametrize("name", [n for n in CLASSES if tree().classes[n].kind == "model"])
-def test_connectors_stand_on_the_edge_of_the_icon(name: str) -> None:
+def test_connectors_stand_on_the_edge_of_the_icon() -> None:
+    check_each(_has_connectors_on_the_edge, (n for n in CLASSES if tree().classes[n].kind == "model"))
+
+
+def _has_connectors_on_the_edge(name: str) -> None:
     of = PICTURES.of(name)
     unplaced: list[str] = []
     places = [part for part in PICTURES.parts(of, unplaced) if part.of.definition.kind == "connector"]
     for part in places:
         assert np.abs(part.corners.mean(axis=0)).max() == 100, part.name
     connectors = {c.name for c in tree().components(name) if _kind(c.type) == "connector"}
-    assert connectors <= {part.name for part in places}
+    assert connectors <= {part.name for part in places}, unplaced
 
 
 @pytest.mark.parametrize("bench", [*benches(), REVIEWED])

@@ -121,6 +121,12 @@ def test_fine_steps_and_none_leave_the_stated_noise():
         assert complete_noise(data).steps() == ()
 
 
+@pytest.mark.parametrize(("step", "digits"), [(0.02, 9), (0.0244140625, 3), (0.0244140625, 5), (0.3, 2)])
+def test_steps_of_a_converter_are_seen_through_the_digits_of_the_file(step: float, digits: int):
+    steps = step * np.round((20 * np.sin(TIME) + 0.01 * white(3)) / step)
+    assert record_step(np.round(steps, digits)) == pytest.approx(step, rel=1e-3)
+
+
 def test_gaps_that_are_no_steps_are_none():
     uneven = np.cumsum(1.0 + np.random.default_rng(1).random(200))
     assert record_step(uneven) == 0.0
@@ -131,4 +137,4 @@ def test_an_estimated_noise_holds_the_steps_already():
     coarse = np.round(20 * np.sin(TIME) + white(3))
     data = DataSet(Path("."), "t", "M", {"x": Signal("x", "m")}, {}, {}, (run("a", x=coarse),))
     known = complete_noise(data).signals["x"]
-    assert known.sigma == with_noise(data).signals["x"].sigma and known.step == 1.0
+    assert known.sigma == with_noise(data).signals["x"].sigma and known.step == pytest.approx(1.0)

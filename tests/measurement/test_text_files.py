@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
+import pam_cosim as pam
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.formats import read_table
 from pam_cosim.measurement.table import Layout
@@ -156,3 +159,25 @@ def test_a_fault_behind_many_rows_is_named(tmp_path):
     with pytest.raises(InputError) as caught:
         written(tmp_path, "t;p\n" + "\n".join(rows))
     assert (caught.value.line, caught.value.column) == (45_680, "p")
+
+
+def test_words_for_missing_samples_and_separators_at_the_ends(tmp_path: Path) -> None:
+    """Words are stated; several separators at the ends of lines make no column."""
+    file = tmp_path / "a.csv"
+    file.write_text("p [kPa],x [mm],,\n0,nan,,\n1,2,,\n2,NA,,\n3,4,,\n")
+    table = read_table(file, Layout(missing=frozenset({"nan", "na"})))
+    assert list(table.columns) == ["p", "x"] and table.missing == ("nan", "NA")
+    np.testing.assert_array_equal(table.columns["x"].values, [np.nan, 2, np.nan, 4])
+    with pytest.raises(InputError, match="'NA' is not a number"):
+        read_table(file, Layout(missing=frozenset({"nan"})))
+
+
+def test_a_row_of_points_that_lacks_what_is_imposed_is_left_out(tmp_path: Path) -> None:
+    (tmp_path / "a.csv").write_text("p [kPa],x [mm],F [N]\n100,0,90\nnan,1,80\n100,2,nan\n200,0,200\n200,2,160\n")
+    (tmp_path / "experiment.toml").write_text(
+        'model = "PneumaticMuscle.Benches.QuasiStaticIsometric"\nkind = "static"\n[recording]\nmissing = ["nan"]\n'
+        '[[runs]]\nfile = "a.csv"\n'
+    )
+    runs = pam.read(tmp_path).runs
+    assert sum(len(run.time) for run in runs) == 4 and sum(run.sample_count("F") for run in runs) == 3
+    assert "left out: 1 of 5 rows" in runs[0].notes[0]

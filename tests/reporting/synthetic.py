@@ -53,9 +53,8 @@ def make_comparison(data, error, model="PneumaticMuscle.Benches.Isotonic"):
 
 def make_fit(data, error, parameters=None):
     comparison = make_comparison(data, error)
-    sigma = {n: s.sigma for n, s in data.signals.items() if s.sigma is not None}
     by_role = {
-        role: residual_statistics(series_of([r for r in comparison.runs if r.run.role == role], sigma))
+        role: residual_statistics(series_of([r for r in comparison.runs if r.run.role == role], data.signals))
         for role in ("fit", "holdout")
     }
     estimates = {"valve.C_A": Estimate(0.712, 0.701, 0.723, "1")} if parameters is None else parameters

@@ -11,6 +11,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
+import pam_cosim as pam
 from pam_cosim.catalogue import compose
 from pam_cosim.compiler import read_library
 from pam_cosim.errors import InputError
@@ -123,6 +124,18 @@ def test_no_equilibrium_is_one_failure_that_says_why(tmp_path: Path) -> None:
         with pytest.raises(RunFailure, match=r"no equilibrium was found: 'x'.*still changes by 2 .*under u = 2"):
             simulator.equilibria({"u": [0.0, 2.0]})
         assert simulator.equilibria({"u": [0.0]})["y"][0] == 0.0
+
+
+@pytest.mark.parametrize("muscle", ["physical", "any-geometry", "fluidic", "DMSP-20"])
+def test_a_slack_muscle_without_load_is_at_rest_where_it_hangs(tmp_path: Path, muscle: str) -> None:
+    """Nothing holds its end, and nothing moves it: one point of many that must not end the others."""
+    file = tmp_path / "Rig.mo"
+    pam.bench("imposed-pressure", "imposed-force", muscle, None, file, static=True)
+    with Simulator(build_model(str(file), [file])) as simulator:
+        load, p = np.array([0.0, 0.0, 0.0, 50.0]), np.array([0.0, 10e3, 300e3, 300e3])
+        x = simulator.equilibria({"p": p, "F_load": load, "branch": np.zeros(4)})["x"]
+    assert abs(x[0]) < 1e-3 and abs(x[1]) < (1e-3 if muscle in ("fluidic", "DMSP-20") else 0.1)
+    assert x[2] > x[3] > 0.01
 
 
 def test_an_input_is_given_once_and_known(made: Make) -> None:

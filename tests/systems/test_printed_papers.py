@@ -9,7 +9,10 @@ import numpy as np
 import pytest
 
 from pam_cosim import study
+from tests.documentation.pages import absent, unsaid
 from tests.systems.test_real_data import script
+
+STORY = "stories/doumit-pardoel-temperature.md"
 
 
 @pytest.fixture(scope="module")
@@ -38,6 +41,23 @@ def test_paper_points_to_the_energy_of_its_gas(rig: Path, workers: int | None) -
     assert before["p"].rmse > 50e3 and after["p"].rmse < 0.55e3
     assert before["T"].rmse > 8 and after["T"].rmse < 0.33
 
+    assert unsaid(STORY, f"{diagnosis}\n{study.diagnose(study.read(rig), temperature.FILMS, workers=workers)}") == []
+    singles = [c for c in diagnosis.candidates if len(c.effects) == 1]
+    other = next(c for c in singles if c.family != "gas_energy")
+    own = {name: f"{e.value:.4g}" for name, e in diagnosis.final.parameters.items()}
+    left = other.fit.comparison.scores["holdout"]["p"].rmse / 1e3
+    told = f"C_A comes back as {own['valve.C_A']} and mu_fb as {own['muscle.mu_fb']}. "
+    assert absent([told + f"The next best family, {other.family}, leaves {left:.0f} kPa."], STORY) == []
+
+
+@pytest.mark.full
+def test_films_and_the_power_law_are_told_without_a_volume_that_is_not_there(
+    temperature: ModuleType, rig: Path, workers: int | None
+) -> None:
+    """A dead volume came along with the gas and the wall, from slopes, and was never left out again."""
+    diagnosis = study.diagnose(study.read(rig), temperature.FILMS, workers=workers, explain=False)
+    assert diagnosis.verdict.families == ("gas_energy", "wall_heat"), diagnosis.verdict
+
 
 @pytest.mark.full
 def test_error_falls_rung_by_rung(temperature: ModuleType, rig: Path, tmp_path: Path) -> None:
@@ -46,6 +66,7 @@ def test_error_falls_rung_by_rung(temperature: ModuleType, rig: Path, tmp_path: 
     errors = [f.comparison.scores["holdout"]["p"].rmse / 1e3 for f in fits]
     assert errors == pytest.approx([59.2, 12.0, 2.48, 0.48], rel=0.05)
     assert fits[2].parameters["muscle.gas.h"].at_bound
+    assert absent([temperature.holdout_row(r, f) for r, f in zip(temperature.LADDER, fits, strict=True)], STORY) == []
     assert fits[3].parameters["valve.C_A"].value == pytest.approx(0.72, abs=1e-3)
 
 

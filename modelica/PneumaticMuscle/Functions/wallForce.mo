@@ -23,7 +23,7 @@ algorithm
   eps := x/L0;
   F_sleeve := p_gauge*(A_0 + 3*x*(x - 2*L0)/n_2);
   F_wall := A_0*(p_0 + p_w*(1 - exp(-max(eps, 0)/eps_w) + min(eps, 0)/eps_w));
-  f := F_sleeve - smoothMax(F_sleeve - F_wall, F_smooth);
+  f := F_sleeve - slackMax(F_sleeve - F_wall, F_smooth);
   annotation (Documentation(info="<html>
 <p>f = min(p_gauge A(L), A(L0) (p_0 + p_w (1 - exp(-eps/eps_w)))), A(L) = (3 L^2 - b^2)/(4 pi n^2), L = L0 - x: no more
 than the cylinder pulls, DP (1), so that the muscle never pushes. A muscle longer than at rest has the wall's stiffness at

@@ -7,7 +7,7 @@ partial model PullingSleeve "A cylinder whose pull is what a law gives, where th
 protected
   constant Types.Force F_smooth = 0.1 "Force over which the pull ends";
 equation
-  F = Functions.smoothMax(F_law, F_smooth);
+  F = Functions.slackMax(F_law, F_smooth);
   annotation (Documentation(info="<html>
 <p>A muscle goes slack where it would have to push: F = max(0, F_law), rounded over 0.1 N. Left to the extending class:
 F_law.</p>

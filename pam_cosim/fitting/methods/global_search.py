@@ -59,6 +59,6 @@ def searched(name: str, objective: Objective, best: Array, costs: Sequence[float
         before: evaluations of the objective when it began.
     """
     parameters = {f.name: f.to_value(float(z)) for f, z in zip(objective.free, best, strict=True)}
-    chi2 = tuple(float(c) / max(objective.size, 1) for c in costs)
+    chi2 = tuple(float(c) / max(objective.samples, 1.0) for c in costs)
     units = {f.name: f.unit for f in objective.free}
     return GlobalSearch(name, parameters, units, chi2, objective.evaluations - before)

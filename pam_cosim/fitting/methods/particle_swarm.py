@@ -137,6 +137,6 @@ def swarm_search(problem: Problem) -> SwarmSearch:
     if not np.isfinite(seen.costs[-1]):
         raise SimulationFailure(f"no particle of the swarm can be simulated: {objective.first_failure}")
     best = {f.name: f.to_value(float(z)) for f, z in zip(objective.free, seen.best, strict=True)}
-    costs = tuple(float(c) / max(objective.size, 1) for c in seen.costs)
+    costs = tuple(float(c) / max(objective.samples, 1.0) for c in seen.costs)
     units = {f.name: f.unit for f in objective.free}
     return SwarmSearch(best, units, costs, PARTICLES, objective.evaluations - before)

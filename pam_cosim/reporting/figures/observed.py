@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 from matplotlib.figure import Figure
-from scipy.stats import norm
 
 from pam_cosim.analysis import Observation
 from pam_cosim.analysis.observation import LEVEL
@@ -15,6 +14,8 @@ from pam_cosim.units import readable_factor
 
 def observation_figure(observation: Observation) -> Figure:
     """A panel for each estimate that was asked for or whose truth is known, and one for the innovations."""
+    from scipy.stats import norm  # half a second, which few need
+
     names = list(dict.fromkeys([*observation.outputs, *observation.truth]))
     figure = new_figure(8.0, 0.9 + 1.9 * (len(names) + 1))
     grid = figure.subplots(len(names) + 1, 1, sharex=True)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_text
+from pam_cosim.fitted_model import FittedModel
 from pam_cosim.wording import shown
 from pam_cosim.workbench.doing.models import candidate_of, switch, take_candidate
 from pam_cosim.workbench.doing.words import names_of, text_of
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 def add(
     session: Session, effects: Sequence[str] | None = None, file: str | None = None, learned: bool = False
 ) -> dict[str, Any]:
-    """Writes the model with effects as Modelica into the study's folder; default: those that are on.
+    """Writes the model with effects and its values as Modelica into the study's folder; default: those that are on.
 
     Effects of the ranking are taken with the values that were fitted. ``learned``: the formula that the last diagnosis
     found is written instead.
@@ -42,9 +43,12 @@ def add(
     if not on:
         raise InputError("what is stated of a parameter is no part of a model: correct it in the data set")
     target = _target(session, file, default=session.catalogue.composed(state.model, on).name)
-    text = session.catalogue.composed(state.model, on, target.stem).text
+    fitted = FittedModel(state.model, on, state.values, state.data.constants)
+    parameters = session.opened.simulator.interface.parameters
+    text = session.catalogue.written(fitted, target.stem, parameters)
     _write(target, text)
-    session.back(state.after(Step(ADD, {"effects": list(on), "file": target.name}), file=target.name))
+    step = Step(ADD, {"effects": list(on), "values": fitted.stated(parameters), "file": target.name})
+    session.back(state.after(step, file=target.name))
     session.windows.tell(Added(target.name, text, on))
     return {"file": target.name, "text": text}
 

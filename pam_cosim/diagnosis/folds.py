@@ -1,0 +1,172 @@
+"""Which effects of a model are needed whichever runs are left out, and how good the model is on runs it never saw.
+
+Cross-validation over runs (Stone, Journal of the Royal Statistical Society B 36, 1974): runs are left out in turn, the
+model is fitted to the others with all its effects and without each of them, and judged on those that were left out. An
+effect that is needed in some folds only stands in for something else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from math import inf, sqrt
+
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.diagnosis.events import RunsLeftOut
+from pam_cosim.diagnosis.search import Search, Wanted
+from pam_cosim.diagnosis.subject import Subject
+from pam_cosim.diagnosis.verdict import Verdict
+from pam_cosim.errors import SimulationFailure
+from pam_cosim.fitting import Fit, FitOptions, fit
+from pam_cosim.measurement import DataSet, Signal
+from pam_cosim.names import is_ratio
+from pam_cosim.units import format_quantity
+from pam_cosim.wording import listed
+
+
+@dataclass(frozen=True)
+class Folds:
+    """What leaving out runs in turn says of a model with effects.
+
+    Attributes:
+        count: of folds.
+        needed: in how many of them each effect was needed, by its name.
+        unbelievable: ratios to what is stated that came out too far from one, by the name of the effect.
+        rmse: error of each signal on the runs that were left out [its unit], with the effects that are needed in all.
+    """
+
+    count: int
+    needed: Mapping[str, int]
+    unbelievable: Mapping[str, float]
+    rmse: Mapping[str, float]
+
+    @property
+    def everywhere(self) -> tuple[str, ...]:
+        """The effects that are needed in every fold, and whose values can be believed."""
+        return tuple(e for e, n in self.needed.items() if n == self.count and e not in self.unbelievable)
+
+    @property
+    def dropped(self) -> str:
+        """The other effects, each with the reason, as a sentence; "" where there are none."""
+        reasons = [
+            f"{e} ({self.needed[e]} of {self.count} folds)"
+            for e in self.needed
+            if self.needed[e] < self.count and e not in self.unbelievable
+        ]
+        reasons += [f"{e} ({ratio:.3g} times what is stated)" for e, ratio in self.unbelievable.items()]
+        return f"Not named, though it helped: {listed(reasons)}." if reasons else ""
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON, SI units."""
+        return {
+            "count": self.count,
+            "needed": dict(self.needed),
+            "unbelievable": dict(self.unbelievable),
+            "rmse": dict(self.rmse),
+        }
+
+
+@dataclass(frozen=True)
+class _Left:
+    """What a model leaves on runs that were left out: sums of squares by signal [its unit], and in noise variances."""
+
+    squares: Mapping[str, float]
+    samples: Mapping[str, int]
+    chi2: float
+
+    @property
+    def excess(self) -> float:
+        """What is left beyond the noise, in noise variances."""
+        return max(self.chi2 - 1.0, 0.0)
+
+
+def cross_validated(verdict: Verdict, folds: Folds, signals: Mapping[str, Signal]) -> Verdict:
+    """A verdict on a model that leaves structure, with what it is good for all the same."""
+    errors = [f"{format_quantity(e, signals[n].unit)} of {n}" for n, e in folds.rmse.items() if signals[n].fitted]
+    good = f"Good to {listed(errors)} on runs that were never fitted"
+    named = folds.everywhere
+    if not named:
+        held = f"no effect is needed in every one of {folds.count} folds of runs"
+    else:
+        held = f"{listed(list(named))} {'are' if len(named) > 1 else 'is'} needed in every one of {folds.count} folds"
+    return replace(verdict, reason=" ".join(filter(None, [f"{good}: {held}.", folds.dropped, verdict.reason])))
+
+
+def folds_of(subject: Subject, search: Search, effects: Sequence[str], final: Fit) -> Folds | None:
+    """Leaves out runs in turn, and asks for each effect whether it is needed then; None: too few runs.
+
+    Args:
+        subject: the model and the measurement.
+        search: with the data.
+        effects: of the model.
+        final: the model with them, fitted.
+    """
+    data = list(_folds(search.data))
+    if not data:
+        return None
+    search.say(RunsLeftOut(len(data)).message)
+    every = tuple(effects)
+    without = {e: tuple(one for one in every if one != e) for e in every}
+    full, needed = [], dict.fromkeys(every, 0)
+    for one in data:
+        left = _left_out(subject, search, one, [every, *without.values()], final.values)
+        full.append(left[every])
+        for e, others in without.items():
+            needed[e] += _is_needed(left[every], left[others])
+    ratios = {e: final.values[e] for e in every if is_ratio(e) and e in final.values}
+    limit = CRITERIA.folds.believable
+    folds = Folds(len(data), needed, {e: r for e, r in ratios.items() if not 1 / limit <= r <= limit}, {})
+    if folds.everywhere != every:
+        named = folds.everywhere
+        full = [_left_out(subject, search, one, [named], final.values)[named] for one in data]
+    return replace(folds, rmse=_rmse([left for left in full if left is not None]))
+
+
+def _folds(data: DataSet) -> Iterator[DataSet]:
+    """The data set with some runs held out and all others fitted, each run once; none of too few runs."""
+    count = min(len(data.runs), CRITERIA.folds.most)
+    if count < CRITERIA.folds.fewest:
+        return
+    for fold in range(count):
+        runs = (replace(r, role="holdout" if i % count == fold else "fit") for i, r in enumerate(data.runs))
+        yield replace(data, runs=tuple(runs))
+
+
+def _left_out(
+    subject: Subject, search: Search, data: DataSet, models: Sequence[tuple[str, ...]], values: Mapping[str, float]
+) -> dict[tuple[str, ...], _Left | None]:
+    """What models with these effects, fitted anew, leave on the runs that are held out; None: one broke down."""
+    wanted = [Wanted(effects, values) for effects in models if effects]
+    fits = {c.effects: c.fit for c in replace(search, data=data, failed=[]).again(wanted)}
+    if () in models:
+        fits |= _without_effects(subject, data)
+    return {effects: _judged(fits[effects]) if effects in fits else None for effects in models}
+
+
+def _without_effects(subject: Subject, data: DataSet) -> dict[tuple[str, ...], Fit]:
+    try:
+        with subject.simulator() as simulator:
+            return {(): fit(simulator, data, options=FitOptions(descents=1, rules=False))}
+    except SimulationFailure:
+        return {}
+
+
+def _judged(model: Fit) -> _Left:
+    scores = model.comparison.scores["holdout"]
+    squares = {n: s.rmse**2 * s.samples for n, s in scores.items()}
+    samples = {n: s.samples for n, s in scores.items()}
+    return _Left(squares, samples, model.comparison.chi2_reduced("holdout"))
+
+
+def _is_needed(with_it: _Left | None, without: _Left | None) -> bool:
+    """Whether what is left beyond the noise is visibly less with an effect."""
+    if with_it is None:
+        return False
+    before = inf if without is None else without.excess
+    return before > 0 and before - with_it.excess >= CRITERIA.folds.visible * min(before, 1e300)
+
+
+def _rmse(folds: Sequence[_Left]) -> dict[str, float]:
+    names = dict.fromkeys(n for left in folds for n in left.squares)
+    squares = {n: sum(left.squares.get(n, 0.0) for left in folds) for n in names}
+    return {n: sqrt(squares[n] / sum(left.samples.get(n, 0) for left in folds)) for n in names}

@@ -1,0 +1,85 @@
+"""Which way a muscle went at each point at rest: by a column that says so, or by the order of the rows."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.drafting.columns import Found
+from pam_cosim.drafting.words import direction_word
+from pam_cosim.measurement.curves import directions
+from pam_cosim.measurement.points import CONTRACTS
+
+# What a contracting muscle does to a quantity, most telling first: what is imposed as a rule comes first.
+_TELLING = (("pressure", 1.0), ("contraction", 1.0), ("ratio", 1.0), ("length", -1.0), ("force", -1.0))
+SENSES = {1: "up", -1: "down", 0: "none"}
+"""Directions as ``experiment.toml`` has them."""
+
+
+def with_senses(columns: Sequence[Found]) -> list[Found]:
+    """The columns, of which those of a direction say which of their values is which way."""
+    return [_sensed(c, columns) if c.of("direction") else c for c in columns]
+
+
+def _sensed(column: Found, columns: Sequence[Found]) -> Found:
+    values = [float(v) for v in np.unique(column.every[np.isfinite(column.every)])]
+    if len(values) > 3:
+        return replace(column, meaning=None)
+    for kind, way in _TELLING:
+        other = next((c for c in columns if c.of(kind)), None)
+        trends = {} if other is None else {v: way * _trend(column, other, v) for v in values}
+        senses = {v: _sign(trend) for v, trend in trends.items()}
+        if other is not None and {1, -1} <= set(senses.values()):
+            verb = "rises" if way > 0 else "falls"
+            up = next(v for v, sense in senses.items() if sense == 1)
+            return replace(column, senses=senses, why=(f"'{other.name}' {verb} where it is {column.text_of(up)}",))
+    said = {v: direction_word(column.words[int(v)]) for v in values} if column.words else _by_size(values)
+    return replace(column, senses=said, why=("its words say so" if column.words else "the larger is taken for up",))
+
+
+def _trend(column: Found, other: Found, value: float) -> float:
+    """Share of the change of another column that is a rise, less that of falls, between rows of one value."""
+    steps = [np.empty(0)]
+    for i, own in column.values.items():
+        if i in other.values:
+            both = (own[1:] == value) & (own[:-1] == value)
+            steps.append(np.diff(other.values[i])[both])
+    change = np.concatenate(steps)
+    change = change[np.isfinite(change)]
+    whole = float(np.sum(np.abs(change)))
+    return float(np.sum(change)) / whole if whole else 0.0
+
+
+def _sign(trend: float) -> int:
+    return 0 if abs(trend) < CRITERIA.recognition.follows else 1 if trend > 0 else -1
+
+
+def _by_size(values: Sequence[float]) -> dict[float, int]:
+    if len(values) < 2:
+        return {v: int(np.sign(v)) for v in values}
+    return {v: 1 if v == values[-1] else -1 if v == values[0] else 0 for v in values}
+
+
+def words_of(column: Found) -> dict[str, str]:
+    """up, down or none by the words of a column, as ``experiment.toml`` has them."""
+    return {word: SENSES[column.senses.get(float(i), 0)] for i, word in enumerate(column.words)}
+
+
+def ordered(inputs: Mapping[str, Array], units: Mapping[str, str]) -> bool:
+    """Whether the rows go up and come back: then their order tells the direction of each."""
+    ways, fewest = _ways(inputs, units), CRITERIA.static.fewest
+    return int(np.sum(ways > 0)) >= fewest and int(np.sum(ways < 0)) >= fewest
+
+
+def moves(inputs: Mapping[str, Array], units: Mapping[str, str]) -> bool:
+    """Whether the order of the rows tells any direction."""
+    return bool(_ways(inputs, units).any())
+
+
+def _ways(inputs: Mapping[str, Array], units: Mapping[str, str]) -> Array:
+    first = [name for unit in CONTRACTS for name in inputs if units[name] == unit]
+    return directions(inputs, first) if first else np.zeros(1)

@@ -1,0 +1,102 @@
+"""Tables of points at rest: what must be known of each row, its direction, and the rows that are held out."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.drafting.direction import moves, ordered
+from pam_cosim.drafting.mapping import Course
+from pam_cosim.drafting.rest import span
+from pam_cosim.drafting.values import text_of
+from pam_cosim.errors import InputError
+from pam_cosim.interface import Interface
+from pam_cosim.measurement.curves import curves, levels
+from pam_cosim.names import BRANCH
+from pam_cosim.units import readable_unit
+
+_C = CRITERIA.recognition
+
+
+@dataclass(frozen=True)
+class PointsDraft:
+    """What ``experiment.toml`` says of tables of points at rest.
+
+    Attributes:
+        branch: by recording, "" where a column says it, or nobody.
+        hold_out: by recording, values by the input that they are of.
+    """
+
+    branch: tuple[str, ...]
+    hold_out: tuple[dict[str, list[str]], ...]
+
+
+def check_imposed(unfed: Sequence[str], known: Sequence[Collection[str]], interface: Interface) -> None:
+    """Raises InputError where something is imposed in each row and nobody says what: the one thing to ask for.
+
+    Args:
+        unfed: inputs that neither a column nor a file's name tells.
+        known: by recording, names of what the user states.
+    """
+    missing = [name for name in unfed if not all(name in own for own in known)]
+    if missing:
+        one = interface.inputs[missing[0]]
+        unit = {"Pa": "kPa", "m": "mm"}.get(one.unit, readable_unit(one.unit))
+        what = one.description[:1].lower() + one.description[1:]
+        say = f"--parameter '{one.name}=0 {unit}' for all rows, or --parameter '{one.name}@FILE=0 {unit}' for each file"
+        raise InputError(f"no column and no file's name tells the {what} ({one.name}); say it: {say}")
+
+
+def drafted(courses: Sequence[Course], interface: Interface, by_run: bool) -> PointsDraft:
+    """Directions by the order of the rows where no column tells them, and rows to hold out.
+
+    Args:
+        by_run: whole recordings are held out.
+    """
+    units = {name: variable.unit for name, variable in interface.inputs.items()}
+    rows = [_imposed(course) for course in courses]
+    branch = [""] * len(courses)
+    if not any(BRANCH in course.inputs for course in courses) and any(ordered(own, units) for own in rows):
+        branch = ["order" if moves(own, units) else "none" for own in rows]
+    hold_out: list[dict[str, list[str]]] = [
+        {} if by_run else _held_out(own, course.outputs, interface) for own, course in zip(rows, courses, strict=True)
+    ]
+    return PointsDraft(tuple(branch), tuple(hold_out))
+
+
+def _imposed(course: Course) -> dict[str, Array]:
+    """What is imposed, in the rows that say all of it."""
+    inputs = {name: values for name, values in course.inputs.items() if name != BRANCH}
+    whole = np.all([np.isfinite(values) for values in inputs.values()], axis=0)
+    return {name: values[whole] for name, values in inputs.items()}
+
+
+def _held_out(inputs: Mapping[str, Array], outputs: Mapping[str, Array], interface: Interface) -> dict[str, list[str]]:
+    """Values within the others' span, of what sets curves apart, or else of what varies along them."""
+    found = curves(inputs, {n: v for n, v in outputs.items() if len(v) == len(next(iter(inputs.values())))})
+    along = found[0].along
+    least = dict.fromkeys(found[0].at, _C.levels_to_hold_out) | {along: _C.points_to_hold_out}
+    for name, fewest in least.items():
+        values = _levels(inputs[name])
+        if len(values) >= fewest:
+            count = max(1, round(_C.held_out * len(values)))
+            places = np.round(np.linspace(0, len(values) - 1, count + 2)[1:-1]).astype(int)
+            return {name: [text_of(values[i], interface.inputs[name].unit) for i in places]}
+    return {}
+
+
+def _levels(values: Array) -> list[float]:
+    """The values that come again, each as it was read; none where they are not clearly these."""
+    number = levels(values)
+    if number is None:
+        return []
+    near = CRITERIA.static.near * span(values)
+    groups = [values[number == k] for k in range(int(number.max(initial=0)) + 1)]
+    middle = [float(np.median(group)) for group in groups]
+    clear = all(float(np.max(np.abs(g - m))) <= near for g, m in zip(groups, middle, strict=True))
+    return middle if clear else []
+

@@ -1,0 +1,100 @@
+"""The files of a lab as tables: numbers, words for directions, and the texts that are left out."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from pam_cosim.drafting.words import direction_word, read_heading
+from pam_cosim.errors import InputError
+from pam_cosim.measurement.experiment import RecordingTable
+from pam_cosim.measurement.formats import is_text, read_table
+from pam_cosim.measurement.table import Layout, Table
+from pam_cosim.measurement.text_table import text_columns
+
+MISSING = ("nan", "na", "n/a", "#n/a", "null", "none", "missing", "-", "--", "---")
+"""Words that stand where a sample is missing, in small letters."""
+_MOST_WORDS = 3  # up, down, and neither
+
+
+@dataclass(frozen=True)
+class Source:
+    """One recording.
+
+    Attributes:
+        texts: headings of columns of text, which are left out.
+        words: of the columns whose cells are words for directions: the words by heading. Their numbers in the table are
+            places in that list.
+    """
+
+    file: Path
+    table: Table
+    texts: tuple[str, ...] = ()
+    words: dict[str, tuple[str, ...]] = field(default_factory=dict)
+
+
+def read_sources(files: Sequence[Path], stated: RecordingTable) -> list[Source]:
+    """Reads every file; columns of text are left out, but for those that tell a direction.
+
+    Raises:
+        InputError: as the readers, with file, line and column.
+    """
+    layout = Layout(
+        encoding=stated.encoding,
+        separator=stated.separator,
+        decimal=stated.decimal,
+        names=None if stated.names is None else tuple(stated.names),
+        header_line=stated.header_line,
+        units_line=stated.units_line,
+        table=stated.table,
+        ignore=tuple(stated.ignore or ()),
+        missing=frozenset(MISSING if stated.missing is None else map(str.casefold, stated.missing)),
+    )
+    texts = [_texts(file, layout) for file in files]
+    words = _directions(texts)
+    return [_source(file, layout, own, words) for file, own in zip(files, texts, strict=True)]
+
+
+def _texts(file: Path, layout: Layout) -> dict[str, tuple[str, ...]]:
+    try:
+        return text_columns(file, layout) if is_text(file) else {}
+    except InputError as error:
+        raise _with_hint(error) from None
+
+
+def _directions(texts: Sequence[dict[str, tuple[str, ...]]]) -> dict[str, tuple[str, ...]]:
+    """The different words of each column that tells a direction, in all files together."""
+    words: dict[str, tuple[str, ...]] = {}
+    for heading in dict.fromkeys(heading for own in texts for heading in own):
+        cells = tuple(dict.fromkeys(cell.casefold() for own in texts for cell in own.get(heading, ())))
+        meaning = read_heading(heading, "").meaning
+        named = meaning is not None and meaning.kind == "direction"
+        if len(cells) <= _MOST_WORDS and (named or all(map(direction_word, cells))):
+            words[heading] = cells
+    return words
+
+
+def _source(
+    file: Path, layout: Layout, texts: dict[str, tuple[str, ...]], words: dict[str, tuple[str, ...]]
+) -> Source:
+    left_out = tuple(heading for heading in texts if heading not in words)
+    own = {heading: cells for heading, cells in words.items() if heading in texts}
+    codes = {heading: {cell: float(i) for i, cell in enumerate(cells)} for heading, cells in own.items()}
+    try:
+        table = read_table(file, replace(layout, ignore=(*layout.ignore, *left_out), words=codes))
+    except InputError as error:
+        raise _with_hint(error) from None
+    if not table.columns:
+        raise InputError("there is no column of numbers", file)
+    return Source(file, table, left_out, own)
+
+
+def _with_hint(error: InputError) -> InputError:
+    """The error, saying what to type here: what stands under ``[recording]`` is said beforehand."""
+    here = ""
+    if "header is missing" in error.message:
+        here = " (here: --recording 'names=time [s],p [kPa]', a name for each column)"
+    elif "[recording]" in error.message:
+        here = " (here: --recording KEY=VALUE)"
+    return InputError(f"{error.message}{here}", error.file, error.line, error.column)

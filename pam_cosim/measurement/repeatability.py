@@ -1,0 +1,107 @@
+"""Repeatability: what a rig's signals differ by when the same test is made again.
+
+Its standard deviation (ISO 5725-2, section 7.4) holds the noise of the instrument and whatever of the rig does not come
+again: friction that settles elsewhere, a supply that is not quite the same, a muscle that has warmed. No model explains
+it, so that it takes the place of the noise where it is larger.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator
+from dataclasses import replace
+from math import sqrt
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.measurement.data_set import DataSet, Run, Signal
+
+
+def repeatability(data: DataSet, signal: str) -> float:
+    """Repeatability standard deviation of a signal [its unit], from runs that repeat one another; 0: none do.
+
+    Half the mean square difference of samples of two such runs, without what follows, in proportion, from the small
+    differences of their inputs.
+
+    Args:
+        data: the measurement.
+        signal: its name.
+    """
+    pairs = [p for a, b in _repeats(data) if (p := _differences(a, b, signal)) is not None]
+    differences = np.concatenate([d for d, _ in pairs] or [np.empty(0)])
+    if len(differences) < CRITERIA.noise.fewest_repeated:
+        return 0.0
+    causes = np.concatenate([u for _, u in pairs])
+    moved = causes[:, np.ptp(causes, axis=0) > 0]
+    if moved.shape[1]:
+        differences = differences - moved @ np.linalg.lstsq(moved, differences, rcond=None)[0]
+    return sqrt(float(np.mean(differences**2)) / 2.0)
+
+
+def with_repeatability(data: DataSet) -> DataSet:
+    """The data set with the repeatability of each signal, stated or estimated, as its noise where it is larger."""
+    signals = {name: _raised(_estimated(data, signal)) for name, signal in data.signals.items()}
+    return replace(data, signals=signals)
+
+
+def _estimated(data: DataSet, signal: Signal) -> Signal:
+    if signal.repeatability:
+        return signal
+    found, noise = repeatability(data, signal.name), signal.sigma or 0.0
+    if found**2 <= (1.0 + CRITERIA.noise.repeatability_excess) * noise**2:
+        return signal
+    return replace(signal, repeatability=found, repeats=True)
+
+
+def _raised(signal: Signal) -> Signal:
+    if signal.repeatability <= (signal.sigma or 0.0):
+        return signal
+    return replace(signal, sigma=signal.repeatability, estimated=False)
+
+
+def _repeats(data: DataSet) -> Iterator[tuple[Run, Run]]:
+    """Pairs of runs of the same test: equal parameters, and inputs that are as good as equal."""
+    span = {name: _span(data, name) for run in data.runs for name in run.inputs}
+    for a, b in itertools.combinations(data.runs, 2):
+        if _alike(a, b) and all(_near(a, b, name, span[name]) for name in a.inputs):
+            yield a, b
+
+
+def _span(data: DataSet, name: str) -> float:
+    values = np.concatenate([run.inputs[name] for run in data.runs if name in run.inputs])
+    return float(np.ptp(values))
+
+
+def _alike(a: Run, b: Run) -> bool:
+    if (a.along, a.parameters, a.inputs.keys()) != (b.along, b.parameters, b.inputs.keys()) or not a.inputs:
+        return False
+    one, other = (float(np.ptp(run.time)) for run in (a, b))
+    return abs(one - other) <= CRITERIA.noise.same_test * max(one, other)
+
+
+def _near(a: Run, b: Run, name: str, span: float) -> bool:
+    rows = _rows(a, b)
+    off = a.inputs[name] - b.inputs[name][rows]
+    return float(np.sqrt(np.mean(off**2))) <= CRITERIA.noise.same_test * span
+
+
+def _rows(a: Run, b: Run) -> Array:
+    """(n,) for each sample of one run, the sample of the other that is nearest, counted from their beginnings."""
+    at = a.time - a.time[0] * (not a.is_static)
+    there = b.time - b.time[0] * (not b.is_static)
+    order = np.argsort(there, kind="stable")
+    middles = (there[order][1:] + there[order][:-1]) / 2.0
+    return np.asarray(order[np.searchsorted(middles, at)])
+
+
+def _differences(a: Run, b: Run, signal: str) -> tuple[Array, Array] | None:
+    """(n,) differences of a signal and (n, inputs) of the inputs, where both runs have samples."""
+    if not (a.sample_count(signal) and b.sample_count(signal)):
+        return None
+    rows = _rows(a, b)
+    off = a.measurements[signal] - b.measurements[signal][rows]
+    causes = np.column_stack([a.inputs[name] - b.inputs[name][rows] for name in a.inputs])
+    present = np.isfinite(off)
+    return off[present], causes[present]

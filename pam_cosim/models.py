@@ -1,0 +1,67 @@
+"""A model by its name as an FMU, and what it shows. Loads neither measurements nor pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from pam_cosim.files import check_writable, make_folder, write_bytes
+from pam_cosim.fmu import build_model, read_interface
+from pam_cosim.interface import Interface
+from pam_cosim.names import is_fmu
+from pam_cosim.simulation import IsolatedSimulator, Simulator
+
+Paths = Sequence[Path | str]
+
+
+def describe(model: str, files: Paths = ()) -> Interface:
+    """Inputs, outputs and parameters of a model: a bench, a Modelica class, a ``.mo`` or an ``.fmu`` file.
+
+    Raises:
+        InputError: there is no such model, or it cannot be compiled.
+    """
+    return read_interface(build(model, files=files))
+
+
+def build(
+    model: str,
+    output: Path | str | None = None,
+    *,
+    files: Paths = (),
+    platforms: Sequence[str] = ("native",),
+    fmi: str = "2.0",
+    sensitivities: Sequence[str] = (),
+) -> Path:
+    """Builds an FMU, or finds it in the cache; with ``output`` it is put there.
+
+    ``platforms`` names those that the FMU shall run on: "native", "all", or names such as "x86_64-windows".
+    ``fmi`` is the version of the interface, "2.0" or "3.0". For each parameter in ``sensitivities`` the derivatives
+    of the outputs with respect to it are outputs too, ``sensitivity.<output>.<parameter>``.
+    """
+    if output is not None:
+        check_writable(Path(output), new_folder=True)
+    made = build_model(model, as_paths(files), platforms=platforms, fmi=fmi, sensitivities=sensitivities)
+    if output is None:
+        return made
+    target = Path(output)
+    make_folder(target.parent)
+    write_bytes(target, made.read_bytes())
+    return target
+
+
+def opened(
+    model: str, files: Paths = (), free: Iterable[str] = (), timeout: float | None = None
+) -> Simulator | IsolatedSimulator:
+    """A model ready to run; an FMU of somebody else's runs in a process of its own, which it may crash.
+
+    A Modelica model tells its sensitivities to the ``free`` parameters. An FMU that makes no progress for ``timeout``
+    seconds is ended (None: the default of ``IsolatedSimulator``).
+    """
+    if is_fmu(model):
+        return IsolatedSimulator(build(model, files=files), timeout)
+    return Simulator(build_model(model, as_paths(files), sensitivities=tuple(free), where_smooth=True))
+
+
+def as_paths(files: Paths) -> list[Path]:
+    """Names of files as paths."""
+    return [Path(file) for file in files]

@@ -1,0 +1,48 @@
+"""What a command loads before it works: by the number of modules, which is the same on every machine."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+
+import pytest
+
+from tests.cli.conftest import ROOT
+
+SCRIPT = """
+import json, sys
+from pam_cosim.command import run
+try:
+    run()
+finally:
+    print(json.dumps(sorted(sys.modules)), file=sys.stderr)
+"""
+PICTURES = {"matplotlib"}
+MEASUREMENTS = {"scipy", "pint", "pandas", "h5py", "xarray", "pam_cosim.measurement", *PICTURES}
+NUMBERS = {"numpy", "casadi", "fmpy", *MEASUREMENTS}
+
+
+def loaded(*words: str) -> set[str]:
+    """Names of the modules that a command has loaded at its end."""
+    command = [sys.executable, "-c", SCRIPT, *words]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    completed = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=120)
+    assert completed.returncode == 0, completed.stderr
+    return set(json.loads(completed.stderr.splitlines()[-1]))
+
+
+@pytest.mark.parametrize(
+    ("words", "without", "most"),
+    [
+        (["--version"], NUMBERS, 400),  # 317 when this was written
+        (["describe", "TankFilling"], MEASUREMENTS, 700),  # 551
+    ],
+    ids=lambda value: value[0] if isinstance(value, list) else None,
+)
+def test_a_command_loads_only_what_it_needs(words: list[str], without: set[str], most: int) -> None:
+    loaded(*words)  # the model of ``describe`` is in the cache after that
+    modules = loaded(*words)
+    assert not without & modules
+    assert len(modules) < most

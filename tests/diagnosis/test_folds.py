@@ -1,0 +1,93 @@
+"""Cross-validation over runs: which effects are needed whichever runs are left out."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.diagnosis import folds as module
+from pam_cosim.diagnosis.folds import Folds, cross_validated, folds_of
+from pam_cosim.diagnosis.verdict import Verdict
+from pam_cosim.measurement import DataSet, Run, Signal
+
+RATIO = "ratio(muscle.L0)"
+
+
+def data_of(count: int) -> DataSet:
+    empty = np.zeros(0)
+    runs = tuple(Run(f"r{i}", Path(f"r{i}.csv"), "fit", "linear", {}, empty, {}, {}) for i in range(count))
+    return DataSet("t", Path("."), "Isotonic", {"F": Signal("F", "N", 1.0)}, {}, {}, runs)
+
+
+class World:
+    """What models leave of the force [N, noise 1 N] on runs that are left out; a sum over the effects that lack."""
+
+    def __init__(self, gains: dict[str, list[float]]) -> None:
+        self.gains, self.fold, self.asked = gains, 0, []
+
+    def left(self, data: DataSet, effects: tuple[str, ...]) -> Any:
+        (fold,) = {i % CRITERIA.folds.most for i, run in enumerate(data.runs) if run.role == "holdout"}
+        self.asked.append((fold, effects))
+        chi2 = 4.0 + sum(gain[fold] for name, gain in self.gains.items() if name not in effects)
+        return module._Left({"F": chi2 * 100.0}, {"F": 100}, chi2)
+
+    def folds(self, monkeypatch: pytest.MonkeyPatch, runs: int = 10, **values: float) -> Folds | None:
+        def left_out(subject: Any, search: Any, data: DataSet, models: Any, values: Any) -> Any:
+            return {effects: self.left(data, effects) for effects in models}
+
+        monkeypatch.setattr(module, "_left_out", left_out)
+        search: Any = SimpleNamespace(data=data_of(runs), say=lambda message: None)
+        final: Any = SimpleNamespace(values=values)
+        return folds_of(None, search, tuple(self.gains), final)  # type: ignore[arg-type]
+
+
+def test_an_effect_is_needed_in_every_fold_or_not_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    world = World({"StiffWall": [9.0] * 5, "Once": [5.0, 0, 0, 0, 0], "Idle": [0.1] * 5})
+    folds = world.folds(monkeypatch)
+    assert folds is not None and folds.needed == {"StiffWall": 5, "Once": 1, "Idle": 0}
+    assert folds.everywhere == ("StiffWall",)
+    assert folds.rmse["F"] == pytest.approx(np.sqrt(4.0 + 1.0 + 0.1))  # of the model with what is named alone
+    assert "Once (1 of 5 folds)" in folds.dropped and "Idle (0 of 5 folds)" in folds.dropped
+
+
+def test_a_ruler_is_not_off_by_half(monkeypatch: pytest.MonkeyPatch) -> None:
+    world = World({"StiffWall": [9.0] * 5, "muscle.L0*": [9.0] * 5})
+    name = next(n for n in world.gains if n != "StiffWall")
+    monkeypatch.setattr(module, "is_ratio", lambda one: one == name)
+    for ratio, named in ((1.73, False), (0.6, False), (1.2, True)):
+        folds = world.folds(monkeypatch, **{name: ratio})
+        assert folds is not None and (name in folds.everywhere) == named
+        assert (f"{ratio} times" in folds.dropped) != named
+
+
+def test_each_run_is_left_out_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    for runs, count in ((3, 3), (4, 4), (5, 5), (13, 5)):
+        folds = list(module._folds(data_of(runs)))
+        assert len(folds) == count
+        held = [sum(fold.runs[i].role == "holdout" for fold in folds) for i in range(runs)]
+        assert held == [1] * runs
+    assert list(module._folds(data_of(2))) == []
+    assert World({"A": [1.0] * 5}).folds(monkeypatch, runs=2) is None
+
+
+def test_a_model_that_breaks_down_with_an_effect_does_not_need_it() -> None:
+    good = module._Left({}, {}, 2.0)
+    assert module._is_needed(good, None) and not module._is_needed(None, good)
+    assert not module._is_needed(replace(good, chi2=0.9), replace(good, chi2=0.99))  # noise either way
+
+
+def test_what_it_is_good_for_is_said() -> None:
+    folds = Folds(5, {"StiffWall": 5, "Ends": 5, "Once": 2}, {}, {"F": 4.31})
+    verdict = cross_validated(Verdict("unknown", (), (), "Something else is missing."), folds, data_of(1).signals)
+    assert verdict.reason == (
+        "Good to 4.31 N of F on runs that were never fitted: StiffWall, Ends are needed in every one of 5 folds. "
+        "Not named, though it helped: Once (2 of 5 folds). Something else is missing."
+    )
+    none = cross_validated(verdict, replace(folds, needed={"Once": 2}), data_of(1).signals)
+    assert "no effect is needed in every one of 5 folds" in none.reason

@@ -1,0 +1,135 @@
+"""A study that somebody else saved is data: no name, value or key in it becomes code in what is printed from it."""
+
+from __future__ import annotations
+
+import ast
+import json
+import os
+import shutil
+import subprocess
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from pam_cosim.errors import InputError
+from pam_cosim.workbench import Session
+from pam_cosim.workbench.saving import FILE, load_state, save_state
+from pam_cosim.workbench.script import commands_of, python_of
+from pam_cosim.workbench.shown import steps_event
+from pam_cosim.workbench.state import State
+from pam_cosim.workbench.steps import Step
+from rig.named import effect_of
+from rig.short import write_light_data
+
+CORPUS = json.loads((Path(__file__).parent / "corpora" / "saved_studies.json").read_text())
+CALLED = {"read", "compare", "fit", "diagnose", "add"}  # of pam_cosim
+
+
+@pytest.fixture(scope="module")
+def study(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Session]:
+    folder = write_light_data(tmp_path_factory.mktemp("rig") / "my-rig", [effect_of("elasticity:linear")], 1)
+    with Session(folder) as session:
+        yield session
+
+
+def written(study: Session, folder: Path, **changes: Any) -> Path:
+    """A saved study in a folder of its own, with something in it changed."""
+    folder.mkdir(exist_ok=True)
+    save_state(study.first, folder)
+    content = json.loads((folder / FILE).read_text())
+    (folder / FILE).write_text(json.dumps(content | changes))
+    return folder
+
+
+@pytest.mark.parametrize("step", CORPUS["refused"], ids=lambda step: json.dumps(step)[:60])
+def test_a_step_that_no_study_has_is_refused_with_its_place(study: Session, tmp_path: Path, step: Any) -> None:
+    good = {"do": "set", "values": {"valve.C_A": 0.7}}
+    with pytest.raises(InputError, match=r"damaged: steps\.2") as caught:
+        load_state(written(study, tmp_path / "s", steps=[good, step]), study.first)
+    assert caught.value.message.isprintable() and len(caught.value.message) < 600
+
+
+@pytest.mark.parametrize("table", CORPUS["tables"])
+def test_what_stands_beside_the_steps_is_checked(study: Session, tmp_path: Path, table: str) -> None:
+    for value in CORPUS["tables"][table]:
+        with pytest.raises(InputError) as caught:
+            load_state(written(study, tmp_path / "s", **{table: value}), study.first)
+        assert caught.value.file is not None, value
+    content = json.loads((written(study, tmp_path / "s") / FILE).read_text())
+    content.pop(table, None)
+    (tmp_path / "s" / FILE).write_text(json.dumps(content))
+    if table != "unknown":
+        with pytest.raises(InputError):
+            load_state(tmp_path / "s", study.first)
+
+
+def only_calls_of_the_library(script: str) -> None:
+    """A script that does what a study can do, whatever its texts are."""
+    for node in ast.walk(ast.parse(script)):
+        assert not isinstance(node, (ast.Lambda, ast.FunctionDef, ast.ImportFrom, ast.JoinedStr)), ast.unparse(node)
+        if isinstance(node, ast.Import):
+            assert ast.unparse(node) == "import pam_cosim as pam"
+        if isinstance(node, ast.Call):
+            called = ast.unparse(node.func)
+            assert called in {"print", "next", *(f"pam.{name}" for name in CALLED)}, called
+        if isinstance(node, ast.Attribute):
+            assert ast.unparse(node) in {
+                *(f"pam.{name}" for name in CALLED), "fit.values", "candidate.fit", "candidate.fit.values",
+                "diagnosis.candidates", "c.effects",
+            }  # fmt: skip
+
+
+def run_as_a_person_would(commands: str, place: Path) -> None:
+    """Runs the commands in a shell whose ``pam-cosim`` does nothing: nothing else must happen."""
+    program = place / "bin" / "pam-cosim"
+    program.parent.mkdir(parents=True)
+    program.write_text("#!/bin/sh\nexit 0\n")
+    program.chmod(0o755)
+    shell = shutil.which("sh")
+    assert shell is not None
+    room = place / "room"
+    room.mkdir()
+    environment = {"PATH": f"{program.parent}:{os.environ['PATH']}", "HOME": str(room)}
+    made = subprocess.run([shell, "-c", commands], cwd=room, env=environment, capture_output=True, text=True)
+    assert made.returncode == 0 and not made.stdout and not made.stderr, made
+    assert not list(room.iterdir())
+
+
+def printed(study: Session, state: State, place: Path) -> None:
+    about = (state, study.first.model, Path("/data/a b; touch MADE'"), study.catalogue)
+    only_calls_of_the_library(python_of(*about))
+    run_as_a_person_would(commands_of(*about), place)
+
+
+@pytest.mark.parametrize("step", CORPUS["taken"], ids=lambda step: json.dumps(step)[:60])
+def test_what_loads_is_printed_as_text(
+    study: Session, tmp_path: Path, step: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    composed = type("Composition", (), {"name": "'x; touch MADE'"})()
+    monkeypatch.setattr(study.catalogue, "composed", lambda *_: composed)  # there are no effects of these names
+    state = load_state(written(study, tmp_path / "s", steps=[step]), study.first)
+    printed(study, state, tmp_path)
+    message = json.loads(steps_event(state, True).message())
+    assert all(line["text"].isprintable() for line in message["steps"])
+
+
+def test_what_was_never_checked_is_printed_as_text_too(
+    study: Session, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The printers trust nothing: the steps that are refused are given to them past the check."""
+    composed = type("Composition", (), {"name": "'x; touch MADE'"})()
+    monkeypatch.setattr(study.catalogue, "composed", lambda *_: composed)
+    tried = 0
+    for number, step in enumerate(CORPUS["refused"]):
+        if not isinstance(step, dict) or not isinstance(step.get("do"), str):
+            continue
+        state = replace(study.first, steps=(Step(step["do"], {k: v for k, v in step.items() if k != "do"}),))
+        try:
+            printed(study, state, tmp_path / str(number))
+        except (KeyError, TypeError, ValueError, AttributeError):
+            continue  # what has no form is not printed at all
+        tried += 1
+    assert tried > 15

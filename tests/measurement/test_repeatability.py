@@ -1,0 +1,65 @@
+"""Repeatability: what runs of the same test differ by counts in the place of the noise where it is more."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pam_cosim.measurement import DataSet, Run, Signal, complete_noise
+from pam_cosim.measurement.data_set import Along
+
+NOISE, SCATTER = 0.3, 1.5
+
+
+def runs_of(offsets: list[float], *, static: bool = False, load: list[float] | None = None) -> tuple[Run, ...]:
+    """Runs of one test; the force of each is off by an amount of its own, and follows small errors of the pressure."""
+    rng = np.random.default_rng(1)
+    runs = []
+    for number, offset in enumerate(offsets):
+        time = np.linspace(0, 6, 240) + (0.0 if static else rng.uniform(0, 3.0))
+        pressure = 2e5 * np.abs(np.sin(time - time[0])) + rng.normal(0, 300.0)
+        force = 1e-3 * pressure + offset + rng.normal(0, NOISE, len(time))
+        along = Along("p", "Pa") if static else None
+        at = np.linspace(0, 2e5, len(time)) if static else time
+        known = {"m": load[number] if load else 1.0}
+        inputs = {"p": pressure if not static else at}
+        forces = force if not static else 1e-3 * at + offset + rng.normal(0, NOISE, len(time))
+        runs.append(
+            Run(f"r{number}", Path(f"r{number}.csv"), "fit", "linear", known, at, inputs, {"F": forces}, along=along)
+        )
+    return tuple(runs)
+
+
+def data_of(runs: tuple[Run, ...], signal: Signal) -> DataSet:
+    return DataSet("t", Path("."), "Isometric", {"F": signal}, {}, {}, runs)
+
+
+@pytest.mark.parametrize("static", [False, True])
+def test_runs_that_repeat_one_another_show_it(static: bool) -> None:
+    offsets = np.random.default_rng(2).normal(0, SCATTER, 12).tolist()
+    signal = complete_noise(data_of(runs_of(offsets, static=static), Signal("F", "N", NOISE))).signals["F"]
+    assert signal.repeatability == pytest.approx(np.hypot(np.std(offsets, ddof=1), NOISE), rel=0.05)  # twelve runs
+    assert (signal.sigma, signal.scatter, signal.source) == (signal.repeatability, "repeatability", "of repeated runs")
+
+
+def test_noise_alone_stays_noise() -> None:
+    signal = complete_noise(data_of(runs_of([0.0] * 4), Signal("F", "N", NOISE))).signals["F"]
+    assert (signal.sigma, signal.repeatability, signal.scatter) == (NOISE, 0.0, "noise")
+
+
+def test_different_tests_do_not_repeat_one_another() -> None:
+    offsets = [0.0, 5.0, -5.0, 9.0]
+    signal = complete_noise(data_of(runs_of(offsets, load=[1.0, 2.0, 3.0, 4.0]), Signal("F", "N", NOISE))).signals["F"]
+    assert signal.sigma == NOISE
+
+
+def test_what_is_stated_counts() -> None:
+    runs = runs_of([0.0])
+    signal = complete_noise(data_of(runs, Signal("F", "N", NOISE, repeatability=SCATTER))).signals["F"]
+    assert (signal.sigma, signal.source) == (SCATTER, "stated repeatability")
+    smaller = complete_noise(data_of(runs, Signal("F", "N", NOISE, repeatability=0.1))).signals["F"]
+    assert (smaller.sigma, smaller.source) == (NOISE, "stated")
+    estimated = complete_noise(data_of(runs, Signal("F", "N", repeatability=SCATTER))).signals["F"]
+    assert estimated.sigma == SCATTER and not estimated.estimated
