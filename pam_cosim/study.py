@@ -121,16 +121,29 @@ def compare(
     name, data = model or data.model, _for_model(data, model, files)
     interface = describe(name, files)
     values = _of_runs(parameters or {}, data, interface)
-    data = _begun(complete_noise(data), name, values, files, timeout)
+    data = begun_data(data, name, values, files, timeout)
     with opened(name, files, [START_VALUES] * data.estimates_starts, timeout) as simulator:
         starts = estimated_starts(simulator, data, _without_start(data, values, interface), values)
         return _compare(simulator, data, values | {name: e.value for name, e in starts.items()})
 
 
-def _begun(
-    data: DataSet, model: str, values: Mapping[str, float], files: Paths, timeout: float | None = None
+def begun_data(
+    data: DataSet,
+    model: str,
+    values: Mapping[str, float] | None = None,
+    files: Paths = (),
+    timeout: float | None = None,
 ) -> DataSet:
-    """The data set where every run says how it begins."""
+    """The data set, with its noise, where every run says how it begins.
+
+    Args:
+        data: the measurement.
+        model: what it is held against.
+        values: by name [SI].
+        files: further Modelica files.
+        timeout: as in ``simulate``.
+    """
+    data = complete_noise(data)
     if not starts_are_open(data):
         return data
     with opened(model, files, timeout=timeout) as simulator:
@@ -203,9 +216,9 @@ def fit(
         raise InputError(f"starts are for the method multi-start, not for {method}")
     if starts < 0:
         raise InputError(f"a fit cannot begin at {starts} points")
-    data = complete_noise(_freed(data, model, free, start, files))
+    data = _freed(data, model, free, start, files)
     fixed = resolve(parameters or {}, describe(model or data.model, files))
-    data = _begun(data, model or data.model, fixed, files, timeout)
+    data = begun_data(data, model or data.model, fixed, files, timeout)
     with opened(model or data.model, files, data.differentiated, timeout) as simulator:
         chosen = base_parameters(data, simulator.interface)
         if not chosen:
@@ -253,9 +266,10 @@ def profile(
     Raises:
         InputError: as ``fit``.
     """
-    with opened(model or data.model, files, data.free_names, timeout) as simulator:
-        fixed = resolve(parameters or {}, simulator.interface)
-        return _profile(simulator, complete_noise(data), fit, fixed=fixed, progress=progress)
+    fixed = resolve(parameters or {}, describe(model or data.model, files))
+    data = begun_data(data, model or data.model, fixed, files, timeout)
+    with opened(model or data.model, files, data.differentiated, timeout) as simulator:
+        return _profile(simulator, data, fit, fixed=fixed, progress=progress)
 
 
 def diagnose(
@@ -494,7 +508,9 @@ def new(
     wishes = Wishes(title, model, columns, stated, recording, muscle, roles)
     paths = [Path(one) for one in recordings]
     made = draft(Path(folder), paths, wishes, read_library(files=as_paths(files)), _described(files), as_paths(files))
-    return replace(made, data=read(folder, files=files))
+    written = read(folder, files=files)
+    begun = begun_data(written, written.model, files=files)
+    return replace(made, data=written, to_check=(*begun.starts, *made.to_check))
 
 
 def simulate(

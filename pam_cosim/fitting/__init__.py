@@ -12,7 +12,7 @@ from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.parameter_file import parameters_in, read_parameters, write_parameters
 from pam_cosim.fitting.profile import Profile, Profiles
 from pam_cosim.fitting.solve import spread_starts
-from pam_cosim.fitting.start_estimates import estimated_starts
+from pam_cosim.fitting.start_estimates import estimated_starts, simulated
 from pam_cosim.fitting.tracker import Convergence, Progress, Standing
 
 __all__ = [
@@ -41,6 +41,7 @@ __all__ = [
     "read_parameters",
     "residual_rows",
     "rows_of_series",
+    "simulated",
     "spread_starts",
     "summary",
     "with_free",
