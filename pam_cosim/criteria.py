@@ -136,6 +136,8 @@ class StartCriteria:
     own_parameter: float = decides(
         1e-3, "of a state", "by which a free parameter must move where the model begins, to be what says it"
     )
+    pause: float = decides(20.0, "intervals", "of the usual length; a longer one is a pause of the logger")
+    pauses_listed: int = decides(3, "places", "at which time goes back that are named")
     periods: int = decides(50, "periods", "of a periodic recording that are simulated before it at most")
     round: float = decides(0.1, "sd", "of the noise, by which a periodic motion may differ from what it comes to")
     step: float = decides(1e-5, "of its size", "by which a state is moved to see on which readings and rates it acts")

@@ -99,4 +99,3 @@ def _levels(values: Array) -> list[float]:
     middle = [float(np.median(group)) for group in groups]
     clear = all(float(np.max(np.abs(g - m))) <= near for g, m in zip(groups, middle, strict=True))
     return middle if clear else []
-

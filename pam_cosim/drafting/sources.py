@@ -75,9 +75,7 @@ def _directions(texts: Sequence[dict[str, tuple[str, ...]]]) -> dict[str, tuple[
     return words
 
 
-def _source(
-    file: Path, layout: Layout, texts: dict[str, tuple[str, ...]], words: dict[str, tuple[str, ...]]
-) -> Source:
+def _source(file: Path, layout: Layout, texts: dict[str, tuple[str, ...]], words: dict[str, tuple[str, ...]]) -> Source:
     left_out = tuple(heading for heading in texts if heading not in words)
     own = {heading: cells for heading, cells in words.items() if heading in texts}
     codes = {heading: {cell: float(i) for i, cell in enumerate(cells)} for heading, cells in own.items()}

@@ -142,6 +142,7 @@ class RunTable(_Table):
     before: dict[str, Value] | None = None
     lead: Value | None = None
     periodic: bool | None = None
+    gaps: Literal["split", "through"] | None = None
 
 
 class EffectsTable(_Table):
@@ -162,6 +163,7 @@ class Experiment(_Table):
     before: dict[str, Value] | None = None
     lead: Value | None = None
     periodic: bool | None = None
+    gaps: Literal["split", "through"] | None = None
     recording: RecordingTable = RecordingTable()
     columns: dict[str, ColumnTable] = Field(default_factory=dict)
     signals: dict[str, SignalTable] = Field(default_factory=dict)

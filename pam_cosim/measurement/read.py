@@ -12,6 +12,7 @@ from pam_cosim.measurement.data_set import Along, DataSet, FreeParameter, Run, S
 from pam_cosim.measurement.experiment import FILE_NAME, ExperimentFile, RunTable, Value, read_experiment
 from pam_cosim.measurement.inside import file_inside
 from pam_cosim.measurement.parameters import free_parameter, known_values
+from pam_cosim.measurement.pieces import pieces_of
 from pam_cosim.measurement.points import Points
 from pam_cosim.measurement.read_run import read_points, read_run
 from pam_cosim.measurement.read_start import with_start
@@ -229,7 +230,11 @@ def _runs(
     if table.fit and len(points) > 1:
         message = f"{shown(table.file)} holds {len(points)} curves, which have no parameter of their own"
         raise document.error(f"{message}; free it under [fit]", "runs", index, "fit")
-    every = [_curve(run, one, i == 0) for i, one in enumerate(points)] or [run]
+    every = [_curve(run, one, i == 0) for i, one in enumerate(points)]
+    every = every or pieces_of(run, table.gaps or document.content.gaps)
+    if table.fit and len(every) > 1:
+        message = f"{shown(table.file)} falls into {len(every)} pieces, which have no parameter of their own"
+        raise document.error(f"{message}; free it under [fit]", "runs", index, "fit")
     return [with_start(document, interface, index, one) for one in every]
 
 
