@@ -98,7 +98,7 @@ def measured(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mappi
     links = probe.links({})
     for _ in range(2):  # what acts on what may not show where the model begins by itself
         shown = _shown_states(links, first, probe.signals, simulator.interface.states)
-        values = probe.corrected(shown, values)
+        values = probe.corrected(shown, links, values)
         links = links.joined(probe.links(values))
     signals = {state: one.signal for state, one in shown.items()}
     settle: Settle = "others" if probe.rests(values) else "none"
@@ -229,18 +229,17 @@ class Probe:
         variable = self.simulator.interface.start_values[name]
         return max(abs(variable.nominal or 0.0), abs(value)) or 1.0
 
-    def corrected(self, shown: Mapping[str, _Shown], values: Mapping[str, float]) -> dict[str, float]:
+    def corrected(self, shown: Mapping[str, _Shown], links: _Links, values: Mapping[str, float]) -> dict[str, float]:
         """Start values of the states that are shown, at which what shows them is as it was measured."""
-        state = dict(zip(self.states, self.at({})[1].tolist(), strict=True))
-        held = {name: values.get(name, state[name]) for name in shown}
+        _, state = self.at({})
+        held = {name: values.get(name, state[self.states.index(name)]) for name in shown}
         rows = [one.row for one in shown.values()]
         aims = np.array([one.aim for one in shown.values()])
-        places = [self.states.index(name) for name in shown]
+        slopes = links.matrix[np.ix_(rows, [self.states.index(name) for name in shown])]
         for _ in range(CRITERIA.starts.corrections if held else 0):
             miss = aims - self.at(held)[0][rows]
-            slopes = self.links(held).matrix[np.ix_(rows, places)]
             step = np.linalg.lstsq(slopes, miss, rcond=None)[0]
-            held = {name: held[name] + float(s) for name, s in zip(held, step, strict=True)}
+            held = {name: float(held[name] + s) for name, s in zip(held, step, strict=True)}
             if np.all(np.abs(step) <= CRITERIA.starts.step * np.array([self._size(n, v) for n, v in held.items()])):
                 break
         return held

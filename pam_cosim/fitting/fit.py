@@ -196,8 +196,8 @@ def fit(
             log.write()
     end = solution.end
     linear = linearised(objective, end.z, options.rows) if options.rows else None
-    if objective.starts:
-        objective.residuals(end.z)  # a descent may have ended with a look elsewhere
+    if any(run.start.mode == "estimated" for run in data.fit_runs):
+        objective.residuals(end.z)  # a descent may have ended with a look elsewhere, or answers come from a file
     begun = start_estimates(objective) | held_out_starts(simulator, data, objective.values(end.z), objective.tolerance)
     values = objective.values(end.z) | {name: e.value for name, e in begun.items()}
     comparison = compare(simulator, data, values, options.tolerance, rules=options.rules)
