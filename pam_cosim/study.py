@@ -14,7 +14,7 @@ import numpy as np
 from pam_cosim.catalogue import Composition, EffectClass, RigPart, domain_of, effect_classes, put_together
 from pam_cosim.catalogue import benches as _benches
 from pam_cosim.catalogue import rig_parts as _rig_parts
-from pam_cosim.comparison import Comparison, starts_are_open, with_starts
+from pam_cosim.comparison import Comparison
 from pam_cosim.comparison import compare as _compare
 from pam_cosim.compiler import read_library
 from pam_cosim.compiler.names import last
@@ -33,7 +33,17 @@ from pam_cosim.fitted_model import (
     read_fitted_model,
     with_own_values,
 )
-from pam_cosim.fitting import Fit, FitOptions, Profiles, Progress, base_parameters, estimated_starts, with_free
+from pam_cosim.fitting import (
+    Fit,
+    FitOptions,
+    Profiles,
+    Progress,
+    base_parameters,
+    estimated_starts,
+    starts_are_open,
+    with_free,
+    with_starts,
+)
 from pam_cosim.fitting import fit as _fit
 from pam_cosim.fitting import profile as _profile
 from pam_cosim.fmu import read_interface

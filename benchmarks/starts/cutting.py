@@ -12,6 +12,7 @@ Rows = list[str]
 Keep = Callable[[float, float, float], bool]
 """(time, begin, end) of a row and of its run -> whether it is kept."""
 
+PAUSE = 0.2  # of a run's duration
 EARLIEST, LATEST = 0.15, 0.6  # of a run's duration, between which it is cut
 
 
@@ -42,11 +43,11 @@ def without_beginning(source: Path, folder: Path, seed: int) -> Path:
 
 
 def in_pieces(source: Path, folder: Path, seed: int) -> Path:
-    """Each recording with a pause of a tenth of it, at a random time; its pieces begin anew."""
+    """Each recording with a pause of a fifth of it, at a random time; its pieces begin anew."""
 
     def keep(random: np.random.Generator) -> Keep:
         share = random.uniform(EARLIEST, LATEST)
-        return lambda time, begin, end: not share <= (time - begin) / (end - begin) <= share + 0.1
+        return lambda time, begin, end: not share <= (time - begin) / (end - begin) <= share + PAUSE
 
     made = _cut_files(source, folder, keep, seed)
     text = (made / "experiment.toml").read_text()

@@ -1,7 +1,6 @@
 """Trajectory and data set -> residuals, scores, and where the error sits."""
 
 from pam_cosim.comparison.beginning import Beginning, beginning, measured, start_time
-from pam_cosim.comparison.chosen_starts import starts_are_open, with_starts
 from pam_cosim.comparison.compare import Comparison, compare, scored
 from pam_cosim.comparison.condition_table import STATISTICS, Condition, ConditionTable, Statistic, write_tables
 from pam_cosim.comparison.doubts import Doubt
@@ -49,11 +48,9 @@ __all__ = [
     "sitting",
     "slope",
     "start_time",
-    "starts_are_open",
     "usual_square",
     "weighted",
     "where",
-    "with_starts",
     "without_outliers",
     "write_tables",
 ]

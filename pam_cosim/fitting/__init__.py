@@ -1,6 +1,7 @@
 """Data set and model -> fitted parameters with intervals."""
 
 from pam_cosim.fitting.chosen import with_free
+from pam_cosim.fitting.chosen_starts import starts_are_open, with_starts
 from pam_cosim.fitting.combinations import Combination
 from pam_cosim.fitting.estimate import Estimate, estimates
 from pam_cosim.fitting.fit import Fit, fit, profile
@@ -43,7 +44,9 @@ __all__ = [
     "rows_of_series",
     "simulated",
     "spread_starts",
+    "starts_are_open",
     "summary",
     "with_free",
+    "with_starts",
     "write_parameters",
 ]

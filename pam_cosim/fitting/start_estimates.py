@@ -20,6 +20,8 @@ def start_estimates(objective: Objective) -> dict[str, Estimate]:
     known = objective.simulator.interface.start_values
     estimates = {}
     for one in (objective.starts or {}).values():
+        if not len(one.slopes):  # its run could not be simulated
+            continue
         told = (one.deviations() / one.sd) ** 2 < CRITERIA.starts.told
         reach = CRITERIA.fit.interval * one.deviations()
         for k, (name, value) in enumerate(one.settings().items()):

@@ -10,6 +10,7 @@ import numpy as np
 from pam_cosim.comparison.beginning import Probe, beginning, first_of_run, inputs_of_run, measured, start_time
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
+from pam_cosim.fitting.objective import Objective
 from pam_cosim.measurement import DataSet, FirstSamples, Run, StartMode
 from pam_cosim.simulation import AnySimulator
 from pam_cosim.units import format_quantity
@@ -17,12 +18,17 @@ from pam_cosim.units import format_quantity
 
 @dataclass(frozen=True)
 class _First:
-    """A signal at its first sample, and what the model gives there."""
+    """A signal at its first sample, and what the model gives there.
+
+    Attributes:
+        off: it is not what noise makes of the model's value. away: nor what an offset of an instrument does.
+    """
 
     name: str
     unit: str
     sample: FirstSamples
     model: float
+    off: bool
     away: bool
 
     def said(self, model: bool = False) -> str:
@@ -42,7 +48,10 @@ def with_starts(simulator: AnySimulator, data: DataSet, parameters: Mapping[str,
     """
     if not starts_are_open(data):
         return data
-    runs = (_with_start(simulator, data, r, parameters or {}) if _is_open(r) else r for r in data.runs)
+    values = parameters or {}
+    runs = [_with_start(simulator, data, r, values) if _is_open(r) else r for r in data.runs]
+    if any(run.start.mode == "estimated" for run in runs):
+        runs = [run if run.is_static else _as_others(simulator, data, run, values) for run in runs]
     return replace(data, runs=tuple(runs))
 
 
@@ -65,18 +74,43 @@ def _with_start(simulator: AnySimulator, data: DataSet, run: Run, parameters: Ma
         if run.start.periodic:
             return _repeated(simulator, data, run, own)
         first = _first(simulator, data, run, own)
-        away = [one for one in first if one.away]
-        if not away or _is_fitted(simulator, data, run, own):
+        off = [one for one in first if one.off]
+        if not off or _is_fitted(simulator, data, run, own):
             return begun("rest")
         shown = measured(simulator, data, run, own).shown
+        if not any(one.away for one in first) and not (shown and _takes_away(simulator, data, run, parameters)):
+            return begun("rest")
     except SimulationFailure:  # who simulates the run says why it cannot be
         return begun("rest")
     moving = any(one.sample.moves for one in first)
     begins = f"{run.name} begins at {', '.join(one.said() for one in first)}, {'moving' if moving else 'at rest'}"
     if not shown:
-        where = ", ".join(f"{one.name} = {one.said(model=True)}" for one in away)
+        where = ", ".join(f"{one.name} = {one.said(model=True)}" for one in off)
         return begun("rest", f"{begins}: the model begins at {where}, and cannot begin elsewhere")
     return begun("estimated", f"{begins}: estimated")
+
+
+def _as_others(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> Run:
+    """A run whose first samples agree with rest, among others that begin in the middle: it may move all the same."""
+    own = data.parameters_of(run, parameters)
+    try:
+        if not run.start.chosen or run.start.mode != "rest" or _is_fitted(simulator, data, run, own):
+            return run
+        first = _first(simulator, data, run, own, every=True)
+    except SimulationFailure:
+        return run
+    begins = f"{run.name} begins at {', '.join(one.said() for one in first)}"
+    return replace(run, start=replace(run.start, mode="estimated", reason=f"{begins}: estimated, as of the other runs"))
+
+
+def _takes_away(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> bool:
+    """Whether a start of its own takes much of what the model leaves: an offset of an instrument stays."""
+    left = []
+    for mode in ("rest", "estimated"):
+        tried = replace(run, start=replace(run.start, mode=mode))
+        objective = Objective(simulator, data, [tried], (), parameters)
+        left.append(objective.squares(np.zeros(0)))
+    return left[0] > CRITERIA.starts.worth * left[1]
 
 
 def _repeated(simulator: AnySimulator, data: DataSet, run: Run, own: Mapping[str, float]) -> Run:
@@ -99,8 +133,13 @@ def _repeated(simulator: AnySimulator, data: DataSet, run: Run, own: Mapping[str
     return replace(run, start=replace(run.start, periods=count, reason=reason, chosen=True))
 
 
-def _first(simulator: AnySimulator, data: DataSet, run: Run, own: Mapping[str, float]) -> list[_First]:
-    """Signals that show a state, or all that are fitted where none does, beside the model that begins by itself."""
+def _first(
+    simulator: AnySimulator, data: DataSet, run: Run, own: Mapping[str, float], every: bool = False
+) -> list[_First]:
+    """Signals that show a state, or all that are fitted where none does, beside the model that begins by itself.
+
+    None where all agree with it, unless ``every`` is wanted.
+    """
     probe = Probe(simulator, data, run, own)
     when = {name: _first_time(run, name) for name in probe.signals}
     times = np.unique(list(when.values()))
@@ -108,7 +147,7 @@ def _first(simulator: AnySimulator, data: DataSet, run: Run, own: Mapping[str, f
         return []
     course = probe.course(times, probe.signals)
     first = [_beside(data, run, n, float(course[n][np.searchsorted(times, when[n])])) for n in probe.signals]
-    if not any(one.away for one in first):
+    if not every and not any(one.off for one in first):
         return []
     shows = probe.showing()
     return [one for one in first if one.name in shows] or first
@@ -127,8 +166,9 @@ def _beside(data: DataSet, run: Run, name: str, model: float) -> _First:
     assert sample is not None
     values = np.concatenate([[model], *(r.measurements[name] for r in data.runs if name in r.measurements)])
     span = float(np.nanmax(values) - np.nanmin(values))
-    tolerance = max(CRITERIA.starts.away * sigma, CRITERIA.recognition.offset * span)
-    return _First(name, signal.unit, sample, model, abs(sample.value - model) > tolerance)
+    far = abs(sample.value - model)
+    off = far > CRITERIA.starts.away * sigma
+    return _First(name, signal.unit, sample, model, off, off and far > CRITERIA.recognition.offset * span)
 
 
 def _is_fitted(simulator: AnySimulator, data: DataSet, run: Run, own: Mapping[str, float]) -> bool:
