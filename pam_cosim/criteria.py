@@ -139,8 +139,18 @@ class StartCriteria:
     own_parameter: float = decides(
         1e-3, "of a state", "by which a free parameter must move where the model begins, to be what says it"
     )
+    worth: float = decides(
+        1.5, "1", "times fewer squares that a run must leave with a start of its own, where its first samples are off "
+        "by no more than an offset of an instrument: that stays",
+    )  # fmt: skip
+    pause: float = decides(10.0, "intervals", "of the usual length; a longer one is a pause of the logger")
+    pauses_listed: int = decides(3, "places", "at which time goes back that are named")
+    periods: int = decides(50, "periods", "of a periodic recording that are simulated before it at most")
+    round: float = decides(0.1, "sd", "of the noise, by which a periodic motion may differ from what it comes to")
+    step: float = decides(1e-5, "of its size", "by which a state is moved to see on which readings and rates it acts")
     steps: int = decides(8, "steps", "of Newton's method for the start values of a run, beside given parameters")
     linear: float = decides(0.01, "1", "of the squares, that a further step may take away by the slopes alone")
+    near: float = decides(0.03, "sd", "of what is known of a start value beforehand, within which slopes stay the same")
     settled: float = decides(0.01, "variances", "of the noise, that a further such step must take away to be made")
     corrections: int = decides(4, "times", "a first reading is brought into agreement with the state that it shows")
 

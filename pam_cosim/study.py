@@ -14,7 +14,7 @@ import numpy as np
 from pam_cosim.catalogue import Composition, EffectClass, RigPart, domain_of, effect_classes, put_together
 from pam_cosim.catalogue import benches as _benches
 from pam_cosim.catalogue import rig_parts as _rig_parts
-from pam_cosim.comparison import Comparison, with_starts
+from pam_cosim.comparison import Comparison
 from pam_cosim.comparison import compare as _compare
 from pam_cosim.compiler import read_library
 from pam_cosim.compiler.names import last
@@ -34,7 +34,17 @@ from pam_cosim.fitted_model import (
     read_fitted_model,
     with_own_values,
 )
-from pam_cosim.fitting import Fit, FitOptions, Profiles, Progress, base_parameters, estimated_starts, with_free
+from pam_cosim.fitting import (
+    Fit,
+    FitOptions,
+    Profiles,
+    Progress,
+    base_parameters,
+    estimated_starts,
+    starts_are_open,
+    with_free,
+    with_starts,
+)
 from pam_cosim.fitting import fit as _fit
 from pam_cosim.fitting import profile as _profile
 from pam_cosim.fmu import read_interface
@@ -130,17 +140,30 @@ def compare(
     name, data = data.model_for(model), _for_model(data, model, files)
     interface = describe(name, files)
     values = _of_runs(parameters or {}, data, interface)
-    data = _begun(complete_noise(data), name, values, files, timeout)
+    data = begun_data(data, name, values, files, timeout)
     with opened(name, files, [START_VALUES] * data.estimates_starts, timeout) as simulator:
         starts = estimated_starts(simulator, data, _without_start(data, values, interface), values)
         return _compare(simulator, data, values | {name: e.value for name, e in starts.items()})
 
 
-def _begun(
-    data: DataSet, model: str, values: Mapping[str, float], files: Paths, timeout: float | None = None
+def begun_data(
+    data: DataSet,
+    model: str,
+    values: Mapping[str, float] | None = None,
+    files: Paths = (),
+    timeout: float | None = None,
 ) -> DataSet:
-    """The data set where every run says how it begins."""
-    if all(run.is_static or run.start.mode is not None for run in data.runs):
+    """The data set, with its noise, where every run says how it begins.
+
+    Args:
+        data: the measurement.
+        model: what it is held against.
+        values: by name [SI].
+        files: further Modelica files.
+        timeout: as in ``simulate``.
+    """
+    data = complete_noise(data)
+    if not starts_are_open(data):
         return data
     with opened(model, files, timeout=timeout) as simulator:
         return with_starts(simulator, data, values)
@@ -211,9 +234,9 @@ def fit(
     if starts and method != "multi-start":
         raise InputError(f"starts are for the method multi-start, not for {method}")
     checked_starts(starts)
-    data = complete_noise(_freed(data, model, free, start, files))
+    data = _freed(data, model, free, start, files)
     fixed = resolve(parameters or {}, describe(data.model_for(model), files))
-    data = _begun(data, data.model_for(model), fixed, files, timeout)
+    data = begun_data(data, data.model_for(model), fixed, files, timeout)
     with opened(data.model_for(model), files, data.differentiated, timeout) as simulator:
         chosen = base_parameters(data, simulator.interface)
         if not chosen:
@@ -261,9 +284,10 @@ def profile(
     Raises:
         InputError: as ``fit``.
     """
-    with opened(data.model_for(model), files, data.free_names, timeout) as simulator:
-        fixed = resolve(parameters or {}, simulator.interface)
-        return _profile(simulator, complete_noise(data), fit, fixed=fixed, progress=progress)
+    fixed = resolve(parameters or {}, describe(data.model_for(model), files))
+    data = begun_data(data, data.model_for(model), fixed, files, timeout)
+    with opened(data.model_for(model), files, data.differentiated, timeout) as simulator:
+        return _profile(simulator, data, fit, fixed=fixed, progress=progress)
 
 
 def diagnose(
@@ -502,7 +526,9 @@ def new(
     wishes = Wishes(title, model, columns, stated, recording, muscle, roles)
     paths = [Path(one) for one in recordings]
     made = draft(Path(folder), paths, wishes, read_library(files=as_paths(files)), _described(files), as_paths(files))
-    return replace(made, data=read(folder, files=files))
+    written = read(folder, files=files)
+    begun = begun_data(written, written.model, files=files)
+    return replace(made, data=written, to_check=(*begun.starts, *made.to_check))
 
 
 def simulate(

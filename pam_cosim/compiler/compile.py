@@ -223,7 +223,10 @@ class _Assembly:
         return computable
 
     def _state_variable(self, name: str, initial: ca.SX) -> Variable:
-        value = float(ca.evalf(ca.substitute(initial, self.p, self.p_values)))
+        inputs = self.flat.symbols.inputs
+        usual = [metadata.variable(leaf, self.instantiator.constants).start or 0.0 for leaf in inputs]
+        known = ca.vertcat(self.p, *inputs.values()), ca.vertcat(self.p_values, *usual)
+        value = float(ca.evalf(ca.substitute(initial, *known)))
         leaf = self._leaf(name)
         if leaf is None:
             return Variable(name, start=value)
@@ -240,7 +243,10 @@ class _Assembly:
         symbols = self.flat.symbols
         equations = [self._not_yet(r) for r in self.flat.initial]
         system = replace(self.system, residuals=[self._not_yet(r) for r in self.system.residuals])
-        values, late = initial_values(system, self.states, starts, equations, (self.p, self.p_values), symbols.late)
+        present = frozenset(leaf.name for leaf in symbols.inputs)
+        values, late = initial_values(
+            system, self.states, starts, equations, (self.p, self.p_values), symbols.late, present
+        )
         self.beginning = beginning(late, symbols.late, symbols.comparisons, symbols.t)
         return values
 

@@ -102,7 +102,7 @@ class Check(Printed):
 
     def __str__(self) -> str:
         lines = [f"{self.model} and {self.data.title}: what these data can tell, by the model at its start values"]
-        lines += self._about_parameters() + self._about_families() + self._about_help()
+        lines += [*self.data.starts, *self._about_parameters()] + self._about_families() + self._about_help()
         return "\n".join(lines)
 
     def _about_parameters(self) -> list[str]:

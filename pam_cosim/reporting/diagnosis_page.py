@@ -63,6 +63,7 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
         error=error_sentence(diagnosis),
         compared=compared_sentence(diagnosis),
         not_tried=not_tried_sentence(diagnosis),
+        starts=diagnosis.data.starts,
         doubts=[doubt.text for doubt in diagnosis.final.comparison.doubts],
         reason=diagnosis.verdict.reason,
         probability=probability_sentence(diagnosis.verdict),
