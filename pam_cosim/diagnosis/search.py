@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -14,7 +15,7 @@ from pam_cosim.compiler import ClassTree, Structure, library_hash, read_structur
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
 from pam_cosim.diagnosis.choice import Choice
-from pam_cosim.diagnosis.events import CandidateTried, EffectsLookedAt, FittingBegun
+from pam_cosim.diagnosis.events import CandidateTried, EffectLookedAt, EffectsLookedAt, FittingBegun
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.probing import Probe, Stated
 from pam_cosim.diagnosis.step_times import Retimed, Retiming, nothing_found, run_retiming, steps_between
@@ -129,7 +130,14 @@ class Search:
         return self._looked(run_stated, trials)
 
     def _looked(self, look: Callable[[Trial], Look | FailedTrial], trials: Sequence[Trial]) -> list[Look]:
-        results = run_tasks(look, trials, crashed, lambda _: None, self.workers)
+        number = itertools.count(1)
+        results = run_tasks(
+            look,
+            trials,
+            crashed,
+            lambda _: self.say(EffectLookedAt(next(number), len(trials)).message),
+            self.workers,
+        )
         self.failed.extend(c for c in results if isinstance(c, FailedTrial))
         return [c for c in results if not isinstance(c, FailedTrial)]
 

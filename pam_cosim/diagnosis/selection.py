@@ -172,6 +172,7 @@ class _Models:
         if time.monotonic() < self.deadline:
             return False
         self.untried += [names for names in chosen if names not in self.untried]
+        self.order.over = True
         return True
 
     def with_step_times(self, count: int) -> Retimed | None:

@@ -118,7 +118,7 @@ def crashed(trial: Trial) -> FailedTrial:
 
 def run_trial(trial: Trial) -> Attempt:
     """Builds the model and fits the free base parameters together with those of the effects."""
-    return _attempted(trial, _fitted)
+    return _attempted(trial, _fitted, brief=False)
 
 
 def run_afar(trial: Trial) -> Attempt:
@@ -131,21 +131,22 @@ def run_afar(trial: Trial) -> Attempt:
 
 def run_probe(trial: Trial) -> Probe | FailedTrial:
     """Builds the model and linearises it about the values that it starts from, for what its effect can add."""
-    return _attempted(trial, _probed)
+    return _attempted(trial, _probed, brief=True)
 
 
 def run_stated(trial: Trial) -> Stated | FailedTrial:
     """Builds the model and linearises it about the values that it starts from, its effect as strong as it is stated."""
-    return _attempted(trial, _stated)
+    return _attempted(trial, _stated, brief=True)
 
 
-def _attempted(trial: Trial, work: Callable[[Trial, Simulator], Result]) -> Result | FailedTrial:
-    """What comes of some work on the model of a trial; a failure is a result too."""
+def _attempted(trial: Trial, work: Callable[[Trial, Simulator], Result], brief: bool) -> Result | FailedTrial:
+    """What comes of some work on the model of a trial, which takes few runs or many; a failure is a result too."""
     own = [name for names in trial.composition.parameters.values() for name in names]
     free = tuple(dict.fromkeys([*trial.data.differentiated, *map(parameter_of, own)]))
     source, name = trial.composition.text, trial.composition.name
+    brief = brief and sum(len(run.time) for run in trial.data.fit_runs) <= CRITERIA.search.rows_without_compiler
     try:
-        fmu = build_source(name, source, trial.files, sensitivities=free, library=trial.library, lean=True)
+        fmu = build_source(name, source, trial.files, sensitivities=free, library=trial.library, lean=True, brief=brief)
         with Simulator(fmu) as simulator:
             return work(trial, simulator)
     except (SimulationFailure, InputError) as problem:

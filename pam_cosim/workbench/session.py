@@ -85,7 +85,7 @@ class Session:
     def _begin(self, model: str | None) -> None:
         data = complete_noise(study.read(self.folder, model=model, files=self.files))
         self.benches = self.catalogue.benches(data.model)
-        self.first = self.state = State(data, model or data.model)
+        self.first = self.state = State(data, data.model_for(model))
         self._install(self.state)
         self._take_saved()
 
