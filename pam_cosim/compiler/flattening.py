@@ -167,12 +167,14 @@ class _Flattener:
         target = self.flat.initial if initial else self.flat.residuals
         before = len(target)
         branches: list[tuple[Value, list[Residual]]] = []
+        open_still: Value = True  # none of the conditions so far holds
         for condition, body in equation.branches:
             value = True if condition is None else self.symbols.evaluate(condition, scope, names)
             if value is False:
                 continue
-            with self.symbols.branch(arithmetic.only(value, [earlier for earlier, _ in branches])):
+            with self.symbols.branch(arithmetic.only(value, open_still)):
                 self._equations(body, scope, names, initial)
+            open_still = arithmetic.neither(open_still, value)
             branches.append((value, target[before:]))
             del target[before:]
             if value is True:

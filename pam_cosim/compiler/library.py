@@ -8,10 +8,12 @@ from functools import lru_cache
 from pathlib import Path
 
 from pam_cosim.compiler import names
+from pam_cosim.compiler.budget import LIMITS
 from pam_cosim.compiler.parser import parse_source
 from pam_cosim.compiler.source import Source
 from pam_cosim.compiler.syntax import ClassDefinition
 from pam_cosim.errors import ModelError
+from pam_cosim.files import read_file
 from pam_cosim.wording import closest
 
 _Signature = tuple[tuple[str, int, int], ...]
@@ -108,7 +110,7 @@ def _is_copy(node: ClassDefinition, known: ClassDefinition) -> bool:
 
 def _read(file: Path) -> Source:
     try:
-        return Source(file, file.read_text(encoding="utf-8-sig"))
+        return Source(file, read_file(file, 4 * LIMITS.file).decode("utf-8-sig").replace("\r\n", "\n"))
     except FileNotFoundError:
         raise ModelError("there is no such file", file) from None
     except (OSError, UnicodeDecodeError) as error:

@@ -57,6 +57,7 @@ class Search:
         expected: names of effects that are likely.
         at_rest: all runs are points at rest.
         unseen: names of effects that these cannot show, beside whatever else.
+        idle: by effect, full names of its parameters that no sample depends on; they are not fitted.
     """
 
     tree: ClassTree
@@ -70,6 +71,7 @@ class Search:
     expected: frozenset[str] = frozenset()
     at_rest: bool = False
     unseen: frozenset[str] = frozenset()
+    idle: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     @cached_property
     def structure(self) -> Structure:
@@ -93,8 +95,8 @@ class Search:
 
     @cached_property
     def cost(self) -> dict[str, int]:
-        """Number of parameters of each effect."""
-        return {e.name: len(e.parameters) for e in self.shelf}
+        """Number of parameters of each effect that are fitted."""
+        return {e.name: max(len(e.parameters) - len(self.idle.get(e.name, ())), 1) for e in self.shelf}
 
     @cached_property
     def broadest(self) -> list[str]:
@@ -202,7 +204,8 @@ class Search:
             composition = compose_on(self.tree, self.structure, m.effects)
             if composition is not None:
                 trial = Trial(own[m.effects[-1]], m.effects, composition, self.data, m.start, self.files)
-                trials.append(replace(trial, further_start=m.further, library=self.library))
+                idle = {name for e in m.effects for name in self.idle.get(e, ())}
+                trials.append(replace(trial.without(idle), further_start=m.further, library=self.library))
         return trials
 
 

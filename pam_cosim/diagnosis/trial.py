@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, TypeVar
@@ -14,6 +14,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Attempt, Candidate, FailedTrial
 from pam_cosim.diagnosis.probing import Probe, Stated, Strengths, probed
 from pam_cosim.diagnosis.pruning import pruned
+from pam_cosim.diagnosis.reach import idle_parameters, moves_unread
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fitting import (
     Fit,
@@ -85,6 +86,11 @@ class Trial:
     def fitted_with(self, **changes: Any) -> Trial:
         """The same trial with other ``options``."""
         return replace(self, options=replace(self.options, **changes))
+
+    def without(self, idle: Collection[str]) -> Trial:
+        """The same trial with these parameters of its effects at their stated values: no sample depends on them."""
+        kept = {e: tuple(n for n in own if n not in idle) for e, own in self.composition.parameters.items()}
+        return replace(self, composition=replace(self.composition, parameters=kept))
 
     def failed(self, reason: str) -> FailedTrial:
         """The result of this trial where there is no fit."""
@@ -167,13 +173,16 @@ def _probed(trial: Trial, simulator: Simulator) -> Probe:
     assert trial.beside is not None
     objective = _objective(trial, simulator)
     strengths = _strengths(trial, objective)
-    return probed(trial.effect.name, trial.effect.family, objective, trial.beside, strengths)
+    probe = probed(trial.effect.name, trial.effect.family, objective, trial.beside, strengths)
+    at_rest = all(run.is_static for run in trial.data.runs)
+    idle = idle_parameters(probe, objective) if at_rest else ()
+    return replace(probe, idle=idle, unread=moves_unread(probe, objective))
 
 
 def _strengths(trial: Trial, objective: Objective) -> Strengths:
     names = trial.composition.parameters[trial.effect.name]
-    short = itertools.cycle(trial.effect.parameters)  # several parts may have them
-    absent = {n: trial.effect.absent[one] for n, one in zip(names, short, strict=False) if one in trial.effect.absent}
+    own = trial.effect.absent
+    absent = {name: own[short] for name in names if (short := name.rpartition(".")[2]) in own}
     return Strengths(tuple(f for f in objective.free if f.name in names), absent)
 
 

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import casadi as ca
 
+from pam_cosim.compiler.budget import check_source
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import InputError
 from pam_cosim.files import make_folder, write_bytes
@@ -196,6 +197,7 @@ def _packaging_key() -> str:
 def _contents(ode: Ode, names: Sequence[str], fmi: str, lean: bool = False) -> dict[str, bytes]:
     """Files of the archive by name. The GUID stands for the description and the equations."""
     draft, source = _descriptions(ode, _NO_GUID, fmi, lean), model_source(ode, _NO_GUID, lean)
+    check_source(source, ode.interface.model, len(ode.states))
     guid = _guid(draft[_DESCRIPTION], source, source_key(runtime(fmi)))
     # The first place is the right one: both files begin with it.
     source = source.replace(c_string(_NO_GUID), c_string(guid), 1)

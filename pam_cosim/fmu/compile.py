@@ -6,6 +6,7 @@ import os
 import platform
 import shutil
 import struct
+import subprocess
 import sys
 import tempfile
 import time
@@ -19,6 +20,7 @@ from pathlib import Path
 import fmpy
 import ziglang
 
+from pam_cosim.compiler.budget import LIMITS
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.cache import cache_dir, cached, digest
 from pam_cosim.processes import run_tool
@@ -148,7 +150,10 @@ def _compile(shipped: Sequence[str], generated: Mapping[str, str], target: Platf
         zig = str(cache_dir() / "zig")
         _clear_stale(Path(zig, "tmp"))
         environment = os.environ | {"ZIG_GLOBAL_CACHE_DIR": zig, "ZIG_LOCAL_CACHE_DIR": zig}
-        run = run_tool(command, Path(directory), environment)
+        try:
+            run = run_tool(command, Path(directory), environment, LIMITS.c_seconds)
+        except subprocess.TimeoutExpired:
+            raise CompilerError(f"the C compiler took more than {LIMITS.c_seconds:g} s for {target.target}") from None
         if run.returncode != 0:
             raise CompilerError(f"the C compiler failed for {target.target}:\n{run.stderr.strip()}")
         return Path(directory, output).read_bytes()

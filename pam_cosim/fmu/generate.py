@@ -50,7 +50,7 @@ def model_functions(ode: Ode, lean: bool = False) -> list[ca.Function]:
         _function("pam_core_rhs", [t, own, u, d, p], [core]),
         _function("pam_lin", [t, own, u, d, du, dd, p], [core, ca.jacobian(core, own), total]),
         _function("pam_variation", [t, own, u, d, p], [ca.jacobian(core, own), ca.jacobian(core, chosen).T]),
-        _function("pam_init", [p], [x0]),
+        _function("pam_init", [p, u], [x0]),
         _function("pam_delay", [p, sp], [delays, ca.jtimes(delays, p, sp)]),
         *check,
         *([] if lean else _directional(known, seed, (f, y, w), x0)),
@@ -59,10 +59,11 @@ def model_functions(ode: Ode, lean: bool = False) -> list[ca.Function]:
 
 def _directional(known: Sequence[ca.SX], seed: Sequence[ca.SX], of: Sequence[ca.SX], start: ca.SX) -> list[ca.Function]:
     """Derivatives along a seed, of what is computed of everything known, and of the initial states."""
+    told, moved = (known[-1], known[2]), (seed[-1], seed[2])  # parameters and inputs
     along = [ca.jtimes(e, ca.vertcat(*known), ca.vertcat(*seed)) for e in of]
     return [
         _function("pam_jvp", [*known, *seed], along),
-        _function("pam_init_jvp", [known[-1], seed[-1]], [ca.jtimes(start, known[-1], seed[-1])]),
+        _function("pam_init_jvp", [*told, *moved], [ca.jtimes(start, ca.vertcat(*told), ca.vertcat(*moved))]),
     ]
 
 

@@ -41,12 +41,16 @@ class Model:
         self._rates = _AtPoints("rates", arguments, [f, ca.jacobian(f, by)])
         both = ca.vertcat(f, h)
         self._all = _AtPoints("all", arguments, [both, ca.jacobian(both, by)])
-        self._initial = ca.Function("initial", [ode.p], [ode.initial])
+        self._initial = ca.Function("initial", [ode.p, ode.u], [ode.initial])
         self._locals = _AtPoints("others", arguments, [ca.vertcat(ode.outputs, ode.locals)])
 
-    def initial(self, parameters: Array) -> Array:
-        """States at the start, (R, n), for each row of parameters (R, P)."""
-        return np.array([np.array(self._initial(p)).ravel() for p in parameters])
+    def initial(self, parameters: Array, inputs: Array, given: Array) -> Array:
+        """States at the start, (R, n), for each row of parameters (R, P) and first inputs (R, U).
+
+        Those that are given (R, n) as numbers stay.
+        """
+        own = [np.array(self._initial(p, u)).ravel() for p, u in zip(parameters, inputs, strict=True)]
+        return np.where(np.isnan(given), np.array(own), given)
 
     def rates(self, t: Array, x: Array, u: Array, d: Array, p: Array) -> Slopes:
         """f at K points, given by rows."""
