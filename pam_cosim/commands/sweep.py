@@ -33,7 +33,8 @@ def sweep(
         list[str],
         typer.Option(
             "--vary",
-            help="NAME=FROM:TO:N or NAME=A,B,C: a parameter, input or start value; FROM:TO for random designs.",
+            help="NAME=FROM:TO:N or NAME=A,B,C: a parameter, input or start value; FROM:TO for random designs; "
+            "inputs=A.csv,B.csv: inputs over time.",
         ),
     ],
     output: Annotated[Path, typer.Option("-o", metavar="FILE", help="Write the result: CSV, .nc (NetCDF), .parquet.")],

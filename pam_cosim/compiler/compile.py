@@ -223,7 +223,10 @@ class _Assembly:
         return computable
 
     def _state_variable(self, name: str, initial: ca.SX) -> Variable:
-        value = float(ca.evalf(ca.substitute(initial, self.p, self.p_values)))
+        inputs = self.flat.symbols.inputs
+        usual = [metadata.variable(leaf, self.instantiator.constants).start or 0.0 for leaf in inputs]
+        known = ca.vertcat(self.p, *inputs.values()), ca.vertcat(self.p_values, *usual)
+        value = float(ca.evalf(ca.substitute(initial, *known)))
         leaf = self._leaf(name)
         if leaf is None:
             return Variable(name, start=value)
@@ -238,17 +241,22 @@ class _Assembly:
             if name not in starts and metadata.is_fixed(leaf, constants):
                 starts[name] = self._start(name)
         symbols = self.flat.symbols
-        equations = [Residual(self._not_yet(r.expression), r.place) for r in self.flat.initial]
-        system = replace(self.system, residuals=[replace(r, expression=self._not_yet(r.expression))
-                                                 for r in self.system.residuals])  # fmt: skip
-        values, late = initial_values(system, self.states, starts, equations, (self.p, self.p_values), symbols.late)
+        equations = [self._not_yet(r) for r in self.flat.initial]
+        system = replace(self.system, residuals=[self._not_yet(r) for r in self.system.residuals])
+        present = frozenset(leaf.name for leaf in symbols.inputs)
+        values, late = initial_values(
+            system, self.states, starts, equations, (self.p, self.p_values), symbols.late, present
+        )
         self.beginning = beginning(late, symbols.late, symbols.comparisons, symbols.t)
         return values
 
-    def _not_yet(self, expression: ca.SX) -> ca.SX:
+    def _not_yet(self, residual: Residual) -> Residual:
         """At the start, when no time has passed since the start."""
         comparisons = self.flat.symbols.comparisons
-        return put(expression, {n: c.symbol for n, c in comparisons.items()}, dict.fromkeys(comparisons, ca.SX(0)))
+        if not comparisons:
+            return residual
+        symbols, none = {n: c.symbol for n, c in comparisons.items()}, dict.fromkeys(comparisons, ca.SX(0))
+        return replace(residual, expression=put(residual.expression, symbols, none))
 
     def _delayed(self) -> DelayedInputs:
         """Everything is in terms of what is known when a run begins from here on."""

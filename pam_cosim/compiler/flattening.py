@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import casadi as ca
 
@@ -42,6 +43,11 @@ class Residual:
 
     expression: ca.SX
     place: str
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """Of the symbols in it, each once."""
+        return tuple(symbol.name() for symbol in ca.symvar(self.expression))
 
 
 @dataclass(repr=False)

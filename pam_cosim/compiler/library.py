@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from pathlib import Path
@@ -125,12 +126,12 @@ def package_folder(file: Path) -> Path | None:
 
 def modelica_files(folder: Path) -> list[Path]:
     """Every ``.mo`` file below a folder, in a fixed order."""
-    return sorted(folder.rglob("*.mo"))
+    return sorted(Path(at, name) for at, _, names in os.walk(folder) for name in names if name.endswith(".mo"))
 
 
 def _signature(files: Sequence[Path]) -> _Signature:
     """What changes when a file does."""
-    return tuple((str(f), f.stat().st_mtime_ns, f.stat().st_size) for f in files)
+    return tuple((str(f), s.st_mtime_ns, s.st_size) for f in files for s in [os.stat(f)])
 
 
 @lru_cache(maxsize=8)

@@ -111,6 +111,9 @@ class ColumnTable(_Table):
     unit: Name | None = None
     formula: Name | None = Field(default=None, max_length=300)
     zero: IntervalTable | None = None
+    gain: Value | None = None
+    offset: Value | None = None
+    fit: Literal[True, False, "gain", "offset"] = False
     words: dict[str, Literal["up", "down", "none"]] | None = None
 
 
@@ -139,6 +142,10 @@ class RunTable(_Table):
     branch: Literal["up", "down", "none", "order"] | None = None
     hold_out: dict[str, list[Value]] = Field(default_factory=dict)
     start: StartMode | None = None
+    before: dict[str, Value] | None = None
+    lead: Value | None = None
+    periodic: bool | None = None
+    gaps: Literal["split", "through"] | None = None
 
 
 class EffectsTable(_Table):
@@ -156,6 +163,10 @@ class Experiment(_Table):
     model: Name | None = None
     kind: Literal["dynamic", "static"] = "dynamic"
     start: StartMode | None = None
+    before: dict[str, Value] | None = None
+    lead: Value | None = None
+    periodic: bool | None = None
+    gaps: Literal["split", "through"] | None = None
     recording: RecordingTable = RecordingTable()
     columns: dict[str, ColumnTable] = Field(default_factory=dict)
     signals: dict[str, SignalTable] = Field(default_factory=dict)

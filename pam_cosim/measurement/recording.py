@@ -148,7 +148,8 @@ def _time(table: Table) -> NDArray[np.float64]:
     back = np.flatnonzero(steps < 0.0)
     if back.size:
         row = int(back[0]) + 1
-        raise table.error(f"time goes back, from {time[row - 1]:.9g} s to {time[row]:.9g} s", TIME, row)
+        went = f"time goes back, from {time[row - 1]:.9g} s to {time[row]:.9g} s"
+        raise table.error(f'{went}; state what that means: gaps = "split" or "through"', TIME, row)
     third = np.flatnonzero((steps[1:] == 0.0) & (steps[:-1] == 0.0))
     if third.size:
         row = int(third[0]) + 2
