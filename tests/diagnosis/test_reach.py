@@ -60,7 +60,7 @@ def test_a_parameter_that_waits_for_another_is_no_idle_one(at_rest: tuple[Search
 
 
 def test_a_thermometer_that_nobody_read_has_no_effect(tmp_path: Path) -> None:
-    """Its effects move the temperature alone; heat of the wall moves the pressure too, and a leak all of it."""
+    """Its effects move the reading alone. Heat of the wall may wait for a gas that feels it, and a leak moves all."""
     time = np.linspace(0.0, 4.0, 81)
     p = 200.0 * (1.0 - np.exp(-time / 0.5)) + np.random.default_rng(2).normal(0.0, 0.5, len(time))
     rows = "".join(f"{a:.3f},0.5,400,{b:.3f}\n" for a, b in zip(time, p, strict=True))
@@ -70,6 +70,6 @@ def test_a_thermometer_that_nobody_read_has_no_effect(tmp_path: Path) -> None:
     )
     search, base = looked_at(pam.read(tmp_path))
     names = [e.name for e in search.shelf if e.family in ("temperature_sensor", "thermocouple_lag")]
-    probes = {p.effect: p for p in search.probed(base, (), [*names, "OrificeLeak"])}
+    probes = {p.effect: p for p in search.probed(base, (), [*names, "WarmWall", "OrificeLeak"])}
     assert names and all(probes[name].unread for name in names)
-    assert not probes["OrificeLeak"].unread
+    assert not probes["OrificeLeak"].unread and not probes["WarmWall"].unread
