@@ -6,7 +6,7 @@ void pam_forget(pam_instance *c) { c->dx_known = c->y_known = c->w_known = 0; }
 void pam_initialise_states(pam_instance *c) {
     const pam_model *m = c->model;
     if (c->core.initial_known || !(c->core.phase & (INSTANTIATED | INITIALIZATION))) return;
-    const double *arg[] = {c->solver.p};
+    const double *arg[] = {c->solver.p, c->u};
     double *res[] = {c->result};
     m->init(arg, res, c->solver.iw, c->solver.w, 0);
     for (int i = 0; i < m->nx; i++)
@@ -93,7 +93,7 @@ void pam_directional(pam_instance *c) {
     double *rx = c->result, *ry = rx + m->nx, *rw = ry + m->ny, *start = rw + m->nw;
     pam_initialise_states(c);
     if (c->core.phase == INITIALIZATION) {
-        const double *arg[] = {c->solver.p, sp};
+        const double *arg[] = {c->solver.p, c->u, sp, su};
         double *res[] = {start};
         m->init_jvp(arg, res, c->solver.iw, c->solver.w, 0);
         for (int i = 0; i < m->nx; i++)

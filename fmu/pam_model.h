@@ -47,13 +47,17 @@ typedef struct {
     pam_function variation;           /* (t, x, u, d, p) -> (d dx/dx, transposed d dx/ds by the ns parameters s) */
     /* of all; this and init_jvp are NULL in a model that provides no directional derivatives */
     pam_function jvp;                 /* (t, x, u, d, p, st, sx, su, sd, sp) -> (dx, y, w) along the seed s */
-    pam_function init;                /* (p) -> x0 */
-    pam_function init_jvp;            /* (p, sp) -> x0 along the seed sp */
+    pam_function init;                /* (p, u) -> x0 */
+    pam_function init_jvp;            /* (p, u, sp, su) -> x0 along the seed */
     pam_function delay;               /* (p, sp) -> (delays [s], delays along the seed sp) */
     pam_function check;               /* (t, x, u, d, p) -> (na: 0 where it does not hold, nm: numbers in the messages) */
     const pam_statement *statements;
 } pam_model;
 
-extern const pam_model pam_the_model;
+/* A model that is data is filled in before there is an instance (pam_tape.c), which alone may write to it. */
+#ifndef PAM_MODEL_CONST
+#define PAM_MODEL_CONST const
+#endif
+extern PAM_MODEL_CONST pam_model pam_the_model;
 
 #endif

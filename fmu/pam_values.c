@@ -30,7 +30,10 @@ static pam_status set_one(pam_instance *c, unsigned vr, double value) {
     if (!isfinite(value))
         return pam_log(c, PAM_ERROR, "the value for value reference %u is not a finite number", vr);
     switch (kind) {
-        case INPUT: c->u[index] = value; return PAM_OK;
+        case INPUT:
+            c->u[index] = value;
+            if (starting) c->core.initial_known = 0;
+            return PAM_OK;
         case PARAMETER:
             if (!starting)
                 return pam_log(c, PAM_ERROR, "parameter %d is fixed: it must be set before the simulation", index);

@@ -120,6 +120,9 @@ class RecognitionCriteria:
     most_points: int = decides(2000, "rows", "of a table without time; more points at rest nobody waits for")
     levels_to_hold_out: int = decides(4, "values", "of what is imposed in a table; of fewer none is held out")
     points_to_hold_out: int = decides(8, "values", "the same along a single curve, which needs most of them")
+    longest: float = decides(0.1, "m", "of a contraction that a file's name tells by its number alone")
+    near_data_sheet: float = decides(0.3, "of its value", "how far a fit may go from the fibres of a muscle's data")
+    nominal: float = decides(0.05, "of the length", "a longest length nearer to the nominal one is that at rest")
     runs_to_hold_out: int = decides(3, "runs", "of fewer none is held out: they are needed for the fit")
 
 
@@ -136,8 +139,18 @@ class StartCriteria:
     own_parameter: float = decides(
         1e-3, "of a state", "by which a free parameter must move where the model begins, to be what says it"
     )
+    worth: float = decides(
+        1.5, "1", "times fewer squares that a run must leave with a start of its own, where its first samples are off "
+        "by no more than an offset of an instrument: that stays",
+    )  # fmt: skip
+    pause: float = decides(10.0, "intervals", "of the usual length; a longer one is a pause of the logger")
+    pauses_listed: int = decides(3, "places", "at which time goes back that are named")
+    periods: int = decides(50, "periods", "of a periodic recording that are simulated before it at most")
+    round: float = decides(0.1, "sd", "of the noise, by which a periodic motion may differ from what it comes to")
+    step: float = decides(1e-5, "of its size", "by which a state is moved to see on which readings and rates it acts")
     steps: int = decides(8, "steps", "of Newton's method for the start values of a run, beside given parameters")
     linear: float = decides(0.01, "1", "of the squares, that a further step may take away by the slopes alone")
+    near: float = decides(0.03, "sd", "of what is known of a start value beforehand, within which slopes stay the same")
     settled: float = decides(0.01, "variances", "of the noise, that a further such step must take away to be made")
     corrections: int = decides(4, "times", "a first reading is brought into agreement with the state that it shows")
 
@@ -274,6 +287,11 @@ class SearchCriteria:
     stated_ratio: tuple[float, float, float] = decides(
         (0.5, 1.05, 2.0), "1", "of a parameter to what is stated of it: at least, where a search begins, at most"
     )
+    rows_without_compiler: int = decides(
+        10_000,
+        "rows",
+        "of the fitted runs, up to which a model that is only looked at is not compiled; measured: docs/speed.md",
+    )
     looks: int = decides(8, "strengths", "of an effect that are looked at beside the base model, at most")
     weaker: float = decides(0.1, "1", "factor to the next strength where an effect acts the wrong way, or breaks down")
     same_strength: float = decides(0.2, "of a strength", "that another differs by at least, to be looked at as well")
@@ -388,6 +406,22 @@ class ResolutionCriteria:
     sharper: float = decides(0.8, "1", "factor on the deviation of parameters, above which a measurement helps little")
     listed: int = decides(5, "measurements", "that would help, at most")
     still: float = decides(1e-9, "of its largest value", "a signal that moves less stands still")
+    strongest: float = decides(1e3, "stated strengths", "that anybody would meet an effect at")
+
+
+@dataclass(frozen=True)
+class RunCriteria:
+    """What is read off one run of a model."""
+
+    steady_part: float = decides(
+        0.1, "of a run", "its last part, over which a steady value is averaged and a settled variable stays where it is"
+    )
+    settled: float = decides(
+        0.002,
+        "of the whole change",
+        "what moves more in the last part has not settled; where it comes to rest exponentially, "
+        "the time to 90 % of the change is known to a hundredth then",
+    )
 
 
 @dataclass(frozen=True)
@@ -409,6 +443,7 @@ class Criteria:
     next_experiment: NextExperimentCriteria = NextExperimentCriteria()
     resolution: ResolutionCriteria = ResolutionCriteria()
     doubts: DoubtCriteria = DoubtCriteria()
+    run: RunCriteria = RunCriteria()
 
 
 @dataclass(frozen=True)

@@ -14,10 +14,11 @@ import numpy as np
 from pam_cosim.catalogue import Composition, EffectClass, RigPart, domain_of, effect_classes, put_together
 from pam_cosim.catalogue import benches as _benches
 from pam_cosim.catalogue import rig_parts as _rig_parts
-from pam_cosim.comparison import Comparison, with_starts
+from pam_cosim.comparison import Comparison
 from pam_cosim.comparison import compare as _compare
 from pam_cosim.compiler import read_library
 from pam_cosim.compiler.names import last
+from pam_cosim.counts import checked_seed, checked_starts, checked_workers
 from pam_cosim.diagnosis import Check, Diagnosis, Listener, Message
 from pam_cosim.diagnosis import check as _check
 from pam_cosim.diagnosis import diagnose as _diagnose
@@ -33,7 +34,17 @@ from pam_cosim.fitted_model import (
     read_fitted_model,
     with_own_values,
 )
-from pam_cosim.fitting import Fit, FitOptions, Profiles, Progress, base_parameters, estimated_starts, with_free
+from pam_cosim.fitting import (
+    Fit,
+    FitOptions,
+    Profiles,
+    Progress,
+    base_parameters,
+    estimated_starts,
+    starts_are_open,
+    with_free,
+    with_starts,
+)
 from pam_cosim.fitting import fit as _fit
 from pam_cosim.fitting import profile as _profile
 from pam_cosim.fmu import read_interface
@@ -50,6 +61,7 @@ from pam_cosim.simulation import Inputs, Trajectory
 from pam_cosim.simulation.fmpy_engine import run_with_fmpy
 from pam_cosim.sources import Source, inputs_of
 from pam_cosim.sweeps import Plan, Sweep, design_of, make_sweep, read_scalars
+from pam_cosim.sweeps.patterns import INPUTS, Pattern, read_patterns, varies_inputs
 from pam_cosim.units import UnitError, seconds
 from pam_cosim.wording import did_you_mean
 
@@ -128,17 +140,30 @@ def compare(
     name, data = data.model_for(model), _for_model(data, model, files)
     interface = describe(name, files)
     values = _of_runs(parameters or {}, data, interface)
-    data = _begun(complete_noise(data), name, values, files, timeout)
+    data = begun_data(data, name, values, files, timeout)
     with opened(name, files, [START_VALUES] * data.estimates_starts, timeout) as simulator:
         starts = estimated_starts(simulator, data, _without_start(data, values, interface), values)
         return _compare(simulator, data, values | {name: e.value for name, e in starts.items()})
 
 
-def _begun(
-    data: DataSet, model: str, values: Mapping[str, float], files: Paths, timeout: float | None = None
+def begun_data(
+    data: DataSet,
+    model: str,
+    values: Mapping[str, float] | None = None,
+    files: Paths = (),
+    timeout: float | None = None,
 ) -> DataSet:
-    """The data set where every run says how it begins."""
-    if all(run.is_static or run.start.mode is not None for run in data.runs):
+    """The data set, with its noise, where every run says how it begins.
+
+    Args:
+        data: the measurement.
+        model: what it is held against.
+        values: by name [SI].
+        files: further Modelica files.
+        timeout: as in ``simulate``.
+    """
+    data = complete_noise(data)
+    if not starts_are_open(data):
         return data
     with opened(model, files, timeout=timeout) as simulator:
         return with_starts(simulator, data, values)
@@ -208,11 +233,10 @@ def fit(
     """
     if starts and method != "multi-start":
         raise InputError(f"starts are for the method multi-start, not for {method}")
-    if starts < 0:
-        raise InputError(f"a fit cannot begin at {starts} points")
-    data = complete_noise(_freed(data, model, free, start, files))
+    checked_starts(starts)
+    data = _freed(data, model, free, start, files)
     fixed = resolve(parameters or {}, describe(data.model_for(model), files))
-    data = _begun(data, data.model_for(model), fixed, files, timeout)
+    data = begun_data(data, data.model_for(model), fixed, files, timeout)
     with opened(data.model_for(model), files, data.differentiated, timeout) as simulator:
         chosen = base_parameters(data, simulator.interface)
         if not chosen:
@@ -260,9 +284,10 @@ def profile(
     Raises:
         InputError: as ``fit``.
     """
-    with opened(data.model_for(model), files, data.free_names, timeout) as simulator:
-        fixed = resolve(parameters or {}, simulator.interface)
-        return _profile(simulator, complete_noise(data), fit, fixed=fixed, progress=progress)
+    fixed = resolve(parameters or {}, describe(data.model_for(model), files))
+    data = begun_data(data, data.model_for(model), fixed, files, timeout)
+    with opened(data.model_for(model), files, data.differentiated, timeout) as simulator:
+        return _profile(simulator, data, fit, fixed=fixed, progress=progress)
 
 
 def diagnose(
@@ -297,7 +322,7 @@ def diagnose(
         files=files,
         say=say,
         progress=progress,
-        workers=workers,
+        workers=checked_workers(workers),
         explain=explain,
         time_limit=limit,
         exclude=tuple(exclude),
@@ -318,7 +343,7 @@ def check(
     How exactly the free parameters will be known, which families of effects would show and from which strength on,
     which of them would not be told apart, and which further signal or run would help most.
     """
-    return _check(data, model, files=as_paths(files), say=say, workers=workers)
+    return _check(data, model, files=as_paths(files), say=say, workers=checked_workers(workers))
 
 
 def draw(product: Product, path: Path | str) -> None:
@@ -501,7 +526,9 @@ def new(
     wishes = Wishes(title, model, columns, stated, recording, muscle, roles)
     paths = [Path(one) for one in recordings]
     made = draft(Path(folder), paths, wishes, read_library(files=as_paths(files)), _described(files), as_paths(files))
-    return replace(made, data=read(folder, files=files))
+    written = read(folder, files=files)
+    begun = begun_data(written, written.model, files=files)
+    return replace(made, data=written, to_check=(*begun.starts, *made.to_check))
 
 
 def simulate(
@@ -558,6 +585,15 @@ def _course(
     stop, step = (_seconds(given, what) for given, what in ((stop_time, "stop time"), (interval, "interval")))
     inputs = inputs_of(source, interface, lambda: output_times(interface, None, stop, step))
     return inputs, output_times(interface, inputs, stop, step)
+
+
+def _patterns(
+    interface: Interface, vary: Any, stop_time: Setting | None, interval: Setting | None
+) -> tuple[Pattern, ...]:
+    """The inputs over time that a sweep varies; none where it does not."""
+    if not varies_inputs(vary, interface):
+        return ()
+    return read_patterns(vary[INPUTS], lambda source: _course(interface, source, stop_time, interval)[0])
 
 
 def _seconds(given: Setting | None, what: str) -> float | None:
@@ -635,7 +671,8 @@ def sweep(
         model: as in ``simulate``.
         vary: by name of a parameter, an input that is held constant or a start value: its values for a "grid", where
             every combination is a run, and for a "list", run by run (or a mapping for each run, or a pandas frame);
-            its lowest and highest value for "random" and "latin-hypercube".
+            its lowest and highest value for "random" and "latin-hypercube". By the name "inputs": inputs over time, a
+            list of whatever ``inputs`` takes (files, mappings of arrays or functions, frames), or by their names.
         parameters: of every run, as in ``simulate``.
         inputs: of every run, as in ``simulate``.
         stop_time: of every run, as in ``simulate``.
@@ -664,12 +701,15 @@ def sweep(
         check_writable(Path(output))
     foreign, fmu = is_fmu(model), build(model, files=files)
     interface = read_interface(fmu)
-    course, times = _course(interface, inputs, stop_time, interval)
+    patterns = _patterns(interface, vary, stop_time, interval)
+    longest = max((p.inputs for p in patterns), key=lambda i: float(i.time[-1]), default=None)
+    course, times = _course(interface, longest if patterns and inputs is None else inputs, stop_time, interval)
+    course = None if patterns and inputs is None else course
     asked = read_scalars(scalars, interface)
     plan = Plan(
         fmu=fmu,
         interface=interface,
-        design=design_of(vary, interface, design, runs, seed),
+        design=design_of(vary, interface, design, runs, checked_seed(seed), patterns),
         fixed=resolve(parameters or {}, interface),
         inputs=course,
         times=times,
@@ -680,7 +720,7 @@ def sweep(
         timeout=timeout,
     )
     result = None if output is None else Path(output)
-    made = make_sweep(plan, result, executor=executor, workers=workers, progress=progress)
+    made = make_sweep(plan, result, executor=executor, workers=checked_workers(workers, 1), progress=progress)
     if result is not None:
         made.save(result)
     return made

@@ -1,7 +1,6 @@
 """Trajectory and data set -> residuals, scores, and where the error sits."""
 
 from pam_cosim.comparison.beginning import Beginning, beginning, measured, start_time
-from pam_cosim.comparison.chosen_starts import with_starts
 from pam_cosim.comparison.compare import Comparison, compare, scored
 from pam_cosim.comparison.condition_table import STATISTICS, Condition, ConditionTable, Statistic, write_tables
 from pam_cosim.comparison.doubts import Doubt
@@ -52,7 +51,6 @@ __all__ = [
     "usual_square",
     "weighted",
     "where",
-    "with_starts",
     "without_outliers",
     "write_tables",
 ]

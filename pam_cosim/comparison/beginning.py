@@ -37,16 +37,34 @@ class Beginning:
 def start_time(run: Run) -> float:
     """When the simulation of a run begins [s].
 
-    A run that records inputs begins with its first row: nothing is known of the inputs before. A run without
+    A run that records inputs begins with its first row, or as long before as something is known of them. A run without
     inputs is a free course from the state at time zero, which the first sample may come after.
     """
     first = float(run.time[0])
+    if run.start.periodic:
+        return first - run.start.periods * _period(run)
+    if run.start.seconds:
+        return first - run.start.seconds
     return first if run.inputs or run.start.is_found else min(0.0, first)
 
 
+def _period(run: Run) -> float:
+    """Of a run that is one: the row that would follow the last is the first again."""
+    return float(run.time[-1] - run.time[0] + np.median(np.diff(run.time)))
+
+
 def inputs_of_run(run: Run) -> Inputs | None:
-    """What drives the model."""
-    return Inputs(run.time, run.inputs, run.interpolation) if run.inputs else None
+    """What drives the model, from the start of the simulation on."""
+    start, time, values = run.start, run.time, run.inputs
+    if start.seconds and values:
+        # a step at the first row: what was before, and what the row says
+        time = np.concatenate([[time[0] - start.seconds, time[0]], time])
+        values = {n: np.concatenate([np.full(2, start.before.get(n, v[0])), v]) for n, v in values.items()}
+    elif start.periodic and values:
+        shifts = _period(run) * np.arange(-start.periods, 1)
+        time = (shifts[:, None] + time).ravel()
+        values = {n: np.tile(v, len(shifts)) for n, v in values.items()}
+    return Inputs(time, values, run.interpolation) if values else None
 
 
 def beginning(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> Beginning:
@@ -58,8 +76,10 @@ def beginning(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapp
         run: says in which state it begins.
         parameters: what it is simulated with [SI], start values among them.
     """
+    if run.start.seconds:
+        return Beginning(settle="all")
     given = [name for name in simulator.interface.states if name in parameters]
-    if run.start.mode in (None, "rest") or run.is_static:
+    if run.is_static or (run.start.mode in (None, "rest") and not run.start.periodic):
         return Beginning()
     if given:
         return Beginning(settle="none" if len(given) == len(simulator.interface.states) else "others")
@@ -78,7 +98,7 @@ def measured(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mappi
     links = probe.links({})
     for _ in range(2):  # what acts on what may not show where the model begins by itself
         shown = _shown_states(links, first, probe.signals, simulator.interface.states)
-        values = probe.corrected(shown, values)
+        values = probe.corrected(shown, links, values)
         links = links.joined(probe.links(values))
     signals = {state: one.signal for state, one in shown.items()}
     settle: Settle = "others" if probe.rests(values) else "none"
@@ -137,6 +157,22 @@ def _shown_states(
     return shown
 
 
+def first_of_run(run: Run, signal: str, sigma: float) -> FirstSamples | None:
+    """A signal at the first row of a run; None where it has no sample.
+
+    Args:
+        run: what was recorded.
+        signal: its name.
+        sigma: standard deviation of the noise [SI].
+    """
+    time, values = run.time, run.measurements[signal]
+    if signal in run.start.leading:
+        early, recorded = run.start.leading[signal]
+        later = time >= run.time[0] + run.start.lead
+        time, values = np.append(early, time[later]), np.append(recorded, values[later])
+    return first_samples(time, values, sigma, float(run.time[0]))
+
+
 class Probe:
     """What the model gives at the very start of a run, for start values of its states."""
 
@@ -149,12 +185,7 @@ class Probe:
 
     def first_samples(self) -> dict[str, FirstSamples]:
         """Of the signals that are fitted."""
-        known = {
-            name: first_samples(
-                self.run.time, self.run.measurements[name], self.data.signals[name].sigma or 0.0, self._start
-            )
-            for name in self.signals
-        }
+        known = {name: first_of_run(self.run, name, self.data.signals[name].sigma or 0.0) for name in self.signals}
         return {name: one for name, one in known.items() if one is not None}
 
     def at(self, values: Mapping[str, float], settle: Settle = "none") -> tuple[Array, Array]:
@@ -189,7 +220,7 @@ class Probe:
         here = dict(zip(self.states, state.tolist(), strict=True))
         columns = []
         for name in self.states:
-            step = _STEP * self._size(name, here[name])
+            step = CRITERIA.starts.step * self._size(name, here[name])
             above, below = (self.at({**here, name: here[name] + sign * step})[0] for sign in (1.0, -1.0))
             columns.append((above - below) / (2.0 * step))
         return _Links(np.column_stack(columns))
@@ -198,19 +229,18 @@ class Probe:
         variable = self.simulator.interface.start_values[name]
         return max(abs(variable.nominal or 0.0), abs(value)) or 1.0
 
-    def corrected(self, shown: Mapping[str, _Shown], values: Mapping[str, float]) -> dict[str, float]:
+    def corrected(self, shown: Mapping[str, _Shown], links: _Links, values: Mapping[str, float]) -> dict[str, float]:
         """Start values of the states that are shown, at which what shows them is as it was measured."""
-        state = dict(zip(self.states, self.at({})[1].tolist(), strict=True))
-        held = {name: values.get(name, state[name]) for name in shown}
+        _, state = self.at({})
+        held = {name: values.get(name, state[self.states.index(name)]) for name in shown}
         rows = [one.row for one in shown.values()]
         aims = np.array([one.aim for one in shown.values()])
-        places = [self.states.index(name) for name in shown]
+        slopes = links.matrix[np.ix_(rows, [self.states.index(name) for name in shown])]
         for _ in range(CRITERIA.starts.corrections if held else 0):
             miss = aims - self.at(held)[0][rows]
-            slopes = self.links(held).matrix[np.ix_(rows, places)]
             step = np.linalg.lstsq(slopes, miss, rcond=None)[0]
-            held = {name: held[name] + float(s) for name, s in zip(held, step, strict=True)}
-            if np.all(np.abs(step) <= _STEP * np.array([self._size(n, v) for n, v in held.items()])):
+            held = {name: float(held[name] + s) for name, s in zip(held, step, strict=True)}
+            if np.all(np.abs(step) <= CRITERIA.starts.step * np.array([self._size(n, v) for n, v in held.items()])):
                 break
         return held
 
@@ -225,7 +255,4 @@ class Probe:
         return True
 
 
-_STEP = 1e-5  # of the size of a state, in which it is moved to see on what it acts
-
-
-__all__ = ["Beginning", "Probe", "beginning", "inputs_of_run", "measured", "start_time"]
+__all__ = ["Beginning", "Probe", "beginning", "first_of_run", "inputs_of_run", "measured", "start_time"]

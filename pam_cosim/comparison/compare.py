@@ -103,7 +103,7 @@ class Comparison(Printed):
                     "name": r.run.name,
                     "role": r.run.role,
                     "parameters": dict(r.run.parameters),
-                    **({} if r.run.start.mode is None else {"start": r.run.start.mode}),
+                    **_start_of(r),
                     "signals": {n: s.as_dict() for n, s in score([r], self.data.signals).items()},
                 }
                 for r in self.runs
@@ -129,6 +129,12 @@ class Comparison(Printed):
             )
         lines += [f"  look first: {doubt.text}" for doubt in self.doubts]
         return "\n".join(lines)
+
+
+def _start_of(run: RunComparison) -> dict[str, object]:
+    start = run.run.start
+    mode = "periodic" if start.periodic else start.mode
+    return {} if mode is None else {"start": mode}
 
 
 def compare(

@@ -1,4 +1,4 @@
-"""Initial values of the states as functions of the parameters."""
+"""Initial values of the states as functions of the parameters, and of the inputs as they are at the start."""
 
 from __future__ import annotations
 
@@ -33,8 +33,9 @@ def initial_values(
     equations: Sequence[Residual],
     defaults: tuple[ca.SX, ca.SX],
     late: Mapping[str, ca.SX],
+    present: frozenset[str] = frozenset(),
 ) -> tuple[list[ca.SX], dict[str, ca.SX]]:
-    """One expression for each state, in terms of parameters, and one for each parameter that is not fixed.
+    """One expression for each state, in terms of parameters and inputs, and one for each parameter that is not fixed.
 
     At the start all equations of the model hold, and so many more as there are states and parameters that are not
     fixed: the fixed starts, then the initial equations; what these leave open is determined by the starts of states
@@ -47,6 +48,7 @@ def initial_values(
         equations: initial equations.
         defaults: the parameters' symbols and values, to judge superfluous equations.
         late: symbols of the parameters that are not fixed.
+        present: inputs on which states may depend, as they are at the start.
 
     Raises:
         ModelError: initial equations that contradict each other or cannot be solved.
@@ -75,7 +77,8 @@ def initial_values(
         raise ModelError(f"initial values: {error.message}") from None
     _check_superfluous(superfluous, solved, unknown, defaults)
     for name in (*states, *late):
-        inputs = [symbol.name() for symbol in ca.symvar(solved[name]) if symbol.name() in system.inputs]
+        refused = system.inputs - present if name in states else system.inputs
+        inputs = [symbol.name() for symbol in ca.symvar(solved[name]) if symbol.name() in refused]
         if inputs:
             raise ModelError(f"the initial value of '{name}' depends on the input '{inputs[0]}'")
     values = [ca.substitute(solved[name], system.time, ca.SX(0)) for name in states]
@@ -84,8 +87,8 @@ def initial_values(
 
 def _at_start(residual: Residual, system: System, late: Mapping[str, ca.SX]) -> Residual:
     """The equation at time zero; one that determines a parameter keeps the time, which is that of the start."""
-    names = {symbol.name() for symbol in ca.symvar(residual.expression)}
-    if names & late.keys() or system.time.name() not in names:
+    names = residual.names
+    if late.keys() & names or system.time.name() not in names:
         return residual
     return Residual(ca.substitute(residual.expression, system.time, ca.SX(0)), residual.place)
 
@@ -95,7 +98,7 @@ def _start_equation(system: System, name: str, start: Start) -> Residual:
 
 
 def _names(residual: Residual, unknown: Mapping[str, ca.SX]) -> list[str]:
-    return [s.name() for s in ca.symvar(residual.expression) if s.name() in unknown]
+    return [name for name in residual.names if name in unknown]
 
 
 def _check_superfluous(

@@ -44,7 +44,7 @@ class Statement:
 
 @dataclass(frozen=True)
 class Ode:
-    """dx/dt = f(t, x, u, d, p), y = h(t, x, u, d, p), x(0) = x0(p).
+    """dx/dt = f(t, x, u, d, p), y = h(t, x, u, d, p), x(0) = x0(p, u(0)).
 
     Attributes:
         interface: names, units, defaults of inputs, outputs, parameters and locals.
@@ -54,7 +54,7 @@ class Ode:
         derivatives: f, same order as ``x``.
         outputs: h, ordered like ``interface.outputs``.
         locals: algebraic variables, ordered like ``interface.locals``.
-        initial: x0 as a function of ``p`` only.
+        initial: x0 as a function of ``p`` and ``u``.
         description: the model's own one-line description.
         d: symbols of the delayed inputs, a column vector; empty in a model without ``delay``.
         delays: what each element of ``d`` stands for.

@@ -32,9 +32,8 @@ class LearnedModel:
 def ledger_of(search: Search, effects: Sequence[str], present: Fit) -> Ledger | None:
     """The ledger of the model with these effects; None where it has no balances to open."""
     try:
-        return keep_ledger(
-            search.data, present.values, search.model, effects=effects, files=search.files, tree=search.tree
-        )
+        values = present.values | present.start_values
+        return keep_ledger(search.data, values, search.model, effects=effects, files=search.files, tree=search.tree)
     except (InputError, ArithmeticError, ValueError) as problem:  # numpy reports a singular system as a ValueError
         search.say(Remark(f"no ledger could be kept: {problem}").message)
         return None

@@ -29,7 +29,7 @@ class Hypothesis:
 
     def __init__(self, candidate: Candidate, data: DataSet, files: Sequence[Path] = ()) -> None:
         self.candidate, self.data = candidate, data
-        self.values = candidate.fit.values | {name: e.value for name, e in candidate.fit.starts.items()}
+        self.values = candidate.fit.values | candidate.fit.start_values
         self.free = [n for n, e in candidate.fit.parameters.items() if not e.at_bound and not e.run]
         self.sigma = {n: s.sigma for n, s in data.signals.items() if s.fitted and s.sigma}
         name, told = candidate.equations.split()[1], [parameter_of(n) for n in self.free]

@@ -7,13 +7,13 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from pam_cosim.catalogue import EffectClass, domain_of, effect_classes, origins, qualified
-from pam_cosim.comparison import with_starts
 from pam_cosim.compiler import ClassTree, Part, read_library, read_structure
 from pam_cosim.diagnosis.events import Remark
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.stated import stated_parameters
 from pam_cosim.diagnosis.trial import run_trial
 from pam_cosim.errors import InputError
+from pam_cosim.fitting import starts_are_open, with_starts
 from pam_cosim.fmu import build_model
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet, complete_noise, condensed
@@ -82,7 +82,7 @@ def subject_of(
     if said:
         say(Remark(said).message)
     data = complete_noise(replace(data, domain=domain_of(tree, name)))
-    if not all(run.is_static or run.start.mode for run in data.runs):
+    if starts_are_open(data):
         with Simulator(build_model(name, files)) as simulator:
             data = with_starts(simulator, data)
         for sentence in data.starts:

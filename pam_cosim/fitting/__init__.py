@@ -1,6 +1,7 @@
 """Data set and model -> fitted parameters with intervals."""
 
 from pam_cosim.fitting.chosen import with_free
+from pam_cosim.fitting.chosen_starts import starts_are_open, with_starts
 from pam_cosim.fitting.combinations import Combination
 from pam_cosim.fitting.estimate import Estimate, estimates
 from pam_cosim.fitting.fit import Fit, fit, profile
@@ -12,7 +13,7 @@ from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.parameter_file import parameters_in, read_parameters, write_parameters
 from pam_cosim.fitting.profile import Profile, Profiles
 from pam_cosim.fitting.solve import spread_starts
-from pam_cosim.fitting.start_estimates import estimated_starts
+from pam_cosim.fitting.start_estimates import estimated_starts, simulated
 from pam_cosim.fitting.tracker import Convergence, Progress, Standing
 
 __all__ = [
@@ -41,8 +42,11 @@ __all__ = [
     "read_parameters",
     "residual_rows",
     "rows_of_series",
+    "simulated",
     "spread_starts",
+    "starts_are_open",
     "summary",
     "with_free",
+    "with_starts",
     "write_parameters",
 ]

@@ -88,6 +88,11 @@ class Fit(Printed):
         return {name: e.value for name, e in self.parameters.items()}
 
     @property
+    def start_values(self) -> dict[str, float]:
+        """Start values that were estimated [SI], by "state@run"."""
+        return {name: e.value for name, e in self.starts.items()}
+
+    @property
     def freedom(self) -> int:
         """Number of parameters that the data determine, start values of the fitted runs among them."""
         fitted = {run.run.name for run in self.comparison.runs if run.run.role == "fit"}
@@ -191,7 +196,8 @@ def fit(
             log.write()
     end = solution.end
     linear = linearised(objective, end.z, options.rows) if options.rows else None
-    objective.residuals(end.z)  # a descent may have ended with a look elsewhere
+    if any(run.start.mode == "estimated" for run in data.fit_runs):
+        objective.residuals(end.z)  # a descent may have ended with a look elsewhere, or answers come from a file
     begun = start_estimates(objective) | held_out_starts(simulator, data, objective.values(end.z), objective.tolerance)
     values = objective.values(end.z) | {name: e.value for name, e in begun.items()}
     comparison = compare(simulator, data, values, options.tolerance, rules=options.rules)

@@ -183,9 +183,9 @@ class Objective:
             return run, residuals, self._moved_starts(z, i, residuals)
         parts = []
         for signal, slopes in names.items():
-            kept, sigma = np.isfinite(run.run.measurements[signal]), self.data.signals[signal].sigma
-            assert sigma is not None
-            parts.append(-np.column_stack([run.model[n][kept] for n in slopes]) / sigma)
+            kept = np.isfinite(run.run.measurements[signal])
+            by_error = slope(run.residual(signal)[kept], self.data.signals[signal])
+            parts.append(-np.column_stack([run.model[n][kept] * by_error for n in slopes]))
         return run, residuals, np.vstack(parts)
 
     def _moved_starts(self, z: Array, i: int, at: Array) -> Array:

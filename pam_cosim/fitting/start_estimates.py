@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from pam_cosim.comparison import RunComparison, simulate_run
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.estimate import Estimate
@@ -19,6 +20,8 @@ def start_estimates(objective: Objective) -> dict[str, Estimate]:
     known = objective.simulator.interface.start_values
     estimates = {}
     for one in (objective.starts or {}).values():
+        if not len(one.slopes):  # its run could not be simulated
+            continue
         told = (one.deviations() / one.sd) ** 2 < CRITERIA.starts.told
         reach = CRITERIA.fit.interval * one.deviations()
         for k, (name, value) in enumerate(one.settings().items()):
@@ -53,6 +56,17 @@ def estimated_starts(
     except SimulationFailure:
         return {}
     return start_estimates(objective)
+
+
+def simulated(simulator: AnySimulator, data: DataSet, values: Mapping[str, float]) -> tuple[RunComparison, ...]:
+    """Every run beside its samples, with given parameters [SI]; starts that are to be estimated are.
+
+    Raises:
+        SimulationFailure: a run did not reach its end.
+    """
+    starts = estimated_starts(simulator, data, data.runs, values)
+    known = {**values, **{name: e.value for name, e in starts.items()}}
+    return tuple(simulate_run(simulator, data, run, known) for run in data.runs)
 
 
 def held_out_starts(

@@ -19,10 +19,13 @@ from pam_cosim.arrays import Array
 from pam_cosim.comparison import measured, start_time
 from pam_cosim.comparison.beginning import inputs_of_run
 from pam_cosim.criteria import CRITERIA
+from pam_cosim.errors import SimulationFailure
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
 
 Result = TypeVar("Result")
+
+_STILL = 1e-9  # of its size, by which a state that does not move moves by rounding
 
 
 @dataclass
@@ -35,7 +38,7 @@ class StartValues:
         mean, sd: (k,) what is known of them beforehand [SI]: where the first samples and the model's rest beside them
             say that it begins, and how far the run itself takes them.
         shown: the signal that shows a state, by its name.
-        values: (k,) the present ones [SI].
+        values: (k,) the present ones [SI]; ``low`` and ``high`` (k,) what the model says that they can be.
         slopes: (n, k) of the run's residuals by them, where they were last eliminated; of all rows those of what is
             known beforehand come last.
     """
@@ -46,6 +49,8 @@ class StartValues:
     sd: Array
     shown: dict[str, str]
     values: Array
+    low: Array
+    high: Array
     slopes: Array = field(default_factory=lambda: np.zeros((0, 0)))
 
     def settings(self) -> dict[str, float]:
@@ -62,7 +67,10 @@ class StartValues:
         return np.asarray(-np.linalg.lstsq(self.slopes, np.vstack([columns, below]), rcond=None)[0])
 
     def deviations(self) -> Array:
-        """(k,) standard deviations [SI] of the start values beside given parameters."""
+        """(k,) standard deviations [SI] of the start values beside given parameters; what is known beforehand where
+        no samples could be asked."""
+        if self.slopes.shape[1] != len(self.names):
+            return np.array(self.sd, dtype=float)
         return np.sqrt(np.diag(np.linalg.inv(self.slopes.T @ self.slopes)))
 
     def told(self) -> int:
@@ -91,10 +99,15 @@ def start_values(simulator: AnySimulator, data: DataSet, run: Run, parameters: M
     )  # fmt: skip
     mean = np.array([course[n][0] for n in names])
     through = np.array([np.ptp(course[n]) for n in names])
-    moved = [i for i in range(len(names)) if through[i] > 0.0]
+    size = np.array([np.max(np.abs(course[n])) for n in names])
+    moved = [i for i in range(len(names)) if through[i] > _STILL * size[i]]
     chosen = tuple(names[i] for i in moved)
     values = np.array([own.get(n, m) for n, m in zip(chosen, mean[moved], strict=True)])
-    return StartValues(run, chosen, mean[moved], CRITERIA.starts.range * through[moved], begins.shown, values)
+    known = simulator.interface.start_values
+    low = np.array([-np.inf if (end := known[n].min) is None else end for n in chosen])
+    high = np.array([np.inf if (end := known[n].max) is None else end for n in chosen])
+    sd = CRITERIA.starts.range * through[moved]
+    return StartValues(run, chosen, mean[moved], sd, begins.shown, np.clip(values, low, high), low, high)
 
 
 def eliminate(
@@ -114,23 +127,34 @@ def eliminate(
     """
     if guess is not None:
         of.values = guess
-    here = _Point(of, *simulate())
+    here = _tried(of, simulate)
+    if here is None:
+        of.values = of.mean
+        here = _Point(of, *simulate())
     for _ in range(CRITERIA.starts.steps):
-        if here.gain <= max(CRITERIA.starts.settled, CRITERIA.starts.linear * here.cost):
+        if here.is_settled:
             break
-        before, step = of.values, here.step
+        step = here.step
         for _ in range(CRITERIA.starts.steps):
-            of.values = before + step
-            there = _Point(of, *simulate())
-            if there.cost < here.cost:
+            of.values = np.clip(here.values + step, of.low, of.high)
+            there = _tried(of, simulate)
+            if there is not None and there.cost < here.cost:
                 break
             step = step / 2.0
         else:
-            of.values = before
             break
         here = there
-    of.values, of.slopes = here.values + here.step, here.slopes
-    return here.result, here.residuals + here.slopes[: len(here.residuals)] @ here.step
+    last = here.step if here.is_settled else np.zeros(len(here.step))
+    of.values, of.slopes = here.values + last, here.slopes
+    return here.result, here.residuals + here.slopes[: len(here.residuals)] @ last
+
+
+def _tried(of: StartValues, simulate: Callable[[], tuple[Result, Array, Array]]) -> _Point[Result] | None:
+    """The run from the present start values; None where it does not reach its end."""
+    try:
+        return _Point(of, *simulate())
+    except SimulationFailure:
+        return None
 
 
 class _Point(Generic[Result]):
@@ -143,7 +167,11 @@ class _Point(Generic[Result]):
         self.cost = float(rows @ rows)
         self.step: Array = np.linalg.lstsq(self.slopes * of.sd, -rows, rcond=None)[0] * of.sd
         left = rows + self.slopes @ self.step
-        self.gain = self.cost - float(left @ left)
+        gain = self.cost - float(left @ left)
+        # little is left to gain, and that by the slopes alone
+        self.is_settled = gain <= max(CRITERIA.starts.settled, CRITERIA.starts.linear * self.cost) and bool(
+            np.all(np.abs(self.step) <= CRITERIA.starts.near * of.sd)
+        )
 
 
 __all__ = ["StartValues", "eliminate", "start_values"]

@@ -34,6 +34,7 @@ class Grid:
         node_inputs, stage_inputs: (N, U) and (M, U) [SI]; at a node as the step that ends there has them.
         node_delayed, stage_delayed: (N, D) and (M, D), the delayed inputs.
         measured: (N, S) samples by signal [SI], NaN where there is none.
+        starts: (R, n) states at the start of each run [SI], NaN where it is that of the model.
     """
 
     runs: tuple[Run, ...]
@@ -47,6 +48,7 @@ class Grid:
     node_delayed: Array
     stage_delayed: Array
     measured: Array
+    starts: Array
 
     @property
     def run_of_node(self) -> NDArray[np.intp]:
@@ -69,7 +71,7 @@ def make_grid(
 ) -> Grid:
     """Nodes at samples, no two closer than ``spacing`` [s] but at the jumps of an input; and at ``further`` times."""
     defaults = {n: v.start or 0.0 for n, v in ode.interface.parameters.items()}
-    times, inputs, stages, delayed, stage_delayed, measured, parameters = [], [], [], [], [], [], []
+    times, inputs, stages, delayed, stage_delayed, measured, parameters, starts = [], [], [], [], [], [], [], []
     for r, run in enumerate(runs):
         stated = data.parameters_of(run, values)
         p = np.array([stated.get(n, v) for n, v in defaults.items()])
@@ -87,6 +89,7 @@ def make_grid(
         stage_delayed.append(_delayed(ode, p, courses, inside, t[0]))
         measured.append(_samples(run, shown, t, signals))
         parameters.append(p)
+        starts.append([stated.get(state.name, np.nan) for state in ode.states])
     first = np.cumsum([0, *(len(t) for t in times)])
     ends = first[1:] - 1
     left = np.setdiff1d(np.arange(first[-1]), ends)
@@ -94,6 +97,7 @@ def make_grid(
     return Grid(
         tuple(runs), first, time, left, time[left + 1] - time[left], np.array(parameters), np.concatenate(inputs),
         np.concatenate(stages), np.concatenate(delayed), np.concatenate(stage_delayed), np.concatenate(measured),
+        np.array(starts).reshape(len(runs), len(ode.states)),
     )  # fmt: skip
 
 

@@ -142,6 +142,10 @@ class RunTable(_Table):
     branch: Literal["up", "down", "none", "order"] | None = None
     hold_out: dict[str, list[Value]] = Field(default_factory=dict)
     start: StartMode | None = None
+    before: dict[str, Value] | None = None
+    lead: Value | None = None
+    periodic: bool | None = None
+    gaps: Literal["split", "through"] | None = None
 
 
 class EffectsTable(_Table):
@@ -159,6 +163,10 @@ class Experiment(_Table):
     model: Name | None = None
     kind: Literal["dynamic", "static"] = "dynamic"
     start: StartMode | None = None
+    before: dict[str, Value] | None = None
+    lead: Value | None = None
+    periodic: bool | None = None
+    gaps: Literal["split", "through"] | None = None
     recording: RecordingTable = RecordingTable()
     columns: dict[str, ColumnTable] = Field(default_factory=dict)
     signals: dict[str, SignalTable] = Field(default_factory=dict)

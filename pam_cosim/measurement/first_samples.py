@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 
+_LEAST = 3  # samples, through which no line has to go
+
 
 @dataclass(frozen=True)
 class FirstSamples:
@@ -44,24 +46,48 @@ def first_samples(time: Array, values: Array, sigma: float, start: float) -> Fir
     if not there.size:
         return None
     t, y = time[there] - start, values[there]
-    best = FirstSamples(float(y[0]), sigma)
-    for count in range(3, len(there) + 1):
-        if t[count - 1] == t[0]:
-            continue
-        line, left = _line(t[:count], y[:count], sigma)
-        freedom = count - 2
-        if left > freedom + CRITERIA.starts.bent * np.sqrt(2.0 * freedom):
-            break
-        best = line
-    return best
+    first = FirstSamples(float(y[0]), sigma)
+    if len(there) < _LEAST or not sigma:
+        return first
+    lines = _lines(t, y - y[0])
+    freedom = np.arange(_LEAST, len(there) + 1) - 2.0
+    left = lines.left[_LEAST - 1 :] / sigma**2
+    bent = np.flatnonzero(left > freedom + CRITERIA.starts.bent * np.sqrt(2.0 * freedom))
+    count = (int(bent[0]) if bent.size else len(freedom)) + _LEAST - 1
+    if count < _LEAST or lines.spread[count - 1] <= 0.0:
+        return first
+    n, mean, spread = float(count), lines.mean[count - 1], lines.spread[count - 1]
+    slope = lines.slope[count - 1]
+    return FirstSamples(
+        float(y[0] + lines.level[count - 1] - slope * mean),
+        float(sigma * np.sqrt(1.0 / n + mean**2 / spread)),
+        float(slope),
+        float(sigma / np.sqrt(spread)),
+    )
 
 
-def _line(t: Array, y: Array, sigma: float) -> tuple[FirstSamples, float]:
-    """The straight line at t = 0, and the squares that it leaves in variances of the noise."""
-    matrix = np.column_stack([np.ones_like(t), t])
-    inverse = np.linalg.inv(matrix.T @ matrix)
-    value, slope = inverse @ matrix.T @ y
-    spread = sigma * np.sqrt(np.diag(inverse))
-    left = y - matrix @ np.array([value, slope])
-    squares = float(left @ left) / sigma**2 if sigma else 0.0
-    return FirstSamples(float(value), float(spread[0]), float(slope), float(spread[1])), squares
+@dataclass(frozen=True)
+class _Lines:
+    """Straight lines through the first one, two, ... n samples: (n,) each.
+
+    Attributes:
+        mean, level: of time and of the signal.
+        spread: sum of squared distances from the mean in time.
+        slope: of the line. left: squares that it leaves.
+    """
+
+    mean: Array
+    level: Array
+    spread: Array
+    slope: Array
+    left: Array
+
+
+def _lines(t: Array, y: Array) -> _Lines:
+    n = np.arange(1.0, len(t) + 1.0)
+    mean, level = np.cumsum(t) / n, np.cumsum(y) / n
+    spread = np.cumsum(t**2) - n * mean**2
+    both = np.cumsum(t * y) - n * mean * level
+    slope = np.divide(both, spread, out=np.zeros(len(t)), where=spread > 0.0)
+    left = np.maximum(np.cumsum(y**2) - n * level**2 - slope * both, 0.0)
+    return _Lines(mean, level, spread, slope, left)

@@ -14,12 +14,13 @@ from pam_cosim.measurement.experiment import FILE_NAME, ExperimentFile, RunTable
 from pam_cosim.measurement.input_maps import input_maps, with_names_of_maps
 from pam_cosim.measurement.inside import file_inside
 from pam_cosim.measurement.parameters import free_parameter, known_values
+from pam_cosim.measurement.pieces import pieces_of
 from pam_cosim.measurement.points import Points
 from pam_cosim.measurement.read_run import read_points, read_run
+from pam_cosim.measurement.read_start import with_start
 from pam_cosim.measurement.resampling import with_noise_of_means
-from pam_cosim.measurement.start import Start
 from pam_cosim.names import BRANCH, is_file, is_fmu
-from pam_cosim.units import UnitError, parse_quantity
+from pam_cosim.units import LARGEST, UnitError, parse_quantity
 from pam_cosim.wording import did_you_mean, shown
 
 
@@ -164,6 +165,8 @@ def _deviation(document: ExperimentFile, name: str, key: str, value: Value | Non
         raise document.error(f"{key} of {name}: {error}", *path) from None
     if deviation <= 0.0:
         raise document.error(f"{key} of {name} must be greater than zero", *path)
+    if deviation < 1 / LARGEST:
+        raise document.error(f"{key} of {name} is smaller than that of any instrument: {shown(value)}", *path)
     return deviation
 
 
@@ -242,13 +245,17 @@ def _runs(
         measurements=recordings[0].measurements,
         notes=recordings[0].notes,
         averaged=recordings[0].averaged,
-        start=Start() if points else Start(table.start or document.content.start),
         default_inputs=tuple(n for n in interface.inputs if n not in recordings[0].inputs and n not in values),
     )
     if table.fit and len(points) > 1:
         message = f"{shown(table.file)} holds {len(points)} curves, which have no parameter of their own"
         raise document.error(f"{message}; free it under [fit]", "runs", index, "fit")
-    return [_curve(run, one, i == 0) for i, one in enumerate(points)] or [run]
+    every = [_curve(run, one, i == 0) for i, one in enumerate(points)]
+    every = every or pieces_of(run, table.gaps or document.content.gaps)
+    if table.fit and len(every) > 1:
+        message = f"{shown(table.file)} falls into {len(every)} pieces, which have no parameter of their own"
+        raise document.error(f"{message}; free it under [fit]", "runs", index, "fit")
+    return [with_start(document, interface, index, one) for one in every]
 
 
 def _curve(run: Run, points: Points, first: bool) -> Run:

@@ -15,6 +15,7 @@ from pam_cosim.measurement.columns import Renaming, with_columns
 from pam_cosim.measurement.experiment import ExperimentFile, KeyPath, LoggerTable, RecordingTable, RunTable
 from pam_cosim.measurement.formats import read_table
 from pam_cosim.measurement.inside import file_inside
+from pam_cosim.measurement.pieces import with_time_going_on
 from pam_cosim.measurement.points import WORDS, Points, points_of
 from pam_cosim.measurement.recording import Recording, recording_of
 from pam_cosim.measurement.resampling import resampled
@@ -91,7 +92,10 @@ def _recording(
     if stated.interval is not None:
         where: KeyPath = (*place, "recording") if entry.recording.interval is not None else ("recording",)
         table = _with_time(table, _duration(document, stated.interval, *where, "interval"))
-    return recording_of(with_columns(table, renaming), interface)
+    gaps = document.content.gaps
+    if isinstance(entry, RunTable):
+        gaps = entry.gaps or gaps
+    return recording_of(with_time_going_on(with_columns(table, renaming), gaps), interface)
 
 
 def _stated(document: ExperimentFile, entry: RunTable | LoggerTable) -> RecordingTable:

@@ -13,7 +13,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.interface import Interface
 from pam_cosim.measurement.formats import read_table
 from pam_cosim.measurement.table import TIME, Table
-from pam_cosim.units import UnitError, convert
+from pam_cosim.units import LARGEST, UnitError, convert
 from pam_cosim.wording import did_you_mean, listed, shown
 
 
@@ -112,7 +112,7 @@ def converted(table: Table, name: str, unit: str) -> NDArray[np.float64]:
         values = convert(column.values, column.unit, unit)
     except UnitError as error:
         raise table.error(f"{error}; the heading is '{name} [unit]'", name) from None
-    too_large = np.flatnonzero(np.isinf(values))
+    too_large = np.flatnonzero(np.abs(values) > LARGEST)
     if too_large.size:
         raise table.error("the value is too large", name, int(too_large[0]))
     return locked(values)
@@ -148,7 +148,8 @@ def _time(table: Table) -> NDArray[np.float64]:
     back = np.flatnonzero(steps < 0.0)
     if back.size:
         row = int(back[0]) + 1
-        raise table.error(f"time goes back, from {time[row - 1]:.9g} s to {time[row]:.9g} s", TIME, row)
+        went = f"time goes back, from {time[row - 1]:.9g} s to {time[row]:.9g} s"
+        raise table.error(f'{went}; state what that means: gaps = "split" or "through"', TIME, row)
     third = np.flatnonzero((steps[1:] == 0.0) & (steps[:-1] == 0.0))
     if third.size:
         row = int(third[0]) + 2

@@ -140,6 +140,10 @@ class _Writer:
             yield f'\n[[runs]]\nfile = {toml_string(_file_name(run))}\nrole = "{run.role}"'
             if run.is_static:
                 yield 'kind = "static"'
+            if run.start.mode is not None and not run.start.chosen and not run.start.seconds:
+                yield f'start = "{run.start.mode}"'
+            if run.start.periodic:
+                yield "periodic = true"
             if run.interpolation != "linear":
                 yield f'interpolation = "{run.interpolation}"'
             own = {name: value for name, value in run.parameters.items() if known.get(name) != value}

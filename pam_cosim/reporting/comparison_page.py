@@ -33,6 +33,7 @@ def comparison_report(comparison: Comparison, against: Sequence[Comparison] = ()
         scores=score_rows(comparison),
         curves=curve_pictures(layers),
         residuals=residual_pictures(layers),
+        starts=comparison.data.starts,
         doubts=[doubt.text for doubt in comparison.doubts],
         where=where_picture(comparison.where) if comparison.where else None,
         rules=rule_rows(comparison.where),

@@ -92,6 +92,13 @@ def headline(diagnosis: Diagnosis) -> str:
         return f"{_lacking(diagnosis)} ({' + '.join(verdict.effects)}){form}."
     if verdict.kind == "ambiguous":
         return f"An effect is missing, but these data cannot tell {families} apart."
+    if verdict.families and diagnosis.folds is not None:
+        good = ", ".join(
+            f"{quantity_text(e, diagnosis.data.signals[n].unit)} of {n}"
+            for n, e in diagnosis.folds.rmse.items()
+            if diagnosis.data.signals[n].fitted
+        )
+        return f"With {families} the model is good to {good} on runs that were never fitted; the rest is unknown."
     if verdict.families:
         return (
             f"{families.capitalize()} {'explain' if several else 'explains'} a part of the error; the rest is unknown."

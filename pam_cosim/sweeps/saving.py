@@ -65,8 +65,8 @@ def _csv(sweep: Sweep, path: Path) -> None:
             table.writerows(zip(*columns, strict=True))
 
 
-def _cell(value: float) -> str:
-    return "" if value != value else repr(value)
+def _cell(value: float | str) -> str:
+    return value if isinstance(value, str) else "" if value != value else repr(value)
 
 
 def _tables(sweep: Sweep) -> Iterator[pandas.DataFrame]:
@@ -89,8 +89,8 @@ def _long(sweep: Sweep, runs: range) -> pandas.DataFrame:
     for run in runs:
         failure = sweep.table.failure(run)
         varied = {
-            f"{axis_name(sweep, n)} [{u or '1'}]": v
-            for (n, u), v in zip(sweep.design.units.items(), sweep.design.points[run].tolist(), strict=True)
+            f"{axis_name(sweep, n)} [{u or '1'}]": sweep.design.labels(n, sweep.design.points[run, i : i + 1])[0]
+            for i, (n, u) in enumerate(sweep.design.units.items())
         }
         names = {n: f"{n} [{sweep.units[n] or '1'}]" for n in sweep.outputs}
         if failure:

@@ -10,7 +10,7 @@ from pam_cosim import models
 from pam_cosim.files import write_text
 from pam_cosim.fitting import Free, base_parameters, model_parameter
 from pam_cosim.measurement import DataSet, FreeParameter
-from pam_cosim.names import is_ratio
+from pam_cosim.names import START_VALUES, is_ratio
 from pam_cosim.simulation import AnySimulator
 from pam_cosim.workbench.catalogue import Catalogue
 
@@ -59,7 +59,7 @@ def open_model(data: DataSet, model: str, effects: Sequence[str], catalogue: Cat
         file = scratch / f"{composition.name}.mo"
         write_text(file, text)
         name, needed = str(file), catalogue.sources(model)
-    simulator = models.opened(name, needed)
+    simulator = models.opened(name, needed, [START_VALUES] * data.estimates_starts)
     try:
         parameters = {free.name: free for free in base_parameters(data, simulator.interface)}
         origin = {}

@@ -14,9 +14,9 @@ from pathlib import Path
 from typing import Any
 
 from pam_cosim import study
-from pam_cosim.comparison import Comparison, RunComparison, scored, simulate_run, sitting, where
+from pam_cosim.comparison import Comparison, RunComparison, scored, sitting, where
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.measurement import complete_noise
+from pam_cosim.fitting import simulated
 from pam_cosim.wording import did_you_mean, shown
 from pam_cosim.workbench.catalogue import Catalogue
 from pam_cosim.workbench.curves import measured_curves, model_curves
@@ -83,7 +83,8 @@ class Session:
             raise
 
     def _begin(self, model: str | None) -> None:
-        data = complete_noise(study.read(self.folder, model=model, files=self.files))
+        data = study.read(self.folder, model=model, files=self.files)
+        data = study.begun_data(data, model or data.model, files=self.files)
         self.benches = self.catalogue.benches(data.model)
         self.first = self.state = State(data, data.model_for(model))
         self._install(self.state)
@@ -220,8 +221,7 @@ class Session:
         self.windows.tell(scores_event(passing, self.opened, comparison, self._version))
 
     def _simulated(self, state: State, opened: Opened) -> tuple[RunComparison, ...]:
-        values = dict(state.values)
-        return tuple(simulate_run(opened.simulator, state.data, run, values) for run in state.data.runs)
+        return simulated(opened.simulator, state.data, state.values)
 
     def _scored(self, state: State, opened: Opened, runs: Sequence[RunComparison]) -> Comparison:
         """The same as ``study.compare`` finds, but for where the error sits."""

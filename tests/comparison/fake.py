@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.measurement import DataSet, Run, Signal
-from pam_cosim.simulation import Inputs, Trajectory
+from pam_cosim.simulation import Inputs, Settle, Trajectory
 
 Array = NDArray[np.float64]
 Model = Callable[[Array, Mapping[str, float]], dict[str, Array]]
@@ -35,7 +35,7 @@ class FakeSimulator:
         outputs: Sequence[str] | None,
         start_time: float,
         tolerance: float | None,
-        settle: bool = False,
+        settle: Settle = "none",
     ) -> Trajectory:
         self.calls.append({"parameters": dict(parameters), "inputs": inputs, "start_time": start_time})
         values = self.model(times, parameters)

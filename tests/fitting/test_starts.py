@@ -11,9 +11,8 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
-from pam_cosim.comparison import with_starts
 from pam_cosim.errors import InputError
-from pam_cosim.fitting import Free
+from pam_cosim.fitting import Free, with_starts
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_model
 from pam_cosim.measurement import DataSet

@@ -54,7 +54,8 @@ class Model:
         return np.array([*(values | dict(changed or {})).values()], dtype=float)
 
     def initial(self, p: np.ndarray) -> np.ndarray:
-        return ca.Function("initial", [self.ode.p], [self.ode.initial])(p).full().ravel()
+        u = self.inputs()
+        return ca.Function("initial", [self.ode.p, self.ode.u], [self.ode.initial])(p, u).full().ravel()
 
     def at(self, x: np.ndarray, u: np.ndarray, p: np.ndarray) -> Values:
         """States, their derivatives as ``der(name)``, outputs and locals."""

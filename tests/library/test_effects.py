@@ -143,13 +143,13 @@ def test_derivatives_are_finite_at_rest_and_at_the_bounds(effect: EffectClass, t
     variables = ode.interface.parameters
     rates = ca.Function("rates", [ode.t, ode.x, ode.u, ode.d, ode.p], [ode.derivatives])
     slopes = rates.jacobian()
-    initial = ca.Function("initial", [ode.p], [ode.initial])
+    initial = ca.Function("initial", [ode.p, ode.u], [ode.initial])
     inputs = [[v.start or 0.0 for v in ode.interface.inputs.values()], [0.0] * len(ode.interface.inputs)]
     for name in composition.parameters[effect.name]:
         v = variables[name]
         for value in (v.min, v.start, v.max):
             p = [value if n == name else other.start for n, other in variables.items()]
-            at_start = initial(p).full().ravel()
+            at_start = initial(p, inputs[0]).full().ravel()
             for x, u in ((x, u) for x in (at_start, _at_corners(ode, at_start)) for u in inputs):
                 d = [1.0 if delay.input is None else u[delay.input] for delay in ode.delays]
                 jacobians = slopes(0, x, u, d, p, rates(0, x, u, d, p))

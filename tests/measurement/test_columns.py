@@ -101,7 +101,7 @@ FAULTS = [
     ("a unit that is none", '"32 mm"', '"32 mmm3x"', "- Weg", ["unit"]),
     ("a quantity that is none", '"32 mm"', '"abc"', "- Weg", ["not a number with a unit"]),
     ("a huge power", "- Weg", "- ((9^99)^99)^99 * Weg", "9^99", ["cannot be evaluated"]),
-    ("deep brackets", "- Weg", "- " + "(" * 120 + "Weg" + ")" * 120, "((((", ["cannot be evaluated"]),
+    ("deep brackets", "- Weg", "- " + "(" * 120 + "Weg" + ")" * 120, "((((", ["deep within one another"]),
     ("too long", "- Weg", "- Weg" + " + Weg" * 100, "Weg + Weg", ["300"]),
     ("unit of a formula", "- Weg'", "- Weg', unit = \"mm\"", "- Weg", ["a formula and a unit"]),
     ("no rest", '"100 ms"', '"-1 s"', "Druck 1", ["no sample in the rest interval", "0 to 0.3 s"]),

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 from pam_cosim import study
 from pam_cosim.diagnosis import Candidate
 from pam_cosim.errors import InputError
-from pam_cosim.measurement import complete_noise
 from pam_cosim.workbench.doing.words import names_of, text_of
 from pam_cosim.workbench.state import label_of
 from pam_cosim.workbench.steps import CHOOSE, ROLES_STEP, SWITCH, TAKE, Step
@@ -46,7 +45,8 @@ def choose(session: Session, model: str) -> None:
         raise InputError("choose wants the name of a bench or of a Modelica class")
     state = session.state
     known = {run.name: run.role for run in state.data.runs}
-    data = complete_noise(study.read(session.folder, model=name, files=session.files, roles=known))
+    data = study.read(session.folder, model=name, files=session.files, roles=known)
+    data = study.begun_data(data, name, files=session.files)
     same = data.signals.keys() == state.data.signals.keys()
     session.enter(
         state.after(

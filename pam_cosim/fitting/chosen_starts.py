@@ -1,0 +1,188 @@
+"""How runs begin that do not say it: as the model does by itself, where their first samples agree with that."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from pam_cosim.comparison.beginning import Probe, beginning, first_of_run, inputs_of_run, measured, start_time
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.errors import SimulationFailure
+from pam_cosim.fitting.objective import Objective
+from pam_cosim.measurement import DataSet, FirstSamples, Run, StartMode
+from pam_cosim.simulation import AnySimulator
+from pam_cosim.units import format_quantity
+
+
+@dataclass(frozen=True)
+class _First:
+    """A signal at its first sample, and what the model gives there.
+
+    Attributes:
+        off: it is not what noise makes of the model's value. away: nor what an offset of an instrument does.
+    """
+
+    name: str
+    unit: str
+    sample: FirstSamples
+    model: float
+    off: bool
+    away: bool
+
+    def said(self, model: bool = False) -> str:
+        return format_quantity(self.model if model else self.sample.value, self.unit, 3)
+
+
+def with_starts(simulator: AnySimulator, data: DataSet, parameters: Mapping[str, float] | None = None) -> DataSet:
+    """The same where every run says how it begins.
+
+    Args:
+        simulator: the model.
+        data: the measurement with its noise.
+        parameters: values to simulate with [SI].
+
+    Raises:
+        InputError: a parameter that the model does not have.
+    """
+    if not starts_are_open(data):
+        return data
+    values = parameters or {}
+    runs = [_with_start(simulator, data, r, values) if _is_open(r) else r for r in data.runs]
+    if any(run.start.mode == "estimated" for run in runs):
+        runs = [run if run.is_static else _as_others(simulator, data, run, values) for run in runs]
+    return replace(data, runs=tuple(runs))
+
+
+def starts_are_open(data: DataSet) -> bool:
+    """Whether it is to be chosen how some run begins."""
+    return any(map(_is_open, data.runs))
+
+
+def _is_open(run: Run) -> bool:
+    return not run.is_static and (not run.start.periods if run.start.periodic else run.start.mode is None)
+
+
+def _with_start(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> Run:
+    own = data.parameters_of(run, parameters)
+
+    def begun(mode: StartMode, reason: str = "") -> Run:
+        return replace(run, start=replace(run.start, mode=mode, reason=reason, chosen=True))
+
+    try:
+        if run.start.periodic:
+            return _repeated(simulator, data, run, own)
+        first = _first(simulator, data, run, own)
+        off = [one for one in first if one.off]
+        if not off or _is_fitted(simulator, data, run, own):
+            return begun("rest")
+        shown = measured(simulator, data, run, own).shown
+        if not any(one.away for one in first) and not (shown and _takes_away(simulator, data, run, parameters)):
+            return begun("rest")
+    except SimulationFailure:  # who simulates the run says why it cannot be
+        return begun("rest")
+    moving = any(one.sample.moves for one in first)
+    begins = f"{run.name} begins at {', '.join(one.said() for one in first)}, {'moving' if moving else 'at rest'}"
+    if not shown:
+        where = ", ".join(f"{one.name} = {one.said(model=True)}" for one in off)
+        return begun("rest", f"{begins}: the model begins at {where}, and cannot begin elsewhere")
+    return begun("estimated", f"{begins}: estimated")
+
+
+def _as_others(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> Run:
+    """A run whose first samples agree with rest, among others that begin in the middle: it may move all the same."""
+    own = data.parameters_of(run, parameters)
+    try:
+        if not run.start.chosen or run.start.mode != "rest" or _is_fitted(simulator, data, run, own):
+            return run
+        first = _first(simulator, data, run, own, every=True)
+    except SimulationFailure:
+        return run
+    begins = f"{run.name} begins at {', '.join(one.said() for one in first)}"
+    return replace(run, start=replace(run.start, mode="estimated", reason=f"{begins}: estimated, as of the other runs"))
+
+
+def _takes_away(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> bool:
+    """Whether a start of its own takes much of what the model leaves: an offset of an instrument stays."""
+    left = []
+    for mode in ("rest", "estimated"):
+        tried = replace(run, start=replace(run.start, mode=mode))
+        objective = Objective(simulator, data, [tried], (), parameters)
+        left.append(objective.squares(np.zeros(0)))
+    return left[0] > CRITERIA.starts.worth * left[1]
+
+
+def _repeated(simulator: AnySimulator, data: DataSet, run: Run, own: Mapping[str, float]) -> Run:
+    """The run with so many periods before it that one more would change nothing that is measured."""
+    most = CRITERIA.starts.periods
+    signals = {n: s.sigma or 0.0 for n, s in data.signals.items() if s.fitted and run.sample_count(n)}
+    tried = replace(run, start=replace(run.start, periods=most))
+    begins = beginning(simulator, data, tried, own)
+    period = (float(run.time[0]) - start_time(tried)) / most
+    times = start_time(tried) + period * np.arange(most + 1)
+    course = simulator.run(
+        times, parameters={**own, **begins.values}, inputs=inputs_of_run(tried), outputs=list(signals),
+        start_time=start_time(tried), settle=begins.settle,
+    )  # fmt: skip
+    off = np.max([np.abs(course[n] - course[n][-1]) / (sigma or 1.0) for n, sigma in signals.items()], axis=0)
+    there = np.flatnonzero(off > CRITERIA.starts.round)
+    count = max(int(there[-1]) + 1 if there.size else 0, 1)
+    said = f"{run.name} is periodic: {count} periods of {format_quantity(period, 's', 4)} are simulated before it"
+    reason = f"{said}, and it has not come round by then" if count >= most else said
+    return replace(run, start=replace(run.start, periods=count, reason=reason, chosen=True))
+
+
+def _first(
+    simulator: AnySimulator, data: DataSet, run: Run, own: Mapping[str, float], every: bool = False
+) -> list[_First]:
+    """Signals that show a state, or all that are fitted where none does, beside the model that begins by itself.
+
+    None where all agree with it, unless ``every`` is wanted.
+    """
+    probe = Probe(simulator, data, run, own)
+    when = {name: _first_time(run, name) for name in probe.signals}
+    times = np.unique(list(when.values()))
+    if not times.size:
+        return []
+    course = probe.course(times, probe.signals)
+    first = [_beside(data, run, n, float(course[n][np.searchsorted(times, when[n])])) for n in probe.signals]
+    if not every and not any(one.off for one in first):
+        return []
+    shows = probe.showing()
+    return [one for one in first if one.name in shows] or first
+
+
+def _first_time(run: Run, name: str) -> float:
+    times, values = run.start.leading.get(name, (run.time[:0], run.time[:0]))
+    both = np.append(values, run.measurements[name])
+    return float(np.append(times, run.time)[np.isfinite(both)][0])
+
+
+def _beside(data: DataSet, run: Run, name: str, model: float) -> _First:
+    signal = data.signals[name]
+    sigma = signal.sigma or 0.0
+    sample = first_of_run(run, name, sigma)
+    assert sample is not None
+    values = np.concatenate([[model], *(r.measurements[name] for r in data.runs if name in r.measurements)])
+    span = float(np.nanmax(values) - np.nanmin(values))
+    far = abs(sample.value - model)
+    off = far > CRITERIA.starts.away * sigma
+    return _First(name, signal.unit, sample, model, off, off and far > CRITERIA.recognition.offset * span)
+
+
+def _is_fitted(simulator: AnySimulator, data: DataSet, run: Run, own: Mapping[str, float]) -> bool:
+    """Whether a free parameter says where the run begins."""
+    for free in data.fit.values():
+        if free.run and free.run != run.name:
+            continue
+        low, high = (
+            Probe(simulator, data, run, {**own, free.parameter: value}).at({})[1] for value in (free.min, free.max)
+        )
+        size = np.maximum(np.maximum(np.abs(low), np.abs(high)), 1.0)
+        if float(np.max(np.abs(high - low) / size, initial=0.0)) > CRITERIA.starts.own_parameter:
+            return True
+    return False
+
+
+__all__ = ["starts_are_open", "with_starts"]

@@ -1,0 +1,92 @@
+"""Recordings with gaps: a logger that paused, a counter of time that wrapped or began anew.
+
+``gaps = "split"``: each piece is a run of its own, with a start of its own. ``gaps = "through"``: the model runs
+through the gaps, with the inputs as they are recorded before and after; time that goes back goes on one interval later.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.errors import InputError
+from pam_cosim.measurement.data_set import Run
+from pam_cosim.measurement.table import TIME, Table
+
+Gaps = Literal["split", "through"]
+
+
+def with_time_going_on(table: Table, gaps: Gaps | None) -> Table:
+    """The table with time that never goes back, where it is stated what that means; else as it is."""
+    if gaps is None or TIME not in table.columns:
+        return table
+    column = table.columns[TIME]
+    steps = np.diff(column.values)
+    back = np.flatnonzero(steps < 0.0)
+    if not back.size or not np.isfinite(column.values).all():
+        return table
+    usual = float(np.median(steps[steps > 0.0])) if (steps > 0.0).any() else 1.0
+    pause = usual * (2.0 * CRITERIA.starts.pause if gaps == "split" else 1.0)
+    steps[back] = pause
+    time = column.values[0] + np.concatenate([[0.0], np.cumsum(steps)])
+    places = ", ".join(f"{column.values[i]:g}" for i in back[: CRITERIA.starts.pauses_listed])
+    meant = "a piece of its own begins there" if gaps == "split" else "it goes on one interval later"
+    note = f"time goes back {_times(back.size)}, after {places} {column.unit or 's'}: {meant}"
+    return replace(table, columns={**table.columns, TIME: replace(column, values=time)}, notes=(*table.notes, note))
+
+
+def _times(count: int) -> str:
+    return "once" if count == 1 else f"{count} times"
+
+
+def pauses(time: Array) -> NDArray[np.intp]:
+    """Rows after which a recording pauses."""
+    steps = np.diff(time)
+    usual = float(np.median(steps[steps > 0.0])) if (steps > 0.0).any() else 0.0
+    return np.flatnonzero(steps > CRITERIA.starts.pause * usual) if usual else np.zeros(0, np.intp)
+
+
+def pieces_of(run: Run, gaps: Gaps | None) -> list[Run]:
+    """The pieces of a run, or the run with a note on its pauses.
+
+    Raises:
+        InputError: a piece of one row.
+    """
+    after = pauses(run.time)
+    if not after.size:
+        return [run]
+    if gaps == "through":
+        return [run]
+    if gaps is None:
+        return [replace(run, notes=(*run.notes, _note(run.time, after)))]
+    ends = [0, *(after + 1).tolist(), len(run.time)]
+    return [_piece(run, a, b, k) for k, (a, b) in enumerate(zip(ends[:-1], ends[1:], strict=True), 1)]
+
+
+def _note(time: Array, after: Sequence[int] | NDArray[np.intp]) -> str:
+    longest = int(max(after, key=lambda i: time[i + 1] - time[i]))
+    pause = time[longest + 1] - time[longest]
+    return (
+        f"it pauses {_times(len(after))}, for {pause:.3g} s after {time[longest]:g} s: the model runs through that "
+        'with the inputs as they were before and after; gaps = "split" lets each piece begin anew'
+    )
+
+
+def _piece(run: Run, begin: int, end: int, number: int) -> Run:
+    if end - begin < 2:
+        raise InputError(f"the piece at {run.time[begin]:g} s has one row; it cannot be a run", run.file)
+    rows = slice(begin, end)
+    return replace(
+        run,
+        name=f"{run.name} piece {number}",
+        time=run.time[rows],
+        inputs={name: values[rows] for name, values in run.inputs.items()},
+        measurements={name: values[rows] for name, values in run.measurements.items()},
+        notes=run.notes if number == 1 else (),
+    )

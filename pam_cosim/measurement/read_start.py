@@ -1,0 +1,92 @@
+"""What ``experiment.toml`` says of how a run begins."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from pam_cosim.interface import Interface
+from pam_cosim.measurement.data_set import Run
+from pam_cosim.measurement.experiment import Experiment, ExperimentFile, KeyPath, RunTable
+from pam_cosim.measurement.parameters import known_values
+from pam_cosim.measurement.start import Start
+from pam_cosim.units import UnitError, parse_quantity
+from pam_cosim.wording import shown
+
+_FOR = "for"
+_KEYS = ("start", "before", "lead", "periodic")
+
+
+def with_start(document: ExperimentFile, interface: Interface, index: int, run: Run) -> Run:
+    """The run with what is stated of its start, by itself or for all.
+
+    Raises:
+        InputError: what contradicts itself, an unknown input, a duration that is none.
+    """
+    content, table = document.content, document.content.runs[index]
+    own: dict[str, KeyPath] = {key: ("runs", index, key) for key in _KEYS if getattr(table, key) is not None}
+    places: dict[str, KeyPath] = {key: (key,) for key in _KEYS if getattr(content, key) is not None} | own
+    if run.is_static:
+        if own:
+            key = next(iter(own))
+            raise document.error(f"{key} is for recordings over time; points at rest have no start", *own[key])
+        return run
+    start = Start(mode=_stated(content, table, "start"), periodic=bool(_stated(content, table, "periodic")))
+    if start.periodic:
+        for key in ("start", "before"):
+            if key in own or (key in places and "periodic" not in own):
+                message = f"{key} says where the run begins, and so does periodic = true; keep one of them"
+                raise document.error(message, *places[key])
+    lead = _stated(content, table, "lead")
+    if lead is not None:
+        start = replace(start, lead=_seconds(document, lead, *places["lead"]))
+    if "before" in places and not start.periodic:
+        start = _with_before(document, interface, start, _stated(content, table, "before"), places["before"])
+    return _without_lead(document, replace(run, start=start), places.get("lead", ()))
+
+
+def _stated(content: Experiment, table: RunTable, key: str):  # type: ignore[no-untyped-def]
+    own = getattr(table, key)
+    return getattr(content, key) if own is None else own
+
+
+def _with_before(
+    document: ExperimentFile, interface: Interface, start: Start, table: dict[str, str | float], place: KeyPath
+) -> Start:
+    if start.mode in ("measured", "estimated"):
+        message = f'{shown(start.mode)} begins with the first samples, and before says what led there; state "rest"'
+        raise document.error(f'{message} or "steady", as it was then', *place)
+    if _FOR not in table:
+        raise document.error('for is missing: state how long, before = { ..., for = "5 s" }', *place)
+    for name in table:
+        if name != _FOR and name not in interface.inputs:
+            raise document.error(
+                f"{shown(name)} is no input of {interface.model}: {', '.join(interface.inputs)}", *place
+            )
+    seconds = _seconds(document, table[_FOR], *place, _FOR)
+    inputs = {name: value for name, value in table.items() if name != _FOR}
+    held = known_values(document, interface, inputs, *place)
+    return replace(start, mode=start.mode or "rest", before=held, seconds=seconds)
+
+
+def _seconds(document: ExperimentFile, value: str | float, *place: str | int) -> float:
+    try:
+        seconds = parse_quantity(value, "s")
+    except UnitError as error:
+        raise document.error(f"{place[-1]}: {error}", *place) from None
+    if not 0.0 < seconds < float("inf"):
+        raise document.error(f"{place[-1]} must be greater than zero", *place)
+    return seconds
+
+
+def _without_lead(document: ExperimentFile, run: Run, place: KeyPath) -> Run:
+    """The run whose first samples are set aside, where it has a lead."""
+    if not run.start.lead:
+        return run
+    early = run.time < run.time[0] + run.start.lead
+    if early.all():
+        raise document.error(f"{run.name} is not longer than its lead: nothing would be scored", *place)
+    leading = {name: (run.time[early], values[early]) for name, values in run.measurements.items()}
+    scored = {name: np.where(early, np.nan, values) for name, values in run.measurements.items()}
+    return replace(run, measurements=scored, start=replace(run.start, leading=leading))
