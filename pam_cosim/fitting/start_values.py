@@ -138,7 +138,7 @@ def eliminate(
     for _ in range(CRITERIA.starts.steps):
         if here.is_settled:
             break
-        step = here.step
+        step = here.step / max(1.0, float(np.max(np.abs(here.step) / of.sd)))  # no farther than they are known
         for _ in range(CRITERIA.starts.steps):
             of.values = np.clip(here.values + step, of.low, of.high)
             there = _tried(of, simulate)
