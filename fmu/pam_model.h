@@ -54,6 +54,10 @@ typedef struct {
     const pam_statement *statements;
 } pam_model;
 
-extern const pam_model pam_the_model;
+/* A model that is data is filled in before there is an instance (pam_tape.c), which alone may write to it. */
+#ifndef PAM_MODEL_CONST
+#define PAM_MODEL_CONST const
+#endif
+extern PAM_MODEL_CONST pam_model pam_the_model;
 
 #endif

@@ -17,6 +17,7 @@ from pam_cosim.interface import Interface, Variable
 from pam_cosim.names import is_file
 from pam_cosim.settings import settable, value_of
 from pam_cosim.sweeps import MOST_RUNS
+from pam_cosim.sweeps.patterns import varies_inputs
 
 
 def fmu_files(models: Sequence[str], output: Path) -> list[tuple[str, Path]]:
@@ -67,18 +68,25 @@ def parse_named(words: Sequence[str]) -> dict[str, str]:
     return named
 
 
-def parse_variations(words: Sequence[str], interface: Interface, *, ranges: bool = False) -> dict[str, list[float]]:
+def parse_variations(
+    words: Sequence[str], interface: Interface, *, ranges: bool = False
+) -> dict[str, list[float] | list[str]]:
     """``NAME=FROM:TO:N`` or ``NAME=A,B,C`` words to lists of values [SI]; with ``ranges``, ``NAME=FROM:TO`` words.
+
+    ``inputs=A.csv,B.csv`` stays a list of files.
 
     Raises:
         InputError: as ``parse_settings``.
     """
-    variations: dict[str, list[float]] = {}
+    variations: dict[str, list[float] | list[str]] = {}
     for word in words:
         name, text = _split(word, "NAME=FROM:TO" if ranges else "NAME=FROM:TO:N or NAME=A,B,C")
-        variable = settable(name, interface)
         if name in variations:
             raise InputError(f"'{name}' is varied twice")
+        if varies_inputs({name: text}, interface):
+            variations[name] = [file.strip() for file in text.split(",")]
+            continue
+        variable = settable(name, interface)
         if ranges:
             if text.count(":") != 1:
                 raise InputError(f"'{word}': write FROM:TO, such as 1:10; --runs says how many")

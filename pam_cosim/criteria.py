@@ -120,6 +120,9 @@ class RecognitionCriteria:
     most_points: int = decides(2000, "rows", "of a table without time; more points at rest nobody waits for")
     levels_to_hold_out: int = decides(4, "values", "of what is imposed in a table; of fewer none is held out")
     points_to_hold_out: int = decides(8, "values", "the same along a single curve, which needs most of them")
+    longest: float = decides(0.1, "m", "of a contraction that a file's name tells by its number alone")
+    near_data_sheet: float = decides(0.3, "of its value", "how far a fit may go from the fibres of a muscle's data")
+    nominal: float = decides(0.05, "of the length", "a longest length nearer to the nominal one is that at rest")
     runs_to_hold_out: int = decides(3, "runs", "of fewer none is held out: they are needed for the fit")
 
 
@@ -284,6 +287,11 @@ class SearchCriteria:
     stated_ratio: tuple[float, float, float] = decides(
         (0.5, 1.05, 2.0), "1", "of a parameter to what is stated of it: at least, where a search begins, at most"
     )
+    rows_without_compiler: int = decides(
+        10_000,
+        "rows",
+        "of the fitted runs, up to which a model that is only looked at is not compiled; measured: docs/speed.md",
+    )
     looks: int = decides(8, "strengths", "of an effect that are looked at beside the base model, at most")
     weaker: float = decides(0.1, "1", "factor to the next strength where an effect acts the wrong way, or breaks down")
     same_strength: float = decides(0.2, "of a strength", "that another differs by at least, to be looked at as well")
@@ -314,6 +322,9 @@ class FoldsCriteria:
     most: int = decides(5, "folds", "that runs are left out in: the usual number")
     visible: float = decides(
         0.1, "of the error beyond the noise", "squared, that an effect takes away in runs that were left out, at least"
+    )
+    beyond: float = decides(
+        2.0, "times", "the usual error, of runs that are named because the others do not foretell them"
     )
     believable: float = decides(1.5, "times", "more or less than stated is no slip of a ruler or a balance")
 
@@ -395,6 +406,22 @@ class ResolutionCriteria:
     sharper: float = decides(0.8, "1", "factor on the deviation of parameters, above which a measurement helps little")
     listed: int = decides(5, "measurements", "that would help, at most")
     still: float = decides(1e-9, "of its largest value", "a signal that moves less stands still")
+    strongest: float = decides(1e3, "stated strengths", "that anybody would meet an effect at")
+
+
+@dataclass(frozen=True)
+class RunCriteria:
+    """What is read off one run of a model."""
+
+    steady_part: float = decides(
+        0.1, "of a run", "its last part, over which a steady value is averaged and a settled variable stays where it is"
+    )
+    settled: float = decides(
+        0.002,
+        "of the whole change",
+        "what moves more in the last part has not settled; where it comes to rest exponentially, "
+        "the time to 90 % of the change is known to a hundredth then",
+    )
 
 
 @dataclass(frozen=True)
@@ -416,6 +443,7 @@ class Criteria:
     next_experiment: NextExperimentCriteria = NextExperimentCriteria()
     resolution: ResolutionCriteria = ResolutionCriteria()
     doubts: DoubtCriteria = DoubtCriteria()
+    run: RunCriteria = RunCriteria()
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,9 @@ from typing import Any
 from pam_cosim.errors import InputError
 
 _LONGEST_PREFIX = 50  # of a temporary name, which must not be too long where the name itself is not
+MOST_BYTES = 2_000_000_000  # of a file that is read whole
+MOST_TEXT = 200_000_000  # of a document, such as JSON
+_AT_ONCE = 1 << 20  # bytes
 _MOST_LINKS = 40  # as Linux has it
 _KINDS = {
     stat.S_IFDIR: "a folder",
@@ -113,6 +116,32 @@ def write_json(path: Path, content: Any) -> None:
     write_text(path, json.dumps(_plain(content), indent=1, allow_nan=False) + "\n")
 
 
+def read_file(path: Path, most: int = MOST_BYTES) -> bytes:
+    """The bytes of a regular file: what a pipe or a device gives has no end.
+
+    Args:
+        path: of the file, or a link to it.
+        most: bytes that are taken.
+
+    Raises:
+        OSError: the file is missing or cannot be read.
+        InputError: it is no regular file, or too large.
+    """
+    handle = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
+    with os.fdopen(handle, "rb") as file:
+        status = os.fstat(handle)
+        if not stat.S_ISREG(status.st_mode):
+            raise InputError(f"is {_KINDS.get(stat.S_IFMT(status.st_mode), 'no file')}; name a file", path)
+        if status.st_size > most:
+            raise InputError(f"has {status.st_size / 1e6:.0f} MB; {most / 1e6:.0f} MB can be taken", path)
+        content = file.read(status.st_size + 1)
+        while len(content) <= most and (more := file.read(_AT_ONCE)):  # it grows, or does not say its size
+            content += more
+    if len(content) > most:
+        raise InputError(f"has more than {most / 1e6:.0f} MB, which cannot be taken", path)
+    return content
+
+
 def read_json(path: Path) -> Any:
     """The content of a JSON file.
 
@@ -120,7 +149,7 @@ def read_json(path: Path) -> Any:
         InputError: the file is missing or is not JSON.
     """
     try:
-        return json.loads(path.read_text(encoding="utf-8"))
+        return json.loads(read_file(path, MOST_TEXT).decode())
     except OSError as problem:
         raise InputError(f"cannot be read: {problem.strerror}", path) from problem
     except UnicodeDecodeError as problem:

@@ -171,10 +171,10 @@ def compose_fitted(
         raise InputError(f"{made.name} has no parameter '{stray}', of which there is a value")
     if made.name in tree.classes:
         raise InputError(f"there is a class {made.name} already: choose another name")
-    return replace(made, text=_with_base(made, fitted.model))
+    return replace(made, text=with_base(made, fitted.model))
 
 
-def _with_base(made: Composition, model: str) -> str:
+def with_base(made: Composition, model: str) -> str:
     """The text of a model after that of the file whose model it extends; classes of packages are found by name."""
     if not is_modelica(model) or names.parent(made.base):
         return made.text

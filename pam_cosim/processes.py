@@ -66,14 +66,20 @@ def _once(number: int, frame: FrameType | None) -> None:
     raise KeyboardInterrupt
 
 
-def run_tool(command: Sequence[str], folder: Path, environment: Mapping[str, str]) -> subprocess.CompletedProcess[str]:
-    """Runs a program to its end in ``folder``; whatever interrupts that ends the program and all that it started."""
+def run_tool(
+    command: Sequence[str], folder: Path, environment: Mapping[str, str], patience: float | None = None
+) -> subprocess.CompletedProcess[str]:
+    """Runs a program to its end in ``folder``; whatever interrupts that ends the program and all that it started.
+
+    Raises:
+        subprocess.TimeoutExpired: it took longer than ``patience`` [s].
+    """
     group: dict[str, int] = {"process_group": 0} if os.name == "posix" else {}
     process = subprocess.Popen(
         command, cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **group
     )  # type: ignore[call-overload]
     try:
-        out, err = process.communicate()
+        out, err = process.communicate(timeout=patience)
     except BaseException:
         with suppress(OSError):
             if group:

@@ -19,7 +19,7 @@ from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Obs
 from pam_cosim.comparison import Comparison, ConditionTable
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
-from pam_cosim.files import check_writable, write_bytes
+from pam_cosim.files import check_writable, read_file, write_bytes
 from pam_cosim.fitting import Fit, Leeway, Profiles, Record
 from pam_cosim.ledger import Ledger
 from pam_cosim.saved_content import arrays_in, check_plain, plain_value
@@ -73,7 +73,7 @@ def load(path: Path | str) -> Any:
     """
     source = Path(path)
     try:
-        content = source.read_bytes()
+        content = read_file(source)
     except OSError as problem:
         raise InputError(f"cannot be read: {problem.strerror or problem}", source) from problem
     try:

@@ -17,6 +17,11 @@ def modelica_root() -> Path:
     return _find("modelica")
 
 
+def shipped_models() -> Path:
+    """Directory of the compiled models that come with a wheel; it need not be there."""
+    return _find("shipped")
+
+
 def fmu_runtime() -> Path:
     """Directory that holds the C sources of the FMU runtime."""
     return _find("fmu")

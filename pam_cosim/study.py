@@ -18,6 +18,7 @@ from pam_cosim.comparison import Comparison
 from pam_cosim.comparison import compare as _compare
 from pam_cosim.compiler import read_library
 from pam_cosim.compiler.names import last
+from pam_cosim.counts import checked_seed, checked_starts, checked_workers
 from pam_cosim.diagnosis import Check, Diagnosis, Listener, Message
 from pam_cosim.diagnosis import check as _check
 from pam_cosim.diagnosis import diagnose as _diagnose
@@ -48,6 +49,7 @@ from pam_cosim.fitting import fit as _fit
 from pam_cosim.fitting import profile as _profile
 from pam_cosim.fmu import read_interface
 from pam_cosim.interface import Interface, Variable
+from pam_cosim.mapped_model import mapped_model
 from pam_cosim.measurement import DataSet, Run, complete_noise, read_data_set
 from pam_cosim.models import Paths, as_paths, opened
 from pam_cosim.models import build as build
@@ -59,6 +61,7 @@ from pam_cosim.simulation import Inputs, Trajectory
 from pam_cosim.simulation.fmpy_engine import run_with_fmpy
 from pam_cosim.sources import Source, inputs_of
 from pam_cosim.sweeps import Plan, Sweep, design_of, make_sweep, read_scalars
+from pam_cosim.sweeps.patterns import INPUTS, Pattern, read_patterns, varies_inputs
 from pam_cosim.units import UnitError, seconds
 from pam_cosim.wording import did_you_mean
 
@@ -88,7 +91,13 @@ def read(
         data = judged_data(Path(folder))
         data = replace(data, model=model or data.model)
     else:
-        data = read_data_set(Path(folder), described, model=model, benches=lambda: benches(files))
+        data = read_data_set(
+            Path(folder),
+            described,
+            model=model,
+            benches=lambda: benches(files),
+            with_maps=lambda base, maps: mapped_model(base, described(base), maps, as_paths(files)),
+        )
     data = replace(data.with_roles(roles or {}), domain=_domain(data.model, described(data.model), files))
     return _for_model(data, model, files)
 
@@ -96,7 +105,7 @@ def read(
 def _for_model(data: DataSet, model: str | None, files: Paths) -> DataSet:
     """The data set for a model: values that a Modelica model of another name states stand before starts of a fit."""
     if (
-        model in (None, data.bench)
+        model in (None, data.bench, data.unmapped)
         or not data.bench
         or is_fmu(model)
         or all(f.start is None for f in data.fit.values())
@@ -128,7 +137,7 @@ def compare(
 
     ``parameters`` are further values and ``timeout`` a limit, as in ``simulate``.
     """
-    name, data = model or data.model, _for_model(data, model, files)
+    name, data = data.model_for(model), _for_model(data, model, files)
     interface = describe(name, files)
     values = _of_runs(parameters or {}, data, interface)
     data = begun_data(data, name, values, files, timeout)
@@ -224,12 +233,11 @@ def fit(
     """
     if starts and method != "multi-start":
         raise InputError(f"starts are for the method multi-start, not for {method}")
-    if starts < 0:
-        raise InputError(f"a fit cannot begin at {starts} points")
+    checked_starts(starts)
     data = _freed(data, model, free, start, files)
-    fixed = resolve(parameters or {}, describe(model or data.model, files))
-    data = begun_data(data, model or data.model, fixed, files, timeout)
-    with opened(model or data.model, files, data.differentiated, timeout) as simulator:
+    fixed = resolve(parameters or {}, describe(data.model_for(model), files))
+    data = begun_data(data, data.model_for(model), fixed, files, timeout)
+    with opened(data.model_for(model), files, data.differentiated, timeout) as simulator:
         chosen = base_parameters(data, simulator.interface)
         if not chosen:
             raise InputError("nothing to fit: name the free parameters under [fit]", data.folder / "experiment.toml")
@@ -248,7 +256,7 @@ def _freed(
     data = _for_model(data, model, files)
     if free is None and not start:
         return data
-    interface = describe(model or data.model, files)
+    interface = describe(data.model_for(model), files)
     return with_free(data, interface, free, _of_runs(start or {}, data, interface))
 
 
@@ -276,9 +284,9 @@ def profile(
     Raises:
         InputError: as ``fit``.
     """
-    fixed = resolve(parameters or {}, describe(model or data.model, files))
-    data = begun_data(data, model or data.model, fixed, files, timeout)
-    with opened(model or data.model, files, data.differentiated, timeout) as simulator:
+    fixed = resolve(parameters or {}, describe(data.model_for(model), files))
+    data = begun_data(data, data.model_for(model), fixed, files, timeout)
+    with opened(data.model_for(model), files, data.differentiated, timeout) as simulator:
         return _profile(simulator, data, fit, fixed=fixed, progress=progress)
 
 
@@ -314,7 +322,7 @@ def diagnose(
         files=files,
         say=say,
         progress=progress,
-        workers=workers,
+        workers=checked_workers(workers),
         explain=explain,
         time_limit=limit,
         exclude=tuple(exclude),
@@ -335,7 +343,7 @@ def check(
     How exactly the free parameters will be known, which families of effects would show and from which strength on,
     which of them would not be told apart, and which further signal or run would help most.
     """
-    return _check(data, model, files=as_paths(files), say=say, workers=workers)
+    return _check(data, model, files=as_paths(files), say=say, workers=checked_workers(workers))
 
 
 def draw(product: Product, path: Path | str) -> None:
@@ -579,6 +587,15 @@ def _course(
     return inputs, output_times(interface, inputs, stop, step)
 
 
+def _patterns(
+    interface: Interface, vary: Any, stop_time: Setting | None, interval: Setting | None
+) -> tuple[Pattern, ...]:
+    """The inputs over time that a sweep varies; none where it does not."""
+    if not varies_inputs(vary, interface):
+        return ()
+    return read_patterns(vary[INPUTS], lambda source: _course(interface, source, stop_time, interval)[0])
+
+
 def _seconds(given: Setting | None, what: str) -> float | None:
     try:
         return None if given is None else seconds(given)
@@ -654,7 +671,8 @@ def sweep(
         model: as in ``simulate``.
         vary: by name of a parameter, an input that is held constant or a start value: its values for a "grid", where
             every combination is a run, and for a "list", run by run (or a mapping for each run, or a pandas frame);
-            its lowest and highest value for "random" and "latin-hypercube".
+            its lowest and highest value for "random" and "latin-hypercube". By the name "inputs": inputs over time, a
+            list of whatever ``inputs`` takes (files, mappings of arrays or functions, frames), or by their names.
         parameters: of every run, as in ``simulate``.
         inputs: of every run, as in ``simulate``.
         stop_time: of every run, as in ``simulate``.
@@ -683,12 +701,15 @@ def sweep(
         check_writable(Path(output))
     foreign, fmu = is_fmu(model), build(model, files=files)
     interface = read_interface(fmu)
-    course, times = _course(interface, inputs, stop_time, interval)
+    patterns = _patterns(interface, vary, stop_time, interval)
+    longest = max((p.inputs for p in patterns), key=lambda i: float(i.time[-1]), default=None)
+    course, times = _course(interface, longest if patterns and inputs is None else inputs, stop_time, interval)
+    course = None if patterns and inputs is None else course
     asked = read_scalars(scalars, interface)
     plan = Plan(
         fmu=fmu,
         interface=interface,
-        design=design_of(vary, interface, design, runs, seed),
+        design=design_of(vary, interface, design, runs, checked_seed(seed), patterns),
         fixed=resolve(parameters or {}, interface),
         inputs=course,
         times=times,
@@ -699,7 +720,7 @@ def sweep(
         timeout=timeout,
     )
     result = None if output is None else Path(output)
-    made = make_sweep(plan, result, executor=executor, workers=workers, progress=progress)
+    made = make_sweep(plan, result, executor=executor, workers=checked_workers(workers, 1), progress=progress)
     if result is not None:
         made.save(result)
     return made

@@ -2,6 +2,11 @@
 
 Needs Python 3.11 or newer and a package index; neither pip nor the venv module's ensurepip, which a bare Debian
 leaves out. Run it with the system's Python: ``python3 scripts/environment.py [EXTRA]``.
+
+What is installed is what ``scripts/locks`` lists, with its hashes: ``base.txt`` for ./scripts/demo, ``test.txt`` for
+./scripts/test. Other extras, and everything where PAM_COSIM_UNLOCKED is set, follow the ranges of ``pyproject.toml``.
+A lock is made anew by ``uv pip compile pyproject.toml scripts/locks/build.in [--extra test] --universal
+--python-version 3.11 --generate-hashes --no-annotate --no-header -o scripts/locks/test.txt``.
 """
 
 import hashlib
@@ -17,6 +22,7 @@ from urllib.parse import urljoin
 
 ROOT = Path(__file__).resolve().parent.parent
 HOME = ROOT / ".venv"
+UNLOCKED = "PAM_COSIM_UNLOCKED"
 PYTHON = HOME / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 
 
@@ -25,15 +31,22 @@ def main(extra: str) -> int:
         print(f"pam-cosim needs Python 3.11 or newer; this is {sys.version.split()[0]}", file=sys.stderr)
         return 2
     stamp = HOME / f"ready-{extra or 'base'}"
-    wanted = hashlib.sha256((ROOT / "pyproject.toml").read_bytes() + sys.version.encode()).hexdigest()
+    locks = b"".join(file.read_bytes() for file in sorted((ROOT / "scripts" / "locks").glob("*.txt")))
+    content = (ROOT / "pyproject.toml").read_bytes() + locks + sys.version.encode()
+    wanted = hashlib.sha256(content).hexdigest()
     if stamp.exists() and stamp.read_text() == wanted:
         return 0
     print("setting up .venv (once, a minute or two) ...", file=sys.stderr, flush=True)
     if not PYTHON.exists():
         venv.create(HOME, with_pip=False)
-    target = f"{ROOT}[{extra}]" if extra else str(ROOT)
+    quiet = ["--quiet", "--disable-pip-version-check"]
+    lock = ROOT / "scripts" / "locks" / f"{extra or 'base'}.txt"
     try:
-        install(["--quiet", "--disable-pip-version-check", "--editable", target])
+        if lock.exists() and not os.environ.get(UNLOCKED):
+            install([*quiet, "--require-hashes", "--requirement", str(lock)])
+            install([*quiet, "--no-deps", "--no-build-isolation", "--editable", str(ROOT)])
+        else:
+            install([*quiet, "--editable", f"{ROOT}[{extra}]" if extra else str(ROOT)])
     except (subprocess.CalledProcessError, OSError) as problem:
         print(f"setting up failed: {problem}; is a Python package index within reach?", file=sys.stderr)
         return 1

@@ -38,6 +38,7 @@ DECIDE_NOTHING = {
     "_FINE": "accuracy of a table",
     "_CENTRE": "keeps a quotient off nought by nought",
     "_TAIL": "the end of a sum",
+    "_SHARES": "anywhere between bounds will do",
     "_NODES": "accuracy of a table",
     "_SAME": "digits in which two values of a run are one condition of a table",
 }

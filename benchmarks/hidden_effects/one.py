@@ -13,7 +13,7 @@ import sys
 import tempfile
 import time
 import traceback
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
@@ -64,7 +64,9 @@ def _diagnosis(folder: Path, description: Mapping[str, Any], workers: int) -> di
     diagnosis = study.diagnose(study.read(folder), workers=workers, explain=False)
     verdict = diagnosis.verdict
     noise = description["noise"]
-    sigma = {name: diagnosis.data.signals[name].sigma or math.nan for name in noise["fit"]}
+    signals = {name: diagnosis.data.signals[name] for name in noise["fit"]}
+    sigma = {name: signal.sigma or math.nan for name, signal in signals.items()}
+    coarse = {name for name, signal in signals.items() if signal.step}
     final = diagnosis.final.comparison
     return {
         "verdict": verdict.as_dict(),
@@ -74,7 +76,7 @@ def _diagnosis(folder: Path, description: Mapping[str, Any], workers: int) -> di
             role: {
                 "base": diagnosis.base.comparison.chi2_reduced(role),
                 "final": final.chi2_reduced(role),
-                "noise": _floor(noise[role], sigma),
+                "noise": _floor(noise[role], sigma, coarse),
             }
             for role in noise
         },
@@ -85,9 +87,13 @@ def _diagnosis(folder: Path, description: Mapping[str, Any], workers: int) -> di
     }
 
 
-def _floor(noise: Mapping[str, Mapping[str, float]], sigma: Mapping[str, float]) -> float:
-    """The reduced chi-square that the truth itself would have: recorded minus true, weighed as the software weighs."""
-    total = sum(one["mean_square"] * one["samples"] / sigma[n] ** 2 for n, one in noise.items())
+def _floor(noise: Mapping[str, Mapping[str, float]], sigma: Mapping[str, float], coarse: Collection[str] = ()) -> float:
+    """The reduced chi-square that the truth itself would have: recorded minus true, weighed as the software weighs.
+
+    Readings in coarse steps are counted by what rounding leaves of the truth: one.
+    """
+    squares = {n: 1.0 if n in coarse else one["mean_square"] / sigma[n] ** 2 for n, one in noise.items()}
+    total = sum(squares[n] * one["samples"] for n, one in noise.items())
     return total / sum(one["samples"] for one in noise.values())
 
 

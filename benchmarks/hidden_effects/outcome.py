@@ -30,9 +30,9 @@ def judged(result: Result) -> str:
     """One of OUTCOMES.
 
     One family or several: right is identified with exactly these, or with others that the case says give the very same
-    data. Nothing hidden: right is none_missing; unknown claims no effect either, and is counted by its own name. An
-    effect in no family: unknown and ambiguous are right, and so is what names instruments alone; another identified
-    family is wrong.
+    data. Readings in steps and nothing else: right is none_missing too. Nothing hidden: right is none_missing; unknown
+    claims no effect either, and is counted by its own name. An effect in no family: unknown and ambiguous are right,
+    and so is what names instruments alone; another identified family is wrong.
     """
     if "error" in result:
         return "error"
@@ -47,7 +47,7 @@ def judged(result: Result) -> str:
             return "right"
         return "unknown" if kind == "unknown" and not named else "wrong"
     if kind == "none_missing":
-        return "missed"
+        return "right" if true == {"quantisation"} else "missed"
     if kind == "unknown":
         return "unknown"
     same = [true, *(set(families) for families in result["case"].get("same_as", []))]

@@ -42,6 +42,13 @@ def tabled(comparison: Comparison, statistic: Statistic) -> str:
     return markdown_table(head, rows)
 
 
+def rounded(comparison: Comparison) -> list[str]:
+    """Rms errors [mm], two decimals, a row of Markdown for each load."""
+    runs = by_condition(comparison)
+    errors = {at: f"{1e3 * np.sqrt(np.nanmean(run.residual('x') ** 2)):.2f}" for at, run in runs.items()}
+    return [f"| {load:g} kg | {' | '.join(errors[load, f] for f in rig.FREQUENCIES)} |" for load in rig.LOADS]
+
+
 def draw(diagnosis: Diagnosis, picture: Path) -> None:
     """Loops at the lowest and the highest frequency: measured, by the existing model, with the effect found."""
     models = [("existing model", by_condition(diagnosis.base.comparison))]

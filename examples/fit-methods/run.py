@@ -45,14 +45,20 @@ def draw(made: dict[str, Fit], picture: Path) -> None:
     plt.close(figure)
 
 
+def told(made: dict[str, Fit]) -> str:
+    """What each method finds."""
+    lines = []
+    for method, fit in made.items():
+        lines.append(f"{method}: chi2 {fit.residuals['fit'].chi2_reduced:.5g} after {fit.evaluations} simulations")
+        lines += [str(fit.search)] * (fit.search is not None)
+    return "\n".join(lines)
+
+
 def main(picture: Path) -> None:
     """All methods, what each finds, and the picture."""
     with TemporaryDirectory() as place:
         made = fits(Path(place))
-    for method, fit in made.items():
-        print(f"{method}: chi2 {fit.residuals['fit'].chi2_reduced:.5g} after {fit.evaluations} simulations")
-        if fit.search is not None:
-            print(fit.search)
+    print(told(made))
     draw(made, picture)
 
 

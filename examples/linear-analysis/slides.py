@@ -69,7 +69,8 @@ def step(folder: Path) -> None:
         swing = linear.modes[-1]
         print(f"step with C_1, C_2 {name}: {swing.frequency:.2f} Hz, damping ratio {swing.damping:.3f}; ", end="")
         seen = [force[:: round(1000 / rate)].max() for rate in (10, 80)]
-        print(f"pull up to {force.max():.1f} N ({seen[0]:.1f} at 10 Hz, {seen[1]:.1f} at 80 Hz), ", end="")
+        print(f"pull up to {force.max():.1f} N ({seen[0]:.1f} at 10 Hz, {seen[1]:.1f} at 80 Hz, ", end="")
+        print("if the step falls on a sample), ", end="")
         print(f"then {force[-1]:.1f} N")
         axes[0].plot(times, 1e3 * answer[:, linear.outputs.index("L")], color=colour, label=name)
         axes[1].plot(times, force, color=colour, label=name)
@@ -80,14 +81,22 @@ def step(folder: Path) -> None:
     save(figure, axes, folder / "slides-step.png")
 
 
+def loop_width(time: np.ndarray, p: np.ndarray, eps: np.ndarray) -> float:
+    """Largest less smallest strain at the moments after 5 s at which the pressure passes 3 bar."""
+    before = np.flatnonzero(((p[:-1] < 3e5) != (p[1:] < 3e5)) & (time[:-1] > 5))
+    share = (3e5 - p[before]) / (p[before + 1] - p[before])
+    return float(np.ptp(eps[before] + share * (eps[before + 1] - eps[before])))
+
+
 def two_lengths(folder: Path) -> None:
     """Loops of muscles of two lengths, and why a linear model does not have them."""
-    run = pam.simulate("Validation.TwoLengths")
-    late = run.time > 5
-    for i, (length, rate) in enumerate(((150, 0.2), (300, 0.2), (150, 2), (300, 2)), 1):
-        middle = late & (np.abs(run[f"p[{i}]"] - 3e5) < 3e3)
-        width = 100 * np.ptp(run[f"eps[{i}]"][middle])
-        print(f"{length} mm at {rate} Hz: the loop is {width:.2f} % of the length wide")
+    muscles = range(1, 5)
+    watched = [f"bench[{i}].regulator.p" for i in muscles]
+    run = pam.simulate("Validation.TwoLengths", outputs=watched, interval="0.5 ms")
+    widths = [loop_width(run.time, run[p], 100 * run[f"eps[{i}]"]) for p, i in zip(watched, muscles, strict=True)]
+    print("the loop, where the muscle's pressure passes 3 bar, is ", end="")
+    print("{:.2f} % of the length wide at 0.2 Hz for 150 and {:.2f} % for 300 mm, ".format(*widths[:2]), end="")
+    print("{:.2f} and {:.2f} % at 2 Hz".format(*widths[2:]))
     figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6), layout="constrained")
     frequencies = np.geomspace(0.1, 20, 9)
     for length, marker in ((0.15, "o"), (0.30, "s")):

@@ -1,8 +1,9 @@
-"""The valve at fifteen supplies: python examples/valve-calibration/run.py.
+"""The valve at fifteen supplies: python examples/valve-calibration/run.py [FOLDER].
 
 Flow and effective area by current and supply from PneumaticMuscle.Validation.ValveCalibration, and the regression of
 DP (61)-(62) done again with each reading of its 344.7 kPa. Nothing here is measured: DP print neither flows nor areas
-of their calibration. Writes calibration.csv, report.md and result.png.
+of their calibration. Prints the report, and writes calibration.csv, report.md and result.png into FOLDER (default:
+demo/valve-calibration).
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ ROOT = HERE.parent.parent
 sys.path[:0] = [str(ROOT)]
 
 import pam_cosim as pam  # noqa: E402
-from examples.raw_data import markdown_table, write_table  # noqa: E402
+from examples.raw_data import asked_for, markdown_table, write_table  # noqa: E402
 from pam_cosim.files import write_text  # noqa: E402
 from pam_cosim.simulation import Trajectory  # noqa: E402
 
@@ -115,17 +116,21 @@ def draw(trajectory: Trajectory, picture: Path) -> None:
     plt.close(page)
 
 
-def main() -> None:
+def write(folder: Path) -> str:
+    """The three files; returns the report."""
+    folder.mkdir(parents=True, exist_ok=True)
     trajectory = calibration()
-    draw(trajectory, HERE / "result.png")
+    draw(trajectory, folder / "result.png")
     every = slice(None, None, max(1, len(trajectory.time) // 50))
     columns = {"u [A]": trajectory.values["u"][every]}
     for i, supply in enumerate(SUPPLIES):
         columns[f"flow at {supply / 1e3:.1f} kPa [L/min]"] = trajectory.values[f"V_flow[{i + 1}]"][every] * 6e4
-    write_table(HERE / "calibration.csv", columns, f"Flows of {MODEL}: a model's, nobody measured them.")
+    write_table(folder / "calibration.csv", columns, f"Flows of {MODEL}: a model's, nobody measured them.")
     text = (HERE / "report.template.md").read_text(encoding="utf-8")
-    write_text(HERE / "report.md", text.format(regression=regression_table(), supplies=supply_table(trajectory)))
+    report = text.format(regression=regression_table(), supplies=supply_table(trajectory))
+    write_text(folder / "report.md", report)
+    return report
 
 
 if __name__ == "__main__":
-    main()
+    print(write(Path(asked_for() or ROOT / "demo" / "valve-calibration")))

@@ -3,7 +3,7 @@ record Domain "How results are told in this field: its balances, its phases, and
   extends Icons.Record;
   constant String balances[:] = {"force", "mass", "energy"} "Balances, in the order in which they are opened and drawn";
   constant String confused[:, 3] = {{"mass", "energy",
-    "a law of the gas that keeps books of its energy explains the samples as well: without a signal that shows the temperature, missing mass and missing heat cannot be told apart"}}
+    "a law of the gas that keeps books of its energy explains the samples as well: unless a signal that shows the temperature is fitted, missing mass and missing heat cannot be told apart"}}
     "Where the first balance fails and a law hides the second, a law that keeps books of the second is tried too; what to say where both explain the samples";
   constant String phases[:, 4] = {{"Pa", "filling", "holding", "venting"}}
     "Unit of the output whose course divides a run, and what it is called to rise, to rest and to fall";

@@ -3,12 +3,14 @@
 What makes a Modelica package a library is said in ``place``; ``effects`` reads what its effects say of themselves;
 ``compose`` puts them where their types say that they belong;
 ``rig_parts`` finds what a bench can be put together from and ``rig`` does so;
+``input_maps`` gives a model maps of its inputs;
 ``domain`` reads how results are told in the field of the library. No effect and no library has a name here.
 """
 
 from pam_cosim.catalogue.compose import Composition, compose, compose_on
 from pam_cosim.catalogue.domain import domain_of
 from pam_cosim.catalogue.effects import EffectClass, effect_classes, effects_in, unknown_terms
+from pam_cosim.catalogue.input_maps import with_input_maps
 from pam_cosim.catalogue.model import full_name
 from pam_cosim.catalogue.place import EFFECT, benches, library_of, origins, qualified
 from pam_cosim.catalogue.rig import Rig, put_together
@@ -33,4 +35,5 @@ __all__ = [
     "qualified",
     "rig_parts",
     "unknown_terms",
+    "with_input_maps",
 ]

@@ -10,6 +10,8 @@ from pam_cosim.catalogue.place import meant, qualified
 from pam_cosim.compiler import read_library
 from pam_cosim.resources import modelica_root
 
+_LONGEST = 200  # letters of a name that a file of the library may have
+
 
 def full_name(model: str, files: Sequence[Path] = ()) -> str:
     """The name of a model with its packages, as ``qualified`` has it; a file or an unknown name as it is.
@@ -17,7 +19,7 @@ def full_name(model: str, files: Sequence[Path] = ()) -> str:
     Raises:
         ModelError: the user's files cannot be read.
     """
-    if not re.fullmatch(r"\w+(\.\w+)*", model):
+    if len(model) > _LONGEST or not re.fullmatch(r"\w+(\.\w+)*", model):
         return model
     root = modelica_root()
     packages = [file.parent.name for file in sorted(root.glob("*/package.mo"))]

@@ -20,7 +20,7 @@ from pam_cosim.files import check_distinct, check_spared, check_writable, identi
 
 if TYPE_CHECKING:
     from pam_cosim.analysis import FrequencyResponse, LinearModel, Observation, Tracking
-    from pam_cosim.diagnosis import Message
+    from pam_cosim.diagnosis import Event, Message
     from pam_cosim.measurement import DataSet
 
 INTERRUPTED = 130  # as shells have it for a command that Ctrl-C ended
@@ -129,6 +129,18 @@ def interrupted() -> int:
     more = "".join(f"; {text}" for text in (remark() for remark in remarks) if text)
     print(f"pam-cosim: interrupted; {what}{more}", file=sys.stderr)
     return INTERRUPTED
+
+
+def follower(status: Any) -> Callable[[Event], None]:
+    """Shows in the status line how many of how many are done, of what no line is printed."""
+
+    from pam_cosim.diagnosis import EffectLookedAt
+
+    def follow(event: Event) -> None:
+        if isinstance(event, EffectLookedAt):
+            status.update(event.status)
+
+    return follow
 
 
 def teller(status: Any) -> Callable[[Message], None]:

@@ -35,7 +35,7 @@ def fit(
         str, typer.Option(help="How to search. " + "; ".join(f"{name}: {summary(name)}" for name in METHODS) + ".")
     ] = FitOptions.method,
     starts: Annotated[
-        int, typer.Option(help="Points spread over the bounds for multi-start, each followed to its end.", min=0)
+        int, typer.Option(help="Points spread over the bounds for multi-start, each followed to its end.")
     ] = 0,
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the parameters (.json, .ssv).")] = None,
     json: JsonOption = None,

@@ -33,7 +33,8 @@ def sweep(
         list[str],
         typer.Option(
             "--vary",
-            help="NAME=FROM:TO:N or NAME=A,B,C: a parameter, input or start value; FROM:TO for random designs.",
+            help="NAME=FROM:TO:N or NAME=A,B,C: a parameter, input or start value; FROM:TO for random designs; "
+            "inputs=A.csv,B.csv: inputs over time.",
         ),
     ],
     output: Annotated[Path, typer.Option("-o", metavar="FILE", help="Write the result: CSV, .nc (NetCDF), .parquet.")],
@@ -56,7 +57,7 @@ def sweep(
     stop_time: Annotated[str | None, typer.Option(help="End of each run, such as 20 or '2 min'; in s.")] = None,
     interval: Annotated[str | None, typer.Option(help="Time between two values that are kept, such as '1 ms'.")] = None,
     plot: Annotated[Path | None, typer.Option(help="Draw the scalars over what is varied as PNG.")] = None,
-    workers: Annotated[int | None, typer.Option(min=1, help="Processes; default: as many as it pays to start.")] = None,
+    workers: Annotated[int | None, typer.Option(help="Processes; default: as many as it pays to start.")] = None,
     dask: Annotated[str | None, typer.Option(help="Address of a Dask scheduler that makes the runs.")] = None,
     files: FilesOption = None,
     timeout: TimeoutOption = None,

@@ -95,7 +95,7 @@ def _far_off(signal: Signal, measured: Array, modelled: Array, fitted: bool) -> 
     )
     mended = _mended(signal, measured, modelled, error)
     usual = (
-        "A wrong unit, zero or column, the geometry, the load or the type of the muscle come before a missing effect"
+        "A wrong unit, zero or column, or a size, a load or a type that is not as stated, come before a missing effect"
     )
     if mended or fitted:
         yield Doubt("far_off", signal.name, text + (mended or usual))

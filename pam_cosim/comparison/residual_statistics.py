@@ -26,6 +26,7 @@ class ResidualStatistics:
         whiteness_score: of "the residuals are white", in standard deviations (``lag_one``).
         correlation_time: how many samples make one independent one, at least 1.
         noise_floor: mean square that noise explains, white or not: the stated one, or an estimate.
+        level_score: of "they are as large as the stated noise", in standard deviations; 0 where none is stated.
     """
 
     chi2: float
@@ -34,6 +35,7 @@ class ResidualStatistics:
     whiteness_score: float
     correlation_time: float
     noise_floor: float = 1.0
+    level_score: float = 0.0
 
     @property
     def chi2_reduced(self) -> float:
@@ -116,8 +118,21 @@ def residual_statistics(series: Sequence[Series]) -> ResidualStatistics:
     samples = float(sum(e.samples for e in series))
     _, whiteness_score = lag_one(series)
     return ResidualStatistics(
-        chi2, samples, _white_part(series, 1), whiteness_score, _correlation_time(series), _noise_floor(series)
+        chi2,
+        samples,
+        _white_part(series, 1),
+        whiteness_score,
+        _correlation_time(series),
+        _noise_floor(series),
+        _level_score([e for e in series if e.stated]),
     )
+
+
+def _level_score(series: Sequence[Series]) -> float:
+    """What residuals exceed a known noise by, over what chance would (chi-square distribution)."""
+    samples = sum(e.samples for e in series)
+    chi2 = float(sum(np.sum(e.values**2) for e in series))
+    return (chi2 - samples) / float(np.sqrt(2 * samples)) if samples else 0.0
 
 
 def _noise_floor(series: Sequence[Series]) -> float:

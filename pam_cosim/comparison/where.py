@@ -14,6 +14,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.domain import Domain
 from pam_cosim.interface import Variable
 from pam_cosim.measurement import Signal
+from pam_cosim.names import BRANCH
 from pam_cosim.units import readable_factor, readable_unit
 
 Mask = NDArray[np.bool_]
@@ -98,7 +99,7 @@ def _collect(
     of_runs = by_run + _by_parameter(parts, names)
     if all(r.run.is_static for r in parts):
         imposed = [n for n in parts[0].run.inputs if n in inputs and all(n in r.run.inputs for r in parts)]
-        given = [band for n in imposed for band in _bands(n, inputs[n], joined([r.run.inputs[n] for r in parts]))]
+        given = [band for n in imposed for band in _given(n, inputs[n], joined([r.run.inputs[n] for r in parts]))]
         return _Samples(excess, [[], given + bands + of_runs])
     late = joined([_relative_time(r.run.time) for r in parts])
     times = [("early", late < 1 / 3), ("middle", (late >= 1 / 3) & (late < 2 / 3)), ("late", late >= 2 / 3)]
@@ -149,6 +150,13 @@ def _slope(time: Array, values: Array) -> Array:
 def _relative_time(time: Array) -> Array:
     span = float(time[-1] - time[0])
     return (time - time[0]) / span if span else np.zeros_like(time)
+
+
+def _given(name: str, variable: Variable, values: Array) -> list[tuple[str, Mask]]:
+    """Bands of an input; of the branch that points at rest lie on, its direction."""
+    if name != BRANCH:
+        return _bands(name, variable, values)
+    return [("inflating", values > 0), ("deflating", values < 0)] if np.ptp(values) > 0 else []
 
 
 def _bands(name: str, variable: Variable, values: Array) -> list[tuple[str, Mask]]:

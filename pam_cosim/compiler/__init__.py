@@ -20,6 +20,7 @@ from pam_cosim.compiler.elementwise import elementwise
 from pam_cosim.compiler.hashing import flat_hash, library_hash
 from pam_cosim.compiler.ode import Delay, Ode
 from pam_cosim.compiler.part import Part
+from pam_cosim.compiler.saved import ode_bytes, read_ode
 from pam_cosim.compiler.sensitivities import smooth_parameters, with_sensitivities
 from pam_cosim.compiler.structure import Slot, Structure, read_structure
 
@@ -34,7 +35,9 @@ __all__ = [
     "elementwise",
     "flat_hash",
     "library_hash",
+    "ode_bytes",
     "read_library",
+    "read_ode",
     "read_structure",
     "smooth_parameters",
     "with_sensitivities",

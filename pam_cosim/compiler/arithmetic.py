@@ -14,6 +14,7 @@ from typing import Any
 
 import casadi as ca
 
+from pam_cosim.compiler.budget import checked_number, checked_text
 from pam_cosim.errors import ModelError
 
 Value = Any
@@ -90,7 +91,7 @@ def binary(operator: str, left: Value, right: Value) -> Value:
     if operator in ("+", "-") and isinstance(left, list) != isinstance(right, list):
         raise ArithmeticProblem(f"'{operator}' between an array and a scalar: write '.{operator}'")
     if operator == "+" and isinstance(left, str) and isinstance(right, str):
-        return left + right
+        return checked_text(left + right)
     if operator == "+" and (isinstance(left, Text) or isinstance(right, Text)):
         return Text(text_of(left).parts + text_of(right).parts)
     return each(_SCALAR[operator.lstrip(".")], left, right)
@@ -149,13 +150,13 @@ def _power(a: Value, b: Value) -> Value:
         return ca.power(a, b)
     try:
         result = math.pow(a, b)
-    except (ValueError, ZeroDivisionError):
+    except (ValueError, ZeroDivisionError, OverflowError):
         raise ArithmeticProblem(f"{a}^{b} has no value") from None
     return result
 
 
 def _arithmetic(function: Callable[[Value, Value], Value]) -> Callable[[Value, Value], Value]:
-    return lambda a, b: function(_number(a), _number(b))
+    return lambda a, b: checked_number(function(_number(a), _number(b)))
 
 
 def _comparison(function: Callable[[Value, Value], Value]) -> Callable[[Value, Value], Value]:
@@ -198,11 +199,14 @@ def _condition(value: Value) -> Value:
     raise ArithmeticProblem(f"a Boolean is needed, not {value!r}")
 
 
-def only(condition: Value, earlier: Sequence[Value]) -> Value:
-    """Whether a branch is the one taken: its condition holds and none of those before it."""
-    for other in earlier:
-        condition = _and(condition, _not(other))
-    return condition
+def only(condition: Value, open_still: Value) -> Value:
+    """Whether a branch is the one taken: its condition holds, and ``open_still``, that none of those before it does."""
+    return _and(condition, open_still)
+
+
+def neither(open_still: Value, condition: Value) -> Value:
+    """Whether none of the branches so far is taken, nor one of this condition."""
+    return _and(open_still, _not(condition))
 
 
 def select(branches: Sequence[tuple[Value, Value]], otherwise: Value) -> Value:

@@ -88,8 +88,12 @@ def _solve_block(
         raise ModelError(_nonlinear(equations, names))
     if matrix.is_zero():
         raise ModelError(f"{names[0]!r} drops out of the equation that should determine it: {equations[0].place}")
-    offset = ca.substitute(system, variables, ca.DM.zeros(variables.shape))
-    result = -offset / matrix if len(names) == 1 else _linear(matrix, -offset)
+    offset = ca.substitute(system, variables, ca.DM.zeros(len(names)))
+    if len(names) == 1:
+        alone = -offset / matrix
+        solved[names[0]] = ca.simplify(alone) if alone.is_constant() else alone
+        return
+    result = _linear(matrix, -offset)
     for i, name in enumerate(names):
         solved[name] = ca.simplify(result[i]) if result[i].is_constant() else result[i]
 

@@ -9,6 +9,7 @@ from typing import Any
 import casadi as ca
 
 from pam_cosim.compiler import arithmetic
+from pam_cosim.compiler.budget import checked_size
 from pam_cosim.compiler.evaluation import Environment, Evaluator, Value
 from pam_cosim.compiler.instance import Scope
 from pam_cosim.compiler.syntax import Call
@@ -57,6 +58,8 @@ def _extremum(numeric: Callable[[Value, Value], Value], symbolic: Callable[[Valu
             if len(values) == 2:
                 return arithmetic.each(larger, *values)
         flat = arithmetic.flattened(values)
+        if not flat:
+            raise ModelError("an array without elements has neither a largest nor a smallest one")
         result = flat[0]
         for value in flat[1:]:
             result = larger(result, value)
@@ -78,7 +81,7 @@ def _product(evaluator: Evaluator, node: Call, scope: Scope, names: Environment)
     )
     result: Value = 1
     for value in arithmetic.flattened(values):
-        result = result * value
+        result = arithmetic.binary("*", result, value)
     return result
 
 
@@ -138,7 +141,8 @@ def _filled(value: Value, sizes: list[Value]) -> Value:
         return value
     if not isinstance(sizes[0], int):
         raise ModelError("a size must be an Integer constant")
-    return [_filled(value, sizes[1:]) for _ in range(sizes[0])]
+    checked_size(math.prod(size for size in sizes if isinstance(size, int)))
+    return [_filled(value, sizes[1:]) for _ in range(checked_size(sizes[0]))]
 
 
 def _fill(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Value:
@@ -155,6 +159,8 @@ def _constant_array(value: float) -> Builtin:
 
 def _linspace(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Value:
     start, stop, count = _arguments(evaluator, node, scope, names, 3)
+    if checked_size(count) < 2:
+        raise ModelError("linspace() makes two points at least")
     return [start + (stop - start) * i / (count - 1) for i in range(count)]
 
 

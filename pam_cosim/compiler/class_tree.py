@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TypeAlias
 
 from pam_cosim.compiler import names
+from pam_cosim.compiler.budget import bounded
 from pam_cosim.compiler.instance import Class
 from pam_cosim.compiler.instantiation import PRIMITIVES
 from pam_cosim.compiler.library import Library
@@ -347,6 +348,7 @@ def _entries(argument: Argument, name: str) -> dict[str, str]:
     return texts
 
 
+@bounded
 def read_library(root: Path | None = None, files: Sequence[Path] = ()) -> ClassTree:
     """The class tree of the library directory ``root`` (by default the project's own) and of the user's files.
 

@@ -13,6 +13,7 @@ from pam_cosim.compiler import metadata
 from pam_cosim.compiler.arithmetic import Shown
 from pam_cosim.compiler.assertions import Assertion
 from pam_cosim.compiler.blocks import solve
+from pam_cosim.compiler.budget import bounded, check_unknowns
 from pam_cosim.compiler.builtins import BUILTINS
 from pam_cosim.compiler.delays import DelayedInputs, put
 from pam_cosim.compiler.evaluation import Calls
@@ -31,10 +32,12 @@ from pam_cosim.errors import ModelError
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.names import is_modelica
 from pam_cosim.resources import modelica_root
+from pam_cosim.wording import shown
 
 _NOT_MODELS = frozenset(("package", "function", "record", "type", "connector"))
 
 
+@bounded
 def compile_model(model: str, *, files: Sequence[Path] = (), root: Path | None = None) -> Ode:
     """Compile a model.
 
@@ -59,6 +62,7 @@ def compile_model(model: str, *, files: Sequence[Path] = (), root: Path | None =
         raise
 
 
+@bounded
 def instantiate(model: str, *, files: Sequence[Path] = (), root: Path | None = None) -> tuple[Instantiator, Instance]:
     """The components of a model; arguments and errors as for :func:`compile_model`."""
     files = list(files)
@@ -81,7 +85,7 @@ def _find(model: str, library: Library, lookup: Lookup) -> Class:
         return lookup.of(models[-1])
     of = lookup.qualified(model)
     if of is None:
-        raise ModelError(f"there is no model '{model}'{library.similar(model, 'model')}")
+        raise ModelError(f"there is no model {shown(model)}{library.similar(model, 'model')}")
     definition = of.definition
     if definition.kind in _NOT_MODELS:
         raise definition.source.error(f"'{model}' is a {definition.kind}, not a model", definition.at)
@@ -150,6 +154,7 @@ class _Assembly:
 
     def _system(self) -> System:
         symbols = self.flat.symbols
+        check_unknowns(len(symbols.unknowns))
         variables = {leaf.name: symbol for leaf, symbol in symbols.unknowns.items()}
         derivative_of = {}
         for name, symbol in symbols.derivatives.items():
@@ -236,9 +241,8 @@ class _Assembly:
             if name not in starts and metadata.is_fixed(leaf, constants):
                 starts[name] = self._start(name)
         symbols = self.flat.symbols
-        equations = [Residual(self._not_yet(r.expression), r.place) for r in self.flat.initial]
-        system = replace(self.system, residuals=[replace(r, expression=self._not_yet(r.expression))
-                                                 for r in self.system.residuals])  # fmt: skip
+        equations = [self._not_yet(r) for r in self.flat.initial]
+        system = replace(self.system, residuals=[self._not_yet(r) for r in self.system.residuals])
         present = frozenset(leaf.name for leaf in symbols.inputs)
         values, late = initial_values(
             system, self.states, starts, equations, (self.p, self.p_values), symbols.late, present
@@ -246,10 +250,13 @@ class _Assembly:
         self.beginning = beginning(late, symbols.late, symbols.comparisons, symbols.t)
         return values
 
-    def _not_yet(self, expression: ca.SX) -> ca.SX:
+    def _not_yet(self, residual: Residual) -> Residual:
         """At the start, when no time has passed since the start."""
         comparisons = self.flat.symbols.comparisons
-        return put(expression, {n: c.symbol for n, c in comparisons.items()}, dict.fromkeys(comparisons, ca.SX(0)))
+        if not comparisons:
+            return residual
+        symbols, none = {n: c.symbol for n, c in comparisons.items()}, dict.fromkeys(comparisons, ca.SX(0))
+        return replace(residual, expression=put(residual.expression, symbols, none))
 
     def _delayed(self) -> DelayedInputs:
         """Everything is in terms of what is known when a run begins from here on."""

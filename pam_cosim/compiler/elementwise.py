@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from pam_cosim.arrays import Array
+from pam_cosim.compiler.budget import bounded
 from pam_cosim.compiler.expression_parser import ExpressionParser
 from pam_cosim.compiler.lexer import tokenise
 from pam_cosim.compiler.source import Source
@@ -49,7 +50,7 @@ def evaluate(text: str, values: Mapping[str, Any], quantity: Callable[[str], Any
     Raises:
         ModelError: as ``elementwise``.
     """
-    return _value(_parsed(text), _Known(values, quantity))
+    return _bounded_value(_parsed(text), _Known(values, quantity))
 
 
 @dataclass(frozen=True)
@@ -59,6 +60,7 @@ class _Known:
 
 
 @lru_cache(maxsize=1024)
+@bounded
 def _parsed(text: str) -> Expression:
     source = Source("expression", text)
     parser = ExpressionParser(source, tokenise(source))
@@ -66,6 +68,11 @@ def _parsed(text: str) -> Expression:
     if parser.kind != "end of file":
         parser.fail(f"expected an operator, found '{parser.text}'")
     return expression
+
+
+@bounded
+def _bounded_value(node: Expression, known: _Known) -> Any:
+    return _value(node, known)
 
 
 def _value(node: Expression, known: _Known) -> Any:

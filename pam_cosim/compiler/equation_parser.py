@@ -44,6 +44,7 @@ class EquationParser(ExpressionParser):
     def equation(self, section: str) -> Equation:
         """One equation or statement, without its semicolon."""
         at = self.offset
+        self.deeper()
         if self.kind == "if":
             equation: Equation = self.if_equation(section)
         elif self.kind == "for":
@@ -56,6 +57,7 @@ class EquationParser(ExpressionParser):
             equation = self.connect()
         else:
             equation = self.simple(section)
+        self.depth -= 1
         self.string_comment()
         if self.accept("annotation"):
             start = self.offset

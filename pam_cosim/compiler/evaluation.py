@@ -6,6 +6,7 @@ array, or an ``Instance`` for a record. Branches that constants rule out are nev
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Generator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -14,6 +15,7 @@ from typing import Any, Protocol
 import casadi as ca
 
 from pam_cosim.compiler import arithmetic
+from pam_cosim.compiler.budget import DEFECTS, Budget, checked_size, defect
 from pam_cosim.compiler.instance import Bound, Class, Instance, Mod, Scope
 from pam_cosim.compiler.lookup import Lookup
 from pam_cosim.compiler.modification import bind
@@ -85,6 +87,7 @@ class Components(Protocol):
     """What evaluation asks of the one who makes instances."""
 
     lookup: Lookup
+    budget: Budget
     constants: Evaluator
     calls: Calls
 
@@ -164,7 +167,7 @@ class Evaluator:
     def integer(self, expression: Expression, scope: Scope, names: Environment = NO_NAMES) -> int:
         """A value that must be an integer constant."""
         value = self.evaluate(expression, scope, names)
-        if isinstance(value, float) and value == int(value):
+        if isinstance(value, float) and value.is_integer():
             value = int(value)
         if isinstance(value, bool) or not isinstance(value, int):
             raise scope.definition.source.error("an Integer constant is needed here", expression.at)
@@ -183,12 +186,21 @@ class Evaluator:
         Raises:
             ModelError: with the place of the smallest expression that cannot be evaluated.
         """
+        budget = self.instantiator.budget
         try:
-            return _HANDLERS[type(expression)](self, expression, scope, names)
+            budget.enter("expressions and values stand")
+            value = _HANDLERS[type(expression)](self, expression, scope, names)
+            return budget.values(value) if type(value) is list else value
         except ModelError as error:
             if error.file is None and not isinstance(error, AbsentComponent):
                 raise scope.definition.source.error(error.message, expression.at) from None
             raise
+        except RecursionError:
+            raise
+        except DEFECTS as problem:
+            raise scope.definition.source.error(defect(problem), expression.at) from None
+        finally:
+            budget.depth -= 1
 
     # ---- instances ----------------------------------------------------------------------------------------
 
@@ -392,7 +404,18 @@ class Evaluator:
         return arithmetic.unary(node.operator, self.evaluate(node.operand, scope, names))
 
     def _binary(self, node: Binary, scope: Scope, names: Environment) -> Value:
-        left = self.evaluate(node.left, scope, names)
+        """Operations that stand on the left of one another, as in a long sum, follow without going deeper."""
+        following: list[Binary] = []
+        while isinstance(node.left, Binary):
+            following.append(node)
+            node = node.left
+        value = self._operation(node, self.evaluate(node.left, scope, names), scope, names)
+        for operation in reversed(following):
+            self.instantiator.budget.work()
+            value = self._operation(operation, value, scope, names)
+        return value
+
+    def _operation(self, node: Binary, left: Value, scope: Scope, names: Environment) -> Value:
         if node.operator == "and" and left is False:
             return False
         if node.operator == "or" and left is True:
@@ -404,16 +427,18 @@ class Evaluator:
 
     def _conditional(self, node: Conditional, scope: Scope, names: Environment) -> Value:
         chosen: list[tuple[Value, Value]] = []
+        open_still: Value = True  # none of the conditions so far holds
         for condition, expression in node.branches:
             value = self.evaluate(condition, scope, names)
             if value is False:
                 continue
-            with self.branch(arithmetic.only(value, [condition for condition, _ in chosen])):
+            with self.branch(arithmetic.only(value, open_still)):
                 result = self.evaluate(expression, scope, names)
             if value is True:
                 return arithmetic.select(chosen, result)
             chosen.append((value, result))
-        with self.branch(arithmetic.only(True, [condition for condition, _ in chosen])):
+            open_still = arithmetic.neither(open_still, value)
+        with self.branch(open_still):
             return arithmetic.select(chosen, self.evaluate(node.otherwise, scope, names))
 
     def _array(self, node: Array, scope: Scope, names: Environment) -> Value:
@@ -430,6 +455,8 @@ class Evaluator:
                 values = self.evaluate(iterator.range, scope, point)
                 if not isinstance(values, list):
                     raise scope.definition.source.error("a loop runs over a range or an array", iterator.range.at)
+                checked_size(len(following) + len(values))
+                self.instantiator.budget.work(len(values))
                 following += [{**point, iterator.name: value} for value in values]
             points = following
         return points
@@ -441,10 +468,13 @@ class Evaluator:
             raise ModelError("the ends of a range must be constants")
         if step == 0:
             raise ModelError("the step of a range is zero")
-        count = int((stop - start) / step + 1e-9) + 1
-        return [start + i * step for i in range(max(count, 0))]
+        count = checked_size(math.floor((stop - start) / step + 1e-9) + 1)
+        return [start + i * step for i in range(count)]
 
     def _element(self, node: Element, scope: Scope, names: Environment) -> Value:
+        written = _written(node)
+        if written is not None:
+            return self.evaluate(written, scope, names)
         base = self.evaluate(node.base, scope, names)
         if not isinstance(base, list):
             raise ModelError("a scalar is given for an array: write 'each', or fill(...)")
@@ -509,6 +539,16 @@ class Evaluator:
     def combinations(self, node: Call, scope: Scope, names: Environment) -> list[Value]:
         """The values of ``f(e for i in r)`` under the function."""
         return [self.evaluate(node.arguments[0], scope, point) for point in self.points(node.iterators, scope, names)]
+
+
+def _written(node: Expression) -> Expression | None:
+    """The text of an element where an array is written out: the others need not be evaluated for it."""
+    if not isinstance(node, Element):
+        return node
+    base = _written(node.base)
+    if isinstance(base, Array) and not base.iterators and node.index < len(base.items):
+        return base.items[node.index]
+    return None
 
 
 def _is_plain(referent: Value) -> bool:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 import re
 from typing import NoReturn
 
+from pam_cosim.compiler.budget import LARGEST_INTEGER, LIMITS
 from pam_cosim.compiler.lexer import Tokens
 from pam_cosim.compiler.source import Source
 from pam_cosim.compiler.syntax import (
@@ -26,6 +28,7 @@ from pam_cosim.compiler.syntax import (
 
 _ESCAPE = re.compile(r"\\(.)", re.DOTALL)
 _ESCAPED = {"n": "\n", "t": "\t", "r": "\r", "a": "\a", "b": "\b", "f": "\f", "v": "\v"}
+_DIGITS = 19  # of an Integer of 64 bits
 _RELATIONS = frozenset(("<", "<=", ">", ">=", "==", "<>"))
 _ADDITIONS = frozenset(("+", "-", ".+", ".-"))
 _PRODUCTS = frozenset(("*", "/", ".*", "./"))
@@ -38,6 +41,7 @@ class ExpressionParser:
         self.source = source
         self.tokens = tokens
         self.index = start
+        self.depth = 0
 
     # ---- cursor -------------------------------------------------------------------------------------------
 
@@ -131,6 +135,18 @@ class ExpressionParser:
 
     def expression(self) -> Expression:
         """Any expression."""
+        self.deeper()
+        whole = self._expression()
+        self.depth -= 1
+        return whole
+
+    def deeper(self, levels: int = 1) -> None:
+        """Counts levels in the text; whoever calls takes them back at their end. After an error nothing is parsed."""
+        self.depth += levels
+        if self.depth > LIMITS.nesting:
+            self.fail(f"expressions, modifications or classes stand more than {LIMITS.nesting} deep within one another")
+
+    def _expression(self) -> Expression:
         if self.kind == "if":
             return self.conditional()
         at = self.offset
@@ -228,7 +244,7 @@ class ExpressionParser:
         kind, at = self.kind, self.offset
         if kind == "number":
             text = self.advance()
-            return Literal(at, int(text) if text.isdigit() else float(text))
+            return Literal(at, self.number(text))
         if kind == "name" or kind == ".":
             return self.reference_or_call()
         if kind == "string":
@@ -248,6 +264,14 @@ class ExpressionParser:
         if kind == "[":
             self.fail("matrix brackets [a, b; c, d] are not supported: write {{a, b}, {c, d}}")
         self.fail(f"expected an expression, found '{self.text}'")
+
+    def number(self, text: str) -> int | float:
+        """The value of a number's text; fails at the token before the current one."""
+        value = int(text) if text.isdigit() and len(text) <= _DIGITS else float(text)
+        if abs(value) > LARGEST_INTEGER and text.isdigit() or not math.isfinite(value):
+            self.index -= 1
+            self.fail("the number is too large" if math.isfinite(value) else "the number is larger than a Real can be")
+        return value
 
     def reference(self) -> Reference:
         """``a.b[i].c``."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import casadi as ca
 
@@ -42,6 +43,11 @@ class Residual:
 
     expression: ca.SX
     place: str
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """Of the symbols in it, each once."""
+        return tuple(symbol.name() for symbol in ca.symvar(self.expression))
 
 
 @dataclass(repr=False)
@@ -161,12 +167,14 @@ class _Flattener:
         target = self.flat.initial if initial else self.flat.residuals
         before = len(target)
         branches: list[tuple[Value, list[Residual]]] = []
+        open_still: Value = True  # none of the conditions so far holds
         for condition, body in equation.branches:
             value = True if condition is None else self.symbols.evaluate(condition, scope, names)
             if value is False:
                 continue
-            with self.symbols.branch(arithmetic.only(value, [earlier for earlier, _ in branches])):
+            with self.symbols.branch(arithmetic.only(value, open_still)):
                 self._equations(body, scope, names, initial)
+            open_still = arithmetic.neither(open_still, value)
             branches.append((value, target[before:]))
             del target[before:]
             if value is True:

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from pam_cosim.compiler import arithmetic
 from pam_cosim.compiler.assertions import check
+from pam_cosim.compiler.budget import checked_size
 from pam_cosim.compiler.evaluation import Environment, Evaluator, Value
 from pam_cosim.compiler.instance import Class, Instance, Scope
 from pam_cosim.compiler.syntax import (
@@ -102,8 +103,8 @@ def _empty(evaluator: Evaluator, child: Instance, local: Environment) -> Value:
     for size in reversed(child.declaration.dimensions):
         if isinstance(size, Whole):
             raise evaluator.at_declaration(child, f"the size of '{child.local_name}' is not known")
-        count = evaluator.integer(size, child.scope, local)
-        result = [_copied(result) for _ in range(count)]
+        count = checked_size(evaluator.integer(size, child.scope, local))
+        result = evaluator.instantiator.budget.values([_copied(result) for _ in range(count)])
     return result
 
 
@@ -169,7 +170,7 @@ def _store(evaluator: Evaluator, target: Expression, value: Value, scope: Scope,
         local[name] = _copied(value)
         return
     # copy on write: an array that was handed in, or kept for another branch, must not change
-    local[name] = items = _copied(local[name])
+    local[name] = items = evaluator.instantiator.budget.values(_copied(local[name]))
     for subscript in subscripts[:-1]:
         items = items[_index(evaluator, subscript, items, scope, local)]
     if isinstance(subscripts[-1], Whole):
@@ -190,18 +191,19 @@ def _index(evaluator: Evaluator, subscript: Expression, items: Value, scope: Sco
 def _run_if(evaluator: Evaluator, statement: If, scope: Scope, local: dict[str, Value]) -> None:
     """Branches that depend on symbols are all run; each variable then selects its value."""
     open_branches: list[tuple[Value, dict[str, Value]]] = []
-    last = local
+    last, open_still = local, True
     for condition, body in statement.branches:
         value = True if condition is None else evaluator.evaluate(condition, scope, local)
         if value is False:
             continue
         branch = dict(local)
-        with evaluator.branch(arithmetic.only(value, [earlier for earlier, _ in open_branches])):
+        with evaluator.branch(arithmetic.only(value, open_still)):
             run(evaluator, body, scope, branch)
         if value is True:
             last = branch
             break
         open_branches.append((value, branch))
+        open_still = arithmetic.neither(open_still, value)
     for name in list(local):
         candidates = [(value, branch[name]) for value, branch in open_branches]
         if all(candidate is last[name] for _, candidate in candidates):

@@ -60,7 +60,7 @@ def reduce_index(system: System) -> None:
     Raises:
         ModelError: there are too many or too few equations, or an input would have to be differentiated.
     """
-    incidence = [_names(residual.expression, system.variables) for residual in system.residuals]
+    incidence = [_names(residual, system.variables) for residual in system.residuals]
     _check_structure(system, incidence)
     assigned: Matching[str] = Matching()
     most = _MOST_DIFFERENTIATIONS + 3 * len(system.residuals)
@@ -78,15 +78,15 @@ def reduce_index(system: System) -> None:
                 _add_derivative(system, name)
             for number in equations:
                 system.residuals.append(_differentiate(system, system.residuals[number]))
-                incidence.append(_names(system.residuals[-1].expression, system.variables))
+                incidence.append(_names(system.residuals[-1], system.variables))
                 system.differentiated[number] = len(system.residuals) - 1
             for name in names:
                 assigned[system.derivative_of[name]] = system.differentiated[assigned[name]]
             equation = system.differentiated[equation]
 
 
-def _names(expression: ca.SX, variables: Mapping[str, ca.SX]) -> list[str]:
-    return [symbol.name() for symbol in ca.symvar(expression) if symbol.name() in variables]
+def _names(residual: Residual, variables: Mapping[str, ca.SX]) -> list[str]:
+    return [name for name in residual.names if name in variables]
 
 
 def _add_derivative(system: System, name: str) -> None:
@@ -159,7 +159,7 @@ def select_states(system: System, preference: Callable[[str], float]) -> Selecti
         position = {name: j for j, name in enumerate(candidates)}
         for i, number in enumerate(constraints):
             expression = system.residuals[number].expression
-            for name in _names(expression, system.variables):
+            for name in _names(system.residuals[number], system.variables):
                 if name in position:
                     j = position[name]
                     costs[i, j] = _dummy_cost(expression, system.variables[name], name, preference)

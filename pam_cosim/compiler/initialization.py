@@ -87,8 +87,8 @@ def initial_values(
 
 def _at_start(residual: Residual, system: System, late: Mapping[str, ca.SX]) -> Residual:
     """The equation at time zero; one that determines a parameter keeps the time, which is that of the start."""
-    names = {symbol.name() for symbol in ca.symvar(residual.expression)}
-    if names & late.keys() or system.time.name() not in names:
+    names = residual.names
+    if late.keys() & names or system.time.name() not in names:
         return residual
     return Residual(ca.substitute(residual.expression, system.time, ca.SX(0)), residual.place)
 
@@ -98,7 +98,7 @@ def _start_equation(system: System, name: str, start: Start) -> Residual:
 
 
 def _names(residual: Residual, unknown: Mapping[str, ca.SX]) -> list[str]:
-    return [s.name() for s in ca.symvar(residual.expression) if s.name() in unknown]
+    return [name for name in residual.names if name in unknown]
 
 
 def _check_superfluous(

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from pam_cosim.compiler.evaluation import ENUMERATIONS, Calls, Evaluator
+from pam_cosim.compiler.budget import Budget, checked_size
+from pam_cosim.compiler.evaluation import ENUMERATIONS, AbsentComponent, Calls, Evaluator
 from pam_cosim.compiler.instance import NOTHING, Bound, Class, Instance, Mod, Redeclaration, Scope
 from pam_cosim.compiler.lookup import Lookup
 from pam_cosim.compiler.modification import ATTRIBUTES, bind, merge
@@ -41,6 +42,7 @@ class Instantiator:
     def __init__(self, lookup: Lookup, calls: Calls) -> None:
         self.lookup = lookup
         self.calls = calls
+        self.budget = Budget()
         self.constants = Evaluator(self)
         self._packages: dict[ClassDefinition, Instance] = {}
         self._functions: dict[tuple[ClassDefinition, Scope | None, Mod | None, Mod | None], Instance] = {}
@@ -272,8 +274,21 @@ class Instantiator:
         """Fill in what an instance consists of, if that has not been done; returns what it stands for."""
         if not instance.expanded:
             instance.expanded = True
-            self._expand(instance)
+            self._bounded_expand(instance)
         return instance.resolved()
+
+    def _bounded_expand(self, instance: Instance) -> None:
+        try:
+            self.budget.enter("components stand")
+            self.budget.instance()
+            self._expand(instance)
+        except ModelError as error:
+            if error.file is not None or isinstance(error, AbsentComponent) or instance.declaration is None:
+                raise
+            message = f"component '{instance.name[:100]}': {error.message}"
+            raise instance_source(instance).error(message, instance.declaration.at) from None
+        finally:
+            self.budget.depth -= 1
 
     def _expand(self, instance: Instance) -> None:
         declaration, scope = instance.declaration, instance.scope
@@ -298,6 +313,7 @@ class Instantiator:
 
     def _expand_array(self, instance: Instance, sizes: Sequence[int], index: tuple[int, ...]) -> None:
         instance.elements = []
+        checked_size(sizes[0])
         base = instance.name.rpartition("[")[0] if index else instance.name
         declaration, scope = instance.declaration, instance.scope
         assert declaration is not None and scope is not None
@@ -306,6 +322,7 @@ class Instantiator:
             name = f"{base}[{','.join(map(str, place))}]"
             modification = instance.modification.element(number - 1)
             prefixes = instance.prefixes
+            self.budget.instance()
             element = Instance(name, instance.parent, scope, declaration, modification, prefixes, expanded=True)
             if len(sizes) > 1:
                 self._expand_array(element, sizes[1:], place)

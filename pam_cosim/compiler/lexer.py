@@ -18,7 +18,7 @@ KEYWORDS = frozenset(_KEYWORD_LIST.split())
 _TOKEN = re.compile(
     r"""(?P<space>\s+|//[^\n]*|/\*.*?\*/)
       | (?P<name>[A-Za-z_][A-Za-z_0-9]*|'(?:[^'\\]|\\.)*')
-      | (?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)
+      | (?P<number>(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)
       | (?P<string>"(?:[^"\\]|\\.)*")
       | (?P<symbol>\.\+|\.-|\.\*|\./|\.\^|:=|==|<>|<=|>=|[-+*/^<>=()\[\]{},;:.])""",
     re.VERBOSE | re.DOTALL,

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from pathlib import Path
 
 from pam_cosim.compiler import names
+from pam_cosim.compiler.budget import LIMITS
 from pam_cosim.compiler.parser import parse_source
 from pam_cosim.compiler.source import Source
 from pam_cosim.compiler.syntax import ClassDefinition
 from pam_cosim.errors import ModelError
+from pam_cosim.files import read_file
 from pam_cosim.wording import closest
 
 _Signature = tuple[tuple[str, int, int], ...]
@@ -107,7 +110,7 @@ def _is_copy(node: ClassDefinition, known: ClassDefinition) -> bool:
 
 def _read(file: Path) -> Source:
     try:
-        return Source(file, file.read_text(encoding="utf-8-sig"))
+        return Source(file, read_file(file, 4 * LIMITS.file).decode("utf-8-sig").replace("\r\n", "\n"))
     except FileNotFoundError:
         raise ModelError("there is no such file", file) from None
     except (OSError, UnicodeDecodeError) as error:
@@ -123,12 +126,12 @@ def package_folder(file: Path) -> Path | None:
 
 def modelica_files(folder: Path) -> list[Path]:
     """Every ``.mo`` file below a folder, in a fixed order."""
-    return sorted(folder.rglob("*.mo"))
+    return sorted(Path(at, name) for at, _, names in os.walk(folder) for name in names if name.endswith(".mo"))
 
 
 def _signature(files: Sequence[Path]) -> _Signature:
     """What changes when a file does."""
-    return tuple((str(f), f.stat().st_mtime_ns, f.stat().st_size) for f in files)
+    return tuple((str(f), s.st_mtime_ns, s.st_size) for f in files for s in [os.stat(f)])
 
 
 @lru_cache(maxsize=8)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pam_cosim.compiler import names
+from pam_cosim.compiler.budget import LIMITS
 from pam_cosim.compiler.instance import Class, Scope
 from pam_cosim.compiler.library import Library
 from pam_cosim.compiler.syntax import ClassDefinition, Extends, TypeName
@@ -16,6 +17,7 @@ class Lookup:
         self.library = library
         self._static: dict[ClassDefinition, Scope] = {}
         self._static_bases: dict[ClassDefinition, list[Class]] = {}
+        self._depth = 0
 
     def static_scope(self, definition: ClassDefinition) -> Scope:
         """The place of a class that is not part of an instance."""
@@ -68,7 +70,22 @@ class Lookup:
         return self._root(name)
 
     def member(self, scope: Scope, name: str) -> Class | None:
-        """A class that is declared in, inherited or imported by the class of ``scope``."""
+        """A class that is declared in, inherited or imported by the class of ``scope``.
+
+        Raises:
+            ModelError: classes inherit from or import one another without end.
+        """
+        definition = scope.definition
+        if self._depth >= LIMITS.classes:
+            text = f"'{name[:60]}' is looked for without end: {definition.qualified_name} inherits or imports itself"
+            raise definition.source.error(text, definition.at)
+        self._depth += 1
+        try:
+            return self._member(scope, name)
+        finally:
+            self._depth -= 1
+
+    def _member(self, scope: Scope, name: str) -> Class | None:
         if scope.instance is not None and name in scope.classes:
             return scope.instance.classes[name]
         definition = scope.definition

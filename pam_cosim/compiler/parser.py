@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pam_cosim.compiler.budget import LIMITS, bounded
 from pam_cosim.compiler.equation_parser import EquationParser
 from pam_cosim.compiler.lexer import tokenise
 from pam_cosim.compiler.source import Source
@@ -18,6 +19,7 @@ from pam_cosim.compiler.syntax import (
     Section,
     TypeName,
 )
+from pam_cosim.errors import ModelError
 
 _CLASS_KINDS = frozenset(("class", "model", "block", "connector", "record", "type", "package", "function", "operator"))
 _CLASS_PREFIXES = frozenset(("partial", "encapsulated", "expandable", "pure", "impure", "final"))
@@ -27,12 +29,15 @@ _SECTION_STARTS = frozenset(("equation", "algorithm", "public", "protected", "ex
 _BLOCK_ENDS = frozenset(("if", "for", "when", "while"))
 
 
+@bounded
 def parse_source(source: Source) -> tuple[tuple[str, ...], list[ClassDefinition]]:
     """The classes of a stored definition and the package named by ``within``.
 
     Raises:
         ModelError: a syntax error, with line and column.
     """
+    if len(source.text) > LIMITS.file:
+        raise ModelError(f"the file has more than {LIMITS.file} letters", source.file)
     return Parser(source, tokenise(source)).stored_definition()
 
 
@@ -66,6 +71,7 @@ class Parser(EquationParser):
         if self.kind not in _CLASS_KINDS:
             self.fail(f"expected a class definition, found '{self.text}'")
         kind = self.advance()
+        self.deeper()
         if kind == "operator" and self.kind in ("function", "record"):
             kind = self.advance()
         if self.kind == "extends":
@@ -79,6 +85,7 @@ class Parser(EquationParser):
             node.description = self.string_comment()
             self.composition(node)
             self.end_of_class(node)
+        self.depth -= 1
         return node
 
     def end_of_class(self, node: ClassDefinition) -> None:
@@ -289,10 +296,12 @@ class Parser(EquationParser):
         if not self.accept("("):
             return EMPTY
         arguments: list[Argument] = []
+        self.deeper()
         while self.kind != ")":
             arguments.append(self.argument())
             if not self.accept(","):
                 break
+        self.depth -= 1
         self.expect(")")
         return Modification(tuple(arguments))
 
@@ -308,9 +317,11 @@ class Parser(EquationParser):
         names = [self.expect("name")]
         while self.accept("."):
             names.append(self.expect("name"))
+        self.deeper(len(names))
         if self.kind == "[":
             self.fail("a modification cannot have subscripts: modify the whole array")
         modification = self.modification()
+        self.depth -= len(names)
         self.string_comment()
         # a.b = c is written out as a(b = c)
         for name in reversed(names[1:]):

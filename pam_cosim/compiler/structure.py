@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from pam_cosim.compiler.budget import bounded
 from pam_cosim.compiler.compile import instantiate
 from pam_cosim.compiler.instance import Instance
 from pam_cosim.compiler.instantiation import Instantiator
@@ -39,6 +40,7 @@ class Structure:
     slots: tuple[Slot, ...]
 
 
+@bounded
 def read_structure(model: str, *, files: Sequence[Path] = (), root: Path | None = None) -> Structure:
     """What a model consists of; arguments as for :func:`pam_cosim.compiler.compile_model`.
 

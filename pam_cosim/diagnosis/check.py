@@ -13,7 +13,7 @@ import numpy as np
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import FailedTrial
 from pam_cosim.diagnosis.could_be_measured import Option, everything
-from pam_cosim.diagnosis.events import Remark
+from pam_cosim.diagnosis.events import Remark, listened
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.resolution import Rows, Shown, Told
 from pam_cosim.diagnosis.search import Search
@@ -62,6 +62,7 @@ class Check(Printed):
         no_place: families whose effects find no place in the model.
         helps: further measurements, the most useful first; none that would bring nothing.
         failed: effects that could not be simulated.
+        unmoved: families whose effects, alone, change nothing that was measured.
     """
 
     data: DataSet
@@ -70,6 +71,7 @@ class Check(Printed):
     no_place: tuple[str, ...]
     helps: tuple[Help, ...]
     failed: tuple[FailedTrial, ...] = ()
+    unmoved: tuple[str, ...] = ()
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
@@ -83,6 +85,7 @@ class Check(Printed):
             "alike": [_finite(asdict(a)) for a in self.told.alike],
             "hidden": list(self.told.hidden),
             "no_place": list(self.no_place),
+            "unmoved": list(self.unmoved),
             "helps": [
                 {
                     "kind": h.option.kind,
@@ -123,6 +126,11 @@ class Check(Printed):
             lines += ["families that would show only if they were stronger than usual:", *faint]
         if hidden:
             lines.append(f"would not show, however strong, or not beside the free parameters: {listed(hidden)}")
+        if self.unmoved:
+            lines.append(f"move no sample at the start values, alone: {listed(self.unmoved)}")
+        broken = [f for f in dict.fromkeys(c.family for c in self.failed) if f not in best]
+        if broken:
+            lines.append(f"could not be simulated at their stated strength, and may be missing: {listed(broken)}")
         if self.no_place:
             lines.append(f"the model has no place for: {listed(self.no_place)}")
         if self.told.alike:
@@ -143,8 +151,9 @@ class Check(Printed):
 
 
 def _from_where(one: Shown) -> str:
-    values = [f"{name} = {_apart(value, one.absent[name], one.units[name])}" for name, value in one.values.items()]
-    return f"  {one.family:20} {one.effect}: {', '.join(values)}"
+    texts = {name: _apart(value, one.absent[name], one.units[name]) for name, value in one.values.items()}
+    values = [f"{name} = {text}" for name, text in texts.items() if text]
+    return f"  {one.family:20} {one.effect}" + (f": {', '.join(values)}" if values else "")
 
 
 def _apart(value: float, absent: float, unit: str) -> str:
@@ -154,7 +163,9 @@ def _apart(value: float, absent: float, unit: str) -> str:
 
 
 def _until(least: float) -> str:
-    return "whatever its strength" if least == float("inf") else f"up to {least:.2g} times that strength"
+    if least > CRITERIA.resolution.strongest:
+        return "whatever its strength"
+    return f"up to {least:.2g} times that strength"
 
 
 def _brings(h: Help) -> str:
@@ -198,6 +209,7 @@ def check(
         InputError: the model cannot be compiled, or lacks a parameter that is to be fitted.
         SimulationFailure: the model cannot be simulated at its start values.
     """
+    say = listened(say, None)
     subject = subject_of(data, model, files, workers, say)
     data, name = subject.data, subject.name
     with subject.simulator() as simulator:
@@ -226,6 +238,7 @@ def check(
         model=name,
         told=told,
         no_place=tuple(f for f in dict.fromkeys(e.family for e in shelf) if f not in tried),
+        unmoved=tuple(f for f in dict.fromkeys(p.family for p in probes) if f not in told.families),
         helps=tuple(_helps(rows, told)),
         failed=tuple(search.failed),
     )

@@ -28,7 +28,7 @@ from pam_cosim.diagnosis.next_experiment import NextExperiment, Plan, told_apart
 from pam_cosim.diagnosis.search import Search
 from pam_cosim.diagnosis.selection import Selection
 from pam_cosim.diagnosis.subject import subject_of
-from pam_cosim.diagnosis.verdict import Verdict, confidence, explained, judge, rivals
+from pam_cosim.diagnosis.verdict import Verdict, confidence, explained, judge, rivals, with_facts
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger
@@ -152,7 +152,9 @@ class Diagnosis(Printed):
         v = self.verdict
         what = f": {' and '.join(v.families)} ({', '.join(v.effects)})" if v.families else ""
         sure = "" if math.isnan(v.probability) else f", probability {100 * v.probability:.0f} %"
-        lines = [f"Verdict: {v.kind}{what}{sure}", f"  {v.reason}"]
+        lines = [f"Verdict: {v.kind}{what}{sure}"]
+        lines += [f"  LOOK FIRST: {doubt.text}" for doubt in self.final.comparison.doubts]
+        lines.append(f"  {v.reason}")
         for role in ROLES:
             for name, before in self.base.comparison.scores[role].items():
                 after = self.final.comparison.scores[role][name]
@@ -169,7 +171,6 @@ class Diagnosis(Printed):
             lines.append(f"  The time limit ended the search; what would have been tried next: {more}")
         if self.step_times:
             lines.append(f"  {self.said_of_steps}")
-        lines += [f"  look first: {doubt.text}" for doubt in self.final.comparison.doubts]
         lines += [f"  not looked for: {listed(names)}: {why}" for why, names in self.not_tried_by_reason.items()]
         if self.learned is not None:
             beside = "".join(f" and {effect}" for effect in self.learned.model.effects[:-1])
@@ -230,10 +231,11 @@ def diagnose(
     if asked is not None:
         finding = shown_by_role(finding, asked)
     folds = None
-    if verdict.kind == "unknown" and finding.path and time.monotonic() < deadline:
+    unsettled = verdict.kind == "unknown" or verdict.remainder
+    if unsettled and finding.path and asked is None and time.monotonic() < deadline:
         folds = folds_of(subject, finding.search, finding.path[-1].effects, finding.last)
     if folds is not None:
-        finding = with_these(finding, folds.everywhere)
+        finding = with_these(finding, folds.named)
         verdict, others = _verdict(finding, sources, all_asked=False)
         verdict = cross_validated(verdict, folds, data.signals)
     search, base, data, selection = finding.search, finding.base, finding.search.data, finding.selection
@@ -279,6 +281,7 @@ def _verdict(finding: Finding, sources: Sequence[Path], all_asked: bool) -> tupl
     last = selected[-1] if selected else None
     others = _others(search.data, last, rivals(base, last, tried, family, choice), sources) if last else []
     verdict = judge(base, selected, [c for c, _ in others], tried, family, all_asked=all_asked)
+    verdict = with_facts(verdict, base, last, tried, family, choice)
     return replace(verdict, probability=confidence(base, last, tried, family, choice, verdict)), others
 
 
@@ -312,6 +315,7 @@ def _not_tried(
     if not looked_at:
         return {}
     shown = {search.family[p.effect] for p in selection.probes if not p.silent}
+    shown |= {search.family[name] for c in selection.tried for name in c.effects if name in search.family}
     failed = {f.family for f in search.failed}
     late = {search.family[name] for names in selection.untried for name in names}
     reasons = {}
@@ -321,7 +325,7 @@ def _not_tried(
         elif family not in looked_at | failed:
             reasons[family] = "the time was over" if family in late else "the model has no place for them"
         elif family in looked_at - shown:
-            reasons[family] = f"nothing that was measured{' at rest' if search.at_rest else ''} shows them"
+            reasons[family] = f"nothing that was fitted{' at rest' if search.at_rest else ''} shows them"
     return reasons
 
 

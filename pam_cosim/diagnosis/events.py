@@ -88,6 +88,23 @@ class EffectsLookedAt(Event):
 
 
 @dataclass(frozen=True)
+class EffectLookedAt(Event):
+    """One more of the effects of the last ``EffectsLookedAt`` is done; no line is printed of it.
+
+    Attributes:
+        done, count: how many of how many.
+    """
+
+    done: int
+    count: int
+
+    @property
+    def status(self) -> str:
+        """For a line that changes in its place."""
+        return f"looking at what each of {self.count} effects would change: {self.done} of {self.count} done"
+
+
+@dataclass(frozen=True)
 class StepsSought(Event):
     """Steps of commands may come between two samples: where is sought."""
 
@@ -184,13 +201,12 @@ class Remark(Event):
 
 
 def listened(say: Callable[[Message], None], progress: Listener | None) -> Callable[[Message], None]:
-    """Tells each line to ``say``, and what it is about to ``progress``."""
-    if progress is None:
-        return say
+    """Tells each line to ``say``, and what it is about to ``progress``; what has no line to that alone."""
 
     def tell(message: Message) -> None:
-        say(message)
-        if isinstance(message.event, Event):
+        if message.strip():
+            say(message)
+        if progress is not None and isinstance(message.event, Event):
             progress(message.event)
 
     return tell

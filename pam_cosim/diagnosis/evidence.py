@@ -67,7 +67,13 @@ def coherent(s: ResidualStatistics) -> bool:
 
 
 def leaves_structure(s: ResidualStatistics, repeated: Reproducibility | None = None) -> bool:
-    """Whether residuals of a model that explains much are still coherent: more than a fifth of the noise's variance."""
+    """Whether residuals of a model that explains much are still coherent: more than a fifth of the noise's variance.
+
+    Few samples, as those of a table, hardly show that; there what is larger than the stated noise is not that noise.
+    """
+    few = 0 < s.samples < CRITERIA.residuals.many_samples
+    if few and s.level_score > CRITERIA.residuals.level_of_few:
+        return True
     return (
         bool(s.samples)
         and _correlated(s)

@@ -126,7 +126,7 @@ def with_these(finding: Finding, effects: Sequence[str]) -> Finding:
 def _anew(subject: Subject, search: Search, data: DataSet) -> tuple[Search, Fit, Mapping[str, int]]:
     with subject.simulator() as simulator:
         data, base, outliers = base_of(simulator, data, search.say)
-    return replace(search, data=data, unseen=frozenset()), base, outliers
+    return replace(search, data=data, unseen=frozenset(), idle={}), base, outliers
 
 
 def _with_roles(data: DataSet, roles: Sequence[Role]) -> DataSet:

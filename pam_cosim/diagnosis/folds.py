@@ -8,8 +8,10 @@ effect that is needed in some folds only stands in for something else.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
-from math import inf, sqrt
+from dataclasses import dataclass, field, replace
+from math import inf
+
+import numpy as np
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.events import RunsLeftOut
@@ -32,18 +34,21 @@ class Folds:
         count: of folds.
         needed: in how many of them each effect was needed, by its name.
         unbelievable: ratios to what is stated that came out too far from one, by the name of the effect.
-        rmse: error of each signal on the runs that were left out [its unit], with the effects that are needed in all.
+        rmse: error of each signal on the runs that were left out [its unit], with the effects that are named; the
+            middle one of the folds.
+        worst: the largest one, and the runs that were left out then, by signal.
     """
 
     count: int
     needed: Mapping[str, int]
     unbelievable: Mapping[str, float]
-    rmse: Mapping[str, float]
+    rmse: Mapping[str, float] = field(default_factory=dict)
+    worst: Mapping[str, tuple[float, tuple[str, ...]]] = field(default_factory=dict)
 
     @property
-    def everywhere(self) -> tuple[str, ...]:
-        """The effects that are needed in every fold, and whose values can be believed."""
-        return tuple(e for e, n in self.needed.items() if n == self.count and e not in self.unbelievable)
+    def named(self) -> tuple[str, ...]:
+        """The effects that are needed in most folds, and whose values can be believed."""
+        return tuple(e for e, n in self.needed.items() if 2 * n > self.count and e not in self.unbelievable)
 
     @property
     def dropped(self) -> str:
@@ -51,7 +56,7 @@ class Folds:
         reasons = [
             f"{e} ({self.needed[e]} of {self.count} folds)"
             for e in self.needed
-            if self.needed[e] < self.count and e not in self.unbelievable
+            if e not in self.named and e not in self.unbelievable
         ]
         reasons += [f"{e} ({ratio:.3g} times what is stated)" for e, ratio in self.unbelievable.items()]
         return f"Not named, though it helped: {listed(reasons)}." if reasons else ""
@@ -63,16 +68,17 @@ class Folds:
             "needed": dict(self.needed),
             "unbelievable": dict(self.unbelievable),
             "rmse": dict(self.rmse),
+            "worst": {name: {"rmse": rmse, "runs": list(runs)} for name, (rmse, runs) in self.worst.items()},
         }
 
 
 @dataclass(frozen=True)
 class _Left:
-    """What a model leaves on runs that were left out: sums of squares by signal [its unit], and in noise variances."""
+    """What a model leaves on runs that were left out: error by signal [its unit], and all in noise variances."""
 
-    squares: Mapping[str, float]
-    samples: Mapping[str, int]
+    rmse: Mapping[str, float]
     chi2: float
+    runs: tuple[str, ...] = ()
 
     @property
     def excess(self) -> float:
@@ -82,14 +88,25 @@ class _Left:
 
 def cross_validated(verdict: Verdict, folds: Folds, signals: Mapping[str, Signal]) -> Verdict:
     """A verdict on a model that leaves structure, with what it is good for all the same."""
-    errors = [f"{format_quantity(e, signals[n].unit)} of {n}" for n, e in folds.rmse.items() if signals[n].fitted]
-    good = f"Good to {listed(errors)} on runs that were never fitted"
-    named = folds.everywhere
-    if not named:
-        held = f"no effect is needed in every one of {folds.count} folds of runs"
-    else:
-        held = f"{listed(list(named))} {'are' if len(named) > 1 else 'is'} needed in every one of {folds.count} folds"
-    return replace(verdict, reason=" ".join(filter(None, [f"{good}: {held}.", folds.dropped, verdict.reason])))
+    good = [_good_to(n, folds, signals[n].unit) for n in folds.rmse if signals[n].fitted]
+    sentences = [f"Good to {'; '.join(good)} on runs that were never fitted."]
+    for needed in sorted({folds.needed[e] for e in folds.named}, reverse=True):
+        names = [e for e in folds.named if folds.needed[e] == needed]
+        every = f"every one of {folds.count}" if needed == folds.count else f"{needed} of {folds.count}"
+        sentences.append(f"{listed(names)} {'are' if len(names) > 1 else 'is'} needed in {every} folds of runs.")
+    if not folds.named:
+        sentences.append(f"No effect is needed in most of {folds.count} folds of runs.")
+    return replace(verdict, reason=" ".join([*sentences, *filter(None, [folds.dropped]), verdict.reason]))
+
+
+def _good_to(name: str, folds: Folds, unit: str) -> str:
+    """The error of a signal, and the runs of which it is much larger."""
+    typical, (most, runs) = folds.rmse[name], folds.worst[name]
+    text = f"{format_quantity(typical, unit)} of {name}"
+    if most <= CRITERIA.folds.beyond * typical:
+        return text
+    first = listed([*runs[:2], *[f"{len(runs) - 2} more"] * (len(runs) > 2)])
+    return f"{text} (but {format_quantity(most, unit)} of {first}, when left out)"
 
 
 def folds_of(subject: Subject, search: Search, effects: Sequence[str], final: Fit) -> Folds | None:
@@ -115,11 +132,15 @@ def folds_of(subject: Subject, search: Search, effects: Sequence[str], final: Fi
             needed[e] += _is_needed(left[every], left[others])
     ratios = {e: final.values[e] for e in every if is_ratio(e) and e in final.values}
     limit = CRITERIA.folds.believable
-    folds = Folds(len(data), needed, {e: r for e, r in ratios.items() if not 1 / limit <= r <= limit}, {})
-    if folds.everywhere != every:
-        named = folds.everywhere
+    folds = Folds(len(data), needed, {e: r for e, r in ratios.items() if not 1 / limit <= r <= limit})
+    named = folds.named
+    if named != every:
         full = [_left_out(subject, search, one, [named], final.values)[named] for one in data]
-    return replace(folds, rmse=_rmse([left for left in full if left is not None]))
+    known = [left for left in full if left is not None]
+    names = dict.fromkeys(n for left in known for n in left.rmse)
+    errors = {n: [(left.rmse[n], left.runs) for left in known if n in left.rmse] for n in names}
+    middle = {n: float(np.median([e for e, _ in each])) for n, each in errors.items()}
+    return replace(folds, rmse=middle, worst={n: max(each) for n, each in errors.items()})
 
 
 def _folds(data: DataSet) -> Iterator[DataSet]:
@@ -152,10 +173,10 @@ def _without_effects(subject: Subject, data: DataSet) -> dict[tuple[str, ...], F
 
 
 def _judged(model: Fit) -> _Left:
-    scores = model.comparison.scores["holdout"]
-    squares = {n: s.rmse**2 * s.samples for n, s in scores.items()}
-    samples = {n: s.samples for n, s in scores.items()}
-    return _Left(squares, samples, model.comparison.chi2_reduced("holdout"))
+    comparison = model.comparison
+    rmse = {n: s.rmse for n, s in comparison.scores["holdout"].items()}
+    runs = tuple(r.run.name for r in comparison.runs if r.run.role == "holdout")
+    return _Left(rmse, comparison.chi2_reduced("holdout"), runs)
 
 
 def _is_needed(with_it: _Left | None, without: _Left | None) -> bool:
@@ -164,9 +185,3 @@ def _is_needed(with_it: _Left | None, without: _Left | None) -> bool:
         return False
     before = inf if without is None else without.excess
     return before > 0 and before - with_it.excess >= CRITERIA.folds.visible * min(before, 1e300)
-
-
-def _rmse(folds: Sequence[_Left]) -> dict[str, float]:
-    names = dict.fromkeys(n for left in folds for n in left.squares)
-    squares = {n: sum(left.squares.get(n, 0.0) for left in folds) for n in names}
-    return {n: sqrt(squares[n] / sum(left.samples.get(n, 0) for left in folds)) for n in names}

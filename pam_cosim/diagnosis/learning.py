@@ -146,7 +146,7 @@ def try_learned(
     write_text(file, term.modelica_source)
     sources = [*files, file]
     tree = read_library(files=sources)
-    base = model or data.model
+    base = data.model_for(model)
     composition = compose(tree, base, [*effects, term.name], files=sources)
     if composition is None:
         raise InputError(f"{base} has no place for {term.name}", file)

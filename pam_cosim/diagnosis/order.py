@@ -51,11 +51,15 @@ class Order:
         search: what they are chosen from.
         base: the model without effects, fitted.
         known: the others by their effects, in the order in which these were added; whoever fits more adds them.
+
+    Attributes:
+        over: the time for the search is over: models that were fitted in a few steps count as they are.
     """
 
     def __init__(self, search: Search, base: Fit, known: Mapping[tuple[str, ...], Candidate]) -> None:
         self.search, self.base, self.known = search, base, known
         self.scale = scale([base])
+        self.over = False
         self._left: dict[tuple[str, ...], tuple[Fit, bool]] = {}
 
     @property
@@ -104,7 +108,7 @@ class Order:
             laws: only of models that are made of laws.
         """
         beaten = self.evidence(None) - CRITERIA.evidence.very_strong
-        done = [c for c in self.known.values() if not c.brief and self.evidence(c) < beaten]
+        done = [c for c in self._done() if self.evidence(c) < beaten]
         done = [c for c in done if not laws or self.of_laws(c.effects)]
         at_noise = [c for c in done if not self.leaves_structure(c)]
         if at_noise:
@@ -117,6 +121,10 @@ class Order:
         near = [c for c in done if order[c.effects][0] < first[0] + CRITERIA.evidence.very_strong]
         sound = [c for c in near if not any(refuted(c.fit, other.fit) for other in near)]
         return min(sound or near, key=lambda c: order[c.effects])
+
+    def _done(self) -> list[Candidate]:
+        """The models that were fitted to the end, or as far as there was time for."""
+        return [c for c in self.known.values() if self.over or not c.brief]
 
     def _enough(self, at_noise: Collection[Candidate]) -> int:
         """How many effects are enough, where all of these models leave noise.
@@ -196,5 +204,5 @@ class Order:
         """The best model; where it leaves structure, one effect that is beyond doubt all the same goes first."""
         best = self.best()
         if best is not None and self.leaves_structure(best):
-            return dominant_effect(self.base, [c for c in self.known.values() if not c.brief]) or best
+            return dominant_effect(self.base, self._done()) or best
         return best

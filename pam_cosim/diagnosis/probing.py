@@ -25,6 +25,8 @@ class Probe:
         own_parameters: names of the parameters that it brought.
         linear: the model with it about the fitted base model and the strength that does most good.
         further: (m,) each, the residual at the other strengths that were looked at.
+        idle: names of own parameters that change no sample, where this was looked at.
+        unread: it moves a reading that nobody took, and no sample.
     """
 
     effect: str
@@ -32,6 +34,8 @@ class Probe:
     own_parameters: tuple[str, ...]
     linear: Linear
     further: tuple[Array, ...] = ()
+    idle: tuple[str, ...] = ()
+    unread: bool = False
 
     @property
     def silent(self) -> bool:

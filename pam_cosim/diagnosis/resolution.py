@@ -196,7 +196,8 @@ class Rows:
 
     def _alike(self, told: Told, moves: Mapping[str, Array], price: float) -> list[Alike]:
         """Pairs of visible families of which one may be taken for the other, the worse way round."""
-        count = {p.effect: len(p.strengths.own) for p in self.probes}
+        own = {p.effect: p.strengths for p in self.probes}
+        count = {name: len(strengths.own) for name, strengths in own.items()}
         worst: dict[frozenset[str], Alike] = {}
         for family, best in told.families.items():
             if family not in told.visible:
@@ -208,6 +209,8 @@ class Rows:
                 left = float(np.linalg.norm(_beyond(_orthonormal(moves[p.effect]), whole)))
                 needed = CRITERIA.evidence.very_strong - price * (count[p.effect] - count[best.effect])
                 least, pair = _strength(needed, left), frozenset((family, p.family))
+                if not own[best.effect].within_bounds(least):
+                    least = math.inf
                 if least > 1 and (pair not in worst or least > worst[pair].least):
                     worst[pair] = Alike(best.effect, family, p.effect, p.family, least)
         return sorted(worst.values(), key=lambda a: (-a.least, a.effect, a.other))

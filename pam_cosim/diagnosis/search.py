@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -14,7 +15,7 @@ from pam_cosim.compiler import ClassTree, Structure, library_hash, read_structur
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
 from pam_cosim.diagnosis.choice import Choice
-from pam_cosim.diagnosis.events import CandidateTried, EffectsLookedAt, FittingBegun
+from pam_cosim.diagnosis.events import CandidateTried, EffectLookedAt, EffectsLookedAt, FittingBegun
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.probing import Probe, Stated
 from pam_cosim.diagnosis.step_times import Retimed, Retiming, nothing_found, run_retiming, steps_between
@@ -56,6 +57,7 @@ class Search:
         expected: names of effects that are likely.
         at_rest: all runs are points at rest.
         unseen: names of effects that these cannot show, beside whatever else.
+        idle: by effect, full names of its parameters that no sample depends on; they are not fitted.
     """
 
     tree: ClassTree
@@ -69,6 +71,7 @@ class Search:
     expected: frozenset[str] = frozenset()
     at_rest: bool = False
     unseen: frozenset[str] = frozenset()
+    idle: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     @cached_property
     def structure(self) -> Structure:
@@ -92,8 +95,8 @@ class Search:
 
     @cached_property
     def cost(self) -> dict[str, int]:
-        """Number of parameters of each effect."""
-        return {e.name: len(e.parameters) for e in self.shelf}
+        """Number of parameters of each effect that are fitted."""
+        return {e.name: max(len(e.parameters) - len(self.idle.get(e.name, ())), 1) for e in self.shelf}
 
     @cached_property
     def broadest(self) -> list[str]:
@@ -127,7 +130,14 @@ class Search:
         return self._looked(run_stated, trials)
 
     def _looked(self, look: Callable[[Trial], Look | FailedTrial], trials: Sequence[Trial]) -> list[Look]:
-        results = run_tasks(look, trials, crashed, lambda _: None, self.workers)
+        number = itertools.count(1)
+        results = run_tasks(
+            look,
+            trials,
+            crashed,
+            lambda _: self.say(EffectLookedAt(next(number), len(trials)).message),
+            self.workers,
+        )
         self.failed.extend(c for c in results if isinstance(c, FailedTrial))
         return [c for c in results if not isinstance(c, FailedTrial)]
 
@@ -194,7 +204,8 @@ class Search:
             composition = compose_on(self.tree, self.structure, m.effects)
             if composition is not None:
                 trial = Trial(own[m.effects[-1]], m.effects, composition, self.data, m.start, self.files)
-                trials.append(replace(trial, further_start=m.further, library=self.library))
+                idle = {name for e in m.effects for name in self.idle.get(e, ())}
+                trials.append(replace(trial.without(idle), further_start=m.further, library=self.library))
         return trials
 
 

@@ -139,8 +139,9 @@ class _Models:
         if self.search.failed and not self.probes:
             failed = self.search.failed[-1]
             raise SimulationFailure(f"no effect could be tried; {failed.effect}: {failed.failure}")
-        if self.search.at_rest:  # what shows in time alone does so beside no effect
-            self.order.search = replace(self.search, unseen=frozenset(p.effect for p in self.probes if p.silent))
+        # What shows in time alone, or in a reading that nobody took, does so beside no effect.
+        silent = frozenset(p.effect for p in self.probes if p.unread or (p.silent and self.search.at_rest))
+        self.order.search = replace(self.search, unseen=silent, idle={p.effect: p.idle for p in self.probes if p.idle})
         self.promises.looked_at(self.probes)
 
     def look_again(self) -> None:
@@ -171,6 +172,7 @@ class _Models:
         if time.monotonic() < self.deadline:
             return False
         self.untried += [names for names in chosen if names not in self.untried]
+        self.order.over = True
         return True
 
     def with_step_times(self, count: int) -> Retimed | None:

@@ -72,7 +72,7 @@ def subject_of(
     Raises:
         InputError: an FMU.
     """
-    name = model or data.model
+    name = data.model_for(model)
     if is_fmu(name):
         raise InputError("effects can be added to a Modelica model only; an FMU can be compared and fitted", name)
     wake(workers, run_trial.__module__)

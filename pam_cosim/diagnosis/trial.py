@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, TypeVar
@@ -14,6 +14,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Attempt, Candidate, FailedTrial
 from pam_cosim.diagnosis.probing import Probe, Stated, Strengths, probed
 from pam_cosim.diagnosis.pruning import pruned
+from pam_cosim.diagnosis.reach import idle_parameters, moves_unread
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fitting import (
     Fit,
@@ -86,6 +87,11 @@ class Trial:
         """The same trial with other ``options``."""
         return replace(self, options=replace(self.options, **changes))
 
+    def without(self, idle: Collection[str]) -> Trial:
+        """The same trial with these parameters of its effects at their stated values: no sample depends on them."""
+        kept = {e: tuple(n for n in own if n not in idle) for e, own in self.composition.parameters.items()}
+        return replace(self, composition=replace(self.composition, parameters=kept))
+
     def failed(self, reason: str) -> FailedTrial:
         """The result of this trial where there is no fit."""
         return FailedTrial(self.effect.name, self.effect.family, self.effect.balance, self.effects, reason)
@@ -112,7 +118,7 @@ def crashed(trial: Trial) -> FailedTrial:
 
 def run_trial(trial: Trial) -> Attempt:
     """Builds the model and fits the free base parameters together with those of the effects."""
-    return _attempted(trial, _fitted)
+    return _attempted(trial, _fitted, brief=False)
 
 
 def run_afar(trial: Trial) -> Attempt:
@@ -125,21 +131,22 @@ def run_afar(trial: Trial) -> Attempt:
 
 def run_probe(trial: Trial) -> Probe | FailedTrial:
     """Builds the model and linearises it about the values that it starts from, for what its effect can add."""
-    return _attempted(trial, _probed)
+    return _attempted(trial, _probed, brief=True)
 
 
 def run_stated(trial: Trial) -> Stated | FailedTrial:
     """Builds the model and linearises it about the values that it starts from, its effect as strong as it is stated."""
-    return _attempted(trial, _stated)
+    return _attempted(trial, _stated, brief=True)
 
 
-def _attempted(trial: Trial, work: Callable[[Trial, Simulator], Result]) -> Result | FailedTrial:
-    """What comes of some work on the model of a trial; a failure is a result too."""
+def _attempted(trial: Trial, work: Callable[[Trial, Simulator], Result], brief: bool) -> Result | FailedTrial:
+    """What comes of some work on the model of a trial, which takes few runs or many; a failure is a result too."""
     own = [name for names in trial.composition.parameters.values() for name in names]
     free = tuple(dict.fromkeys([*trial.data.differentiated, *map(parameter_of, own)]))
     source, name = trial.composition.text, trial.composition.name
+    brief = brief and sum(len(run.time) for run in trial.data.fit_runs) <= CRITERIA.search.rows_without_compiler
     try:
-        fmu = build_source(name, source, trial.files, sensitivities=free, library=trial.library, lean=True)
+        fmu = build_source(name, source, trial.files, sensitivities=free, library=trial.library, lean=True, brief=brief)
         with Simulator(fmu) as simulator:
             return work(trial, simulator)
     except (SimulationFailure, InputError) as problem:
@@ -166,13 +173,16 @@ def _probed(trial: Trial, simulator: Simulator) -> Probe:
     assert trial.beside is not None
     objective = _objective(trial, simulator)
     strengths = _strengths(trial, objective)
-    return probed(trial.effect.name, trial.effect.family, objective, trial.beside, strengths)
+    probe = probed(trial.effect.name, trial.effect.family, objective, trial.beside, strengths)
+    at_rest = all(run.is_static for run in trial.data.runs)
+    idle = idle_parameters(probe, objective) if at_rest else ()
+    return replace(probe, idle=idle, unread=moves_unread(probe, objective))
 
 
 def _strengths(trial: Trial, objective: Objective) -> Strengths:
     names = trial.composition.parameters[trial.effect.name]
-    short = itertools.cycle(trial.effect.parameters)  # several parts may have them
-    absent = {n: trial.effect.absent[one] for n, one in zip(names, short, strict=False) if one in trial.effect.absent}
+    own = trial.effect.absent
+    absent = {name: own[short] for name in names if (short := name.rpartition(".")[2]) in own}
     return Strengths(tuple(f for f in objective.free if f.name in names), absent)
 
 

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import exp, isnan
 from types import MappingProxyType
 from typing import Literal
+
+import numpy as np
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
@@ -22,6 +24,8 @@ from pam_cosim.diagnosis.evidence import (
     unexplained,
 )
 from pam_cosim.fitting import Fit
+from pam_cosim.units import format_quantity
+from pam_cosim.wording import listed
 
 Kind = Literal["none_missing", "identified", "ambiguous", "unknown"]
 
@@ -38,6 +42,9 @@ class Verdict:
         reason: the verdict in a sentence or two.
         remainder: a family is identified, and still what remains has structure: its form is not listed.
         probability: that these families, and no others, are what is missing (``confidence``).
+        off: signals that were compared but not fitted, and that the model misses by more than their noise.
+        refuted: effects of other families that fit as well, but not those signals.
+        bending: effects of other families that fit as well because they say whatever their families can.
     """
 
     kind: Kind
@@ -46,6 +53,9 @@ class Verdict:
     reason: str
     remainder: bool = False
     probability: float = float("nan")
+    off: tuple[str, ...] = ()
+    refuted: tuple[str, ...] = ()
+    bending: tuple[str, ...] = ()
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON."""
@@ -56,6 +66,9 @@ class Verdict:
             "reason": self.reason,
             "remainder": self.remainder,
             "probability": None if isnan(self.probability) else self.probability,
+            "off": list(self.off),
+            "refuted": list(self.refuted),
+            "bending": list(self.bending),
         }
 
 
@@ -67,6 +80,14 @@ _REST = (
     "and no other family comes near. What remains has structure that no second effect explains: the family is what "
     "was found, in a form that no listed law has, or something smaller is missing besides."
 )
+
+
+_TAKEN_FOR_NOISE = {
+    "stated": "the stated noise",
+    "estimated from the samples": "the noise that was estimated from the samples",
+    "stated repeatability": "the stated repeatability",
+    "of repeated runs": "the repeatability of repeated runs",
+}
 
 
 def rivals(
@@ -85,13 +106,59 @@ def rivals(
         family: of every effect there is.
         choice: what a choice among them costs.
     """
+    alike = [c for c in tried if (best.general or not c.general) and not refuted(c.fit, best.fit)]
+    return _near(base, best, tried, alike, family, choice)
+
+
+def _near(
+    base: Fit,
+    best: Candidate,
+    tried: Sequence[Candidate],
+    among: Sequence[Candidate],
+    family: Mapping[str, str],
+    choice: Choice,
+) -> list[Candidate]:
+    """Models with other families whose evidence is hardly less than that of the best, one of each set of families."""
     at = scale([base, *(c.fit for c in tried)])
     own = frozenset(family[e] for e in best.effects)
     limit = evidence(best.fit, at, best.effects, choice, best) + CRITERIA.evidence.very_strong
-    alike = [c for c in tried if (best.general or not c.general) and not refuted(c.fit, best.fit)]
-    each = _best_of_each(alike, at, family, choice).items()
+    each = _best_of_each(among, at, family, choice).items()
     near = [(score, c) for theirs, (score, c) in each if not theirs >= own and score < limit]
     return [c for _, c in sorted(near, key=lambda entry: (entry[0], entry[1].effects))]
+
+
+def with_facts(
+    verdict: Verdict,
+    base: Fit,
+    best: Candidate | None,
+    tried: Sequence[Candidate],
+    family: Mapping[str, str],
+    choice: Choice,
+) -> Verdict:
+    """The verdict with what its sentences speak of besides: signals that nobody fitted, and models that come as near.
+
+    Args:
+        verdict: the answer.
+        base, best, tried, family, choice: as for ``rivals``; ``best`` None: nothing was selected.
+    """
+    fit = best.fit if best else base
+    off = missed(fit)
+    if best is None:
+        return replace(verdict, off=off)
+    against = [c for c in tried if refuted(c.fit, fit)]
+    bent = [c for c in tried if c.general and not best.general and not refuted(c.fit, fit)]
+    wrong, bending = (
+        tuple(" + ".join(c.effects) for c in _near(base, best, tried, some, family, choice)) for some in (against, bent)
+    )
+    return replace(verdict, off=off, refuted=wrong, bending=bending)
+
+
+def missed(fit: Fit) -> tuple[str, ...]:
+    """Signals that were compared but not fitted, and that a model misses by more than their noise."""
+    comparison = fit.comparison
+    scores = comparison.scores.get("all", {})
+    unfitted = {n: s for n, s in scores.items() if not comparison.data.signals[n].fitted}
+    return tuple(n for n, s in unfitted.items() if s.rmse > CRITERIA.evidence.refuted * s.noise_rmse)
 
 
 def _best_of_each(
@@ -151,10 +218,7 @@ def _checked(fit: Fit) -> bool:
     Held-out runs that only the uncertainty of the parameters excuses check little.
     """
     held = fit.residuals["holdout"]
-    comparison = fit.comparison
-    unfitted = [s for n, s in comparison.scores["all"].items() if not comparison.data.signals[n].fitted]
-    off = any(s.rmse > CRITERIA.evidence.refuted * s.noise_rmse for s in unfitted)
-    return bool(held.samples) and not structured(held) and not off
+    return bool(held.samples) and not structured(held) and not missed(fit)
 
 
 def judge(
@@ -204,9 +268,53 @@ def judge(
         families = tuple(dict.fromkeys((*families, *(known[e] for part in instead for e in part))))
         asked = _TOOK_ALL * all_asked
         return Verdict("ambiguous", families, effects, f"These data cannot separate {names}.{asked}")
-    loud = last.fit.residuals["fit"].chi2_reduced
-    noise = f"; the noise is {loud**0.5:.2g} times the stated one" if loud > CRITERIA.fit.loud else ""
-    return Verdict("identified", families, effects, f"{text}; what remains is noise{noise}.{_open(selected)}{caution}")
+    remains = f"what remains {_of_what(last.fit)}is noise{_loud(last.fit)}.{_but(last.fit)}"
+    return Verdict("identified", families, effects, f"{text}; {remains}{_open(selected)}{caution}")
+
+
+def _of_what(fit: Fit) -> str:
+    """Which signals are spoken of, where others were compared but not fitted and are off."""
+    signals = fit.comparison.data.signals
+    return f"of {listed([n for n, s in signals.items() if s.fitted])} " if missed(fit) else ""
+
+
+def _loud(fit: Fit) -> str:
+    """That the noise is more than it was thought to be, and by whom."""
+    loud = fit.residuals["fit"].chi2_reduced
+    if loud <= CRITERIA.fit.loud:
+        return ""
+    sources = {s.source for s in fit.comparison.data.signals.values() if s.fitted}
+    taken = _TAKEN_FOR_NOISE[next(iter(sources))] if len(sources) == 1 else "what was taken for noise"
+    return f"; it is {loud**0.5:.2g} times {taken}"
+
+
+def _but(fit: Fit) -> str:
+    """Where what remains is no noise all the same: signals that were not fitted, and runs that are far off."""
+    comparison = fit.comparison
+    text = ""
+    for name in missed(fit):
+        score, unit = comparison.scores["all"][name], comparison.data.signals[name].unit
+        text += (
+            f" {name}, compared but not fitted, is {format_quantity(score.rmse, unit)} off "
+            f"(noise {format_quantity(score.noise_rmse, unit)}): something that acts on it is missing besides, or its "
+            "instrument is at fault."
+        )
+    far = [f"{run} ({format_quantity(rmse, unit)} of {name})" for run, name, rmse, unit in _far_runs(fit)]
+    return text + (f" But not in every run: {listed(far)} {'is' if len(far) == 1 else 'are'} off." if far else "")
+
+
+def _far_runs(fit: Fit) -> list[tuple[str, str, float, str]]:
+    """Runs in which a fitted signal is off by more than its noise and that of the others: run, signal, error, unit."""
+    far = []
+    for name, signal in fit.comparison.data.signals.items():
+        if not signal.fitted or not signal.sigma:
+            continue
+        runs = [r for r in fit.comparison.runs if r.run.sample_count(name)]
+        errors = [float(np.sqrt(np.nanmean(r.residual(name) ** 2))) for r in runs]
+        usual = max(float(np.median(errors)), signal.sigma) if errors else 0.0
+        limit = CRITERIA.evidence.refuted * usual
+        far += [(r.run.name, name, e, signal.unit) for r, e in zip(runs, errors, strict=True) if e > limit]
+    return far
 
 
 def _open(selected: Sequence[Candidate]) -> str:
@@ -227,7 +335,7 @@ def _caution(fit: Fit, all_asked: bool) -> str:
     text = _TOOK_ALL if all_asked else text
     if structured(held) and not incomplete(fit):
         text = " Held-out runs are met only as far as the fitted ones determine the parameters: they check little."
-    names = [n for n, e in fit.parameters.items() if e.at_bound]
+    names = [n for n, e in fit.parameters.items() if e.at_bound and e.determined]
     if names:
         text += f" Caution: {', '.join(names)} ended at a bound; the model may stand in for something else."
     return text

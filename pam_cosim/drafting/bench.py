@@ -25,13 +25,21 @@ _SUFFIX = "Rig"
 
 @dataclass(frozen=True)
 class Bench:
-    """A bench and what feeds it; ``name`` is as ``experiment.toml`` has it, ``why`` empty where the user says so."""
+    """A bench and what feeds it.
+
+    Attributes:
+        name: as ``experiment.toml`` has it.
+        why: empty where the user says so.
+        muscle: of which the files or their names tell.
+        usual: its muscle is the usual one, for nobody says another.
+    """
 
     choice: Choice
     name: str
     interface: Interface
     why: str
     muscle: Muscle | None = None
+    usual: bool = False
 
 
 def take_bench(
@@ -56,7 +64,8 @@ def take_bench(
             raise InputError(f"a muscle is named for a bench that is put together, and {wishes.model} is there already")
         return _named(place, wishes.model, known, describe)
     muscle = wishes.muscle
-    told = muscle_in(known.files, _muscles(tree)) if muscle is None and wishes.model is None else None
+    said = [" ".join([source.file.stem, *source.labels]) for source in known.sources]
+    told = muscle_in(said, _muscles(tree)) if muscle is None and wishes.model is None else None
     if told is not None:
         muscle = told.name
     if muscle is not None:
@@ -72,7 +81,7 @@ def take_bench(
     if choice.others:
         why += f". Others would do: {listed(choice.others)}"
     if not choice.ports.parts:
-        return Bench(choice, choice.ports.name, describe(choice.ports.name), why)
+        return Bench(choice, choice.ports.name, describe(choice.ports.name), why, None, True)
     feed, hold = choice.ports.parts
     outputs = [one for one in choice.ports.outputs if one not in choice.ports.inputs]
     measure = [one for one in outputs if one in choice.outputs or one in known.formulas]
@@ -80,9 +89,9 @@ def take_bench(
     (place / f"{name}.mo").write_text(text, encoding="utf-8", newline="\n")
     made = f"{name}.mo was put together from {choice.ports.name}"
     if told is not None:
-        made += f", with the muscle {told.name}, of which the names of the files tell"
+        made += f", with the muscle {told.name}, of which the files or their names tell"
     why = made if wishes.model else f"{why}. {made}"
-    return Bench(choice, f"{name}.mo", describe(str(place / f"{name}.mo")), why, told)
+    return Bench(choice, f"{name}.mo", describe(str(place / f"{name}.mo")), why, told, muscle is None)
 
 
 def _at_rest(known: Known) -> Callable[[Ports], Ports | None]:

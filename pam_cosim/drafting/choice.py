@@ -11,7 +11,7 @@ from pam_cosim.catalogue.ports import Ports
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.columns import Found
 from pam_cosim.drafting.rest import correlation, span
-from pam_cosim.drafting.words import Meaning, read_variable
+from pam_cosim.drafting.words import AT_REST, Meaning, read_variable
 from pam_cosim.errors import InputError
 from pam_cosim.interface import Variable
 from pam_cosim.names import BRANCH
@@ -119,7 +119,7 @@ def _feed(
     runs: int,
     stated: Collection[str],
 ) -> Choice:
-    free = [c for c in columns if c.meaning is not None and not c.of("time") and "ambient" not in c.meaning.roles]
+    free = [c for c in columns if c.meaning is not None and not c.of("time") and not _is_parameter(c)]
     reserved = set(asked.values())
     whole = [c for c in free if len(c.values) == runs and c.whole]
     free = [c for c in free if not c.in_names]
@@ -142,6 +142,11 @@ def _feed(
     cost += _ISOMETRIC if _must_be_fixed(ports, used) else 0.0
     unread = len([name for name in readable if name not in outputs and name not in formulas])
     return Choice(ports, inputs, outputs, tuple(wanted), (), cost, unread, driven and measured)
+
+
+def _is_parameter(column: Found) -> bool:
+    """Whether a column says what stands around a muscle, or how long it is, and is no signal."""
+    return column.meaning is not None and (column.meaning == AT_REST or "ambient" in column.meaning.roles)
 
 
 def _must_be_fixed(ports: Ports, used: Sequence[Found]) -> bool:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.columns import Found
-from pam_cosim.drafting.words import direction_word
+from pam_cosim.drafting.words import direction_word, split_words
 from pam_cosim.measurement.curves import directions
 from pam_cosim.measurement.points import CONTRACTS
 
@@ -78,6 +79,20 @@ def ordered(inputs: Mapping[str, Array], units: Mapping[str, str]) -> bool:
 def moves(inputs: Mapping[str, Array], units: Mapping[str, str]) -> bool:
     """Whether the order of the rows tells any direction."""
     return bool(_ways(inputs, units).any())
+
+
+def way(inputs: Mapping[str, Array], units: Mapping[str, str]) -> int:
+    """1 where all rows go one way, -1 the other way; 0: neither."""
+    ways = _ways(inputs, units)
+    return 1 if bool((ways > 0).all()) else -1 if bool((ways < 0).all()) else 0
+
+
+def ways_in(files: Sequence[Path]) -> list[str]:
+    """up or down for each file, where every name says one of them, and both are said; none where they do not."""
+    said = [{w for word in split_words(file.stem) if len(word) > 1 and (w := direction_word(word))} for file in files]
+    if not all(len(own) == 1 for own in said) or len(set.union(*said)) != 2:
+        return []
+    return [SENSES[own.pop()] for own in said]
 
 
 def _ways(inputs: Mapping[str, Array], units: Mapping[str, str]) -> Array:

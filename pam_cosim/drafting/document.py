@@ -30,6 +30,7 @@ class Draft:
         told: by recording, what it tells of itself.
         interpolation: of each recording's inputs.
         resample: proposed for long recordings.
+        usual_muscle: nobody says what muscle it is.
         points: of tables of points at rest, what each file says of its direction, and values that are held out.
         having: which recordings have the column of a signal, if only empty.
     """
@@ -54,6 +55,7 @@ class Draft:
     interpolation: Sequence[str]
     resample: str = ""
     having: Mapping[str, Sequence[int]] = field(default_factory=dict)
+    usual_muscle: bool = False
     points: PointsDraft | None = None
 
 
@@ -192,7 +194,8 @@ def _fit(draft: Draft) -> Iterator[str]:
         return
     yield "[fit]"
     if free:
-        yield from _guessed("", "free are calibrations, lag and droop, which only a fit tells; bounds are the model's")
+        what = "what lies in the wall of the muscle" if draft.points else "calibrations, lag and droop"
+        yield from _guessed("", f"free is {what}, which only a fit tells; bounds are the model's or near its values")
     for name, variable in free.items():
         yield f"{_bounds(name, variable)}   {' '.join(remark(variable.description))}"
     if more:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.columns import Found
 from pam_cosim.drafting.words import Meaning, folded, kinds_of, known_unit, says_no_load
 from pam_cosim.units import convert
@@ -18,7 +19,6 @@ _QUANTITY = re.compile(rf"(?:(?P<word>[a-z]+)[ =_-]?)?{_NUMBER}[ _-]?(?P<unit>%|
 _UNITS = {"pct": "%", "percent": "%", "prozent": "%", "proz": "%"}
 _KINDS = ("pressure", "force", "ratio", "contraction", "length")
 _LENGTHS = ("contraction", "length", "ratio")
-_LONGEST = 0.1  # [m] of a contraction that a name tells without a word for it; muscles are longer
 
 
 @dataclass(frozen=True)
@@ -40,13 +40,14 @@ class Muscle:
     length: str = ""
 
 
-def muscle_in(files: Sequence[Path], known: Iterable[str]) -> Muscle | None:
-    """The muscle of a library that the name of every file tells, as ``DMSP-20-300``; None: they do not.
+def muscle_in(texts: Sequence[str], known: Iterable[str]) -> Muscle | None:
+    """The muscle of a library that every text tells, as ``DMSP-20-300``; None: they do not.
 
     Args:
+        texts: what is said of each file: its name, and what a column of it repeats in every row.
         known: names of muscles.
     """
-    told = {one for file in files for one in [_muscle(file.stem, known)]}
+    told = {one for text in texts for one in [_muscle(text, known)]}
     first = next(iter(told)) if len(told) == 1 else None
     if first is not None or None in told:
         return first
@@ -73,7 +74,7 @@ def quantities(files: Sequence[Path], columns: Sequence[Found], counts: Sequence
         columns: of the files: what one of them holds is not looked for in the names.
         counts: rows of each file.
     """
-    said = [_said(file.stem) for file in files]
+    said = [said_in(file.stem) for file in files]
     recorded = {c.meaning.kind for c in columns if c.meaning is not None and not c.meaning.roles}
     made = []
     for group in (("pressure",), ("force",), _LENGTHS):
@@ -106,10 +107,12 @@ def _imposed(own: Sequence[Said], each: Sequence[Sequence[Said]]) -> list[Said]:
         return called
     alike = [one for one in own if len(each) > 1 and all(any(one.text == o.text for o in other) for other in each)]
     left = [one for one in own if one not in alike]
-    return [one for one in left if one.kind == "length" or convert(one.value, one.unit, "m") <= _LONGEST]
+    most = CRITERIA.recognition.longest
+    return [one for one in left if one.kind == "length" or convert(one.value, one.unit, "m") <= most]
 
 
-def _said(stem: str) -> list[Said]:
+def said_in(stem: str) -> list[Said]:
+    """Every quantity that a text tells with its number."""
     found = []
     for match in _QUANTITY.finditer(stem):
         word = folded(match["word"] or "")
@@ -121,7 +124,8 @@ def _said(stem: str) -> list[Said]:
         if kind == "ratio" and not unit:
             unit = "%" if value >= 1.0 else "1"
         if kind and unit:
-            found.append(Said(match[0].strip(" _-"), word if kinds else "", value, unit, kind))
+            bare = f"{match['number']}{match[0].rpartition(match['number'])[2]}"
+            found.append(Said((match[0] if kinds else bare).strip(" _-"), word if kinds else "", value, unit, kind))
     return found
 
 

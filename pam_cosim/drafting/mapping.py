@@ -193,6 +193,12 @@ def length_parameter(interface: Interface) -> str | None:
     return None
 
 
+def longest_of(choice: Choice) -> float | None:
+    """The longest length [m] in any recording of a column that is one; None: there is none."""
+    lengths = [c for c in choice.fed.values() if c.of("length") and not c.in_names]
+    return max((float(np.nanmax(convert(c.every, c.unit, "m"))) for c in lengths), default=None)
+
+
 def _term(column: Found) -> str:
     """The column in a formula."""
     name = f"'{column.name}'" if _REFERABLE.fullmatch(column.name) else "value"

@@ -17,17 +17,19 @@ from pam_cosim.drafting.bench import Bench, class_name, take_bench
 from pam_cosim.drafting.choice import MECHANICAL, meaning_of
 from pam_cosim.drafting.document import Draft, document
 from pam_cosim.drafting.folder import beside, check_place, copy_files, put, read_draft
-from pam_cosim.drafting.mapping import Course, Mapped, length_parameter, map_columns
+from pam_cosim.drafting.mapping import Course, Mapped, length_parameter, longest_of, map_columns
 from pam_cosim.drafting.noise import Sigma, sigma_of
 from pam_cosim.drafting.points import check_imposed, drafted
-from pam_cosim.drafting.rest import is_held, is_switch
+from pam_cosim.drafting.rest import is_held, is_switch, span
 from pam_cosim.drafting.roles import Role, roles, stated_roles
 from pam_cosim.drafting.telling import NewDataSet, guesses, next_commands, to_check
-from pam_cosim.drafting.wishes import Known, Wishes, known
+from pam_cosim.drafting.wide import tidied
+from pam_cosim.drafting.wishes import Known, Wishes, known, recording_table
+from pam_cosim.drafting.words import AT_REST
 from pam_cosim.errors import InputError
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.measurement.experiment import FILE_NAME
-from pam_cosim.units import UnitError
+from pam_cosim.units import UnitError, convert, parse_quantity
 
 _NAME = re.compile(r"'([^']*)'|([A-Za-z_]\w*)", re.ASCII)
 
@@ -54,8 +56,9 @@ def draft(
         InputError: whatever cannot be used, with file, line and column; nothing is written then.
     """
     check_place(folder)
-    recorded = known(files, wishes)
     with beside(folder) as place:
+        files = _tidied(files, place, wishes)
+        recorded = known(files, wishes)
         bench = take_bench(place, class_name(folder), wishes, recorded, tree, describe)
         recorded = _with_length(recorded, bench)
         copies = copy_files(files, place)
@@ -76,12 +79,31 @@ def draft(
     return NewDataSet(folder, data, bench.name, *told, next_commands(folder, extra))
 
 
+def _tidied(files: Sequence[Path], place: Path, wishes: Wishes) -> list[Path]:
+    """The files, of which tables with a quantity along the top have a row for each point."""
+    stated = recording_table(wishes.recording or {})
+    apart = [place.parent / f"tidied-{i}" for i in range(len(files))]
+    for folder in apart:
+        folder.mkdir()
+    return [tidied(file, folder, stated) for file, folder in zip(files, apart, strict=True)]
+
+
 def _with_length(recorded: Known, bench: Bench) -> Known:
-    """With the length of the muscle that the names of the files tell."""
+    """With the length of the muscle that a column or the names of the files tell."""
     name = length_parameter(bench.interface)
-    if name is None or bench.muscle is None or not bench.muscle.length or name in recorded.stated:
+    if name is None or name in recorded.stated:
         return recorded
-    return replace(recorded, stated={**recorded.stated, name: bench.muscle.length})
+    column = next((c for c in recorded.columns if c.meaning == AT_REST), None)
+    if column is not None and span(column.every) == 0.0:
+        length = values.text_of(float(convert(column.every[0], column.unit, "m")), "m")
+        return replace(recorded, stated={**recorded.stated, name: length})
+    if bench.muscle is None or not bench.muscle.length:
+        return recorded
+    length = bench.muscle.length
+    nominal, longest = parse_quantity(length, "m"), longest_of(bench.choice)
+    if longest is not None and abs(longest - nominal) <= CRITERIA.recognition.nominal * nominal:
+        length = values.text_of(longest, "m")  # As it was measured.
+    return replace(recorded, stated={**recorded.stated, name: length})
 
 
 def _content(
@@ -110,16 +132,17 @@ def _content(
         shown=shown,
         stated=recorded.stated,
         unfed=[name for name in choice.unfed if not all(name in run for run in told)],
-        free=values.free(interface),
-        perhaps=values.perhaps(interface),
-        to_state=values.to_state(interface),
+        free=values.free(interface, recorded.points),
+        perhaps=values.perhaps(interface, recorded.points),
+        to_state=values.to_state(interface, recorded.points),
         files=copies,
         roles=stated_roles(guessed, names, stated),
         told=told,
         interpolation=[_interpolation(course.inputs) for course in mapped.courses],
         resample=_means(mapped.courses),
         having={name: sorted(column.places) for name, column in choice.fed.items() if not column.in_names},
-        points=drafted(mapped.courses, interface, by_run) if recorded.points else None,
+        usual_muscle=bench.usual and _no_size(recorded, interface),
+        points=drafted(mapped.courses, interface, recorded.files, by_run) if recorded.points else None,
     )
 
 
@@ -136,6 +159,12 @@ def _told(bench: Bench, recorded: Known, mapped: Mapped) -> list[dict[str, value
         for course, names, columns, said in zip(mapped.courses, of_names, of_columns, own, strict=True)
     ]
     return [{name: one for name, one in run.items() if name not in recorded.stated} for run in told]
+
+
+def _no_size(recorded: Known, interface: Interface) -> bool:
+    """Whether the bench has a muscle of which no length is stated."""
+    name = length_parameter(interface)
+    return name is not None and not any(name in own for own in (recorded.stated, *recorded.own))
 
 
 def _unknown_mechanics(bench: Bench, recorded: Known) -> bool:
@@ -201,7 +230,7 @@ def _ignored(bench: Bench, recorded: Known, mapped: Mapped) -> dict[str, str]:
             name = by_meaning[column.meaning]
             why = f"it could be {name} too; --column {name}='{column.name}' would take it"
         else:
-            parameter = "ambient" in column.meaning.roles or column.meaning.kind == "mass"
+            parameter = column.meaning.roles & {"ambient", "rest"} or column.meaning.kind == "mass"
             why = f"{column.meaning}, " + ("a parameter" if parameter else "which this bench neither takes nor shows")
         ignored[column.name] = why
     return ignored

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.direction import moves, ordered
+from pam_cosim.drafting.direction import moves, ordered, way, ways_in
 from pam_cosim.drafting.mapping import Course
 from pam_cosim.drafting.rest import span
 from pam_cosim.drafting.values import text_of
@@ -51,21 +52,27 @@ def check_imposed(unfed: Sequence[str], known: Sequence[Collection[str]], interf
         raise InputError(f"no column and no file's name tells the {what} ({one.name}); say it: {say}")
 
 
-def drafted(courses: Sequence[Course], interface: Interface, by_run: bool) -> PointsDraft:
-    """Directions by the order of the rows where no column tells them, and rows to hold out.
+def drafted(courses: Sequence[Course], interface: Interface, files: Sequence[Path], by_run: bool) -> PointsDraft:
+    """Directions by the names of the files or the order of the rows where no column tells them, and rows to hold out.
 
     Args:
         by_run: whole recordings are held out.
     """
     units = {name: variable.unit for name, variable in interface.inputs.items()}
     rows = [_imposed(course) for course in courses]
-    branch = [""] * len(courses)
-    if not any(BRANCH in course.inputs for course in courses) and any(ordered(own, units) for own in rows):
-        branch = ["order" if moves(own, units) else "none" for own in rows]
+    known = any(BRANCH in course.inputs for course in courses)
+    branch = [""] * len(courses) if known else ways_in(files) or _by_order(rows, units)
     hold_out: list[dict[str, list[str]]] = [
         {} if by_run else _held_out(own, course.outputs, interface) for own, course in zip(rows, courses, strict=True)
     ]
     return PointsDraft(tuple(branch), tuple(hold_out))
+
+
+def _by_order(rows: Sequence[Mapping[str, Array]], units: Mapping[str, str]) -> list[str]:
+    """"order" where rows go up and come back, in a file or from one to another; "" for all where they do not."""
+    if not (any(ordered(own, units) for own in rows) or {1, -1} <= {way(own, units) for own in rows}):
+        return [""] * len(rows)
+    return ["order" if moves(own, units) else "none" for own in rows]
 
 
 def _imposed(course: Course) -> dict[str, Array]:
@@ -76,21 +83,27 @@ def _imposed(course: Course) -> dict[str, Array]:
 
 
 def _held_out(inputs: Mapping[str, Array], outputs: Mapping[str, Array], interface: Interface) -> dict[str, list[str]]:
-    """Values within the others' span, of what sets curves apart, or else of what varies along them."""
+    """Values within the others' span, of what was imposed in the finest steps: where these are few, no value is."""
     found = curves(inputs, {n: v for n, v in outputs.items() if len(v) == len(next(iter(inputs.values())))})
     along = found[0].along
     least = dict.fromkeys(found[0].at, _C.levels_to_hold_out) | {along: _C.points_to_hold_out}
-    for name, fewest in least.items():
-        values = _levels(inputs[name])
-        if len(values) >= fewest:
-            count = max(1, round(_C.held_out * len(values)))
-            places = np.round(np.linspace(0, len(values) - 1, count + 2)[1:-1]).astype(int)
-            return {name: [text_of(values[i], interface.inputs[name].unit) for i in places]}
-    return {}
+    if len(found) > 1:
+        least[along] = _C.levels_to_hold_out
+    every = {name: _levels(inputs[name]) for name in least}
+    able = {name: values for name, values in every.items() if len(values) >= least[name]}
+    if not able:
+        return {}
+    name, values = max(able.items(), key=lambda one: len(one[1]))
+    count = max(1, round(_C.held_out * len(values)))
+    places = np.round(np.linspace(0, len(values) - 1, count + 2)[1:-1]).astype(int)
+    return {name: [text_of(values[i], interface.inputs[name].unit) for i in places]}
 
 
 def _levels(values: Array) -> list[float]:
     """The values that come again, each as it was read; none where they are not clearly these."""
+    exact = np.unique(values)
+    if CRITERIA.static.shared * len(exact) <= len(values):
+        return [float(value) for value in exact]
     number = levels(values)
     if number is None:
         return []

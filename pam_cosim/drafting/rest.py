@@ -75,6 +75,14 @@ def rests(time: Array, columns: Sequence[Array]) -> list[Rest]:
     return [level for one in ends for level in _levels(one, known)]
 
 
+def begins_still(time: Array, columns: Sequence[Array]) -> bool:
+    """Whether nothing moves in the first samples, be they too few to tell noise by."""
+    count = _C.fewest_in_window
+    return all(
+        span(values[:count]) <= max(_C.still * span(values), _C.constant * noise_of(time, values)) for values in columns
+    )
+
+
 def _levels(rest: Rest, columns: Sequence[tuple[Array, float, float]]) -> list[Rest]:
     """The interval, cut into halves as long as these differ: a slow drift is no rest."""
     if rest.count < CRITERIA.noise.fewest_samples:

@@ -24,6 +24,7 @@ class Source:
 
     Attributes:
         texts: headings of columns of text, which are left out.
+        labels: the cells of those that hold the same in every row.
         words: of the columns whose cells are words for directions: the words by heading. Their numbers in the table are
             places in that list.
     """
@@ -32,6 +33,7 @@ class Source:
     table: Table
     texts: tuple[str, ...] = ()
     words: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    labels: tuple[str, ...] = ()
 
 
 def read_sources(files: Sequence[Path], stated: RecordingTable) -> list[Source]:
@@ -85,7 +87,8 @@ def _source(file: Path, layout: Layout, texts: dict[str, tuple[str, ...]], words
         raise _with_hint(error) from None
     if not table.columns:
         raise InputError("there is no column of numbers", file)
-    return Source(file, table, left_out, own)
+    labels = tuple(texts[heading][0] for heading in left_out if len(texts[heading]) == 1)
+    return Source(file, table, left_out, own, labels)
 
 
 def _with_hint(error: InputError) -> InputError:

@@ -12,7 +12,8 @@ from pam_cosim.drafting.choice import Choice
 from pam_cosim.drafting.columns import Found
 from pam_cosim.drafting.direction import SENSES
 from pam_cosim.drafting.document import Draft
-from pam_cosim.drafting.mapping import Mapped
+from pam_cosim.drafting.mapping import Course, Mapped
+from pam_cosim.drafting.rest import begins_still
 from pam_cosim.measurement import DataSet
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, listed
@@ -86,6 +87,19 @@ def guesses(made: Draft, choice: Choice, time: Found | None) -> tuple[Guess, ...
     return tuple(rows + _of_points(made))
 
 
+def _begins_still(course: Course) -> bool:
+    return begins_still(course.time, list(course.every.values()))
+
+
+def _unknown_directions(made: Draft) -> list[str]:
+    """Columns of directions of which no word is known."""
+    return [
+        f"nothing tells which way {entry.column or name} means by {listed(entry.words)}: write up or down for each"
+        for name, entry in made.entries.items()
+        if entry.words and not set(entry.words.values()) & {"up", "down"}
+    ]
+
+
 def _of_points(made: Draft) -> list[Guess]:
     """Directions by the order of rows, and rows that are held out."""
     if made.points is None:
@@ -93,8 +107,8 @@ def _of_points(made: Draft) -> list[Guess]:
     rows = []
     for file, branch, aside in zip(made.files, made.points.branch, made.points.hold_out, strict=True):
         if branch:
-            why = "guessed: the rows go up and come back" if branch == "order" else "its rows tell none"
-            rows.append(Guess(f"order of {file}", f"branch = {branch}", why))
+            whys = {"order": "guessed: the rows go up and come back", "none": "its rows tell none"}
+            rows.append(Guess(f"order of {file}", f"branch = {branch}", whys.get(branch, "guessed: the file's name")))
         for name, taken in aside.items():
             rows.append(Guess(file, f"held out: {name} = {listed(taken)}", "guessed: they lie within what is fitted"))
     return rows
@@ -103,6 +117,9 @@ def _of_points(made: Draft) -> list[Guess]:
 def to_check(made: Draft, mapped: Mapped, choice: Choice) -> tuple[str, ...]:
     """What only the experimenter knows."""
     said = []
+    if made.usual_muscle:
+        hint = "--muscle DMSP-20 ('pam-cosim bench --list' has them all), its measures, or files called DMSP-20-300..."
+        said.append(f"which muscle it is, nobody says: it is taken for the bench's own; {hint}")
     unknown = [n for n in made.to_state if n not in made.stated and not all(n in told for told in made.told)]
     open_names = [n for n in unknown if values.is_geometry(made.to_state[n])]
     if open_names:
@@ -115,10 +132,12 @@ def to_check(made: Draft, mapped: Mapped, choice: Choice) -> tuple[str, ...]:
         if name not in made.stated:
             hint = f"state its value, or --column {name}=..., or of each file --parameter {name}@FILE=..."
             said.append(f"no column was recognised as the input {name}: {hint}")
+    said += _unknown_directions(made)
     aside = made.points is not None and any(made.points.hold_out)
     if not aside and not any(role.role == "holdout" for role in made.roles):
         said.append(f"nothing is held out of {_counted(len(made.roles))}: nothing checks a fit on data it has not seen")
-    under = [f for f, c in zip(made.files, mapped.courses, strict=True) if c.first_rest is None]
+    moving = [c.first_rest is None and not _begins_still(c) for c in mapped.courses]
+    under = [file for file, moves in zip(made.files, moving, strict=True) if moves]
     if under and made.points is None:
         said.append(f"not at rest at the start, where the model is: {listed(under)}")
     free = [name for name in made.free if name not in made.stated]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -24,6 +24,8 @@ _MEASURED = ("m", "m2", "m3", "kg", "kg.m2", "K", "Pa", "N")
 _OPEN = ("calibration", "effective area", "discharge coefficient", "pressure lost per mass flow", "time constant")
 _PERHAPS = ("polytropic", "coefficient of friction", "film coefficient", "damping", "friction")
 _CHOSEN = ("filter",)
+# What lies in the rubber of a muscle, where no rule reaches: of the fibres, and of the wall.
+_OF_FIBRES, _OF_WALLS = ("fibres lie", "fibres and axis"), ("wall takes", "bent open", "the muscle pulls")
 _GEOMETRY = ("m", "m2", "m3", "kg", "kg.m2", "1", "")
 _IN_NAME = re.compile(r"(?<![A-Za-z0-9])(\d+(?:[.,]\d+)?)[ _-]?([A-Za-z]+)(?![A-Za-z])")
 
@@ -134,13 +136,17 @@ def _mass(stem: str) -> str | None:
     return None
 
 
-def to_state(interface: Interface) -> dict[str, Variable]:
-    """Parameters that somebody with a rule and scales can state, of parts that stand in the bench itself."""
+def to_state(interface: Interface, points: bool = False) -> dict[str, Variable]:
+    """Parameters that somebody with a rule and scales can state, of parts that stand in the bench itself.
+
+    Args:
+        points: points at rest were recorded, which depend on sizes and loads alone.
+    """
     return {
         name: v
         for name, v in interface.parameters.items()
         if v.start is not None and name.count(".") <= 1 and not name.endswith("_start") and v.min is not None
-        and name not in {*free(interface), *perhaps(interface)}
+        and name not in {*free(interface), *perhaps(interface)} and (is_geometry(v) or not points)
         and not any(word in v.description.casefold() for word in _CHOSEN)
     }  # fmt: skip
 
@@ -150,14 +156,45 @@ def is_geometry(variable: Variable) -> bool:
     return variable.unit in _GEOMETRY
 
 
-def free(interface: Interface) -> dict[str, Variable]:
-    """Parameters that only a fit tells: calibrations, discharge, lag and droop, by what is said of them."""
-    return _told_by_fit(interface, _OPEN)
+def free(interface: Interface, points: bool = False) -> dict[str, Variable]:
+    """Parameters that only a fit tells: calibrations, discharge, lag and droop, by what is said of them.
+
+    Args:
+        points: points at rest were recorded, which tell what lies in the rubber of a muscle, nothing that takes time.
+    """
+    return hidden(interface) if points else _told_by_fit(interface, _OPEN)
 
 
-def perhaps(interface: Interface) -> dict[str, Variable]:
+def perhaps(interface: Interface, points: bool = False) -> dict[str, Variable]:
     """Others that may be left free."""
-    return _told_by_fit(interface, _PERHAPS)
+    told = _told_by_fit(interface, _PERHAPS)
+    if points:
+        return {n: v for n, v in told.items() if "friction" in v.description.casefold()}
+    return {**told, **hidden(interface)}
+
+
+def hidden(interface: Interface) -> dict[str, Variable]:
+    """Measures within the wall of a muscle that has one: where its fibres lie, and what the wall takes of its pull."""
+    walls = _inside(interface, _OF_WALLS)
+    owners = {name.rpartition(".")[0].rpartition(".")[0] for name in walls}
+    fibres = _inside(interface, _OF_FIBRES)
+    near = {n: _nearby(v) for n, v in fibres.items() if v.start and n.rpartition(".")[0].rpartition(".")[0] in owners}
+    return {**near, **walls}
+
+
+def _inside(interface: Interface, words: Sequence[str]) -> dict[str, Variable]:
+    return {
+        name: v
+        for name, v in interface.parameters.items()
+        if name.count(".") == 2 and v.min is not None and v.max is not None and any(w in v.description for w in words)
+    }
+
+
+def _nearby(variable: Variable) -> Variable:
+    """The variable with bounds about its value: those of a measure that may be zero, not stated, are no help."""
+    assert variable.start is not None
+    low, high = variable.start * (1.0 - _C.near_data_sheet), variable.start * (1.0 + _C.near_data_sheet)
+    return replace(variable, min=low, max=high)
 
 
 def _told_by_fit(interface: Interface, words: Sequence[str]) -> dict[str, Variable]:

@@ -14,8 +14,9 @@ from pydantic import ValidationError
 from pam_cosim.drafting.columns import Found, check_time, find_columns
 from pam_cosim.drafting.direction import with_senses
 from pam_cosim.drafting.file_names import quantities
+from pam_cosim.drafting.rest import span
 from pam_cosim.drafting.sources import Source, read_sources
-from pam_cosim.drafting.words import Meaning
+from pam_cosim.drafting.words import AT_REST, Meaning
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import RecordingTable
 from pam_cosim.wording import did_you_mean, shown
@@ -74,17 +75,17 @@ def known(files: Sequence[Path], wishes: Wishes) -> Known:
     """
     if not files:
         raise InputError("name the recordings, as data/*.csv")
-    recording = _recording(wishes.recording or {})
+    recording = recording_table(wishes.recording or {})
     sources = read_sources(files, recording)
     names = {name for source in sources for name in source.table.columns}
     asked = {n: c for n, c in (wishes.columns or {}).items() if c in names}
     formulas = {n: c for n, c in (wishes.columns or {}).items() if c not in names}
     _check_asked(formulas, names)
     columns = find_columns(sources, asked)
+    columns += quantities(files, columns, [_rows(source) for source in sources])
     time = check_time(columns, sources, recording)
     points = time is None and recording.interval is None
     columns = _as_points(columns) if points else columns
-    columns += quantities(files, columns, [_rows(source) for source in sources])
     stated, own = _stated(wishes.parameters or {}, [file.stem for file in files])
     recording = _with_missing(recording, sources)
     return Known(tuple(sources), tuple(columns), time, recording, asked, formulas, stated, own, points)
@@ -95,13 +96,29 @@ def _rows(source: Source) -> int:
 
 
 def _as_points(columns: Sequence[Found]) -> list[Found]:
-    """The columns of tables of points at rest: directions have a sense, and a pressure that was set was reached."""
+    """The columns of tables of points at rest: directions have a sense, a pressure was reached, a mass was hung on."""
     set_, plain = Meaning("pressure", frozenset({"set"})), Meaning("pressure")
     made = [replace(c, points=True) for c in with_senses(columns)]
-    if not any(c.meaning == plain for c in made):
-        why = "a set point, taken as reached"
-        made = [replace(c, meaning=plain, why=(*c.why, why)) if c.meaning == set_ else c for c in made]
-    return made
+    made = _with_rest(made)
+    made = _instead(made, set_, plain, "a set point, taken as reached")
+    return _instead(made, Meaning("mass"), Meaning("force"), "the load of each row")
+
+
+def _with_rest(columns: list[Found]) -> list[Found]:
+    """The columns, of which a length that does not change beside a contraction is that of the muscle at rest."""
+    varying = [c for c in columns if c.meaning is not None and c.meaning.kind in ("contraction", "ratio")]
+    if not varying:
+        return columns
+    still = [c for c in columns if c.of("length") and all(span(values) == 0.0 for values in c.values.values())]
+    why = f"it does not change, and '{varying[0].name}' does"
+    return [replace(c, meaning=AT_REST, why=(*c.why, why)) if c in still else c for c in columns]
+
+
+def _instead(columns: list[Found], other: Meaning, wanted: Meaning, why: str) -> list[Found]:
+    """The columns, of which one that means another thing serves where none means what is wanted."""
+    if any(c.meaning == wanted for c in columns):
+        return columns
+    return [replace(c, meaning=wanted, why=(*c.why, why)) if c.meaning == other and c.unit else c for c in columns]
 
 
 def _stated(parameters: Mapping[str, str], names: Sequence[str]) -> tuple[dict[str, str], tuple[dict[str, str], ...]]:
@@ -125,7 +142,12 @@ def _with_missing(recording: RecordingTable, sources: Sequence[Source]) -> Recor
     return recording.model_copy(update={"missing": words}) if words else recording
 
 
-def _recording(settings: Mapping[str, object]) -> RecordingTable:
+def recording_table(settings: Mapping[str, object]) -> RecordingTable:
+    """What the user says of ``[recording]``.
+
+    Raises:
+        InputError: there is no such key, or its value cannot be used.
+    """
     known = [name for name in RecordingTable.model_fields if name != "resample"]
     for name in settings:
         if name not in known:

@@ -52,12 +52,12 @@ _OF_VALVES = ("inlet", "exhaust")
 _SAID_IN_PASSING = frozenset(
     ["a", "as", "at", "by", "in", "is", "it", "of", "off", "on", "out", "that", "the", "to", "up"]
 )
-# "unloading" and "unbelastet" hold words of the other way: these come first.
+# "unloading" and "entlasten" hold words of the other way: these come first.
 _WAYS = (
-    (-1, "deflat =down =ab abwarts =fall falling decreas unload entlast entluft release =vent venting exhaust extend "
-         "extension =ruck ruckhub descen degonfl =back backward return =out"),
-    (1, "inflat =up =auf aufwarts =rise rising increas load belast beluft press fill contract =hin hinhub mont gonfl "
-        "=forward =in"),
+    (-1, "deflat =down =d =ab abwarts =fall falling decreas unload entlast entluft release =vent venting exhaust "
+         "extend extension =ruck ruckhub descen degonfl =back backward return =out"),
+    (1, "inflat =up =u =auf aufwarts =rise rising increas load belast beluft press fill contract =hin hinhub mont "
+        "gonfl =forward =in"),
 )  # fmt: skip
 _NO_LOAD = ("noload", "unload", "lastfrei", "unbelastet", "leerhub", "freehub", "freestroke", "sanscharge", "zeroload")
 _SPELLINGS = {
@@ -66,7 +66,8 @@ _SPELLINGS = {
     "sek.": "s", "secs": "s", "seconds": "s", "sekunden": "s", "secondes": "s", "msec": "ms", "kpa": "kPa",
     "mpa": "MPa", "bar": "bar", "mbar": "mbar", "psi": "psi", "newton": "N", "n": "N", "celsius": "degC", "c": "degC",
     "degc": "degC", "grad c": "degC", "deg c": "degC", "ampere": "A", "amp": "A", "volt": "V", "volts": "V",
-    "mm": "mm", "cm": "cm", "millimeter": "mm", "prozent": "%", "percent": "%", "kelvin": "K", "v": "V", "a": "A",
+    "mm": "mm", "cm": "cm", "millimeter": "mm", "prozent": "%", "percent": "%", "pct": "%", "kelvin": "K", "v": "V",
+    "a": "A",
 }  # fmt: skip
 _ABSOLUTE = re.compile(r"\babs|\b(bar|psi|kpa)\s*\(?a\b", re.IGNORECASE)
 
@@ -94,6 +95,10 @@ class Meaning:
 
     def __str__(self) -> str:
         return " ".join([*sorted(self.roles), self.kind])
+
+
+AT_REST = Meaning("length", frozenset({"rest"}))
+"""The length of a muscle at rest, in a column."""
 
 
 @dataclass(frozen=True)
@@ -194,6 +199,9 @@ def split_words(text: str) -> list[str]:
 
 def _unit_in_name(name: str) -> tuple[str, str]:
     """A unit that stands behind a name, and the name without: ``p_kPa``, ``source kPa gauge``."""
+    share = re.fullmatch(r"(.*?\w)\s*[/_]?\s*%", name)
+    if share:
+        return "%", share[1]
     parts = [part for part in re.split(r"[\W_]+", name) if part]
     for place in range(len(parts) - 1, 0, -1):
         part, rest = parts[place], parts[:place] + parts[place + 1 :]
@@ -202,6 +210,7 @@ def _unit_in_name(name: str) -> tuple[str, str]:
         if not unit or (_roles_of([folded(part)]) and not kinds & {"length"}):
             continue
         among = {kind for kind in UNITS if fits(unit, kind)}
+        among |= {"contraction", "length"} if "ratio" in among else set()  # Of the length at rest.
         if among & (kinds or set(UNITS)) and (kinds or len(part) > 1) or "voltage" in among:
             return unit, " ".join(rest)
     return "", name

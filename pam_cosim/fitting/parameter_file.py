@@ -8,7 +8,7 @@ from typing import Any
 from xml.etree import ElementTree
 
 from pam_cosim.errors import InputError
-from pam_cosim.files import read_json, write_json, write_text
+from pam_cosim.files import MOST_TEXT, read_file, read_json, write_json, write_text
 from pam_cosim.fitting.fit import Fit
 from pam_cosim.units import BaseUnit, UnitError, base_unit
 from pam_cosim.wording import shown
@@ -107,7 +107,7 @@ def _number(name: str, entry: Any, path: Path) -> float:
 
 def _from_ssv(path: Path) -> dict[str, float]:
     try:
-        root = ElementTree.fromstring(path.read_bytes())
+        root = ElementTree.fromstring(read_file(path, MOST_TEXT))
         values = {
             p.attrib["name"]: float(p.find(f"{{{_SSV}}}Real").attrib["value"])  # type: ignore[union-attr]
             for p in root.iter(f"{{{_SSV}}}Parameter")

@@ -73,7 +73,10 @@ class StartValues:
         return np.asarray(-np.linalg.lstsq(self.slopes, np.vstack([columns, below]), rcond=None)[0])
 
     def deviations(self) -> Array:
-        """(k,) standard deviations [SI] of the start values beside given parameters."""
+        """(k,) standard deviations [SI] of the start values beside given parameters; what is known beforehand where
+        no samples could be asked."""
+        if self.slopes.shape[1] != len(self.names):
+            return np.array(self.sd, dtype=float)
         return np.sqrt(np.diag(np.linalg.inv(self.slopes.T @ self.slopes)))
 
     def told(self) -> int:

@@ -12,12 +12,13 @@ from pathlib import Path
 
 import casadi as ca
 
+from pam_cosim.compiler.budget import check_source
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import InputError
 from pam_cosim.files import make_folder, write_bytes
 from pam_cosim.fmu import description2, description3
 from pam_cosim.fmu.c_text import c_string
-from pam_cosim.fmu.cache import cached, cached_folder, digest
+from pam_cosim.fmu.cache import cached, cached_folder, digest, folder_in_cache
 from pam_cosim.fmu.compile import (
     PLATFORMS,
     binary_folder,
@@ -30,6 +31,7 @@ from pam_cosim.fmu.compile import (
 from pam_cosim.fmu.description import TOOL, model_identifier
 from pam_cosim.fmu.generate import model_source
 from pam_cosim.fmu.table import table
+from pam_cosim.fmu.tape import NoTapeError, TapedModel, tape_files, taped
 from pam_cosim.resources import fmu_runtime
 
 FMI_VERSIONS = ("2.0", "3.0")
@@ -40,6 +42,7 @@ _CORE = (
 )  # fmt: skip
 _SHELLS = {"2.0": "pam_fmi2.c", "3.0": "pam_fmi3.c"}
 
+_TAPE = "pam_tape.c"
 _MODEL = "model.c"
 _DESCRIPTION = "modelDescription.xml"
 _NO_GUID = "{00000000-0000-0000-0000-000000000000}"
@@ -99,14 +102,50 @@ def cached_lean_model(key: str, make_ode: Callable[[], Ode]) -> Path:
         key: as in ``cached_fmu``.
         make_ode: compiles the model.
     """
-    full = digest(key, source_key(runtime()), _packaging_key(), "lean", native_platform())
+    return cached_folder("models", _lean_key(key), _DESCRIPTION, lambda: _compiled(_bare(make_ode())))
+
+
+def cached_taped_model(key: str, make_ode: Callable[[], Ode]) -> Path:
+    """As ``cached_lean_model``, for few runs: where there is none, a model as data, made without a compiler.
+
+    Both give the same numbers. What a model as data cannot say is compiled.
+    """
+    full = _lean_key(key)
+    compiled = folder_in_cache("models", full)
+    if (compiled / _DESCRIPTION).exists():
+        return compiled
 
     def make() -> dict[str, bytes]:
-        ode = make_ode()
-        bare = replace(ode, locals=ca.SX(0, 1), interface=replace(ode.interface, locals={}))
-        return _contents(bare, [native_platform()], "2.0", lean=True)
+        bare = _bare(make_ode())
+        try:
+            return _as_data(bare, taped(bare))
+        except NoTapeError:
+            return _compiled(bare)
 
-    return cached_folder("models", full, _DESCRIPTION, make)
+    return cached_folder("tapes", full, _DESCRIPTION, make)
+
+
+def _lean_key(key: str) -> str:
+    return digest(key, source_key((*runtime(), _TAPE)), _packaging_key(), "lean", native_platform())
+
+
+def _bare(ode: Ode) -> Ode:
+    return replace(ode, locals=ca.SX(0, 1), interface=replace(ode.interface, locals={}))
+
+
+def _compiled(bare: Ode) -> dict[str, bytes]:
+    return _contents(bare, [native_platform()], "2.0", lean=True)
+
+
+def _as_data(bare: Ode, model: TapedModel) -> dict[str, bytes]:
+    """The files of a model as data; each has a copy of the library, for a library that is loaded is one model."""
+    draft = _descriptions(bare, _NO_GUID, "2.0", lean=True)[_DESCRIPTION]
+    guid = _guid(draft, *tape_files(model, _NO_GUID).values())
+    platform = native_platform()
+    library = compile_library((*runtime(), _TAPE), {}, platform)
+    binary = f"binaries/{binary_folder(platform, [platform])}/{model_identifier(bare.interface.model)}{library.suffix}"
+    described = {_DESCRIPTION: draft.replace(_NO_GUID.encode(), guid.encode(), 1)}
+    return described | tape_files(model, guid) | {binary: library.read_bytes()}
 
 
 def fmu_bytes(ode: Ode, names: Sequence[str], fmi: str = "2.0") -> bytes:
@@ -158,13 +197,18 @@ def _packaging_key() -> str:
 def _contents(ode: Ode, names: Sequence[str], fmi: str, lean: bool = False) -> dict[str, bytes]:
     """Files of the archive by name. The GUID stands for the description and the equations."""
     draft, source = _descriptions(ode, _NO_GUID, fmi, lean), model_source(ode, _NO_GUID, lean)
-    sha = digest(draft[_DESCRIPTION], source, source_key(runtime(fmi)))
-    guid = f"{{{sha[:8]}-{sha[8:12]}-{sha[12:16]}-{sha[16:20]}-{sha[20:32]}}}"
+    check_source(source, ode.interface.model, len(ode.states))
+    guid = _guid(draft[_DESCRIPTION], source, source_key(runtime(fmi)))
     # The first place is the right one: both files begin with it.
     source = source.replace(c_string(_NO_GUID), c_string(guid), 1)
     described = {name: text.replace(_NO_GUID.encode(), guid.encode(), 1) for name, text in draft.items()}
     shipped = {} if lean else _sources(source, fmi)
     return described | shipped | _binaries(ode, source, names, fmi)
+
+
+def _guid(*parts: str | bytes) -> str:
+    sha = digest(*parts)
+    return f"{{{sha[:8]}-{sha[8:12]}-{sha[12:16]}-{sha[16:20]}-{sha[20:32]}}}"
 
 
 def _descriptions(ode: Ode, guid: str, fmi: str, lean: bool) -> dict[str, bytes]:

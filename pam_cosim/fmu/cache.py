@@ -28,9 +28,14 @@ def digest(*parts: str | bytes) -> str:
     return sha.hexdigest()
 
 
+def folder_in_cache(kind: str, key: str) -> Path:
+    """Where ``cached_folder`` has its files, which need not be there."""
+    return cache_dir() / kind / key
+
+
 def cached_folder(kind: str, key: str, last: str, make: Callable[[], Mapping[str, bytes]]) -> Path:
     """As ``cached``, for a folder of files by name; the one that is named ``last`` says that all are there."""
-    path = cache_dir() / kind / key
+    path = folder_in_cache(kind, key)
     if not (path / last).exists():
         files = dict(make())
         for name in sorted(files, key=lambda name: name == last):

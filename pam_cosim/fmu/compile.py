@@ -6,6 +6,7 @@ import os
 import platform
 import shutil
 import struct
+import subprocess
 import sys
 import tempfile
 import time
@@ -19,14 +20,18 @@ from pathlib import Path
 import fmpy
 import ziglang
 
+from pam_cosim.compiler.budget import LIMITS
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.cache import cache_dir, cached, digest
 from pam_cosim.processes import run_tool
 from pam_cosim.resources import fmu_runtime
 
 # To look for vectors in a model's long straight equations takes a fifth of the compiler's time and finds next to none.
-_FLAGS = ("-std=c99", "-O2", "-fno-slp-vectorize", "-shared", "-s", "-w", "-fvisibility=hidden", "-fno-math-errno",
+_FLAGS = ("-std=c99", "-O2", "-fno-slp-vectorize", "-w", "-fvisibility=hidden", "-fno-math-errno",
           "-ffp-contract=off", "-fno-sanitize=undefined", "-fno-trigraphs")  # fmt: skip
+# Under Linux nothing here needs the compiler's own library of arithmetic, and to build that, once a machine, takes
+# longer than a diagnosis; the driver ``zig cc`` cannot leave it out.
+_OWN_ARITHMETIC = ("build-lib", "-dynamic", "-fno-compiler-rt", "-fstrip", "-OReleaseFast", "-lc", "-lm")
 
 
 _STALE = 3600.0  # [s]
@@ -115,7 +120,7 @@ def source_key(shipped: Sequence[str]) -> str:
 
 @cache
 def _source_key(shipped: tuple[str, ...]) -> str:
-    return digest(*_shipped(shipped), " ".join(_FLAGS), version("ziglang"))
+    return digest(*_shipped(shipped), " ".join((*_FLAGS, *_OWN_ARITHMETIC)), version("ziglang"))
 
 
 def compile_library(shipped: Sequence[str], generated: Mapping[str, str], platform_name: str) -> Path:
@@ -140,17 +145,28 @@ def _compile(shipped: Sequence[str], generated: Mapping[str, str], target: Platf
         for name, text in generated.items():
             Path(directory, name).write_text(text, encoding="utf-8")
         sources = [str(fmu_runtime() / name) for name in shipped] + sorted(generated)
-        pic = [] if target.suffix == ".dll" else ["-fPIC", "-lm"]
         output = f"library{target.suffix}"
-        command = [str(_zig()), "cc", "-target", target.target, *_FLAGS, *pic,
-                   f"-I{fmu_runtime()}", f"-I{_fmi_headers()}", "-o", output, *sources]  # fmt: skip
+        command = [str(_zig()), *_arguments(target, output, sources)]
         zig = str(cache_dir() / "zig")
         _clear_stale(Path(zig, "tmp"))
         environment = os.environ | {"ZIG_GLOBAL_CACHE_DIR": zig, "ZIG_LOCAL_CACHE_DIR": zig}
-        run = run_tool(command, Path(directory), environment)
+        try:
+            run = run_tool(command, Path(directory), environment, LIMITS.c_seconds)
+        except subprocess.TimeoutExpired:
+            raise CompilerError(f"the C compiler took more than {LIMITS.c_seconds:g} s for {target.target}") from None
         if run.returncode != 0:
             raise CompilerError(f"the C compiler failed for {target.target}:\n{run.stderr.strip()}")
         return Path(directory, output).read_bytes()
+
+
+def _arguments(target: Platform, output: str, sources: Sequence[str]) -> list[str]:
+    """Words of the command that makes a shared library."""
+    common = ["-target", target.target, f"-I{fmu_runtime()}", f"-I{_fmi_headers()}"]
+    if target.target.split("-")[1] == "linux":
+        own = ["--name", "library", f"-femit-bin={output}", "-cflags", *_FLAGS, "--"]
+        return [*_OWN_ARITHMETIC, *common, *own, *sources]
+    pic = [] if target.suffix == ".dll" else ["-fPIC", "-lm"]
+    return ["cc", "-shared", "-s", *_FLAGS, *pic, *common, "-o", output, *sources]
 
 
 def _clear_stale(folder: Path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Sequence, Set
+from typing import Any
 
 import casadi as ca
 
@@ -90,28 +91,18 @@ def model_source(ode: Ode, guid: str, lean: bool = False) -> str:
         generated = _seldom("pam_rhs", generated)  # the solver asks for the model's own rates
     elif ode.sensitivities:
         generated = _seldom("pam_jvp", generated)
-    interface = ode.interface
-    timed = ca.jacobian_sparsity(ode.derivatives, ode.t).nnz() > 0 if ode.states else False
-    max_step = interface.stop_time / _STEPS_OF_TIMED_MODEL if timed else 0.0
-    inputs = [entry.start or 0.0 for entry in table(ode) if entry.causality == "input"]
-    sizes = [len(ode.states), *(part.numel() for part in (ode.u, ode.d, ode.outputs, ode.p, ode.locals))]
-    sizes += [ode.core, len(ode.sensitivities), len(ode.statements), sum(len(s.values) for s in ode.statements)]
-    work = [max(f.sz_iw() for f in functions), max(f.sz_w() for f in functions)]
+    numbers = numbers_of(ode, functions)
     parts = [
         f"static const char guid[] = {c_string(guid)};",  # first: what a model calls itself may look like one
         '#include "pam_model.h"\n#define CASADI_SYMBOL_EXPORT static',
         generated,
-        c_array("const char *const", "state_names", (c_string(s.name) for s in ode.states)),
-        c_array("const double", "state_nominals", (_nominal(s.nominal) for s in ode.states)),
-        c_array("const double", "input_starts", (_double(v) for v in inputs)),
-        c_array("const double", "parameter_starts", (_double(v.start) for v in interface.parameters.values())),
-        c_array("const int", "delayed_inputs", (str(-1 if d.input is None else d.input) for d in ode.delays)),
-        c_array("const int", "direct_inputs", (str(int(direct)) for direct in _direct_inputs(ode))),
-        c_array("const int", "start_of", (str(number) for number in _start_of(ode))),
+        c_array("const char *const", "state_names", map(c_string, numbers["state_names"])),
+        *(c_array("const double", name, map(repr, numbers[name])) for name in _DOUBLES),
+        *(c_array("const int", name, map(str, numbers[name])) for name in _INTEGERS),
         *_statements(ode),
         "const pam_model pam_the_model = {",
-        f"    guid, {', '.join(str(n) for n in sizes + work)},",
-        f"    {_double(interface.tolerance)}, {_double(max_step)},",
+        f"    guid, {', '.join(str(numbers[name]) for name in SIZES)},",
+        f"    {numbers['tolerance']!r}, {numbers['max_step']!r},",
         "    state_names, state_nominals, input_starts, parameter_starts, delayed_inputs, direct_inputs,",
         "    start_of,",
         f"    {', '.join(_slots({f.name() for f in functions}))},",
@@ -121,13 +112,47 @@ def model_source(ode: Ode, guid: str, lean: bool = False) -> str:
     return "\n".join(parts)
 
 
+def numbers_of(ode: Ode, functions: Sequence[ca.Function]) -> dict[str, Any]:
+    """The tables of ``pam_model`` by the names that they have there, and what the model states of itself.
+
+    Raises:
+        ModelError: a start value is not finite.
+    """
+    interface = ode.interface
+    timed = ca.jacobian_sparsity(ode.derivatives, ode.t).nnz() > 0 if ode.states else False
+    inputs = [entry.start or 0.0 for entry in table(ode) if entry.causality == "input"]
+    sizes = [len(ode.states), *(part.numel() for part in (ode.u, ode.d, ode.outputs, ode.p, ode.locals))]
+    sizes += [ode.core, len(ode.sensitivities), len(ode.statements), sum(len(s.values) for s in ode.statements)]
+    sizes += [max(f.sz_iw() for f in functions), max(f.sz_w() for f in functions)]
+    return {
+        **dict(zip(SIZES, sizes, strict=True)),
+        "tolerance": _finite(interface.tolerance),
+        "max_step": _finite(interface.stop_time / _STEPS_OF_TIMED_MODEL if timed else 0.0),
+        "state_names": [s.name for s in ode.states],
+        "state_nominals": [_nominal(s.nominal) for s in ode.states],
+        "input_starts": [_finite(v) for v in inputs],
+        "parameter_starts": [_finite(v.start) for v in interface.parameters.values()],
+        "delayed_inputs": [-1 if d.input is None else d.input for d in ode.delays],
+        "direct_inputs": [int(direct) for direct in _direct_inputs(ode)],
+        "start_of": _start_of(ode),
+        "statements": [
+            {"is_error": int(s.is_error), "at_start": int(s.at_start), "texts": list(s.texts),
+             "digits": [digits for _, digits in s.values]}
+            for s in ode.statements
+        ],
+    }  # fmt: skip
+
+
 # In the order of ``pam_model``.
-_FUNCTIONS = ("pam_rhs", "pam_out", "pam_loc", "pam_core_rhs", "pam_lin", "pam_variation", "pam_jvp", "pam_init",
+SIZES = ("nx", "nu", "nd", "ny", "np", "nw", "nc", "ns", "na", "nm", "size_iw", "size_w")
+_DOUBLES = ("state_nominals", "input_starts", "parameter_starts")
+_INTEGERS = ("delayed_inputs", "direct_inputs", "start_of")
+FUNCTIONS = ("pam_rhs", "pam_out", "pam_loc", "pam_core_rhs", "pam_lin", "pam_variation", "pam_jvp", "pam_init",
               "pam_init_jvp", "pam_delay", "pam_check")  # fmt: skip
 
 
 def _slots(there: Set[str]) -> list[str]:
-    return [name if name in there else "0" for name in _FUNCTIONS]
+    return [name if name in there else "0" for name in FUNCTIONS]
 
 
 def _statements(ode: Ode) -> list[str]:
@@ -190,11 +215,11 @@ def _without_helpers(source: str) -> str:
     return _HELPER.sub("", source)
 
 
-def _nominal(value: float | None) -> str:
-    return _double(abs(value)) if value is not None and math.isfinite(value) else "0"
+def _nominal(value: float | None) -> float:
+    return abs(float(value)) if value is not None and math.isfinite(value) else 0.0
 
 
-def _double(value: float | None) -> str:
+def _finite(value: float | None) -> float:
     if value is None or not math.isfinite(value):
         raise ModelError("a start value of the model is not a finite number")
-    return repr(float(value))
+    return float(value)

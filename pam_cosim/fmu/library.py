@@ -8,8 +8,9 @@ from pathlib import Path
 from pam_cosim.catalogue import full_name
 from pam_cosim.compiler import Ode, compile_model, flat_hash, smooth_parameters, with_sensitivities
 from pam_cosim.errors import InputError
-from pam_cosim.fmu.build import cached_fmu, cached_lean_model
+from pam_cosim.fmu.build import cached_fmu, cached_lean_model, cached_taped_model
 from pam_cosim.fmu.cache import cached, digest
+from pam_cosim.fmu.odes import cached_ode
 from pam_cosim.names import START_VALUES, is_fmu
 
 
@@ -53,15 +54,16 @@ def _recipe(
     model: str, files: Sequence[Path], sensitivities: Sequence[str], where_smooth: bool, library: str = ""
 ) -> tuple[str, Callable[[], Ode]]:
     """What determines a model, and how it is compiled."""
+    key = flat_hash(model, files=files, library=library)
 
     def make() -> Ode:
-        ode = compile_model(model, files=files)
+        ode = cached_ode(key, lambda: compile_model(model, files=files))
         known = smooth_parameters(ode) if where_smooth else sensitivities
         chosen = [name for name in sensitivities if name in known and name != START_VALUES]
         starts = [s.name for s in ode.states if s.name not in chosen] if START_VALUES in sensitivities else []
         return with_sensitivities(ode, [*chosen, *starts])
 
-    return digest(flat_hash(model, files=files, library=library), str(where_smooth), *sensitivities), make
+    return digest(key, str(where_smooth), *sensitivities), make
 
 
 def build_source(
@@ -72,6 +74,7 @@ def build_source(
     sensitivities: Sequence[str] = (),
     library: str = "",
     lean: bool = False,
+    brief: bool = False,
 ) -> Path:
     """The FMU of a model whose Modelica source is at hand as text.
 
@@ -82,10 +85,13 @@ def build_source(
         sensitivities: as in ``build_model``, where the solution is smooth.
         library: ``compiler.library_hash()``, where somebody asked for it already.
         lean: only what fits ask for, unpacked: a folder; see ``cached_lean_model``.
+        brief: the same for a few runs; see ``cached_taped_model``.
 
     Raises:
         ModelError: the model cannot be compiled.
     """
     source = cached("sources", digest(text), ".mo", text.encode)
     key, make = _recipe(model, [*files, source], sensitivities, where_smooth=True, library=library)
+    if brief:
+        return cached_taped_model(key, make)
     return cached_lean_model(key, make) if lean else cached_fmu(key, make)

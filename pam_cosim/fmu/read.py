@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+import re
+import zipfile
 from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
@@ -12,7 +15,11 @@ from fmpy.model_description import ModelDescription, ValidationError
 
 from pam_cosim.errors import InputError
 from pam_cosim.interface import Interface, Variable, is_sensitivity, sensitivity_name
+from pam_cosim.wording import shown
 
+MOST_BYTES = 2_000_000_000  # of all files of an archive, unpacked
+_LONGEST_NAME, _LONGEST_PART = 1000, 200  # letters; systems have 4096 and 255, of which a folder takes some
+_LARGEST_REFERENCE = 2**32 - 1
 _KEPT = 128  # descriptions: a diagnosis comes back to those of the catalogue's effects
 
 
@@ -68,11 +75,64 @@ def _description(path: Path) -> ModelDescription:
 def _read(path: Path, changed: int, size: int) -> ModelDescription:
     """The description of a file as it was at an instant; nobody writes into it."""
     try:
-        return fmpy.read_model_description(str(path), validate=False)
+        _check_names(path)
+        description = fmpy.read_model_description(str(path), validate=False)
+        _check_numbers(description, path)
+        return description
+    except InputError:
+        raise
     except ValidationError as error:
         raise InputError(f"the FMU is not valid: {error.problems[0]}", path) from error
     except Exception as error:  # fmpy raises bare Exceptions, zipfile, lxml and OS errors
         raise InputError(f"this is not an FMU: {error}", path) from error
+
+
+def _check_names(path: Path) -> None:
+    """Looks at the names in an archive, which become files.
+
+    Raises:
+        InputError: one that cannot, or must not.
+    """
+    if path.is_dir():
+        return
+    with zipfile.ZipFile(path) as archive:
+        entries = archive.infolist()
+    for entry in entries:
+        parts = re.split(r"[/\\]", entry.filename)
+        if parts[0] in ("", "..") or ".." in parts or ":" in parts[0] or not entry.filename.isprintable():
+            raise InputError(f"the archive has a file {shown(entry.filename)} that leaves its folder", path)
+        if len(entry.filename) > _LONGEST_NAME or max(map(len, parts)) > _LONGEST_PART:
+            raise InputError(f"the archive has a file whose name is too long: {shown(entry.filename)}", path)
+    if sum(entry.file_size for entry in entries) > MOST_BYTES:
+        raise InputError(f"the archive holds more than {MOST_BYTES / 1e9:g} GB", path)
+
+
+def _check_numbers(description: ModelDescription, path: Path) -> None:
+    """Looks at what must be a number in a description.
+
+    Raises:
+        InputError: it is none.
+    """
+    experiment = description.defaultExperiment
+    for key in ("startTime", "stopTime", "stepSize", "tolerance"):
+        if experiment is not None:
+            _check_number(getattr(experiment, key), f"{key} of its default experiment", path)
+    for scalar in description.modelVariables:
+        reference = scalar.valueReference
+        if reference is not None and not 0 <= int(reference) <= _LARGEST_REFERENCE:
+            raise InputError(f"the value reference {reference} of {shown(scalar.name)} is beyond 32 bits", path)
+    for scalar in real_variables(description):
+        for key in ("start", "min", "max", "nominal"):
+            _check_number(_attribute(scalar, key), f"{key} of {shown(scalar.name)}", path)
+
+
+def _check_number(text: Any, what: str, path: Path) -> None:
+    try:
+        wrong = text is not None and math.isnan(float(text))
+    except (TypeError, ValueError):
+        wrong = True
+    if wrong:
+        raise InputError(f"the description is not valid: {what} is {shown(text)}, which is no number", path)
 
 
 def fmi_version(description: ModelDescription) -> str:

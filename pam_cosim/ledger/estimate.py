@@ -67,7 +67,7 @@ def keep_ledger(
             rest, while balances are kept over time.
         ModelError: the model cannot be compiled.
     """
-    name = model or data.model
+    name = data.model_for(model)
     if any(run.is_static for run in data.runs):
         raise InputError("a ledger is kept over time, and points at rest have none", data.folder)
     if is_fmu(name):

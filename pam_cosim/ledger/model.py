@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import casadi as ca
 import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.compiler import Ode
+
+_FEW = 64  # rows, up to which a function for so many is kept
 
 
 class Slopes(NamedTuple):
@@ -36,11 +38,11 @@ class Model:
         arguments = [ode.t, ode.x, ode.u, ode.d, ode.p]
         by = ca.vertcat(ode.x, *[ode.p[i] for i in [*self.unknown_at, *self.free_at]])
         f = ode.derivatives
-        self._rates = ca.Function("rates", arguments, [f, ca.vec(ca.densify(ca.jacobian(f, by)))], {"cse": True})
+        self._rates = _AtPoints("rates", arguments, [f, ca.jacobian(f, by)])
         both = ca.vertcat(f, h)
-        self._all = ca.Function("all", arguments, [both, ca.vec(ca.densify(ca.jacobian(both, by)))], {"cse": True})
+        self._all = _AtPoints("all", arguments, [both, ca.jacobian(both, by)])
         self._initial = ca.Function("initial", [ode.p, ode.u], [ode.initial])
-        self._locals = ca.Function("others", arguments, [ca.vertcat(ode.outputs, ode.locals)], {"cse": True})
+        self._locals = _AtPoints("others", arguments, [ca.vertcat(ode.outputs, ode.locals)])
 
     def initial(self, parameters: Array, inputs: Array, given: Array) -> Array:
         """States at the start, (R, n), for each row of parameters (R, P) and first inputs (R, U).
@@ -61,17 +63,38 @@ class Model:
     def variables(self, t: Array, x: Array, u: Array, d: Array, p: Array) -> dict[str, Array]:
         """Every output and local variable, (K,) each, by name."""
         names = [*self.ode.interface.outputs, *self.ode.interface.locals]
-        (values,) = _called(self._locals, t, x, u, d, p)
-        return dict(zip(names, values, strict=True))
+        (values,) = self._locals(t, x, u, d, p)
+        return dict(zip(names, values.T.copy(), strict=True))
 
-    def _slopes(self, f: ca.Function, rows: int, t: Array, x: Array, u: Array, d: Array, p: Array) -> Slopes:
-        value, jacobian = _called(f, t, x, u, d, p)
+    def _slopes(self, f: _AtPoints, rows: int, t: Array, x: Array, u: Array, d: Array, p: Array) -> Slopes:
+        value, jacobian = f(t, x, u, d, p)
         columns = self.states + self.unknown_inputs + self.free
-        slopes = jacobian.reshape(columns, rows, -1).transpose(2, 1, 0)
+        slopes = jacobian.reshape(len(t), columns, rows).transpose(0, 2, 1)
         a, b = self.states, self.states + self.unknown_inputs
-        return Slopes(value.T, slopes[:, :, :a], slopes[:, :, a:b], slopes[:, :, b:])
+        return Slopes(value, slopes[:, :, :a], slopes[:, :, a:b], slopes[:, :, b:])
 
 
-def _called(f: ca.Function, t: Array, x: Array, u: Array, d: Array, p: Array) -> list[Array]:
-    results = f.map(len(t)).call([t[None, :], x.T, u.T, d.T, p.T])
-    return [np.array(r) for r in results]
+class _AtPoints:
+    """A function of vectors for the rows of arrays, in place: a ledger asks for few rows very often."""
+
+    def __init__(self, name: str, arguments: Sequence[ca.SX], results: Sequence[ca.SX]) -> None:
+        dense = [ca.vec(ca.densify(result)) for result in results]
+        self._function = ca.Function(name, list(arguments), dense, {"cse": True})
+        self._sizes = [result.numel() for result in dense]
+        self._few: dict[int, tuple[Any, Any]] = {}
+
+    def __call__(self, *arguments: Array) -> list[Array]:
+        """Results (K, size) of arguments (K, size), or (K,) where the size is 1."""
+        count = len(arguments[0])
+        made: tuple[Any, Any] = self._few.get(count) or self._function.map(count).buffer()
+        buffer, evaluate = made
+        if count <= _FEW:
+            self._few[count] = buffer, evaluate
+        given = [np.ascontiguousarray(argument, dtype=float) for argument in arguments]
+        results = [np.empty((count, size)) for size in self._sizes]
+        for i, argument in enumerate(given):
+            buffer.set_arg(i, argument.data)
+        for i, result in enumerate(results):
+            buffer.set_res(i, result.data)
+        evaluate()
+        return results

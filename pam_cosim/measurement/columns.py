@@ -58,7 +58,7 @@ def with_columns(table: Table, renaming: Renaming) -> Table:
             made[name], names = _derived(table, made, renaming, name, one.formula)
             used |= names
         else:
-            made[name] = _renamed(table, renaming, name)
+            made[name] = _mapped(_renamed(table, renaming, name), renaming, name)
             used.add(made[name].heading)
     rest = {name: c for name, c in table.columns.items() if name not in made and c.heading not in used}
     table = replace(table, columns={**rest, **made})
@@ -88,12 +88,33 @@ def _renamed(table: Table, renaming: Renaming, name: str) -> Column:
     return Column(name, one.unit or source.unit, source.values, source.heading or source.name)
 
 
+def _mapped(column: Column, renaming: Renaming, name: str) -> Column:
+    """The column by its stated gain and offset; a fitted map is one of the model (``input_maps``)."""
+    one = renaming.tables[name]
+    if one.gain is None and one.offset is None:
+        return column
+    key = "gain"
+    try:
+        result = quantity(column.values, column.unit) * _stated(one.gain, 1.0)
+        if one.offset is not None:
+            key = "offset"
+            result = result + _stated(one.offset, 0.0)
+        values, unit = with_unit(result)
+    except registry_errors(UnitError) as error:
+        raise renaming.error(f"{key}: {error}", name, key) from None
+    return replace(column, unit=unit, values=np.array(values))
+
+
+def _stated(value: str | float | None, otherwise: float) -> Any:
+    return quantity(value) if isinstance(value, str) else quantity(otherwise if value is None else value)
+
+
 def _derived(
     table: Table, made: Mapping[str, Column], renaming: Renaming, name: str, formula: str
 ) -> tuple[Column, set[str]]:
     """The column of a formula, and the headings of what it is made of."""
     one = renaming.tables[name]
-    for key in ("column", "unit"):
+    for key in ("column", "unit", "gain", "offset"):
         if getattr(one, key) is not None:
             raise renaming.error(f"it has a formula and a {key}; keep one of them", name, key)
     known = _Quantities({**{c.heading: c for c in table.columns.values() if c.heading}, **table.columns, **made})

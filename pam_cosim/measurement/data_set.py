@@ -189,6 +189,7 @@ class DataSet(Printed):
         title: the experimenter's own words.
         model: the bench, as a name that compiles.
         bench: the bench that the description names, where the data were read for another model; else the same.
+        unmapped: the model before it got maps of its inputs; empty: it has none that it did not have before.
         signals: the measured outputs.
         parameters: known values for all runs [SI]; fitted parameters are not among them.
         fit: free parameters.
@@ -208,6 +209,11 @@ class DataSet(Printed):
     excluded: tuple[str, ...] = ()
     expected: tuple[str, ...] = ()
     bench: str = ""
+    unmapped: str = ""
+
+    def model_for(self, asked: str | None) -> str:
+        """The model to use where one is asked for (None: the bench): with the maps of inputs that these data need."""
+        return self.model if asked is None or asked == self.unmapped else asked
 
     @property
     def files(self) -> tuple[Path, ...]:

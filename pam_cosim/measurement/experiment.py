@@ -111,6 +111,9 @@ class ColumnTable(_Table):
     unit: Name | None = None
     formula: Name | None = Field(default=None, max_length=300)
     zero: IntervalTable | None = None
+    gain: Value | None = None
+    offset: Value | None = None
+    fit: Literal[True, False, "gain", "offset"] = False
     words: dict[str, Literal["up", "down", "none"]] | None = None
 
 

@@ -21,7 +21,8 @@ def file_inside(document: ExperimentFile, name: str, *path: str | int) -> Path:
         leaves = windows.anchor or ".." in windows.parts or not target.is_relative_to(root) or target == root
         exists, is_file = target.exists(), target.is_file()
     except (OSError, ValueError, RuntimeError) as error:
-        raise document.error(f"the file {shown(name)} cannot be found: {error}", *path) from None
+        reason = getattr(error, "strerror", None) or "its name cannot be used"
+        raise document.error(f"the file {shown(name)} cannot be found: {reason}", *path) from None
     if leaves:
         message = f"the path {shown(name)} leaves the folder of the data set; name a file inside"
         raise document.error(message, *path)

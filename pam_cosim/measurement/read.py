@@ -7,9 +7,11 @@ from dataclasses import replace
 from pathlib import Path
 
 from pam_cosim.errors import InputError, ModelError
+from pam_cosim.input_map import InputMap
 from pam_cosim.interface import Interface
 from pam_cosim.measurement.data_set import Along, DataSet, FreeParameter, Run, Signal
 from pam_cosim.measurement.experiment import FILE_NAME, ExperimentFile, RunTable, Value, read_experiment
+from pam_cosim.measurement.input_maps import input_maps, with_names_of_maps
 from pam_cosim.measurement.inside import file_inside
 from pam_cosim.measurement.parameters import free_parameter, known_values
 from pam_cosim.measurement.pieces import pieces_of
@@ -17,8 +19,8 @@ from pam_cosim.measurement.points import Points
 from pam_cosim.measurement.read_run import read_points, read_run
 from pam_cosim.measurement.read_start import with_start
 from pam_cosim.measurement.resampling import with_noise_of_means
-from pam_cosim.names import BRANCH, is_file
-from pam_cosim.units import UnitError, parse_quantity
+from pam_cosim.names import BRANCH, is_file, is_fmu
+from pam_cosim.units import LARGEST, UnitError, parse_quantity
 from pam_cosim.wording import did_you_mean, shown
 
 
@@ -28,6 +30,7 @@ def read_data_set(
     *,
     model: str | None = None,
     benches: Callable[[], Sequence[str]] = tuple,
+    with_maps: Callable[[str, Sequence[InputMap]], str] | None = None,
 ) -> DataSet:
     """Reads a data set and converts it to the units of its bench.
 
@@ -36,6 +39,7 @@ def read_data_set(
         describe: gives the interface of a bench by name; raises ``InputError`` when there is none.
         model: read the data for this model instead of the one the file names.
         benches: names to offer where the file names none.
+        with_maps: gives the model that has maps of its inputs; None: a map that is fitted is an error.
 
     Raises:
         InputError: whatever is wrong in the folder, with file, line and column or key.
@@ -43,6 +47,14 @@ def read_data_set(
     document = read_experiment(_experiment_file(Path(folder)))
     name = model or _model_of(document, benches)
     interface = describe(name) if model else _interface(document, name, describe)
+    maps = input_maps(document, interface)
+    if maps and (with_maps is None or is_fmu(name)):
+        raise _no_map(document, maps[0])
+    unmapped = name if maps else ""
+    if maps and with_maps is not None:
+        name = with_maps(name, maps)
+        interface = describe(name)
+    document = with_names_of_maps(document, interface)
     content = document.content
     parameters = known_values(document, interface, content.parameters, "parameters")
     free = {
@@ -60,6 +72,7 @@ def read_data_set(
         title=content.title or document.file.parent.resolve().name,
         model=name,
         bench=_bench(document) or name,
+        unmapped=unmapped,
         signals=with_noise_of_means(_signals(document, interface, runs), runs),
         parameters=known,
         fit=free | {one.name: one for several in own for one in several},
@@ -67,6 +80,11 @@ def read_data_set(
         excluded=tuple(content.effects.exclude),
         expected=tuple(content.effects.expect),
     )
+
+
+def _no_map(document: ExperimentFile, one: InputMap) -> InputError:
+    message = f"{one.name} is an input, and an FMU takes no parameters in its place: name a bench or a Modelica model"
+    return document.error(message, *(("fit", one.name) if one.raw is None else ("columns", one.name, "fit")))
 
 
 def _experiment_file(folder: Path) -> Path:
@@ -147,6 +165,8 @@ def _deviation(document: ExperimentFile, name: str, key: str, value: Value | Non
         raise document.error(f"{key} of {name}: {error}", *path) from None
     if deviation <= 0.0:
         raise document.error(f"{key} of {name} must be greater than zero", *path)
+    if deviation < 1 / LARGEST:
+        raise document.error(f"{key} of {name} is smaller than that of any instrument: {shown(value)}", *path)
     return deviation
 
 

@@ -13,7 +13,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.interface import Interface
 from pam_cosim.measurement.formats import read_table
 from pam_cosim.measurement.table import TIME, Table
-from pam_cosim.units import UnitError, convert
+from pam_cosim.units import LARGEST, UnitError, convert
 from pam_cosim.wording import did_you_mean, listed, shown
 
 
@@ -112,7 +112,7 @@ def converted(table: Table, name: str, unit: str) -> NDArray[np.float64]:
         values = convert(column.values, column.unit, unit)
     except UnitError as error:
         raise table.error(f"{error}; the heading is '{name} [unit]'", name) from None
-    too_large = np.flatnonzero(np.isinf(values))
+    too_large = np.flatnonzero(np.abs(values) > LARGEST)
     if too_large.size:
         raise table.error("the value is too large", name, int(too_large[0]))
     return locked(values)

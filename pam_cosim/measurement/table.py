@@ -16,6 +16,7 @@ from pam_cosim.units import UnitError, convert
 from pam_cosim.wording import shown
 
 TIME = "time"
+LONGEST_HEADING = 500  # letters; what is longer is no name
 _BRACKETS = re.compile(r"([^\[\]]+?)\s*(?:\[([^\[\]]*)\])?")
 _ROUND = re.compile(r"(.+?)\s*\(([^()]+)\)")
 _OVER = re.compile(r"(.+?)\s+(?:/|in)\s+(\S+)")
@@ -105,7 +106,7 @@ def split_heading(text: str) -> tuple[str, str] | None:
 
     Only brackets always hold a unit: "sensor (left)" is a name. None: the text is no heading.
     """
-    match = _BRACKETS.fullmatch(text)
+    match = _BRACKETS.fullmatch(text) if len(text) <= LONGEST_HEADING else None
     if match is None or not text.isprintable():
         return None
     if match[2] is None:

@@ -7,11 +7,13 @@ import re
 from pathlib import Path
 
 from pam_cosim.errors import InputError
+from pam_cosim.files import MOST_BYTES, read_file
 from pam_cosim.wording import shown
 
 _MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
 _NO_TEXT = re.compile(rb"[\x00-\x08\x0e-\x1f\x81\x8d\x8f\x90\x9d]")
 WESTERN = "cp1252"
+_MOST = 20_000_000  # bytes of a text that a person wrote
 
 
 def read_text(path: Path) -> str:
@@ -20,7 +22,7 @@ def read_text(path: Path) -> str:
     Raises:
         InputError: the file is missing, not readable or not UTF-8 (with the line of the first bad byte).
     """
-    return _decoded(read_bytes(path), "utf-8-sig", path)
+    return _decoded(read_bytes(path, _MOST), "utf-8-sig", path)
 
 
 def read_any_text(path: Path, encoding: str | None = None) -> tuple[str, str]:
@@ -57,14 +59,14 @@ def any_text(data: bytes, path: Path, encoding: str | None = None) -> tuple[str,
     raise InputError(f'{message}; state the encoding under [recording], such as encoding = "utf-16-le"', path, line)
 
 
-def read_bytes(path: Path) -> bytes:
+def read_bytes(path: Path, most: int = MOST_BYTES) -> bytes:
     """The file's bytes.
 
     Raises:
-        InputError: the file is missing or not readable.
+        InputError: the file is missing, not readable, no regular file, or has more bytes than ``most``.
     """
     try:
-        return path.read_bytes()
+        return read_file(path, most)
     except FileNotFoundError:
         raise InputError("the file does not exist", path) from None
     except (OSError, ValueError) as error:

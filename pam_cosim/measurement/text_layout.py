@@ -21,7 +21,7 @@ SEPARATORS = {";": ";", "tab": "\t", ",": ",", "blank": " "}
 WORDS = {";": "semicolons", "\t": "tabs", ",": "commas", " ": "blanks"}
 LOOKED_AT = 400  # Rows that are looked at; all are checked when they are read.
 _DEEPEST = 400  # Lines above the first row, below what is stated.
-_NUMBER = re.compile(r"[+-]?(\d+[.,]?\d*|[.,]\d+)([eE][+-]?\d+)?", re.ASCII)
+_NUMBER = re.compile(r"[+-]?(\d+(?:[.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?", re.ASCII)
 _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}(?:,\d{3})+|[+-]?[1-9]\d{0,2}(?:\.\d{3})+", re.ASCII)
 _COMMENT = re.compile(r"\s*(#|//|%(?!\s*[;,\t]))\s*")
 _SAID = re.compile(r'\s*"?sep=(.)"?\s*', re.IGNORECASE)

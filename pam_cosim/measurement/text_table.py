@@ -29,8 +29,9 @@ from pam_cosim.measurement.text_layout import (
 from pam_cosim.wording import shown
 
 _BLOCK = 20_000  # Lines that are turned into numbers at once.
+_LONGEST = 1000  # letters of a cell that is looked at as a number
 _TALLEST = 8  # Lines of one quoted cell.
-_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
+_NUMBER = re.compile(r"[+-]?(\d+(?:\.\d*)?|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 _MEANT = re.compile(r"[+-]?[\d.,]+([eE][+-]?\d+)?|[+-]?(nan|inf|infinity)", re.ASCII | re.IGNORECASE)  # as a number
 _NO_NUMBER = re.compile(r"[^0-9eE+\-.]")
 _PLAIN = frozenset("0123456789-+.,;")  # No comment begins so.
@@ -219,6 +220,10 @@ class _Reader:
     def _number(self, line: int, cell: str, column: int) -> float:
         if not cell:
             return math.nan
+        if len(cell) > _LONGEST:
+            raise InputError(
+                f"{shown(cell)} has {len(cell)} letters: that is no number", self.file, line, self.names[column]
+            )
         if cell.casefold() in self.missing:
             self.met[cell] = None
             return math.nan

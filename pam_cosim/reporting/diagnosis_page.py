@@ -21,6 +21,7 @@ from pam_cosim.reporting.figures.ladder import Rung, ladder_picture
 from pam_cosim.reporting.figures.layer import Layer, before_and_after
 from pam_cosim.reporting.figures.residual_map import residual_map
 from pam_cosim.reporting.figures.residuals import residual_pictures
+from pam_cosim.reporting.glossary import glossary_entries
 from pam_cosim.reporting.learned_part import learned_part
 from pam_cosim.reporting.ledger_part import ledger_part
 from pam_cosim.reporting.meaning import (
@@ -58,6 +59,7 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
         kind=diagnosis.verdict.kind,
         kind_name=kind_name(diagnosis.verdict.kind),
         headline=headline(diagnosis),
+        glossary=glossary_entries(),
         error=error_sentence(diagnosis),
         compared=compared_sentence(diagnosis),
         not_tried=not_tried_sentence(diagnosis),

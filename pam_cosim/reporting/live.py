@@ -8,7 +8,7 @@ from html import escape
 from importlib import import_module
 from typing import Any
 
-from pam_cosim.diagnosis import BaseFitted, BegunAnew, Candidate, CandidateTried, Event, Judged
+from pam_cosim.diagnosis import BaseFitted, BegunAnew, Candidate, CandidateTried, EffectLookedAt, Event, Judged
 from pam_cosim.diagnosis.evidence import rank
 from pam_cosim.fitting import Fit, Standing
 from pam_cosim.reporting.diagnosis_rows import candidate_row
@@ -52,7 +52,7 @@ class Live:
             self._show()
 
     def _take(self, event: Standing | Event) -> None:
-        self._line = str(event) or self._line
+        self._line = event.status if isinstance(event, EffectLookedAt) else str(event) or self._line
         if isinstance(event, Event) and str(event) and not event.detail:
             self._headline = str(event)
         if isinstance(event, BaseFitted):

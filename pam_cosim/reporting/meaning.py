@@ -19,8 +19,8 @@ _MEANING = {
         "instruments, could not show a further effect. Faster, larger or longer tests might."
     ),
     "identified": (
-        "One explanation stands out: the added effects remove the error, and what remains is noise. "
-        "No effect of another family comes close. Add the effect to the model, and use the fitted parameters below "
+        "One explanation stands out: the added effects remove the error of what was fitted, and what remains of it is "
+        "noise. {rivals} Add the effect to the model, and use the fitted parameters below "
         "within the range of {tested} that was tested."
     ),
     "ambiguous": (
@@ -58,7 +58,18 @@ def meaning(verdict: Verdict, domain: Domain) -> str:
     faults = domain.faults(verdict.families)
     if faults:
         text += " " + _INSTRUMENT.replace("{faults}", "; ".join(f"{words(f)}: {said}" for f, said in faults.items()))
-    return text.replace("{tested}", domain.tested)
+    return text.replace("{tested}", domain.tested).replace("{rivals}", _rivals(verdict))
+
+
+def _rivals(verdict: Verdict) -> str:
+    """Which effects of other families fit as well, and why they are not the answer."""
+    said = []
+    if verdict.refuted:
+        off = listed(list(verdict.off)) if verdict.off else "what was compared but not fitted"
+        said.append(f"{listed(list(verdict.refuted))} would fit it as well, but misses {off} by far more.")
+    if verdict.bending:
+        said.append(f"{listed(list(verdict.bending))} comes as near, because it says whatever its family can.")
+    return " ".join(said) or "No effect of another family comes close."
 
 
 def instrument_sentence(verdict: Verdict, domain: Domain) -> str:
@@ -81,6 +92,13 @@ def headline(diagnosis: Diagnosis) -> str:
         return f"{_lacking(diagnosis)} ({' + '.join(verdict.effects)}){form}."
     if verdict.kind == "ambiguous":
         return f"An effect is missing, but these data cannot tell {families} apart."
+    if verdict.families and diagnosis.folds is not None:
+        good = ", ".join(
+            f"{quantity_text(e, diagnosis.data.signals[n].unit)} of {n}"
+            for n, e in diagnosis.folds.rmse.items()
+            if diagnosis.data.signals[n].fitted
+        )
+        return f"With {families} the model is good to {good} on runs that were never fitted; the rest is unknown."
     if verdict.families:
         return (
             f"{families.capitalize()} {'explain' if several else 'explains'} a part of the error; the rest is unknown."
@@ -122,7 +140,14 @@ def error_sentence(diagnosis: Diagnosis) -> str:
 def probability_sentence(verdict: Verdict) -> str:
     """How sure the verdict is; "" where it does not say."""
     p = verdict.probability
-    return "" if p != p else f"Probability that this, and nothing else, is missing: {100 * p:.0f} %."
+    if p != p:
+        return ""
+    if verdict.off:
+        return (
+            f"Probability that this is missing: {100 * p:.0f} %. What acts on {listed(list(verdict.off))}, which was "
+            "not fitted and is off, is not counted."
+        )
+    return f"Probability that this, and nothing else, is missing: {100 * p:.0f} %."
 
 
 def not_tried_sentence(diagnosis: Diagnosis) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+import textwrap
 
 from pam_cosim.fitting import Estimate
 from pam_cosim.units import readable_factor, readable_unit
@@ -106,6 +107,12 @@ def words(identifier: str) -> str:
 def listed(items: list[str] | tuple[str, ...], last: str = "and") -> str:
     """ "a, b and c"."""
     return items[0] if len(items) == 1 else f"{', '.join(items[:-1])} {last} {items[-1]}" if items else ""
+
+
+def wrapped(text: str, longest: int = 28) -> str:
+    """A label in two lines at most, broken between words: what tells it from others often stands at its end."""
+    lines = textwrap.wrap(text, longest, break_on_hyphens=False)
+    return "\n".join(lines) if len(lines) <= 2 else f"{lines[0]}\n{shortened(' '.join(lines[1:]), longest)}"
 
 
 def shortened(text: str, longest: int = 28) -> str:

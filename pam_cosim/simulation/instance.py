@@ -16,6 +16,7 @@ from pam_cosim.fmu.compile import PLATFORMS, native_platform
 from pam_cosim.fmu.read import fmi_version
 from pam_cosim.simulation.driver import Callbacks
 from pam_cosim.simulation.failure import RunFailure
+from pam_cosim.simulation.tape import is_taped, use_tapes
 
 Instance: TypeAlias = Any  # FMU2Slave | FMU3Slave | FMU2Model | FMU3Model, of a package without types
 
@@ -49,7 +50,10 @@ def load_instance(
     try:
         if fmi_version(description) == "3.0":
             return (FMU3Model if exchange else FMU3Slave)(**arguments)
-        return (FMU2Model if exchange else FMU2Slave)(**arguments, libraryPath=own_library(directory, identifier))
+        made = (FMU2Model if exchange else FMU2Slave)(**arguments, libraryPath=own_library(directory, identifier))
+        if is_taped(Path(directory)):
+            use_tapes(made.dll, Path(directory))
+        return made
     except Exception as error:  # fmpy raises bare Exceptions
         raise InputError(f"the FMU cannot be loaded on this machine: {error}", path) from error
     finally:

@@ -16,13 +16,14 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
-from pam_cosim.errors import InputError
+from pam_cosim.counts import checked_time
 from pam_cosim.fmu.read import read_interface
 from pam_cosim.interface import Interface
 from pam_cosim.simulation import keeper
 from pam_cosim.simulation.driver import Progress, Settle, prepare_driver
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs
+from pam_cosim.simulation.memory import MOST_MEMORY
 from pam_cosim.simulation.stepper import Abilities
 from pam_cosim.simulation.trajectory import Trajectory
 
@@ -47,9 +48,7 @@ class IsolatedSimulator:
     """
 
     def __init__(self, path: Path, timeout: float | None = None) -> None:
-        self.path, self.timeout = Path(path), TIME_LIMIT if timeout is None else timeout
-        if not self.timeout > 0:
-            raise InputError(f"a time limit must be larger than zero, not {self.timeout:g} s")
+        self.path, self.timeout = Path(path), checked_time(TIME_LIMIT if timeout is None else timeout)
         self.interface: Interface = read_interface(self.path)
         self._settles: bool | None = None
         self._process: subprocess.Popen[bytes] | None = None
@@ -160,14 +159,22 @@ class IsolatedSimulator:
             self._end()
             raise
         if kind == keeper.ANSWER:
-            answer: tuple[str, Any] = pickle.loads(content)
-            return answer
+            return self._unpacked(content)
         self._end()
         if kind == keeper.LATE:
             progress = pickle.loads(content) if content else None
             self._never_loaded = bool(content) and progress is None
             raise self._late(progress, request)
-        raise RunFailure(f"{self.path.name} crashed its process ({cause_of_end(int(content))})")
+        raise RunFailure(f"{self.path.name} crashed its process ({cause_of_end(int(content))}){_memory(content)}")
+
+    def _unpacked(self, content: bytes) -> tuple[str, Any]:
+        """An answer as the FMU's process packed it, unless the FMU wrote into it."""
+        try:
+            kind, answer = pickle.loads(content)
+        except Exception:
+            self._end()
+            raise RunFailure(f"{self.path.name} has written into the files of its process") from None
+        return kind, answer
 
     def _late(self, progress: Progress | None, request: dict[str, Any]) -> RunFailure:
         place = (
@@ -270,3 +277,8 @@ def cause_of_end(code: int) -> str:
         return f"signal {signal.Signals(-code).name}"
     except ValueError:
         return f"signal {-code}"
+
+
+def _memory(content: bytes) -> str:
+    """A hint where the end may come of too little memory."""
+    return f"; it may use {MOST_MEMORY / 1e9:g} GB of memory at most" if int(content) in (-6, -11, 134, 139) else ""

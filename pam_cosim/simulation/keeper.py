@@ -28,6 +28,8 @@ PROGRESS, ANSWER = b"p", b"a"
 LATE, CRASHED = b"l", b"x"
 _GONE = b"g"  # no frame: the study has ended
 
+_KINDS = frozenset((REQUEST, CLOSE, PROGRESS, ANSWER, LATE, CRASHED))
+_LONGEST = 1 << 34  # bytes of a message
 GRACE = 5.0  # [s] for an FMU to be freed after its last run
 _DYING = 1.0  # [s] between the end of a process's output and its own end
 _HEAD = struct.Struct("<cQ")
@@ -47,12 +49,14 @@ def read_frame(stream: IO[bytes]) -> tuple[bytes, bytes]:
     """The next message: its kind and content.
 
     Raises:
-        EOFError: there is none, or not all of it.
+        EOFError: there is none, or not all of it, or something else.
     """
     head = stream.read(_HEAD.size)
     if len(head) < _HEAD.size:
         raise EOFError
     kind, length = _HEAD.unpack(head)
+    if kind not in _KINDS or length > _LONGEST:  # somebody else has written here, such as an FMU into every file
+        raise EOFError
     content = stream.read(length)
     if len(content) < length:
         raise EOFError

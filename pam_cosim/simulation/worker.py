@@ -14,6 +14,7 @@ from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.simulation.driver import Progress
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.keeper import ANSWER, PROGRESS, read_frame, write_frame
+from pam_cosim.simulation.memory import limit_memory
 from pam_cosim.simulation.simulator import Simulator
 from pam_cosim.simulation.stepper import Stepper
 
@@ -99,6 +100,7 @@ class _Worker:
 def main(path: Path, tick: float, folder: str) -> None:
     """Serves one FMU, with ``folder`` for all temporary files: who ends this process removes it."""
     tempfile.tempdir = folder
+    limit_memory()
     worker = _Worker(path, tick)
     worker.serve()
     if worker.simulator is not None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 from math import prod
 from typing import Any
@@ -14,6 +14,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 from pam_cosim.interface import Interface
 from pam_cosim.settings import Setting, resolve, settable, value_of
+from pam_cosim.sweeps.patterns import INPUTS, Pattern
 
 MOST_RUNS = 1_000_000
 DESIGNS = ("grid", "list", "random", "latin-hypercube")
@@ -28,12 +29,14 @@ class Design:
         units: of each name that is varied, in order.
         points: (runs, names) [``units``].
         axes: of a grid, the values of each name [its unit]; the last name changes fastest. Empty for other designs.
+        patterns: inputs over time, where these are varied; the points then hold their places.
     """
 
     kind: str
     units: dict[str, str]
     points: Array
     axes: dict[str, Array]
+    patterns: tuple[Pattern, ...] = ()
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -44,8 +47,14 @@ class Design:
         return len(self.points)
 
     def settings(self, run: int) -> dict[str, float]:
-        """What is varied in a run, counted from 0 [SI]."""
+        """What is varied in a run, counted from 0 [SI]; inputs over time by their place."""
         return dict(zip(self.units, self.points[run].tolist(), strict=True))
+
+    def labels(self, name: str, values: Array) -> Any:
+        """What stands in results for values of a name: the values, or the names of inputs over time."""
+        if not (self.patterns and name == INPUTS):
+            return values
+        return np.array([self.patterns[int(v)].name for v in values], dtype=object)
 
 
 def design_of(
@@ -54,6 +63,7 @@ def design_of(
     kind: str = "grid",
     runs: int | None = None,
     seed: int = 0,
+    patterns: tuple[Pattern, ...] = (),
 ) -> Design:
     """The runs of a sweep.
 
@@ -65,6 +75,7 @@ def design_of(
         kind: one of ``DESIGNS``.
         runs: how many, of "random" and "latin-hypercube".
         seed: of the random numbers; the same seed makes the same runs.
+        patterns: what "inputs" in ``vary`` stands for.
 
     Raises:
         InputError: another design, an unknown name, a value that cannot be used, no run at all or too many.
@@ -78,14 +89,17 @@ def design_of(
     columns = _columns(vary, kind)
     if not columns:
         raise InputError("nothing is varied: name a parameter, an input or a start value and its values")
-    values = {name: _values(name, given, interface) for name, given in columns.items()}
-    units = {name: settable(name, interface).unit for name in values}
+    if patterns and sampled:
+        raise InputError(f"the design '{kind}' draws between two values, and '{INPUTS}' has none; use grid or list")
+    places = {INPUTS: np.arange(len(patterns), dtype=float)} if patterns else {}
+    values = {name: places[name] if name in places else _values(name, columns[name], interface) for name in columns}
+    units = {name: "1" if name in places else settable(name, interface).unit for name in values}
     if kind == "grid":
-        return _grid(values, units)
+        return replace(_grid(values, units), patterns=patterns)
     points = _sampled(values, kind, runs or 0, seed) if sampled else _listed(values)
     for point in points:
-        resolve(dict(zip(values, point.tolist(), strict=True)), interface)
-    return Design(kind, units, points, {})
+        resolve({n: v for n, v in zip(values, point.tolist(), strict=True) if n not in places}, interface)
+    return Design(kind, units, points, {}, patterns)
 
 
 def _columns(vary: Any, kind: str) -> dict[str, Any]:

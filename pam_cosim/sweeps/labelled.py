@@ -24,7 +24,10 @@ def axis_name(sweep: Sweep, name: str) -> str:
 
 def frame(sweep: Sweep) -> pandas.DataFrame:
     """A row for each run."""
-    columns: dict[str, Any] = {axis_name(sweep, n): sweep.design.points[:, i] for i, n in enumerate(sweep.design.names)}
+    design = sweep.design
+    columns: dict[str, Any] = {
+        axis_name(sweep, n): design.labels(n, design.points[:, i]) for i, n in enumerate(design.names)
+    }
     columns |= {scalar.name: sweep.column(scalar.name) for scalar in sweep.scalars}
     columns[FAILURE] = sweep.table.failures()
     table = pandas.DataFrame(columns, index=pandas.RangeIndex(len(sweep), name=RUN))
@@ -69,10 +72,13 @@ def output(sweep: Sweep, name: str) -> xarray.DataArray:
 def _axes(sweep: Sweep) -> tuple[tuple[str, ...], tuple[int, ...], dict[str, Any]]:
     """Dimensions, their lengths, and coordinates."""
     design, known = sweep.design, sweep.interface.settable
-    described = {n: {"units": design.units[n] or "1", "long_name": known[n].description or n} for n in design.names}
+    told = {n: known[n].description if n in known else "" for n in design.names}
+    described = {n: {"units": design.units[n] or "1", "long_name": told[n] or n} for n in design.names}
     names = {n: axis_name(sweep, n) for n in design.names}
     if design.kind == "grid" and all(len(np.unique(v)) == len(v) for v in design.axes.values()):
-        coordinates: dict[str, Any] = {names[n]: (names[n], v, described[n]) for n, v in design.axes.items()}
+        coordinates: dict[str, Any] = {
+            names[n]: (names[n], design.labels(n, v), described[n]) for n, v in design.axes.items()
+        }
         return tuple(names.values()), tuple(len(v) for v in design.axes.values()), coordinates
-    columns = {names[n]: (RUN, design.points[:, i], described[n]) for i, n in enumerate(design.names)}
+    columns = {names[n]: (RUN, design.labels(n, design.points[:, i]), described[n]) for i, n in enumerate(design.names)}
     return (RUN,), (len(design),), {RUN: np.arange(len(design)), **columns}

@@ -14,6 +14,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.interface import Interface
 from pam_cosim.simulation import Trajectory
 from pam_cosim.sweeps.design import Design
+from pam_cosim.sweeps.patterns import INPUTS
 from pam_cosim.sweeps.records import Table
 from pam_cosim.sweeps.scalars import Scalar
 from pam_cosim.units import format_quantity
@@ -155,7 +156,8 @@ class Sweep:
         draw(self, path)
 
     def __repr__(self) -> str:
-        varied = ", ".join(f"{name} {self._span(i)}" for i, name in enumerate(self.design.names))
+        names = [f"{name} {self._span(i)}" for i, name in enumerate(self.design.names)]
+        varied = ", ".join(names)
         lines = [f"{len(self)} runs of {self.interface.model} ({self.design.kind}): {varied}"]
         lines += [f"  {line}" for line in self.told()]
         if self.failed:
@@ -171,10 +173,17 @@ class Sweep:
             if good.size:
                 low, high = (format_quantity(float(v), scalar.unit) for v in (good.min(), good.max()))
                 lines.append(f"{scalar.name}: from {low} to {high}")
+            if unknown := len(self) - len(self.failed) - good.size:
+                runs = "1 run has" if unknown == 1 else f"{unknown} runs have"
+                lines.append(
+                    f"{scalar.name}: {runs} not settled, so that the whole change is not known; make them longer"
+                )
         return lines
 
     def _span(self, i: int) -> str:
         values, unit = self.design.points[:, i], list(self.design.units.values())[i]
+        if self.design.patterns and self.design.names[i] == INPUTS:
+            return f"of {len(self.design.patterns)} patterns"
         low, high = format_quantity(float(values.min()), unit), format_quantity(float(values.max()), unit)
         return low if low == high else f"from {low} to {high}"
 

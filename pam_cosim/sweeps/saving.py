@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pam_cosim.files import written_whole
+from pam_cosim.netcdf import with_netcdf_names
 from pam_cosim.sweeps.labelled import axis_name, frame, output, skeleton
 from pam_cosim.sweeps.names import FAILURE
 
@@ -33,9 +34,9 @@ def save(sweep: Sweep, path: Path) -> None:
 
 
 def _netcdf(sweep: Sweep, path: Path) -> None:
-    skeleton(sweep).to_netcdf(path, engine="h5netcdf")
+    with_netcdf_names(skeleton(sweep)).to_netcdf(path, engine="h5netcdf")
     for name in sweep.outputs:  # one at a time
-        output(sweep, name).to_dataset().to_netcdf(path, mode="a", engine="h5netcdf")
+        with_netcdf_names(output(sweep, name).to_dataset()).to_netcdf(path, mode="a", engine="h5netcdf")
 
 
 def _parquet(sweep: Sweep, path: Path) -> None:
@@ -65,8 +66,8 @@ def _csv(sweep: Sweep, path: Path) -> None:
             table.writerows(zip(*columns, strict=True))
 
 
-def _cell(value: float) -> str:
-    return "" if value != value else repr(value)
+def _cell(value: float | str) -> str:
+    return value if isinstance(value, str) else "" if value != value else repr(value)
 
 
 def _tables(sweep: Sweep) -> Iterator[pandas.DataFrame]:
@@ -89,8 +90,8 @@ def _long(sweep: Sweep, runs: range) -> pandas.DataFrame:
     for run in runs:
         failure = sweep.table.failure(run)
         varied = {
-            f"{axis_name(sweep, n)} [{u or '1'}]": v
-            for (n, u), v in zip(sweep.design.units.items(), sweep.design.points[run].tolist(), strict=True)
+            f"{axis_name(sweep, n)} [{u or '1'}]": sweep.design.labels(n, sweep.design.points[run, i : i + 1])[0]
+            for i, (n, u) in enumerate(sweep.design.units.items())
         }
         names = {n: f"{n} [{sweep.units[n] or '1'}]" for n in sweep.outputs}
         if failure:

@@ -10,14 +10,12 @@ import numpy as np
 from scipy.integrate import trapezoid
 
 from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.interface import Interface
 from pam_cosim.simulation import Trajectory
 from pam_cosim.units import UnitError, parse_quantity, product
 from pam_cosim.wording import did_you_mean, shown
-
-# the last part of a run, over which a steady value is averaged
-_STEADY = 0.1
 
 _FORM = re.compile(r"\s*(?P<function>\w+)\s*\(\s*(?P<variable>[^()]+(?:\([^()]*\))?[^()]*?)\s*\)\s*")
 
@@ -32,7 +30,16 @@ class _Function:
     argument: float | None = None  # the number, where it is left out; None: there is none
 
 
+def _settled(t: Array, y: Array) -> bool:
+    """Whether a variable is where it will stay, as far as the last part of a run tells."""
+    last = y[t >= t[-1] - CRITERIA.run.steady_part * (t[-1] - t[0])]
+    return bool(np.ptp(last) <= CRITERIA.run.settled * abs(y[-1] - y[0]))
+
+
 def _time_to(t: Array, y: Array, share: float) -> float:
+    """NaN where the run has not settled: the whole change is not known then."""
+    if not _settled(t, y):
+        return float("nan")
     level = y[0] + share * (y[-1] - y[0])
     there = y >= level if y[-1] >= y[0] else y <= level
     i = int(np.argmax(there))
@@ -61,13 +68,15 @@ def _seconds(unit: str) -> str:
 FUNCTIONS: dict[str, _Function] = {
     "initial": _Function(lambda t, y, a: float(y[0]), "the first value"),
     "final": _Function(lambda t, y, a: float(y[-1]), "the last value"),
-    "steady": _Function(_steady, "the mean over the last part of the run, 10 % if not said", argument=_STEADY),
+    "steady": _Function(_steady, "the mean over the last part of the run, 10 % if not said",
+                        argument=CRITERIA.run.steady_part),
     "min": _Function(lambda t, y, a: float(y.min()), "the lowest value"),
     "max": _Function(lambda t, y, a: float(y.max()), "the highest value"),
     "range": _Function(lambda t, y, a: float(np.ptp(y)), "highest less lowest value"),
     "mean": _Function(_mean, "the mean over time"),
     "integral": _Function(_integral, "the integral over time", lambda unit: product(unit, "s")),
-    "time_to": _Function(_time_to, "time from the start to a part of the whole change, 90 % if not said otherwise",
+    "time_to": _Function(_time_to, "time from the start to a part of the whole change, 90 % if not said otherwise; "
+                         "none where the run has not settled",
                          _seconds, 0.9),
     "time_of_max": _Function(lambda t, y, a: float(t[np.argmax(y)] - t[0]), "time from the start to the highest value",
                              _seconds),

@@ -63,8 +63,18 @@ class Plan:
                 raise InputError(f"'{name}' is both set and varied; keep one of them")
             if self.inputs is not None and name in self.inputs.values:
                 raise InputError(f"the input '{name}' is given over time and varied; keep one of them")
+        self._check_patterns()
         if not self.keep and not self.scalars:
             raise InputError("a sweep that keeps no trajectories needs a scalar of each run, such as max(T)")
+
+    def _check_patterns(self) -> None:
+        if self.design.patterns and self.inputs is not None:
+            raise InputError("inputs over time are both given and varied; keep one of them")
+        held = [*self.fixed, *self.design.names]
+        for pattern in self.design.patterns:
+            twice = next((name for name in pattern.inputs.values if name in held), None)
+            if twice is not None:
+                raise InputError(f"the input '{twice}' is in '{pattern.name}' and given otherwise; keep one of them")
 
     def identity(self) -> dict[str, Any]:
         """What tells this sweep from others; numbers by their bytes."""
@@ -77,6 +87,11 @@ class Plan:
             },
             "settings": dict(sorted(self.fixed.items())),
             "inputs": None if self.inputs is None else _digest(_bytes_of(self.inputs)),
+            **(
+                {"patterns": [[p.name, _digest(_bytes_of(p.inputs))] for p in self.design.patterns]}
+                if self.design.patterns
+                else {}
+            ),
             "times": _digest(self.times.tobytes()),
             "outputs": list(self.outputs) if self.keep else None,
             "scalars": [[s.name, s.function, s.variable, s.argument] for s in self.scalars],
@@ -86,7 +101,7 @@ class Plan:
         """The same for a process that makes runs."""
         return Job(
             self.fmu, None, self.foreign, self.timeout, self.times, self.design.names, self.fixed, self.inputs,
-            self.outputs, self.scalars, self.keep,
+            self.outputs, self.scalars, self.keep, tuple(p.inputs for p in self.design.patterns),
         )  # fmt: skip
 
 

@@ -15,6 +15,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.simulation import AnySimulator, Inputs, IsolatedSimulator, Simulator, Trajectory
+from pam_cosim.sweeps.patterns import INPUTS
 from pam_cosim.sweeps.records import Row
 from pam_cosim.sweeps.scalars import Scalar
 
@@ -35,6 +36,7 @@ class Job:
         outputs: variables that are kept, with ``keep``.
         scalars: numbers to make of each run.
         keep: whether the values over time are kept.
+        patterns: inputs over time that are varied, instead of ``inputs``.
     """
 
     fmu: Path
@@ -48,6 +50,7 @@ class Job:
     outputs: tuple[str, ...]
     scalars: tuple[Scalar, ...]
     keep: bool
+    patterns: tuple[Inputs, ...] = ()
 
     @property
     def read(self) -> list[str]:
@@ -92,8 +95,10 @@ def make_runs(job: Job, runs: Sequence[int], points: Array, seconds: float | Non
 
 
 def _row(job: Job, simulator: AnySimulator, run: int, varied: dict[str, float]) -> Row:
+    inputs = job.patterns[int(varied[INPUTS])] if job.patterns else job.inputs
+    own = {name: value for name, value in varied.items() if not (job.patterns and name == INPUTS)}
     try:
-        made = simulator.run(job.times, parameters=job.fixed | varied, inputs=job.inputs, outputs=job.read)
+        made = simulator.run(job.times, parameters=job.fixed | own, inputs=inputs, outputs=job.read)
     except SimulationFailure as failure:
         return Row(run, np.full(len(job.scalars), np.nan), None, str(failure) or "the run failed")
     values = np.stack([made[name] for name in job.outputs]) if job.keep else None

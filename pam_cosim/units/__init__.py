@@ -2,12 +2,13 @@
 
 from pam_cosim.units.algebra import product, quotient
 from pam_cosim.units.base import BaseUnit, base_unit
-from pam_cosim.units.conversion import convert, examples, parse_quantity, seconds
+from pam_cosim.units.conversion import LARGEST, convert, examples, parse_quantity, seconds
 from pam_cosim.units.display import format_quantity, readable_factor, readable_unit
 from pam_cosim.units.grammar import UnitError, is_dimensionless, registry_errors
 from pam_cosim.units.reckoning import quantity, with_unit
 
 __all__ = [
+    "LARGEST",
     "BaseUnit",
     "UnitError",
     "base_unit",

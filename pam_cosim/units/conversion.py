@@ -11,10 +11,11 @@ from numpy.typing import ArrayLike, NDArray
 from pam_cosim.units.grammar import UnitError, is_dimensionless, read_unit, registry, registry_errors
 from pam_cosim.wording import shown
 
+LARGEST = 1e100  # [SI] of what anybody measures or states: its square is a number too
 _EXAMPLES = {
     "Pa": "kPa, bar or psi", "m": "mm", "K": "degC", "A": "mA", "N": "kN", "kg": "g", "m3": "l", "s": "ms",
 }  # fmt: skip
-_QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", re.DOTALL)
+_QUANTITY = re.compile(r"([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)(.*)", re.DOTALL)
 
 
 def examples(unit: str) -> str:
@@ -62,7 +63,7 @@ def parse_quantity(value: str | float, target: str, *, difference: bool = False)
     if is_dimensionless(unit) and not is_dimensionless(target):
         raise UnitError(f'{shown(value)} needs a unit; write for example "{number:g} {target}"')
     result = float(convert(number, unit, target, difference=difference))
-    if not math.isfinite(result):
+    if not abs(result) <= LARGEST:
         raise UnitError(f"{shown(value)} is too large")
     return result
 
@@ -81,12 +82,13 @@ def number_and_unit(text: str) -> tuple[float, str] | None:
     Raises:
         UnitError: a decimal comma.
     """
-    match = _QUANTITY.fullmatch(text)
+    match = _QUANTITY.fullmatch(text.strip())
     if match is None:
         return None
-    if match.group(2).startswith(","):
+    unit = match.group(2).strip()
+    if unit.startswith(","):
         raise UnitError(f"{shown(text)} has a decimal comma; write a decimal point")
-    return float(match.group(1)), match.group(2)
+    return float(match.group(1)), unit
 
 
 def seconds(value: float | str) -> float:

@@ -86,7 +86,7 @@ class Session:
         data = study.read(self.folder, model=model, files=self.files)
         data = study.begun_data(data, model or data.model, files=self.files)
         self.benches = self.catalogue.benches(data.model)
-        self.first = self.state = State(data, model or data.model)
+        self.first = self.state = State(data, data.model_for(model))
         self._install(self.state)
         self._take_saved()
 

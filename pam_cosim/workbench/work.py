@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from pam_cosim.diagnosis import Message
+from pam_cosim.diagnosis import EffectLookedAt, Message
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fitting import Standing
 from pam_cosim.units import readable_factor
@@ -161,6 +161,9 @@ class Work:
                 job.text = str(said)
                 windows.tell(job.busy())
         event = said.event if isinstance(said, Message) else said
+        if isinstance(event, EffectLookedAt):
+            job.text = event.status
+            windows.tell(job.busy())
         for told in job.following.events(event):
             if self._worth(job, told):
                 windows.tell(told)

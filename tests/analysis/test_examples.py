@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import subprocess
 import sys
 from pathlib import Path
@@ -10,6 +11,8 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
+from pam_cosim.cli import main
+from tests.documentation.pages import absent, other_pictures
 
 ROOT = Path(__file__).parents[2]
 
@@ -36,7 +39,7 @@ def test_observer(tmp_path: Path) -> None:
                    "innovations squared by measurement: 0.957", "the readings themselves: rms 8.22 N",
                    "F against the truth: rms 3.45 N"):  # fmt: skip
         assert number in said
-    assert (tmp_path / "observer.png").exists()
+    assert other_pictures(tmp_path) == []
 
 
 @pytest.mark.full
@@ -44,14 +47,29 @@ def test_tracking(tmp_path: Path) -> None:
     said = run("tracking/tracking.py", tmp_path)
     for number in ("0.563 m/s by an ampere of the inlet, 0.232 m/s of the exhaust", "0.0709 mm", "0.575 mm", "1.84 mm"):
         assert number in said
-    assert (tmp_path / "tracking.png").exists()
+    rows = [line for line in said.splitlines() if line.startswith("| ")]
+    assert len(rows) == 3 and absent(rows, "observer.md") == []
+    assert other_pictures(tmp_path) == []
 
 
 @pytest.mark.full
 def test_slides(tmp_path: Path) -> None:
     said = run("linear-analysis/slides.py", tmp_path)
     for number in ("F = 205.67 N, C_1 = 5.7239e-04 m2, C_2 = 8061.8 N/m", "84.8 N", "114.5 N", "85.6 N", "11.4 N",
-                   "10.41 Hz, damping ratio 0.229; pull up to 17.0 N (6.7 at 10 Hz, 16.9 at 80 Hz)",
+                   "if the step falls on a sample",
+                   "10.41 Hz, damping ratio 0.229; pull up to 17.0 N (6.7 at 10 Hz, 16.9 at 80 Hz",
                    "2 bar: 2.29 % per bar at 0.1 Hz (linear model 1.45), -6° (-48°), distortion 8.0%"):  # fmt: skip
         assert number in said
     assert len(list(tmp_path.glob("*.png"))) == 3
+    assert other_pictures(tmp_path) == []
+    assert absent([line for line in said.splitlines() if line.startswith("the loop")], "linear-analysis.md") == []
+
+
+@pytest.mark.full
+def test_frequency_response_of_the_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The picture is the one that the command beside it draws."""
+    monkeypatch.chdir(tmp_path)
+    page = (ROOT / "docs" / "linear-analysis.md").read_text(encoding="utf-8").replace("\\\n", " ")
+    [line] = [line for line in page.splitlines() if line.startswith("pam-cosim bode")]
+    assert main(shlex.split(line)[1:]) == 0
+    assert other_pictures(tmp_path) == []

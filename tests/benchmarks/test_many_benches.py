@@ -191,6 +191,8 @@ def result(group: str, families: list[str], kind: str, named: list[str], **more:
         ("triple", ["leak", "creep", "end_shape"], "identified", ["creep", "end_shape", "leak"], "right"),
         ("triple", ["leak", "creep", "end_shape"], "identified", ["creep", "leak"], "wrong"),
         ("instrument", ["quantisation"], "identified", ["quantisation"], "right"),
+        ("instrument", ["quantisation"], "none_missing", [], "right"),
+        ("instrument", ["saturation"], "none_missing", [], "missed"),
         ("instrument", ["quantisation"], "identified", ["saturation"], "wrong"),
         ("none_of_these", [], "identified", ["position_sensor"], "right"),
         ("none_of_these", [], "identified", ["position_sensor", "leak"], "wrong"),

@@ -17,6 +17,7 @@ from pam_cosim.comparison import Comparison, Condition, ConditionTable, compare
 from pam_cosim.files import write_json
 from pam_cosim.interface import Variable
 from tests.comparison.fake import FakeSimulator, data_set, run
+from tests.documentation.pages import text_of
 
 TIME = [0.0, 1.0, 2.0, 3.0]
 UNITS = {"load.m": Variable("load.m", "kg"), "frequency": Variable("frequency", "Hz")}
@@ -107,8 +108,14 @@ def test_example(tmp_path: Path) -> None:
     sys.modules[spec.name] = example
     spec.loader.exec_module(example)
     example.main(tmp_path)
-    assert (tmp_path / "table.png").stat().st_size > 10_000
+    picture = EXAMPLE.parents[2] / "docs" / "pictures" / "correlation-table.png"
+    assert (tmp_path / "table.png").read_bytes() == picture.read_bytes()
     rows = list(csv.reader((tmp_path / "table.csv").open()))
     assert len(rows) == 1 + 3 * (4 + 2) and len(rows[0]) == 3 + 6 + 2
     correlations = np.array([[float(v) for v in row[3:9]] for row in rows[1:5]])
-    assert correlations.argmin() == correlations.size - 1 and 0.98 < correlations.min() < 0.995
+    assert correlations.argmin() == correlations.size - 1
+    errors = np.array([[float(v) for v in row[3:9]] for row in rows[13:17]])
+    page = text_of("condition-tables.md")
+    assert f"The correlation is {correlations.min():.3f} or more everywhere" in page
+    assert f"right at 10 kg and 1.5 Hz ({errors.min():.1f})" in page and errors.argmin() == 6 + 4
+    assert f"{errors.max():.0f} at 30 kg and 2 Hz" in page and errors.argmax() == errors.size - 1

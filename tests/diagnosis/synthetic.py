@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import Path
 from types import SimpleNamespace
 
-from pam_cosim.comparison import ResidualStatistics
+import numpy as np
+
+from pam_cosim.comparison import ResidualStatistics, RunComparison
 from pam_cosim.diagnosis import Candidate
 from pam_cosim.fitting import Estimate, Fit
+from pam_cosim.measurement import Run, Signal
 
 SAMPLES = 1000
 NOISE = 1.0  # chi2 of a residual that is noise
@@ -29,14 +33,21 @@ def fitted(
     time: float = 1.0,
     own: Mapping[str, Estimate] | None = None,
     shown: Mapping[str, float] | None = None,
+    measured: Signal | None = None,
+    runs: Mapping[str, float] | None = None,
 ) -> Fit:
-    """A fit whose residual has these reduced chi-squares; ``shown``: rms errors of signals that were not fitted."""
+    """A fit whose residual has these reduced chi-squares.
+
+    ``shown``: rms errors of signals that were not fitted, of a noise of one; ``measured``: a fitted signal, and its
+    error in each of the ``runs``.
+    """
     estimates = {f"base.{i}": Estimate(1.0, 0.9, 1.1) for i in range(parameters)} | dict(own or {})
-    signals = {n: SimpleNamespace(fitted=False) for n in shown or {}}
+    signals = {n: Signal(n, "K", 1.0, fitted=False) for n in shown or {}}
+    signals |= {measured.name: measured} if measured else {}
     comparison = SimpleNamespace(
-        runs=(),
+        runs=tuple(_run(name, measured.name, error) for name, error in (runs or {}).items() if measured),
         data=SimpleNamespace(signals=signals),
-        scores={"all": {n: SimpleNamespace(rmse=v) for n, v in (shown or {}).items()}, "fit": {}},
+        scores={"all": {n: SimpleNamespace(rmse=v, noise_rmse=1.0) for n, v in (shown or {}).items()}, "fit": {}},
         chi2_reduced=lambda role: {"fit": chi2}.get(role, float("nan")),
     )
     structure = {
@@ -44,6 +55,13 @@ def fitted(
         "holdout": EMPTY if holdout is None else statistics(holdout, score, time),
     }
     return Fit("Test", estimates, comparison, structure, 1)  # type: ignore[arg-type]
+
+
+def _run(name: str, signal: str, error: float) -> RunComparison:
+    times = np.arange(8.0)
+    measured = {signal: np.resize([error, error, -error, -error], 8)}
+    run = Run(name, Path(name), "fit", "linear", {}, times, {}, measured)
+    return RunComparison(run, {signal: np.zeros(8)})
 
 
 def candidate(

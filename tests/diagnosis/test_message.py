@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 
 import pam_cosim as pam
-from pam_cosim.commands.common import teller
-from pam_cosim.diagnosis import BaseFitted, Event, FailedTrial, Judged, Message
+from pam_cosim.commands.common import follower, teller
+from pam_cosim.diagnosis import BaseFitted, EffectLookedAt, EffectsLookedAt, Event, FailedTrial, Judged, Message
+from pam_cosim.diagnosis.events import listened
 from pam_cosim.diagnosis.search import told
 from rig.short import write_light_data
 
@@ -73,3 +74,20 @@ def test_a_line_is_copied_with_what_it_knows() -> None:
     copied = pickle.loads(pickle.dumps(said))
     assert copied == said == "  Spring (elasticity)"
     assert type(copied) is Message and copied.detail and copied.event == ("tried", "Spring")
+
+
+def test_how_many_are_done_is_told_as_data_alone() -> None:
+    lines: list[Message] = []
+    events: list[Event] = []
+    tell = listened(lines.append, events.append)
+    tell(EffectsLookedAt(2).message)
+    tell(EffectLookedAt(1, 2).message)
+    tell(EffectLookedAt(2, 2).message)
+    assert len(lines) == 1 and [type(event) for event in events[1:]] == [EffectLookedAt] * 2
+    status = Status()
+    for event in events:
+        follower(status)(event)
+    assert status.shown[-1].endswith("2 of 2 done") and len(status.shown) == 2
+    alone: list[Message] = []
+    listened(alone.append, None)(EffectLookedAt(1, 2).message)
+    assert not alone

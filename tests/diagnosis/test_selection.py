@@ -67,6 +67,16 @@ def test_few_models_are_fitted_where_nothing_explains_what_is_missing() -> None:
     assert len(strange.tried) < len(SHELF)
 
 
+def test_what_was_best_when_the_time_was_over_is_the_answer(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Though it was fitted in a few steps only."""
+    one = world({"LinearBladder": 30.0})
+    times = iter([0.0])  # the first look at the clock is in time, before the first few steps; every other is late
+    monkeypatch.setattr("pam_cosim.diagnosis.selection.time.monotonic", lambda: next(times, 2.0))
+    selection = select_effects(one, one.fitted(()), deadline=1.0)
+    assert selection.untried and not one.tried  # none was fitted to the end before
+    assert [c.family for c in selection.path] == ["elasticity"]
+
+
 def test_the_time_limit_ends_the_search_and_says_what_was_not_tried() -> None:
     pair = world({"LinearBladder": 5.0, "ThermocoupleLag": 5.0})
     selection = select_effects(pair, pair.fitted(()), deadline=time.monotonic())

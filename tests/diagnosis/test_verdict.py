@@ -9,9 +9,12 @@ import pytest
 from pam_cosim.comparison import ResidualStatistics
 from pam_cosim.diagnosis.choice import Choice
 from pam_cosim.diagnosis.evidence import rank
-from pam_cosim.diagnosis.verdict import confidence, explained, judge, rivals
+from pam_cosim.diagnosis.verdict import confidence, explained, judge, rivals, with_facts
+from pam_cosim.domain import Domain
 from pam_cosim.fitting import Fit
-from tests.diagnosis.synthetic import candidate, fitted, statistics
+from pam_cosim.measurement import Signal
+from pam_cosim.reporting.meaning import meaning, probability_sentence
+from tests.diagnosis.synthetic import LOST, candidate, fitted, statistics
 
 BASE = fitted(10.0, holdout=9.0, score=50.0)
 LOUD = fitted(100.0, holdout=100.0, score=50.0)
@@ -49,11 +52,64 @@ def test_several_effects_in_the_order_in_which_they_were_added() -> None:
     assert verdict.reason.startswith("Leak + Lag removes")
 
 
-def test_loud_noise_is_said() -> None:
-    loud = candidate("Leak", fitted(4.0, holdout=4.0), "leak")
+@pytest.mark.parametrize(
+    "signal, taken",
+    [
+        (Signal("x", "m", 1e-3), "2 times the stated noise"),
+        (Signal("x", "m", 1e-3, estimated=True), "2 times the noise that was estimated from the samples"),
+        (Signal("x", "m", 1e-3, repeatability=1e-3), "2 times the stated repeatability"),
+        (Signal("x", "m", 1e-3, repeatability=1e-3, repeats=True), "2 times the repeatability of repeated runs"),
+    ],
+)
+def test_loud_noise_is_said_by_whom_it_was_stated(signal: Signal, taken: str) -> None:
+    loud = candidate("Leak", fitted(4.0, holdout=4.0, measured=signal), "leak")
     verdict = judge(fitted(40.0, holdout=40.0, score=50.0), [loud], [])
-    assert verdict.kind == "identified" and "2 times the stated" in verdict.reason
-    assert "stated" not in judge(BASE, [GOOD], []).reason
+    assert verdict.kind == "identified" and taken in verdict.reason
+    assert "times" not in judge(BASE, [GOOD], []).reason
+
+
+def test_a_signal_that_was_not_fitted_is_judged_too() -> None:
+    """Nobody says "nothing else" beside a thermometer that is off."""
+    seen = Signal("p", "Pa", 1.0)
+    off = candidate("Leak", fitted(1.0, holdout=1.0, shown={"T": 16.0}, measured=seen), "leak")
+    verdict = with_facts(judge(BASE, [off], []), BASE, off, [off], {"Leak": "leak"}, Choice(10))
+    assert verdict.off == ("T",)
+    assert "what remains of p is noise. T, compared but not fitted, is 16 K off" in verdict.reason
+    assert "nothing else" not in probability_sentence(replace(verdict, probability=0.7))
+    near = candidate("Leak", fitted(1.0, holdout=1.0, shown={"T": 1.5}, measured=seen), "leak")
+    sound = with_facts(judge(BASE, [near], []), BASE, near, [near], {"Leak": "leak"}, Choice(10))
+    assert sound.off == () and "not fitted" not in sound.reason
+    assert "nothing else" in probability_sentence(replace(sound, probability=0.7))
+
+
+def test_models_that_come_as_near_are_named_with_the_reason() -> None:
+    family = {"Leak": "leak", "Gauge": "gauge", "Bends": "spring"}
+    best = candidate("Leak", fitted(1.0, holdout=1.0, shown={"T": 16.0}), "leak")
+    wrong = candidate("Gauge", fitted(1.0, holdout=1.0, shown={"T": 38.0}), "gauge")
+    bends = replace(candidate("Bends", fitted(1.0, holdout=1.0, shown={"T": 16.0}), "spring"), general=True)
+    alone = with_facts(judge(BASE, [best], []), BASE, best, [best], family, Choice(10))
+    assert "No effect of another family comes close." in meaning(alone, Domain())
+    verdict = with_facts(judge(BASE, [best], []), BASE, best, [best, wrong, bends], family, Choice(10))
+    assert (verdict.refuted, verdict.bending) == (("Gauge",), ("Bends",))
+    said = meaning(verdict, Domain())
+    assert "Gauge would fit it as well, but misses T by far more." in said and "Bends comes as near" in said
+    assert "No effect of another family" not in said
+
+
+def test_a_run_that_is_far_off_is_no_noise() -> None:
+    seen = Signal("x", "mm", 0.2)
+    runs = {"run-01": 0.2, "run-02": 0.21, "run-07": 1.4}
+    last = candidate("Leak", fitted(1.0, holdout=1.0, measured=seen, runs=runs), "leak")
+    assert "But not in every run: run-07 (1.4 mm of x) is off." in judge(BASE, [last], []).reason
+    even = candidate("Leak", fitted(1.0, holdout=1.0, measured=seen, runs=dict.fromkeys(runs, 0.2)), "leak")
+    assert "But not" not in judge(BASE, [even], []).reason
+
+
+def test_a_parameter_that_the_data_do_not_determine_is_no_caution() -> None:
+    lost = candidate("Leak", fitted(1.0, holdout=1.0, own={"tank.n": LOST}), "leak")
+    assert "Caution" not in judge(BASE, [lost], []).reason
+    ended = candidate("Leak", fitted(1.0, holdout=1.0, own={"tank.n": replace(LOST, determined=True)}), "leak")
+    assert "Caution: tank.n ended at a bound" in judge(BASE, [ended], []).reason
 
 
 def test_ambiguous_names_all() -> None:

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.documentation.pages import one_line, other_pictures, quoted
+
 EXAMPLE = Path(__file__).parents[2] / "examples" / "fit-methods" / "run.py"
 
 
@@ -23,5 +25,8 @@ def test_all_methods_come_to_one_optimum_and_the_swarm_alone_does_not(tmp_path: 
     assert max(ends) == pytest.approx(min(ends), rel=1e-3)
     assert made["particle-swarm"].search.chi2_reduced[-1] > 1.01 * min(ends)
     assert made["least-squares"].evaluations < 60 < made["particle-swarm"].search.evaluations
-    example.draw(made, tmp_path / "picture.png")
-    assert (tmp_path / "picture.png").stat().st_size > 5000
+    example.draw(made, tmp_path / "fit-methods.png")
+    assert other_pictures(tmp_path) == []
+    said = [quote for quote in quoted("fitting.md") if "simulations" in quote or "generation" in quote]
+    assert len(said) == 6
+    assert [quote for quote in said if quote not in one_line(example.told(made))] == []

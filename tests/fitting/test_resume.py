@@ -55,7 +55,8 @@ def count_runs(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     plain = Simulator.run
 
     def counted(self, *args, **words):  # type: ignore[no-untyped-def]
-        runs.append(1)
+        if len(args[0]) > 1:  # a look at the very start of a run is none
+            runs.append(1)
         return plain(self, *args, **words)
 
     monkeypatch.setattr(Simulator, "run", counted)

@@ -70,7 +70,7 @@ CASES: dict[str, tuple[str, dict[str, float], Trial]] = {
          "muscle.friction.c_v": 30.0},
         Trial("waves", "fit", 401, 50.0, (),
               Course(tuple(1.5e5 * (1 - np.cos(2 * np.pi * k / 50)) for k in range(401)), 0.02),
-              {"load.m": 18.0, "frequency": 1.0}),
+              {"load.m": 18.0, "frequency": 1.7}),
     ),
     "filling": (
         "TankFilling", {"tank.V": 4e-4, "tank.n": 1.15, "valve.C_A": 0.7, "p_supply": 2.5e5},

@@ -9,11 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import pam_cosim as pam
 from pam_cosim.catalogue import compose_on, rig_parts
 from pam_cosim.catalogue.rig_parts import chosen
 from pam_cosim.compiler import read_library, read_structure
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.fmu import build_source
+from pam_cosim.fmu import build_model, build_source
 from pam_cosim.simulation import Inputs, Simulator
 from tests.library.rigs import choices, held, rig, run, written
 from tests.library.shelf import tree
@@ -277,3 +278,16 @@ def test_the_wall_as_an_effect_holds_until_its_threshold_and_does_not_push() -> 
     area = (2 * 0.24**2 - (2 * np.pi * 0.02) ** 2) / (16 * np.pi)
     assert made[1:] == pytest.approx([0, 0, 1.6e5 * area], abs=0.1)
     assert np.abs(pushed).max() < 0.1
+
+
+@pytest.mark.parametrize("muscle", ["fluidic", "fluidic-sleeve", "DMSP-20", "MAS-40"])
+def test_fibres_in_rubber_do_not_rub_unless_asked_for(tmp_path: Path, muscle: str) -> None:
+    """Same pull on the way up, on the way down and at rest; a slack muscle does not push."""
+    file = tmp_path / "Rig.mo"
+    pam.bench("imposed-pressure", "imposed-length", muscle, None, file, static=True)
+    with Simulator(build_model(str(file), [file])) as simulator:
+        inputs = {"p": np.full(6, 2e5), "s": np.repeat([0.005, 0.05], 3), "branch": np.tile([1.0, 0.0, -1.0], 2)}
+        pull = simulator.equilibria(inputs)["F"].reshape(2, 3)
+        assert simulator.interface.parameters["muscle.mu_fb"].start == 0.0
+    np.testing.assert_allclose(pull, np.repeat(pull[:, 1:2], 3, axis=1), rtol=1e-9)
+    assert pull.min() > -0.1 and pull[0, 1] > 50.0

@@ -41,6 +41,7 @@ def test_there_are_the_parts_of_common_rigs() -> None:
     parts = {(part.role, part.name) for part in rig_parts(tree())}
     assert {n for r, n in parts if r == "pneumatics"} >= {
         "valves", "switched-valves", "regulator", "tank", "imposed-pressure",
+        "proportional-pressure-valve", "proportional-directional-valve",
     }  # fmt: skip
     assert {n for r, n in parts if r == "mechanics"} >= {
         "hanging-load", "spring", "lever", "imposed-length", "imposed-force", "antagonistic-pair", "platform",
@@ -130,6 +131,29 @@ def test_a_spring_carries_what_the_muscle_pulls() -> None:
     x, force = made.values["x"], made.values["F"]
     assert force[-1] == pytest.approx(8 + 3000 * (x[-1] - x[0]), rel=1e-4)
     assert 0.02 < x[-1] < 0.07
+
+
+def test_a_pressure_valve_holds_what_a_voltage_commands_and_no_more_than_its_supply() -> None:
+    of = rig("proportional-pressure-valve", "imposed-length", None, "p")
+    own = {"valve.k_u": 100e3, "valve.u_0": 0.5}
+    held_at = run(of, TIMES, own, held(10.0, u=2.5, p_supply=6e5, s=0.02)).values["p"]
+    assert held_at[-1] == pytest.approx(200e3, abs=50.0)
+    limited = run(of, TIMES, own, held(10.0, u=5.0, p_supply=3e5, s=0.02)).values["p"]
+    assert limited[-1] == pytest.approx(3e5, rel=2e-3)
+
+
+def test_a_directional_valve_fills_a_muscle_of_constant_length_as_its_opening_says() -> None:
+    """Choked, the mass flow does not depend on the pressure behind; within the overlap there is none."""
+    of = rig("proportional-directional-valve", "imposed-length", None, "p")
+    own = {"valve.A_open": 1e-7, "valve.overlap": 0.1, "drive.tau": 1e-3, "muscle.n_g": 1.0}
+    made = run(of, TIMES, own, held(10.0, u=8.0, p_supply=6e5, s=0.0), outputs=["muscle.port.m_flow"])
+    choked = (TIMES > 0.1) & (made.values["p"] < 0.9 * (0.528 * 7.01e5 - 1.01e5))
+    area = 1e-7 * (0.6 - 0.1) / 0.9
+    expected = 0.0404184 * (6e5 + 101325.0) * area / np.sqrt(293.15)
+    assert choked.sum() > 20
+    assert made.values["muscle.port.m_flow"][choked] == pytest.approx(expected, rel=1e-3)
+    shut = run(of, TIMES, own, held(10.0, u=5.3, p_supply=6e5, s=0.0)).values["p"]
+    assert np.abs(shut).max() < 1e-3 * made.values["p"][-1]
 
 
 def test_a_lever_multiplies_its_mass_by_its_arms() -> None:

@@ -15,7 +15,7 @@ FACE = Interface(
     locals={"der(x,2)": Variable("der(x,2)", "m/s2"), "flow": Variable("flow", "kg/s")},
 )
 TIME = np.linspace(0.0, 10.0, 2001)
-TAU = 2.0
+TAU = 1.25
 RUN = pam.Trajectory(
     TIME,
     {
@@ -65,6 +65,14 @@ def test_a_course_that_falls_has_a_time_too() -> None:
     falling = pam.Trajectory(TIME, {"p": 1e5 - RUN["p"]}, {"p": "Pa"})
     (scalar,) = read_scalars(["time_to(p, 90 %)"], FACE)
     assert scalar.of(falling) == pytest.approx(-TAU * np.log(1 - 0.9 * END), rel=1e-4)
+
+
+def test_a_run_that_has_not_settled_has_no_time() -> None:
+    """Of a tank that is still filling nobody knows the whole change, nor when nine tenths of it are done."""
+    (scalar,) = read_scalars(["time_to(p, 90 %)"], FACE)
+    short = TIME < 4.5 * TAU
+    filling = pam.Trajectory(TIME[short], {"p": RUN["p"][short]}, {"p": "Pa"})
+    assert np.isnan(scalar.of(filling))
 
 
 @pytest.mark.parametrize(

@@ -17,7 +17,7 @@ from pam_cosim.sweeps import executors, partial_of, same
 from tests.fmu import models
 
 VARY: dict[str, Any] = {"u_in": np.linspace(0.25, 0.35, 4), "p_supply": ["138 kPa", "207 kPa"]}
-SCALARS = {"filling time": "time_to(p, 90 %)", "peak temperature": "max(T)"}
+SCALARS = {"last pressure": "final(p)", "peak temperature": "max(T)"}
 MODEL = "TankFilling"
 
 
@@ -38,6 +38,20 @@ def test_every_run_is_what_simulate_makes(reference: pam.Sweep) -> None:
         for name in ("p", "T"):
             assert np.array_equal(point.trajectory[name], alone[name])
         assert point.scalars["peak temperature"] == alone["T"].max()
+
+
+def test_times_of_runs_that_have_not_settled_are_missing_and_said_to_be() -> None:
+    """After 5 s the tank has a tenth of its supply or so; after 60 s at 0.35 A it is full, at 0.2 A it is not."""
+    times = {"filling time": "time_to(p, 90 %)"}
+    short = swept(scalars=times, stop_time=5.0)
+    assert np.isnan(short.column("filling time")).all()
+    assert short.told() == [
+        "filling time: 8 runs have not settled, so that the whole change is not known; make them longer"
+    ]
+    full = pam.sweep(MODEL, {"u_in": [0.2, 0.35]}, scalars=times, stop_time="60 s", interval="0.1 s", workers=1)
+    slow, fast = full.column("filling time")
+    assert np.isnan(slow) and fast == pytest.approx(21.03, abs=0.01)
+    assert "filling time: 1 run has not settled" in repr(full)
 
 
 @pytest.mark.parametrize("workers", [2, None])
@@ -88,7 +102,7 @@ def test_labelled_by_what_was_varied(reference: pam.Sweep) -> None:
     assert data["p"].attrs["units"] == "Pa" and data["u_in"].attrs["units"] == "A"
     one = data.sel(p_supply=207e3).isel(u_in=2)
     assert np.array_equal(one["p"], reference[5].trajectory["p"])  # type: ignore[index]
-    assert float(one["filling time"]) == reference[5].scalars["filling time"]
+    assert float(one["last pressure"]) == reference[5].scalars["last pressure"]
 
 
 def test_what_is_written_reads_back(reference: pam.Sweep, tmp_path: Path) -> None:
@@ -98,9 +112,9 @@ def test_what_is_written_reads_back(reference: pam.Sweep, tmp_path: Path) -> Non
     csv = pandas.read_csv(reference.save(tmp_path / "s.csv"))
     parquet = pandas.read_parquet(reference.save(tmp_path / "s.parquet"))
     assert list(csv) == list(parquet)
-    assert list(csv) == ["u_in [A]", "p_supply [Pa]", "filling time [s]", "peak temperature [K]", "failure"]
+    assert list(csv) == ["u_in [A]", "p_supply [Pa]", "last pressure [Pa]", "peak temperature [K]", "failure"]
     for table in (csv, parquet):
-        assert np.array_equal(table["filling time [s]"], reference.column("filling time"))
+        assert np.array_equal(table["last pressure [Pa]"], reference.column("last pressure"))
     assert [p.name for p in sorted(tmp_path.iterdir())] == ["s.csv", "s.nc", "s.parquet"]
 
 
@@ -197,7 +211,7 @@ def test_pictures(reference: pam.Sweep, tmp_path: Path) -> None:
 def test_it_tells_what_it_holds(reference: pam.Sweep) -> None:
     first = repr(reference).splitlines()[0]
     assert first.startswith("8 runs of PneumaticMuscle.Benches.TankFilling (grid): u_in from 0.25 A to 0.35 A")
-    assert "filling time: from" in repr(reference)
+    assert "last pressure: from" in repr(reference)
     assert reference._repr_html_().startswith("<pre>8 runs") and "<table" in reference._repr_html_()
 
 

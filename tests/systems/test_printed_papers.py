@@ -33,7 +33,7 @@ def rig(temperature: ModuleType, tmp_path_factory: pytest.TempPathFactory) -> Pa
 
 
 @pytest.mark.full
-def test_paper_points_to_the_energy_of_its_gas(rig: Path, workers: int | None) -> None:
+def test_paper_points_to_the_energy_of_its_gas(temperature: ModuleType, rig: Path, workers: int | None) -> None:
     diagnosis = study.diagnose(study.read(rig), workers=workers)
     assert diagnosis.verdict.kind == "identified", diagnosis.verdict
     assert diagnosis.verdict.families == ("gas_energy",)
@@ -78,6 +78,13 @@ def test_regression_gives_62_with_its_pressure_taken_as_absolute(calibration: Mo
     assert calibration.MEASURED / calibration.printed_area(0.35) == pytest.approx(0.699, abs=1e-3)
     area = gauge[0] * 0.35 - gauge[1]
     assert calibration.MEASURED / area == pytest.approx(0.905, abs=2e-3)
+
+
+def test_report_of_the_repository_is_the_one_that_is_written(calibration: ModuleType, tmp_path: Path) -> None:
+    report = calibration.write(tmp_path / "made")
+    assert "0.699" in report or "30 %" in report
+    for name in ("report.md", "calibration.csv", "result.png"):
+        assert (tmp_path / "made" / name).read_bytes() == (calibration.HERE / name).read_bytes(), name
 
 
 def test_flow_rises_with_current_and_supply(calibration: ModuleType) -> None:

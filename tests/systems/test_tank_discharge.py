@@ -7,13 +7,20 @@ from pathlib import Path
 import pytest
 
 from pam_cosim import Diagnosis, study
+from tests.documentation.pages import other_numbers, text_of, unsaid
 
 FOLDER = Path(__file__).parents[2] / "examples" / "tank-discharge"
 
 
 @pytest.fixture(scope="module")
-def diagnosis(workers: int | None) -> Diagnosis:
-    return study.diagnose(study.read(FOLDER), workers=workers)
+def told() -> list[str]:
+    """The lines of the diagnosis, once it is made."""
+    return []
+
+
+@pytest.fixture(scope="module")
+def diagnosis(workers: int | None, told: list[str]) -> Diagnosis:
+    return study.diagnose(study.read(FOLDER), workers=workers, say=told.append)
 
 
 def test_base_model_stays_as_far_off_as_others_found(diagnosis: Diagnosis) -> None:
@@ -42,3 +49,24 @@ def test_thermometer_that_was_not_fitted_agrees_better_too(diagnosis: Diagnosis)
     """An error of 80 K falls to some 16 K: the model was right to change."""
     before, after = (f.comparison.scores["fit"]["T"].rmse for f in (diagnosis.base, diagnosis.final))
     assert before > 70 and after < 20
+
+
+@pytest.mark.full
+def test_pages_say_what_the_diagnoses_do(diagnosis: Diagnosis, told: list[str], workers: int | None) -> None:
+    carried_on = study.diagnose(study.read(FOLDER / "carried-on" / "both-ways"), workers=workers, explain=False)
+    assert unsaid("stories/vessel.md", "\n".join([*told, str(diagnosis), str(carried_on)])) == []
+    assert str(carried_on.verdict.kind) + ": " + " and ".join(carried_on.verdict.families) in text_of("real-data.md")
+    assert f"probability {100 * diagnosis.verdict.probability:.0f} %" in text_of("results.md")
+    assert f"It is {100 * diagnosis.verdict.probability:.0f} % and not more" in text_of("stories/vessel.md")
+    filling = carried_on.final.comparison.scores["holdout"]
+    met = f"it meets the filling to {filling['p'].rmse / 1e3:.2f} kPa and {filling['T'].rmse:.2f} K"
+    assert met in text_of("stories/vessel.md")
+
+
+@pytest.mark.full
+def test_table_of_the_story_has_the_errors_of_the_models(diagnosis: Diagnosis) -> None:
+    errors = {c.effect: [c.fit.comparison.scores["fit"][n].rmse / unit for n, unit in (("p", 1e3), ("T", 1.0))]
+              for c in diagnosis.candidates}  # fmt: skip
+    page = text_of("stories/vessel.md")
+    assert other_numbers("stories/vessel.md", {e: errors[e] for e in errors if f"(`{e}`)" in page}) == []
+    assert {"EnergyGas", "FlexibleGauge"} <= {e for e in errors if f"(`{e}`)" in page}

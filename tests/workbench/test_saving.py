@@ -113,6 +113,17 @@ def test_nothing_but_files_of_the_folder_is_written(window: Window, folder: Path
     assert again["text"] == added["text"]
 
 
+def test_what_is_added_compares_as_the_page_shows_it(window: Window, folder: Path) -> None:
+    """The model is written with its values, not with those that its classes have by default."""
+    window.do(do="set", values={"valve.C_A": 0.72})
+    window.do(do="switch", effects=["LinearBladder"])
+    window.do(do="set", values={"bladder.k": 123.0})
+    added = window.do(do="add", file="Better.mo")
+    assert "k=123.0" in added["text"] and "C_A=0.72" in added["text"]
+    compared = pam.compare(pam.read(folder), str(folder / "Better.mo"))
+    same(scores(window.session), json.loads(json.dumps(compared.as_dict()["signals"])))
+
+
 def repeated(folder: Path, session: Session, place: Path, monkeypatch: pytest.MonkeyPatch) -> list[Any]:
     """The signals' scores at the end of the script, and of the last comparison among the commands."""
     monkeypatch.chdir(place)

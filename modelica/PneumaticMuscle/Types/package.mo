@@ -16,6 +16,7 @@ package Types "Physical quantities with their SI units"
   type Power = Real(final quantity="Power", final unit="W") "Power, heat flow rate, enthalpy flow rate";
   type Time = Real(final quantity="Time", final unit="s") "Time";
   type RecordDelay = Real(final quantity="RecordDelay", final unit="s", nominal=0.02) "By how much the clock of a record of readings is ahead of that of the inputs";
+  type Voltage = Real(final quantity="ElectricPotential", final unit="V") "Electric voltage";
   type Current = Real(final quantity="ElectricCurrent", final unit="A") "Electric current";
   type TranslationalStiffness = Real(final quantity="Stiffness", final unit="N/m") "Stiffness";
   type TranslationalDamping = Real(final quantity="Damping", final unit="N.s/m") "Damping";

@@ -17,7 +17,7 @@ _POINTS = 300
 def frequency_figure(response: FrequencyResponse) -> Figure:
     """A column for each output: gain, phase and distortion by frequency."""
     outputs = response.outputs
-    figure = new_figure(1.0 + 4.2 * len(outputs), 6.0)
+    figure = new_figure(1.0 + 3.0 * len(outputs), 6.0)  # wider ones are shrunk on a page, and their letters
     grid = figure.subplots(3, len(outputs), squeeze=False, sharex=True, height_ratios=(3, 2, 1.3))
     fine = np.geomspace(response.frequencies.min() / 1.3, response.frequencies.max() * 1.3, _POINTS)
     smooth = None if response.linear is None else response.linear.response(fine)[:, :, 0]

@@ -13,7 +13,7 @@ from matplotlib.patches import Patch
 from pam_cosim.comparison import SignalScore
 from pam_cosim.measurement import ROLES, Signal
 from pam_cosim.reporting.style import AFTER, BEFORE, INK, SOFT, WIDTH, Picture, drawing, new_figure, picture
-from pam_cosim.reporting.wording import number, shortened, unit_text
+from pam_cosim.reporting.wording import number, unit_text, wrapped
 from pam_cosim.units import readable_factor
 
 _WIDEST = 3  # panels beside each other
@@ -56,7 +56,7 @@ def draw_ladder(axes: Axes, rungs: Sequence[Rung], signal: Signal, size: float =
     axes.set_ylim(0, 1.16 * max(highest, noise) or 1)
     space = 1.2 if len(rungs) == 1 else 0.6
     axes.set_xlim(-space, len(rungs) - 1 + space)
-    axes.set_xticks(range(len(rungs)), [shortened(r.label, 24) for r in rungs])
+    axes.set_xticks(range(len(rungs)), [wrapped(r.label, 24) for r in rungs])
     axes.tick_params(axis="x", length=0, labelcolor=INK)
     axes.grid(True, axis="y")
     unit = unit_text(signal.unit)

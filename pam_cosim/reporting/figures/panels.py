@@ -12,7 +12,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.comparison import RunComparison
 from pam_cosim.measurement import Signal
 from pam_cosim.reporting.style import LINE, WIDTH, message, new_figure
-from pam_cosim.reporting.wording import shortened, unit_text
+from pam_cosim.reporting.wording import unit_text, wrapped
 from pam_cosim.units import readable_factor
 
 _NARROW = 4  # columns up to which a figure need not be as wide as the page
@@ -76,7 +76,7 @@ def _label(name: str, unit: str) -> str:
 
 def _title(run: RunComparison, columns: int) -> str:
     longest = 22 if columns > _NARROW else 32
-    return f"{shortened(run.run.name, longest)}\n{run.run.role}"
+    return f"{wrapped(run.run.name, longest)}\n{run.run.role}"
 
 
 def _limits(axes: Axes, run: RunComparison) -> None:

@@ -13,7 +13,7 @@ from pam_cosim.reporting.figures.ladder import Rung, draw_ladder, ladder_legend,
 from pam_cosim.reporting.figures.layer import SPARSE, Layer
 from pam_cosim.reporting.figures.panels import over
 from pam_cosim.reporting.style import new_figure
-from pam_cosim.reporting.wording import shortened, unit_text
+from pam_cosim.reporting.wording import unit_text, wrapped
 
 _DOTS = SPARSE  # more would hide under the line
 
@@ -29,7 +29,7 @@ def showcase(layers: Sequence[Layer], rungs: Sequence[Rung], run: RunComparison,
     left.set_ylabel(f"{signal.name} [{unit}]" if unit else signal.name)
     left.set_xlabel(over(run))
     kind = "a holdout run, never fitted" if run.run.role == "holdout" else "a fitted run"
-    left.set_title(f"{shortened(run.run.name)}, {kind}", loc="left", fontweight="bold", fontsize=9.5)
+    left.set_title(wrapped(f"{run.run.name}, {kind}", 40), loc="left", fontweight="bold", fontsize=9.5)
     handles = legend(layers, True, every)
     left.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=len(handles), columnspacing=1.4)
     draw_ladder(right, rungs, signal, size=8.5)

@@ -1,0 +1,43 @@
+within PneumaticMuscle.Pneumatics;
+model ProportionalDirectionalValve "A proportional valve whose opening to the supply or to the exhaust a voltage commands"
+  extends Interfaces.PneumaticsWithLine(shows="p");
+  extends Icons.Valve;
+  input Types.Voltage u(start=6) "Command of the valve";
+  input Types.GaugePressure p_supply(start=600e3, min=-101e3) "Gauge pressure of the supply";
+  parameter Types.Voltage u_mid(min=-10, max=10) = 5 "Command of the closed valve" annotation (Dialog(group="Signal"));
+  parameter Types.Voltage u_full(min=0.1, max=20) = 5 "Command beyond that which opens it fully"
+    annotation (Dialog(group="Signal"));
+  parameter Real overlap(unit="1", min=0, max=0.5) = 0.02 "Part of the stroke, either way, on which it stays closed"
+    annotation (Dialog(group="Flow"));
+  parameter Types.Time tau(min=1e-4, max=10) = 5e-3 "Time constant of the spool" annotation (Dialog(group="Dynamics"));
+  parameter Types.Area A_open(min=1e-9, max=1e-4, nominal=1e-6) = 2e-6 "Effective area of the open valve, either way"
+    annotation (Dialog(group="Flow"));
+  replaceable model Feed = Laws.Lines.DirectFeed constrainedby Interfaces.Feed "What lies before the valve"
+    annotation (choicesAllMatching=true);
+  Real y(unit="1", start=0, fixed=true) "Place of the spool, 1: open to the supply, -1: to the exhaust";
+  Components.Supply supply(p_gauge=p_supply) "Air supply";
+  Components.Atmosphere atmosphere "Outlet";
+  Feed feed "What lies before the valve";
+  Components.Orifice inlet(A=A_open*(y - overlap + sqrt((y - overlap)^2 + closed^2))/(2*(1 - overlap))) "From the supply";
+  Components.Orifice outlet(A=A_open*(sqrt((y + overlap)^2 + closed^2) - y - overlap)/(2*(1 - overlap))) "To the exhaust";
+protected
+  constant Real closed(unit="1") = 1e-3 "Part of the stroke on which corners are rounded";
+  Real told(unit="1") "Place that the command asks for";
+  Real wanted(unit="1") "The same within the stroke";
+equation
+  told = (u - u_mid)/u_full;
+  wanted = (sqrt((told + 1)^2 + closed^2) - sqrt((told - 1)^2 + closed^2))/2;
+  tau*der(y) = wanted - y;
+  connect(supply.port, feed.port_a);
+  connect(feed.port_b, inlet.port_a);
+  connect(inlet.port_b, line.port_a);
+  connect(line.port_a, outlet.port_a);
+  connect(outlet.port_b, atmosphere.port);
+  annotation (defaultComponentName="valve", Documentation(info="<html>
+<p>A spool valve with its own position control (the function of an electro-pneumatic continuous flow control valve, ISO
+10041-1): y = (u - u_mid)/u_full within the stroke, behind a lag tau, and effective areas in proportion to what y is beyond the
+overlap, with the flow of DP (40)-(42). An overlap below zero, a valve that bleeds in the middle, is left out. All
+sizes are for illustration: take them from the data sheet, or fit them. A closed valve bleeds what a thousandth of its stroke
+opens.</p>
+</html>"));
+end ProportionalDirectionalValve;

@@ -1,0 +1,105 @@
+"""What of an effect the recordings cannot show: parameters that move nothing, readings that nobody took."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.comparison import simulate_run
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.diagnosis.probing import Probe
+from pam_cosim.errors import SimulationFailure
+from pam_cosim.fitting import Free, residual_rows
+from pam_cosim.fitting.objective import Objective
+
+_SHARES = (0.3, 0.6)  # of the ways between bounds: anywhere but at an end will do
+
+
+def idle_parameters(probe: Probe, objective: Objective) -> tuple[str, ...]:
+    """An effect's own parameters that change no sample between their bounds, wherever its other parameters are.
+
+    A parameter may do nothing where another is zero, as the reach of a force that has no size. So the others are put
+    at several places between their bounds too.
+    """
+    if probe.silent:
+        return ()
+    slopes = dict(zip(probe.linear.names, probe.linear.slopes.T * _ranges(probe)[:, None], strict=True))
+    little = CRITERIA.search.idle * float(probe.linear.residual @ probe.linear.residual)
+    still = [f for f in _own(probe, objective) if float(slopes[f.name] @ slopes[f.name]) < little]
+    places = _places(probe, objective) if still else []
+    return tuple(f.name for f in still if all(_still(objective, z, f, little) for z in places))
+
+
+def _own(probe: Probe, objective: Objective) -> list[Free]:
+    return [free for free in objective.free if free.name in probe.own_parameters]
+
+
+def _ranges(probe: Probe) -> Array:
+    return np.asarray(probe.linear.high - probe.linear.low)
+
+
+def _places(probe: Probe, objective: Objective) -> list[Array]:
+    """Search coordinates: where the probe is linear, and with all of the effect's own parameters on their ways."""
+    z = _where(probe, objective)
+    low, high = objective.bounds
+    own = np.array([free.name in probe.own_parameters for free in objective.free])
+    return [z, *(np.where(own, low + share * (high - low), z) for share in _SHARES)]
+
+
+def _where(probe: Probe, objective: Objective) -> Array:
+    """The search coordinates about which the probe is linear."""
+    values = dict(zip(probe.linear.names, probe.linear.values.tolist(), strict=True))
+    return np.array([free.to_z(values[free.name]) for free in objective.free])
+
+
+def _still(objective: Objective, z: Array, free: Free, little: float) -> bool:
+    """Whether the samples are the same at both bounds of a parameter; where a model breaks down nothing is seen."""
+    ends = [_with(objective, z, {free.name: value}) for value in (free.low, free.high)]
+    one, other = (residual_rows(objective, end, CRITERIA.search.rows) for end in ends)
+    return one is None or other is None or float(np.sum((one - other) ** 2)) < little
+
+
+def _with(objective: Objective, z: Array, values: dict[str, float]) -> Array:
+    moved = z.copy()
+    for i, free in enumerate(objective.free):
+        if free.name in values:
+            moved[i] = free.to_z(values[free.name])
+    return moved
+
+
+def moves_unread(probe: Probe, objective: Objective) -> bool:
+    """Whether an effect that no sample shows moves an output of the bench that nobody read, as a thermometer's does.
+
+    Then more of it, or another model beside it, shows no more. What moves nothing at all may wait for another effect.
+    """
+    unread = _unread(objective)
+    if not probe.silent or not unread:
+        return False
+    z = _where(probe, objective)
+    own = _own(probe, objective)
+    try:
+        here = _readings(objective, z, unread)
+        return any(
+            bool(np.any(np.abs(_readings(objective, _with(objective, z, ends), unread) - here) > _seen(here)))
+            for ends in ({f.name: f.low for f in own}, {f.name: f.high for f in own})
+        )
+    except SimulationFailure:
+        return False
+
+
+def _unread(objective: Objective) -> list[str]:
+    read = {name for run in objective.data.runs for name in run.measurements if run.sample_count(name)}
+    return [name for name in objective.simulator.interface.outputs if name not in read]
+
+
+def _readings(objective: Objective, z: Array, outputs: Sequence[str]) -> Array:
+    values, run = objective.values(z), objective.runs[0]
+    compared = simulate_run(objective.simulator, objective.data, run, values, objective.tolerance, outputs)
+    return np.array([compared.model[name] for name in outputs])
+
+
+def _seen(readings: Array) -> Array:
+    """(k, 1) changes that are more than the tolerance of a solver, by the size of each reading."""
+    return np.asarray(CRITERIA.noise.assumed_share * np.ptp(readings, axis=1, keepdims=True) + 1e-9 * np.abs(readings))

@@ -1,0 +1,124 @@
+"""Gives a library of ``fmu/pam_tape.c`` the model that it shall be."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.fmu.generate import FUNCTIONS, SIZES
+from pam_cosim.fmu.tape import TABLES, Tape, in_order, read_tapes
+
+_KEPT = 256  # models; a library reads them in place, as long as any simulator uses it
+
+
+class _Statement(ctypes.Structure):
+    _fields_ = [
+        ("is_error", ctypes.c_int),
+        ("at_start", ctypes.c_int),
+        ("values", ctypes.c_int),
+        ("texts", ctypes.POINTER(ctypes.c_char_p)),
+        ("digits", ctypes.c_void_p),
+    ]
+
+
+class _Model(ctypes.Structure):
+    """``pam_model``; its functions are the library's own."""
+
+    _fields_ = [
+        ("guid", ctypes.c_char_p),
+        *((name, ctypes.c_int) for name in SIZES),
+        ("tolerance", ctypes.c_double),
+        ("max_step", ctypes.c_double),
+        ("state_names", ctypes.POINTER(ctypes.c_char_p)),
+        ("state_nominals", ctypes.c_void_p),
+        ("input_starts", ctypes.c_void_p),
+        ("parameter_starts", ctypes.c_void_p),
+        ("delayed_inputs", ctypes.c_void_p),
+        ("direct_inputs", ctypes.c_void_p),
+        ("start_of", ctypes.c_void_p),
+        *((name, ctypes.c_void_p) for name in FUNCTIONS),
+        ("statements", ctypes.POINTER(_Statement)),
+    ]
+
+
+class _Tape(ctypes.Structure):
+    _fields_ = [
+        ("count", ctypes.c_longlong),
+        ("operations", ctypes.c_void_p),
+        ("constants", ctypes.c_void_p),
+        ("constant_count", ctypes.c_int),
+        ("argument_count", ctypes.c_int),
+        ("argument_sizes", ctypes.c_void_p),
+    ]
+
+
+class _Given:
+    """A model and its tapes in memory that C reads."""
+
+    def __init__(self, tables: Mapping[str, Any], tapes: Sequence[Tape | None]) -> None:
+        self._kept: list[object] = []
+        self.model = _Model(
+            guid=tables["guid"].encode(),
+            **{name: tables[name] for name in SIZES},
+            tolerance=tables["tolerance"],
+            max_step=tables["max_step"],
+            state_names=self._texts(tables["state_names"]),
+            **{n: self._array(tables[n], float) for n in ("state_nominals", "input_starts", "parameter_starts")},
+            **{n: self._array(tables[n], np.intc) for n in ("delayed_inputs", "direct_inputs", "start_of")},
+            statements=self._statements(tables["statements"]),
+        )
+        self.tapes = (_Tape * len(tapes))(*map(self._tape, tapes))
+
+    def _texts(self, texts: Sequence[str]) -> Any:
+        made = (ctypes.c_char_p * max(len(texts), 1))(*(text.encode("utf-8", "replace") for text in texts))
+        self._kept.append(made)
+        return ctypes.cast(made, ctypes.POINTER(ctypes.c_char_p))
+
+    def _array(self, values: Sequence[float], kind: type) -> int:
+        made: NDArray[Any] = np.array([*values] or [0], dtype=kind)
+        self._kept.append(made)
+        return int(made.ctypes.data)
+
+    def _statements(self, every: Sequence[Mapping[str, Any]]) -> Any:
+        made = (_Statement * max(len(every), 1))()
+        for at, one in zip(made, every, strict=False):
+            at.is_error, at.at_start, at.values = one["is_error"], one["at_start"], len(one["digits"])
+            at.texts, at.digits = self._texts(one["texts"]), self._array(one["digits"], np.intc)
+        self._kept.append(made)
+        return ctypes.cast(made, ctypes.POINTER(_Statement))
+
+    def _tape(self, tape: Tape | None) -> _Tape:
+        if tape is None:
+            return _Tape(-1)
+        self._kept.append(tape)
+        return _Tape(
+            len(tape.operations),
+            tape.operations.ctypes.data,
+            tape.constants.ctypes.data,
+            len(tape.constants),
+            len(tape.arguments),
+            self._array(tape.arguments, np.intc),
+        )
+
+
+def is_taped(folder: Path) -> bool:
+    """Whether a folder holds a model as data."""
+    return (folder / TABLES).exists()
+
+
+def use_tapes(library: ctypes.CDLL, folder: Path) -> None:
+    """Makes the library, which has no instance yet, the model that a folder holds."""
+    given = _given(folder)
+    library.pam_use_tapes(ctypes.byref(given.model), given.tapes)
+
+
+@lru_cache(maxsize=_KEPT)
+def _given(folder: Path) -> _Given:
+    tables, tapes = read_tapes(folder)
+    return _Given(tables, in_order(tapes))

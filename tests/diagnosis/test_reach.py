@@ -1,0 +1,75 @@
+"""What recordings cannot show of an effect is not fitted: lags at rest, readings that nobody took."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pam_cosim as pam
+from pam_cosim.diagnosis import search as searches
+from pam_cosim.diagnosis.finding import base_of
+from pam_cosim.diagnosis.search import Search
+from pam_cosim.diagnosis.subject import subject_of
+from pam_cosim.fitting import Fit
+from pam_cosim.measurement import DataSet
+
+
+def looked_at(data: DataSet) -> tuple[Search, Fit]:
+    """A search beside the fitted base model of a data set."""
+    subject = subject_of(data, None, [], 0, lambda message: None)
+    with subject.simulator() as simulator:
+        shelf = subject.effects(simulator.interface)
+        data, base, _ = base_of(simulator, subject.data, lambda message: None)
+    return Search(subject.tree, subject.name, shelf, data, subject.sources, workers=0), base
+
+
+@pytest.fixture(scope="module")
+def at_rest(tmp_path_factory: pytest.TempPathFactory) -> tuple[Search, Fit]:
+    folder = tmp_path_factory.mktemp("map")
+    p, x = (one.ravel() for one in np.meshgrid(np.arange(1, 6) * 100.0, [0.0, 10.0, 20.0, 30.0]))
+    pull = p * (0.9 - 0.02 * x) + 8.0 + np.random.default_rng(1).normal(0.0, 1.0, len(p))
+    rows = "".join(f"{a:g},{b:g},{c:.2f}\n" for a, b, c in zip(p, x, pull, strict=True))
+    (folder / "map.csv").write_text("p [kPa],x [mm],F [N]\n" + rows)
+    (folder / "experiment.toml").write_text(
+        'model = "PneumaticMuscle.Benches.QuasiStaticIsometric"\nkind = "static"\n[signals.F]\nsigma = "1 N"\n'
+        '[fit]\n"muscle.D0" = { min = "15 mm", max = "40 mm" }\n[[runs]]\nfile = "map.csv"\n'
+    )
+    return looked_at(pam.read(folder))
+
+
+def test_points_at_rest_tell_no_lag_of_a_load_cell_that_has_a_gain_too(at_rest: tuple[Search, Fit]) -> None:
+    search, base = at_rest
+    general, lag, offset = search.probed(base, (), ["GeneralLoadCell", "ForceLag", "ForceOffset"])
+    assert lag.silent and not general.silent and not offset.silent and offset.idle == ()
+    assert [name.rpartition(".")[2] for name in general.idle] == ["tau", "r"]
+    without = replace(search, idle={"GeneralLoadCell": general.idle})
+    assert without.cost["GeneralLoadCell"] == search.cost["GeneralLoadCell"] - 2
+    (candidate,) = without.briefly([searches.Wanted(("GeneralLoadCell",), base.values)])
+    left = set(general.own_parameters) - set(general.idle)
+    assert left <= set(candidate.fit.parameters) and not set(general.idle) & set(candidate.fit.parameters)
+
+
+def test_a_parameter_that_waits_for_another_is_no_idle_one(at_rest: tuple[Search, Fit]) -> None:
+    """The reach of a wall that takes nothing at first, and so moves nothing."""
+    search, base = at_rest
+    (bladder,) = search.probed(base, (), ["GeneralBladder"])
+    assert bladder.idle == ()
+
+
+def test_a_thermometer_that_nobody_read_has_no_effect(tmp_path: Path) -> None:
+    """Its effects move the reading alone. Heat of the wall may wait for a gas that feels it, and a leak moves all."""
+    time = np.linspace(0.0, 4.0, 81)
+    p = 200.0 * (1.0 - np.exp(-time / 0.5)) + np.random.default_rng(2).normal(0.0, 0.5, len(time))
+    rows = "".join(f"{a:.3f},0.5,400,{b:.3f}\n" for a, b in zip(time, p, strict=True))
+    (tmp_path / "a.csv").write_text("time [s],u_in [A],p_supply [kPa],p [kPa]\n" + rows)
+    (tmp_path / "experiment.toml").write_text(
+        'model = "PneumaticMuscle.Benches.TankFilling"\n[signals.p]\nsigma = "0.5 kPa"\n[[runs]]\nfile = "a.csv"\n'
+    )
+    search, base = looked_at(pam.read(tmp_path))
+    names = [e.name for e in search.shelf if e.family in ("temperature_sensor", "thermocouple_lag")]
+    probes = {p.effect: p for p in search.probed(base, (), [*names, "WarmWall", "OrificeLeak"])}
+    assert names and all(probes[name].unread for name in names)
+    assert not probes["OrificeLeak"].unread and not probes["WarmWall"].unread

@@ -1,0 +1,77 @@
+"""Modelica that asks for too much gets an answer in seconds: a sentence with file and line, or a model."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from pam_cosim import study
+from pam_cosim.compiler import elementwise
+from pam_cosim.errors import ModelError
+from tests.hostile.corpora.models import REFUSED, TAKEN, model
+
+PATIENCE = 300.0  # s for all of them, beside other tests
+ONE = 30.0  # s of processor time
+MEMORY = 1000.0  # MB
+
+
+@pytest.fixture(scope="module")
+def outcomes(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, Any]]:
+    """What compiling came to, in one process with limits."""
+    folder = tmp_path_factory.mktemp("models")
+    for number, text in enumerate((*REFUSED.values(), *TAKEN.values())):
+        (folder / f"{number:03}.mo").write_text(text)
+    command = [sys.executable, "-m", "tests.hostile.compiling", str(folder)]
+    made = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE, cwd=Path(__file__).parents[2])
+    assert made.returncode == 0 and not made.stderr, made.stderr[-2000:]
+    told = [json.loads(line) for line in made.stdout.splitlines()]
+    return dict(zip((*REFUSED, *TAKEN), told, strict=True))
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_what_asks_for_too_much_is_refused_with_its_place(outcomes: dict[str, dict[str, Any]], name: str) -> None:
+    told = outcomes[name]
+    assert told["end"] in ("refused", "compiled"), told
+    assert told["seconds"] < ONE and told["peak"] < MEMORY, told
+    if told["end"] == "refused":
+        assert told["line"] >= 1 and told["file"].endswith(".mo"), told
+        assert told["message"].isprintable() and 10 < len(told["message"]) < 500, told
+
+
+def test_few_of_them_can_be_compiled_after_all(outcomes: dict[str, dict[str, Any]]) -> None:
+    """What is legal and small once it is understood."""
+    compiled = {name for name in REFUSED if outcomes[name]["end"] == "compiled"}
+    assert compiled <= {"annotation 5000 deep", "String of an array", "redeclared by itself"}
+
+
+@pytest.mark.parametrize("name", TAKEN)
+def test_what_is_large_and_can_be_taken_is(outcomes: dict[str, dict[str, Any]], name: str) -> None:
+    assert outcomes[name]["end"] == "compiled" and outcomes[name]["seconds"] < ONE, outcomes[name]
+
+
+@pytest.mark.parametrize(
+    "text", ["(" * 5000 + "x" + ")" * 5000, "-(" * 300 + "x" + ")" * 300, "9" * 5000, "x" + "+x" * 20000]
+)
+def test_formulas_of_data_have_limits_too(text: str) -> None:
+    try:
+        assert elementwise(text, {"x": 1.0}) == 20001
+    except ModelError as error:
+        assert error.message
+
+
+def test_what_no_c_compiler_takes_is_refused_before(tmp_path: Path) -> None:
+    file = tmp_path / "M.mo"
+    file.write_text(
+        model(
+            "Real z[600](each start=1, each fixed=true); output Real y = z[1];",
+            "der(z[1]) = -z[1]; for i in 2:600 loop der(z[i]) = z[i-1] - z[i]; end for;",
+        )
+    )
+    with pytest.raises(ModelError, match="^M is too large: 600 states"):
+        study.build(str(file), tmp_path / "M.fmu")
+    assert [p.name for p in tmp_path.iterdir()] == ["M.mo"]

@@ -1,0 +1,107 @@
+"""Inputs over time, varied from run to run."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas
+import pytest
+import xarray
+
+import pam_cosim as pam
+from pam_cosim.errors import InputError
+
+MODEL = "TankFilling"
+STEP = "time [s],u_in [A]\n0,0\n1,0\n1,0.3\n4,0.3\n"
+SCALARS = {"last": "final(p)", "highest": "max(p)"}
+
+
+@pytest.fixture
+def step(tmp_path: Path) -> Path:
+    file = tmp_path / "step.csv"
+    file.write_text(STEP)
+    return file
+
+
+def rising(t: float) -> float:
+    return 0.2 + 0.05 * t
+
+
+def test_each_run_is_what_simulate_makes_of_its_inputs(step: Path) -> None:
+    """A file, a function and arrays, each at two supplies."""
+    arrays = {"time": [0, 2, 2, 4], "u_in": [0.35, 0.35, 0, 0], "u_out": [0, 0, 0.3, 0.3]}
+    sources: list[Any] = [step, {"u_in": rising}, arrays]
+    supplies = [138e3, 207e3]
+    swept = pam.sweep(
+        MODEL, {"inputs": sources, "p_supply": supplies}, scalars=SCALARS, stop_time=4, trajectories=True, workers=1
+    )
+    assert len(swept) == 6 and not swept.failed
+    for k, point in enumerate(swept):
+        alone = pam.simulate(MODEL, {"p_supply": supplies[k % 2]}, sources[k // 2], stop_time=4)
+        assert point.trajectory is not None and np.array_equal(point.trajectory["p"], alone["p"])
+    lasts = swept.column("last").reshape(3, 2)
+    assert len({round(v) for v in lasts.ravel().tolist()}) == 6
+    assert (swept.column("highest").reshape(3, 2)[2] > 1.1 * lasts[2]).all()  # what was let out again
+    assert "inputs of 3 patterns" in repr(swept)
+
+
+@pytest.mark.parametrize("kind", ["csv", "nc", "parquet"])
+def test_results_have_the_names_of_the_patterns(step: Path, tmp_path: Path, kind: str) -> None:
+    vary = {"inputs": {"a step": step, "a ramp": {"u_in": rising}}, "p_supply": [138e3, 207e3]}
+    file = tmp_path / f"result.{kind}"
+    swept = pam.sweep(MODEL, vary, scalars=SCALARS, stop_time=4, output=file, workers=1)
+    names = ["a step", "a step", "a ramp", "a ramp"]
+    assert list(swept.frame()["inputs"]) == names
+    if kind == "nc":
+        with xarray.open_dataset(file) as data:
+            assert float(data["last"].sel(inputs="a ramp", p_supply=207e3)) == swept.column("last")[3]
+    else:
+        read = pandas.read_csv(file) if kind == "csv" else pandas.read_parquet(file)
+        assert list(read["inputs [1]"]) == names
+
+
+def test_a_list_takes_pattern_and_value_run_by_run(step: Path) -> None:
+    vary = {"inputs": [step, {"u_in": rising}], "p_supply": [138e3, 207e3]}
+    swept = pam.sweep(MODEL, vary, design="list", scalars=SCALARS, stop_time=4, workers=1)
+    assert len(swept) == 2
+    assert swept.column("last")[1] == pam.simulate(MODEL, {"p_supply": 207e3}, {"u_in": rising}, stop_time=4)["p"][-1]
+
+
+def test_the_longest_pattern_says_when_runs_end(step: Path) -> None:
+    swept = pam.sweep(MODEL, {"inputs": [step, {"time": [0, 6], "u_in": [0.3, 0.3]}]}, scalars=SCALARS, workers=1)
+    assert swept.time[-1] == 6.0
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"inputs": {"u_in": rising}}, "both given and varied"),
+        ({"parameters": {"u_in": 0.3}}, "the input 'u_in' is in"),
+        ({"design": "random", "runs": 3}, "draws between two values"),
+        ({"vary": {"inputs": []}}, "no value at all"),
+        ({"vary": {"inputs": "step.csv"}}, "give a list of inputs"),
+        ({"vary": {"inputs": [{"u_on": rising}]}}, "did you mean 'u_in'"),
+        ({"vary": {"inputs": [{"u_in": rising}], "u_in": [0.2, 0.3]}}, "given otherwise"),
+    ],
+)
+def test_what_cannot_be_varied(step: Path, change: dict[str, Any], message: str) -> None:
+    asked: dict[str, Any] = {"vary": {"inputs": [step, {"u_in": rising}]}, "scalars": SCALARS, "workers": 1} | change
+    with pytest.raises(InputError, match=message):
+        pam.sweep(MODEL, **asked)
+
+
+def test_a_sweep_with_other_patterns_is_another_sweep(step: Path, tmp_path: Path) -> None:
+    """What a stopped sweep left is not taken for the runs of one whose file has changed since."""
+
+    def stop(done: int, total: int) -> None:
+        if done:
+            raise KeyboardInterrupt
+
+    asked: dict[str, Any] = {"scalars": SCALARS, "output": tmp_path / "result.csv", "workers": 1}
+    with pytest.raises(KeyboardInterrupt):
+        pam.sweep(MODEL, {"inputs": [step]}, progress=stop, **asked)
+    step.write_text(STEP.replace("0.3", "0.25"))
+    with pytest.raises(InputError, match="another sweep"):
+        pam.sweep(MODEL, {"inputs": [step]}, **asked)
