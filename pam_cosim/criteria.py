@@ -147,6 +147,7 @@ class StartCriteria:
     pauses_listed: int = decides(3, "places", "at which time goes back that are named")
     periods: int = decides(50, "periods", "of a periodic recording that are simulated before it at most")
     round: float = decides(0.1, "sd", "of the noise, by which a periodic motion may differ from what it comes to")
+    elsewhere: float = decides(0.1, "of its size", "by which states are moved off the own start to see the same")
     step: float = decides(1e-5, "of its size", "by which a state is moved to see on which readings and rates it acts")
     steps: int = decides(8, "steps", "of Newton's method for the start values of a run, beside given parameters")
     linear: float = decides(0.01, "1", "of the squares, that a further step may take away by the slopes alone")

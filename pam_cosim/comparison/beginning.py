@@ -95,7 +95,7 @@ def measured(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mappi
         return Beginning()
     shown: dict[str, _Shown] = {}
     values: dict[str, float] = {}
-    links = probe.links({})
+    links = probe.links({}).joined(probe.links(probe.elsewhere()))
     for _ in range(2):  # what acts on what may not show where the model begins by itself
         shown = _shown_states(links, first, probe.signals, simulator.interface.states)
         values = probe.corrected(shown, links, values)
@@ -224,6 +224,16 @@ class Probe:
             above, below = (self.at({**here, name: here[name] + sign * step})[0] for sign in (1.0, -1.0))
             columns.append((above - below) / (2.0 * step))
         return _Links(np.column_stack(columns))
+
+    def elsewhere(self) -> dict[str, float]:
+        """A state near the model's own start at which nothing vanishes by chance, as a force does without pressure."""
+        state = dict(zip(self.states, self.at({})[1].tolist(), strict=True))
+        away = {n: v + CRITERIA.starts.elsewhere * self._size(n, v) for n, v in state.items()}
+        try:
+            self.at(away)
+        except SimulationFailure:
+            return state
+        return away
 
     def _size(self, name: str, value: float) -> float:
         variable = self.simulator.interface.start_values[name]

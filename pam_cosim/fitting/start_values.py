@@ -151,8 +151,8 @@ def eliminate(
         else:
             break
         here = there
-    last = here.step if here.is_settled else np.zeros(len(here.step))
-    of.values, of.slopes = here.values + last, here.slopes
+    of.values = np.clip(here.values + here.step, of.low, of.high) if here.is_settled else here.values
+    last, of.slopes = of.values - here.values, here.slopes
     return here.result, here.residuals + here.slopes[: len(here.residuals)] @ last
 
 
