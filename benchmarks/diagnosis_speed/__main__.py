@@ -41,7 +41,8 @@ def measured(package: Path, words: Sequence[str], cache: Path) -> tuple[float, s
     """Processor seconds and output of a process."""
     begin = getrusage(RUSAGE_CHILDREN)
     environment = {**os.environ, "PYTHONPATH": f"{package}:{ROOT}", "PAM_COSIM_CACHE": str(cache)}
-    run = subprocess.run([sys.executable, *words], env=environment, capture_output=True, text=True, check=True)
+    command, place = [sys.executable, *words], cache.parent  # not where another version lies, which would come first
+    run = subprocess.run(command, cwd=place, env=environment, capture_output=True, text=True, check=True)
     end = getrusage(RUSAGE_CHILDREN)
     return end.ru_utime + end.ru_stime - begin.ru_utime - begin.ru_stime, run.stdout
 
