@@ -160,10 +160,11 @@ class TakeStep(Checked):
 
 
 class AddStep(Checked):
-    """The model with effects was written."""
+    """The model with effects was written, with these values [SI]."""
 
     do: Literal["add"]
     effects: Effects
+    values: Values = {}
     file: Annotated[Name, AfterValidator(_modelica_file)]
 
 

@@ -17,7 +17,10 @@ from tests.hostile.reading import make
 PATIENCE = 300.0  # s for all of them, beside other tests
 ONE = 10.0  # s of processor time
 MEMORY = 1000.0  # MB
-pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="limits of memory")
+pytestmark = [
+    pytest.mark.skipif(sys.platform != "linux", reason="limits of memory"),
+    pytest.mark.xdist_group("hostile data"),  # they are read once
+]
 
 
 @pytest.fixture(scope="module")

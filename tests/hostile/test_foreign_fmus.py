@@ -88,7 +88,9 @@ BINARIES = {
 }
 
 
-@pytest.mark.parametrize("name", BINARIES)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=[pytest.mark.full] * (name == "takes all memory")) for name in BINARIES]
+)
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="signals and limits of Linux")
 def test_binaries_that_take_what_they_find(fmu: Path, tmp_path: Path, name: str) -> None:
     """The harm is done when the library is loaded; the study goes on and says what happened."""

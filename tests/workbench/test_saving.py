@@ -65,6 +65,18 @@ def test_what_was_saved_comes_back_with_the_same_numbers(window: Window, folder:
         assert fresh.last("study")["with_effects"] == "with LinearBladder"
 
 
+def test_every_step_of_a_session_can_be_saved_and_loaded(window: Window, folder: Path) -> None:
+    """What a step holds here is what the check of a saved study knows of it."""
+    work_a_little(window)
+    window.do(do="add")
+    window.do(do="roles", roles={"run-02": "fit"})
+    window.do(do="choose", model="Isotonic")
+    window.do(do="save")
+    steps = window.session.state.steps
+    assert {step.do for step in steps} == {"set", "switch", "add", "roles", "choose"}
+    assert load_state(folder, window.session.first).steps == steps
+
+
 @pytest.mark.parametrize(
     "damage",
     ["{", "[]", "{}", '{"format": "pam-cosim workbench 1"}', "steps", "effects", "values", "file", "runs", "fit"],
