@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import multiprocessing.resource_tracker
 import os
+import pickle
 import signal
 import time
 import warnings
@@ -36,6 +37,7 @@ _LOOK = 0.5  # [s] between two looks whether the parent is still there
 _running: set[Future[Any]] = set()
 
 Task = TypeVar("Task")
+Content = TypeVar("Content")
 Result = TypeVar("Result")
 Arguments = ParamSpec("Arguments")
 
@@ -177,7 +179,7 @@ def run_tasks(
     if workers == 0:
         inline = []
         for task in tasks:
-            inline.append(function(task))
+            inline.append(_sent(function(_sent(task))))
             done(inline[-1])
         return inline
     results: dict[int, Result] = {}
@@ -189,6 +191,15 @@ def run_tasks(
             results[i] = on_crash(tasks[i])
             done(results[i])
     return [results[i] for i in range(len(tasks))]
+
+
+def _sent(value: Content) -> Content:
+    """What would arrive in another process: arrays lie in memory as they do there, and sums round as they do there."""
+    try:
+        copy: Content = pickle.loads(pickle.dumps(value))
+    except (pickle.PicklingError, AttributeError, TypeError):  # it could not be sent
+        return value
+    return copy
 
 
 def _attempt(

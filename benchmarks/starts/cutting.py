@@ -16,7 +16,7 @@ PAUSE = 0.2  # of a run's duration
 EARLIEST, LATEST = 0.15, 0.6  # of a run's duration, between which it is cut
 
 
-def _cut_files(source: Path, folder: Path, keep: Callable[[np.random.Generator], Keep], seed: int) -> Path:
+def cut_files(source: Path, folder: Path, keep: Callable[[np.random.Generator], Keep], seed: int) -> Path:
     """A copy of a data set whose recordings lack rows; the same seed cuts the same rows."""
     folder.mkdir(parents=True)
     shutil.copy(source / "experiment.toml", folder)
@@ -39,7 +39,7 @@ def without_beginning(source: Path, folder: Path, seed: int) -> Path:
         share = random.uniform(EARLIEST, LATEST)
         return lambda time, begin, end: time >= begin + share * (end - begin)
 
-    return _cut_files(source, folder, keep, seed)
+    return cut_files(source, folder, keep, seed)
 
 
 def in_pieces(source: Path, folder: Path, seed: int) -> Path:
@@ -49,7 +49,7 @@ def in_pieces(source: Path, folder: Path, seed: int) -> Path:
         share = random.uniform(EARLIEST, LATEST)
         return lambda time, begin, end: not share <= (time - begin) / (end - begin) <= share + PAUSE
 
-    made = _cut_files(source, folder, keep, seed)
+    made = cut_files(source, folder, keep, seed)
     text = (made / "experiment.toml").read_text()
     (made / "experiment.toml").write_text(f'gaps = "split"\n{text}')
     return made

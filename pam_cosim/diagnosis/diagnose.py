@@ -325,7 +325,7 @@ def _not_tried(
         elif family not in looked_at | failed:
             reasons[family] = "the time was over" if family in late else "the model has no place for them"
         elif family in looked_at - shown:
-            reasons[family] = f"nothing that was measured{' at rest' if search.at_rest else ''} shows them"
+            reasons[family] = f"nothing that was fitted{' at rest' if search.at_rest else ''} shows them"
     return reasons
 
 

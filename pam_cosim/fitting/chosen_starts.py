@@ -96,11 +96,15 @@ def _as_others(simulator: AnySimulator, data: DataSet, run: Run, parameters: Map
     try:
         if not run.start.chosen or run.start.mode != "rest" or _is_fitted(simulator, data, run, own):
             return run
+        if not _takes_away(simulator, data, run, parameters):
+            return run
         first = _first(simulator, data, run, own, every=True)
     except SimulationFailure:
         return run
     begins = f"{run.name} begins at {', '.join(one.said() for one in first)}"
-    return replace(run, start=replace(run.start, mode="estimated", reason=f"{begins}: estimated, as of the other runs"))
+    return replace(
+        run, start=replace(run.start, mode="estimated", reason=f"{begins}: estimated, which leaves much less")
+    )
 
 
 def _takes_away(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> bool:

@@ -101,7 +101,7 @@ class Objective:
     def _simulate(self, z: Array, outputs: Outputs, chosen: Sequence[int]) -> list[RunComparison]:
         """The chosen runs at ``z``. Raises SimulationFailure where one does not reach its end."""
         begun = self._begun(z)
-        values = self.values(z) | {n: v for i in chosen if i in begun for n, v in begun[i].settings().items()}
+        values = self.values(z) | {n: v for i in chosen if i in begun for n, v in begun[i].every().items()}
         return [
             simulate_run(self.simulator, self.data, self.runs[i], values, self.tolerance, outputs[i]) for i in chosen
         ]

@@ -22,6 +22,11 @@ def start_estimates(objective: Objective) -> dict[str, Estimate]:
     for one in (objective.starts or {}).values():
         if not len(one.slopes):  # its run could not be simulated
             continue
+        for name, value in one.still.items():
+            unit = known[name].unit
+            estimates[f"{name}@{one.run.name}"] = Estimate(
+                value, value, value, unit, determined=False, run=one.run.name
+            )
         told = (one.deviations() / one.sd) ** 2 < CRITERIA.starts.told
         reach = CRITERIA.fit.interval * one.deviations()
         for k, (name, value) in enumerate(one.settings().items()):

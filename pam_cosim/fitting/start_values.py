@@ -39,6 +39,7 @@ class StartValues:
             say that it begins, and how far the run itself takes them.
         shown: the signal that shows a state, by its name.
         values: (k,) the present ones [SI]; ``low`` and ``high`` (k,) what the model says that they can be.
+        still: states that do not move in the run, where they are [SI].
         slopes: (n, k) of the run's residuals by them, where they were last eliminated; of all rows those of what is
             known beforehand come last.
     """
@@ -51,11 +52,16 @@ class StartValues:
     values: Array
     low: Array
     high: Array
+    still: dict[str, float] = field(default_factory=dict)
     slopes: Array = field(default_factory=lambda: np.zeros((0, 0)))
 
     def settings(self) -> dict[str, float]:
         """The present values by name, each with that of the run."""
         return {f"{n}@{self.run.name}": float(v) for n, v in zip(self.names, self.values, strict=True)}
+
+    def every(self) -> dict[str, float]:
+        """The present values of all states by name, each with that of the run."""
+        return self.settings() | {f"{n}@{self.run.name}": v for n, v in self.still.items()}
 
     def prior_rows(self, values: Array) -> Array:
         """(k,) how far values are from what is known beforehand, in standard deviations."""
@@ -107,7 +113,8 @@ def start_values(simulator: AnySimulator, data: DataSet, run: Run, parameters: M
     low = np.array([-np.inf if (end := known[n].min) is None else end for n in chosen])
     high = np.array([np.inf if (end := known[n].max) is None else end for n in chosen])
     sd = CRITERIA.starts.range * through[moved]
-    return StartValues(run, chosen, mean[moved], sd, begins.shown, np.clip(values, low, high), low, high)
+    still = {n: float(mean[i]) for i, n in enumerate(names) if i not in moved}
+    return StartValues(run, chosen, mean[moved], sd, begins.shown, np.clip(values, low, high), low, high, still)
 
 
 def eliminate(
@@ -134,7 +141,7 @@ def eliminate(
     for _ in range(CRITERIA.starts.steps):
         if here.is_settled:
             break
-        step = here.step
+        step = here.step / max(1.0, float(np.max(np.abs(here.step) / of.sd)))  # no farther than they are known
         for _ in range(CRITERIA.starts.steps):
             of.values = np.clip(here.values + step, of.low, of.high)
             there = _tried(of, simulate)

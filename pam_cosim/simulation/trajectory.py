@@ -15,6 +15,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_text, written_whole
+from pam_cosim.netcdf import with_netcdf_names
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed
 
@@ -91,7 +92,7 @@ class Trajectory(Printed):
         path = Path(path)
         if path.suffix.lower() == ".nc":
             with written_whole(path) as name:
-                self.to_xarray().to_netcdf(name, engine="h5netcdf")
+                with_netcdf_names(self.to_xarray()).to_netcdf(name, engine="h5netcdf")
         elif path.suffix.lower() == ".parquet":
             frame = self.to_frame().reset_index()
             units = frame.attrs.pop("units")

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pam_cosim.files import written_whole
+from pam_cosim.netcdf import with_netcdf_names
 from pam_cosim.sweeps.labelled import axis_name, frame, output, skeleton
 from pam_cosim.sweeps.names import FAILURE
 
@@ -33,9 +34,9 @@ def save(sweep: Sweep, path: Path) -> None:
 
 
 def _netcdf(sweep: Sweep, path: Path) -> None:
-    skeleton(sweep).to_netcdf(path, engine="h5netcdf")
+    with_netcdf_names(skeleton(sweep)).to_netcdf(path, engine="h5netcdf")
     for name in sweep.outputs:  # one at a time
-        output(sweep, name).to_dataset().to_netcdf(path, mode="a", engine="h5netcdf")
+        with_netcdf_names(output(sweep, name).to_dataset()).to_netcdf(path, mode="a", engine="h5netcdf")
 
 
 def _parquet(sweep: Sweep, path: Path) -> None:

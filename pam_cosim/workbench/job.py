@@ -31,6 +31,7 @@ class Worker:
     def __init__(self) -> None:
         self._process: subprocess.Popen[bytes] | None = None
         self._lock = threading.Lock()
+        self._guard: subprocess.Popen[bytes] | None = None
         self.held = False
 
     def wake(self) -> subprocess.Popen[bytes]:
@@ -74,16 +75,30 @@ class Worker:
 
     def hold(self) -> bool:
         """Lets the process and all that it started stand still where they are; False where that cannot be done."""
-        self.held = CAN_HOLD and self._signal("SIGSTOP")
+        process = self._process
+        if CAN_HOLD and process is not None:
+            self._guard = self._guard or _guardian(process.pid)
+            self.held = self._signal("SIGSTOP")
         return self.held
 
     def go_on(self) -> None:
         """Lets them go on from there."""
         self._signal("SIGCONT")
         self.held = False
+        self._dismiss()
+
+    def _dismiss(self) -> None:
+        """Ends who watches over processes that stand still."""
+        guard, self._guard = self._guard, None
+        if guard is not None:
+            guard.kill()
+            guard.wait()
+            if guard.stdin is not None:
+                guard.stdin.close()
 
     def end(self) -> None:
         """Ends the process and all that it started."""
+        self._dismiss()
         with self._lock:
             process, self._process = self._process, None
         if process is None:
@@ -106,3 +121,11 @@ class Worker:
             os.killpg(process.pid, getattr(signal, name))
             return True
         return False
+
+
+def _guardian(group: int) -> subprocess.Popen[bytes]:
+    """Ends a group of processes when this one is gone, however it ended: those that stand still cannot look for it."""
+    return subprocess.Popen(
+        ["/bin/sh", "-c", f"read line; kill -9 -{group}"],
+        stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True,
+    )  # fmt: skip

@@ -130,7 +130,7 @@ def test_a_printed_map_beats_formulas_with_as_many_parameters(command: Command, 
     script = example()
     data = script.pam.read(EXAMPLE)
     assert best < min(script.errors_of_formula(data, *formula)[1] for formula in script.FORMULAS)
-    assert result["not_tried"]["creep"] == "nothing that was measured at rest shows them"
+    assert result["not_tried"]["creep"] == "nothing that was fitted at rest shows them"
 
 
 @pytest.mark.full

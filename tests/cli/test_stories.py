@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import shlex
@@ -15,6 +16,7 @@ import pytest
 from rig import measurement
 from tests.cli.conftest import ROOT, Outcome
 from tests.cli.test_commands import done
+from tests.documentation.pages import other_numbers, text_of, unsaid
 
 STORIES = sorted((ROOT / "docs" / "stories").glob("*.md"))
 
@@ -67,10 +69,25 @@ def test_muscle(command: Callable[..., Outcome], place: Path, capsys: pytest.Cap
     python, *rest = lines(page("muscle"))
     assert python[:3] == ["python", "-m", "rig"]
     measurement.main(python[3:])
-    before, diagnosis, after = [done(command(*words[1:])).out for words in rest]
+    kept = {"diagnose": ["--json", "muscle.json"]}
+    before, diagnosis, after = [done(command(*words[1:], *kept.get(words[1], []))).out for words in rest]
+    assert unsaid("stories/muscle.md", diagnosis) == []
+    assert other_numbers("stories/muscle.md", errors_of(place / "muscle.json")) == []
     assert "FlexibleBladder" in (place / "Better.mo").read_text(encoding="utf-8")
     assert "1.80 mm -> 0.201 mm" in diagnosis
     assert rms(after, "x") == "0.201 mm" != rms(before, "x")
+
+
+def errors_of(file: Path) -> dict[str, list[float]]:
+    """Errors of p [kPa], x [mm] and T [K] in fitted runs and of x in the others, of the models of the story's table."""
+    errors = {}
+    for c in json.loads(file.read_text(encoding="utf-8"))["candidates"]:
+        if c["failure"] is None and f"(`{c['effect']}`)" in text_of("stories/muscle.md") and len(c["effects"]) == 1:
+            fit, others = c["fit"]["signals"], c["holdout"]["signals"]
+            errors[c["effect"]] = [1e-3 * fit["p"]["rmse"], 1e3 * fit["x"]["rmse"], fit["T"]["rmse"]]
+            errors[c["effect"]].append(1e3 * others["x"]["rmse"])
+    assert len(errors) == 6
+    return errors
 
 
 def test_temperature(command: Callable[..., Outcome], place: Path) -> None:

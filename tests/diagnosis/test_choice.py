@@ -71,7 +71,7 @@ def test_families_that_were_not_looked_for_are_named_with_the_reason(tmp_path: P
     diagnosis = study.diagnose(replace(data, signals=pressure, runs=runs), workers=0, explain=False, exclude=["creep"])
     assert diagnosis.not_tried["creep"] == "excluded"
     assert diagnosis.not_tried["force_sensor"] == "the model has no place for them"
-    assert diagnosis.not_tried["thermocouple_lag"] == "nothing that was measured shows them"
+    assert diagnosis.not_tried["thermocouple_lag"] == "nothing that was fitted shows them"
     assert "leak" not in diagnosis.not_tried
     assert "not looked for: creep: excluded" in str(diagnosis)
     assert not any(KNOWN[n].family == "creep" for c in diagnosis.candidates for n in c.effects if n in KNOWN)

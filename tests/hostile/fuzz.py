@@ -137,6 +137,21 @@ def attack_units(chance: random.Random, folder: Path) -> int:
     return BATCH * 25
 
 
+def attack_page(chance: random.Random, folder: Path) -> int:
+    """Commands that no page sends, before windows that listen."""
+    from pam_cosim.workbench import Session
+    from tests.hostile.test_protocol import attack
+
+    with Session(make(folder / "data", {})) as session:
+        told: list[object] = []
+        ends = [session.subscribe(told.append).result(PATIENCE) for _ in range(50)]
+        tried = attack(session, chance, 5 * BATCH)
+        for end in ends:
+            end()
+        assert not any(isinstance(m, str) and "should not" in m for m in told)
+    return tried
+
+
 def attack_runtime(chance: random.Random, folder: Path) -> int:
     """The C runtime under sanitisers, as the tests have it, with another seed."""
     environment = os.environ | {"PAM_COSIM_FUZZ_SEED": str(chance.randrange(2**31))}
@@ -151,6 +166,7 @@ ATTACKS: dict[str, Attack] = {
     "saved studies": attack_studies,
     "saved products": attack_products,
     "data sets": attack_data,
+    "commands of the page": attack_page,
     "the compiler": attack_compiler,
     "the C runtime": attack_runtime,
 }

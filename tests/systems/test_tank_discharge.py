@@ -59,7 +59,7 @@ def test_pages_say_what_the_diagnoses_do(diagnosis: Diagnosis, told: list[str], 
     assert f"probability {100 * diagnosis.verdict.probability:.0f} %" in text_of("results.md")
     assert f"It is {100 * diagnosis.verdict.probability:.0f} % and not more" in text_of("stories/vessel.md")
     filling = carried_on.final.comparison.scores["holdout"]
-    met = f"It meets the filling to {filling['p'].rmse / 1e3:.2f} kPa and {filling['T'].rmse:.2f} K."
+    met = f"it meets the filling to {filling['p'].rmse / 1e3:.2f} kPa and {filling['T'].rmse:.2f} K"
     assert met in text_of("stories/vessel.md")
 
 

