@@ -194,8 +194,12 @@ def test_no_result_replaces_what_the_command_reads(case: str, command: Command, 
     assert everything(place) == before
 
 
-def test_a_model_made_from_own_files_says_what_it_needs(command: Command, place: Path) -> None:
+def test_a_model_made_from_own_files_stands_by_itself_or_says_what_it_needs(command: Command, place: Path) -> None:
     (place / "My own.mo").write_text("model Own\n  extends PneumaticMuscle.Benches.TankFilling;\nend Own;\n")
-    outcome = done(command("add", "LaminarLeak", "--to", "My own.mo", "-o", "Leaking.mo"))
-    assert "--file 'My own.mo'" in outcome.err
+    done(command("add", "LaminarLeak", "--to", "My own.mo", "-o", "Leaking.mo"))
+    done(command("simulate", "Leaking.mo", "--stop-time", "1"))
     done(command("simulate", "Leaking.mo", "--file", "My own.mo", "--stop-time", "1"))
+    (place / "My leak.mo").write_text("model Seep\n  extends PneumaticMuscle.Effects.Leak.LaminarLeak;\nend Seep;\n")
+    outcome = done(command("add", "Seep", "--to", "TankFilling", "--file", "My leak.mo", "-o", "Seeping.mo"))
+    assert "--file 'My leak.mo'" in outcome.err
+    done(command("simulate", "Seeping.mo", "--file", "My leak.mo", "--stop-time", "1"))

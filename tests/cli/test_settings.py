@@ -80,7 +80,7 @@ def test_start_values_are_settings_too(command: Command, place: Path) -> None:
     fmu = models.fmu(models.lag)
     assert {"x_start", "u"} <= set(pam.describe(str(fmu)).settable)
     face = pam.describe("Isotonic")
-    [state] = [n for n, v in face.locals.items() if v.start is not None]
+    state = next(name for name in face.states if face.start_values[name].unit == "m/s")
     done(command("simulate", "Isotonic", "--set", f"{state}=10 mm/s", "--stop-time", "0.2", "-o", "t.csv"))
     done(command("simulate", "Isotonic", "--stop-time", "0.2", "-o", "s.csv"))
     assert (place / "t.csv").read_text() != (place / "s.csv").read_text()
@@ -193,9 +193,9 @@ def test_a_data_set_that_says_it_twice(
     refused(command("compare", "data"), message)
 
 
-def test_an_input_cannot_be_fitted(command: Command, place: Path) -> None:
+def test_an_input_that_is_recorded_cannot_be_fitted(command: Command, place: Path) -> None:
     toml = filling(place / "data", {}) / "experiment.toml"
-    free = 'u_out = { min = "0 A", max = "1 A" }'
+    free = 'u_in = { min = "0 A", max = "1 A" }'
     toml.write_text(toml.read_text().replace('"valve.C_A" = { min = 0.1, max = 2 }', free))
     refused(command("fit", "data"), ["experiment.toml:8", "u_out", "input", "[parameters]"])
 

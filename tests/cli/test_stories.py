@@ -23,7 +23,7 @@ STORIES = sorted((ROOT / "docs" / "stories").glob("*.md"))
 
 def lines(page: Path) -> list[list[str]]:
     """The words of each command of the page's shell blocks."""
-    blocks = re.findall(r"```(?:sh)?\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+    blocks = re.findall(r"^```sh\n(.*?)^```", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)
     return [shlex.split(line, comments=True) for block in blocks for line in block.splitlines() if line.strip()]
 
 
