@@ -69,7 +69,7 @@ def drafted(courses: Sequence[Course], interface: Interface, files: Sequence[Pat
 
 
 def _by_order(rows: Sequence[Mapping[str, Array]], units: Mapping[str, str]) -> list[str]:
-    """"order" where rows go up and come back, in a file or from one to another; "" for all where they do not."""
+    """ "order" where rows go up and come back, in a file or from one to another; "" for all where they do not."""
     if not (any(ordered(own, units) for own in rows) or {1, -1} <= {way(own, units) for own in rows}):
         return [""] * len(rows)
     return ["order" if moves(own, units) else "none" for own in rows]

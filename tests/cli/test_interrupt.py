@@ -99,7 +99,7 @@ def simulating(running: Running) -> bool:
 
 
 def compiling(running: Running) -> bool:
-    return any("zig cc" in command for command in running.family())
+    return any("ziglang/zig" in command for command in running.family())
 
 
 def kept(running: Running) -> bool:

@@ -197,7 +197,7 @@ def test_an_input_that_is_recorded_cannot_be_fitted(command: Command, place: Pat
     toml = filling(place / "data", {}) / "experiment.toml"
     free = 'u_in = { min = "0 A", max = "1 A" }'
     toml.write_text(toml.read_text().replace('"valve.C_A" = { min = 0.1, max = 2 }', free))
-    refused(command("fit", "data"), ["experiment.toml:8", "u_out", "input", "[parameters]"])
+    refused(command("fit", "data"), ["experiment.toml:11", "u_in", "free under [fit]"])
 
 
 # --- build -o

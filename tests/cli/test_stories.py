@@ -106,12 +106,11 @@ def test_class_of_the_library_goes_by_its_shorter_name(command: Callable[..., Ou
     assert command("simulate", "Examples.NoSuchModel", "-o", "run2.csv").status == 2
 
 
+@pytest.mark.full
 def test_friction(command: Callable[..., Outcome], place: Path) -> None:
-    """All but the diagnosis, which the tests of whole systems make."""
     write, *rest = lines(page("dzahir-yamamoto-friction"))
     assert write[0] == "python" and write[1].endswith("vertical_rig.py")
     subprocess.run([sys.executable, ROOT / write[1], *write[2:]], check=True, capture_output=True)
-    for words in rest:
-        if words[:2] in (["pam-cosim", "compare"], ["pam-cosim", "add"]):
-            done(command(*words[1:]))
+    said = [done(command(*words[1:])).out for words in rest if words[0] == "pam-cosim"]
     assert "LoadFrequencyFriction damper" in (place / "Proposed.mo").read_text(encoding="utf-8")
+    assert rms(said[0], "x") != rms(said[-1], "x") and f"-> {rms(said[-1], 'x')} (noise" in said[1]
