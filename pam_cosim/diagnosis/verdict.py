@@ -311,7 +311,7 @@ def _far_runs(fit: Fit) -> list[tuple[str, str, float, str]]:
             continue
         runs = [r for r in fit.comparison.runs if r.run.sample_count(name)]
         errors = [float(np.sqrt(np.nanmean(r.residual(name) ** 2))) for r in runs]
-        usual = max(float(np.median(errors)), signal.sigma) if errors else 0.0
+        usual = max(sorted(errors)[(len(errors) - 1) // 2], signal.sigma) if errors else 0.0
         limit = CRITERIA.evidence.refuted * usual
         far += [(r.run.name, name, e, signal.unit) for r, e in zip(runs, errors, strict=True) if e > limit]
     return far

@@ -101,6 +101,8 @@ def test_a_run_that_is_far_off_is_no_noise() -> None:
     runs = {"run-01": 0.2, "run-02": 0.21, "run-07": 1.4}
     last = candidate("Leak", fitted(1.0, holdout=1.0, measured=seen, runs=runs), "leak")
     assert "But not in every run: run-07 (1.4 mm of x) is off." in judge(BASE, [last], []).reason
+    pair = candidate("Leak", fitted(1.0, holdout=1.0, measured=seen, runs={"a": 0.2, "b": 1.4}), "leak")
+    assert "b (1.4 mm of x) is off" in judge(BASE, [pair], []).reason
     even = candidate("Leak", fitted(1.0, holdout=1.0, measured=seen, runs=dict.fromkeys(runs, 0.2)), "leak")
     assert "But not" not in judge(BASE, [even], []).reason
 
