@@ -23,6 +23,8 @@ year, written as here: one, two or three names, or the first <code>and others</c
 <li><b>Gaylord 1958</b>: R. H. Gaylord, <i>Fluid actuated motor system and stroking device</i>, US patent 2 844 126, 1958.</li>
 <li><b>Hildebrandt and others 2005</b>: A. Hildebrandt, O. Sawodny, R. Neumann, A. Hartmann, <i>Cascaded control concept of a robot with two degrees of freedom driven by four artificial pneumatic muscle actuators</i>, Proceedings of the American Control Conference, Portland 2005, 680-685.</li>
 <li><b>Hunt, Graber-Tilton and Quinn 2017</b>: A. Hunt, A. Graber-Tilton, R. Quinn, <i>Modeling length effects of braided pneumatic actuators</i>, ASME International Design Engineering Technical Conferences, Cleveland 2017, V05AT08A008.</li>
+<li><b>ISO 10041</b>: <i>Pneumatic fluid power: electro-pneumatic continuous flow control valves</i>, International Organization for Standardization.</li>
+<li><b>ISO 10094</b>: <i>Pneumatic fluid power: electro-pneumatic continuous pressure control valves</i>, International Organization for Standardization.</li>
 <li><b>ISO 6358</b>: <i>Pneumatic fluid power: determination of flow-rate characteristics of components using compressible fluids</i>, International Organization for Standardization.</li>
 <li><b>ISO 6953</b>: <i>Pneumatic fluid power: compressed air pressure regulators and filter-regulators</i>, International Organization for Standardization.</li>
 <li><b>Itto and Kogiso 2011</b>: T. Itto, K. Kogiso, <i>Hybrid modeling of McKibben pneumatic artificial muscle systems</i>, Proceedings of the IEEE International Conference on Industrial Technology, Auburn 2011, 65-70.</li>
