@@ -148,6 +148,7 @@ def _attempted(trial: Trial, work: Callable[[Trial, Simulator], Result], brief: 
     try:
         fmu = build_source(name, source, trial.files, sensitivities=free, library=trial.library, lean=True, brief=brief)
         with Simulator(fmu) as simulator:
+            simulator.limit = CRITERIA.search.longest_run
             return work(trial, simulator)
     except (SimulationFailure, InputError) as problem:
         return trial.failed(str(problem))

@@ -62,6 +62,7 @@ class Simulator:
     """
 
     def __init__(self, path: Path) -> None:
+        self.limit: tuple[float, float] | None = None  # of processor time [s]: of a run, and of each of its rows
         self.path = Path(path)
         self._description = read_description(self.path)
         self.interface: Interface = interface_of(self._description)
@@ -76,6 +77,10 @@ class Simulator:
         except BaseException:
             self.close()
             raise
+
+    def _usual_limit(self, rows: int) -> float | None:
+        """Processor time [s] of a run of so many rows, where runs have a limit."""
+        return self.limit[0] + self.limit[1] * rows if self.limit else None
 
     def _load(self) -> None:
         self._callbacks = Callbacks()
@@ -164,7 +169,8 @@ class Simulator:
         values = course.values if course else {}
         if settle != "none" and not self._driver.settles:
             raise InputError(f"a start at rest is an equilibrium, which {_OTHER_TOOLS}", self.path)
-        outcome = self._outcome(layout, own, values, names, tolerance, max_seconds, settle=settle)
+        limit = max_seconds or self._usual_limit(len(wanted))
+        outcome = self._outcome(layout, own, values, names, tolerance, limit, settle=settle)
         settings = {**own, **held}
         if outcome.failed is not None:
             raise self._failure(outcome.failed, outcome.time, settings)
