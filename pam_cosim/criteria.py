@@ -310,8 +310,8 @@ class SearchCriteria:
     screening_evaluations: int = decides(6, "evaluations", "tell a promising effect from a hopeless one")
     screening_tolerance: float = decides(1e-5, "1", "of the solver then")
     longest_run: tuple[float, float] = decides(
-        (2.0, 1e-3), "s", "of processor time, and more for each row, that a run with an effect may take: a hundred times what "
-        "one needs; the effect chatters there, or the model breaks down",
+        (2.0, 1e-3), "s", "of processor time, and more for each row, that a run with an effect may take: a hundred "
+        "times what one needs; the effect chatters there, or the model breaks down",
     )  # fmt: skip
     combined_parameters: int = decides(2, "parameters", "started in all combinations of orders of magnitude")
     decades: int = decides(1, "decades", "that the start of an effect's parameter is varied by, up and down")

@@ -70,7 +70,8 @@ def test_muscle(command: Callable[..., Outcome], place: Path, capsys: pytest.Cap
     assert python[:3] == ["python", "-m", "rig"]
     measurement.main(python[3:])
     kept = {"diagnose": ["--json", "muscle.json"]}
-    before, diagnosis, after = [done(command(*words[1:], *kept.get(words[1], []))).out for words in rest]
+    said = [done(command(*words[1:], *kept.get(words[1], []))) for words in rest]
+    before, diagnosis, after = [outcome.err + outcome.out for outcome in said]
     assert unsaid("stories/muscle.md", diagnosis) == []
     assert other_numbers("stories/muscle.md", errors_of(place / "muscle.json")) == []
     assert "FlexibleBladder" in (place / "Better.mo").read_text(encoding="utf-8")
