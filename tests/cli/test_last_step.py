@@ -87,15 +87,15 @@ def written_rig(folder: Path) -> Path:
     """A rig put together from parts beside its recordings; a muscle with a term that it does not have, and noise."""
     folder.mkdir()
     rig = folder / "Rig.mo"
-    pam.bench("imposed-pressure", "spring", measure="p, x", output=rig)
+    pam.bench("imposed-pressure", "spring", measure="x", output=rig)
     pam.add(["KangEnds"], to=str(rig), output=folder / "Truth.mo")
     times, rng = np.linspace(0, 6, 301), np.random.default_rng(3)
     for number, top in enumerate((150e3, 250e3, 200e3)):
         p = top * np.clip(np.interp(times, [0.2, 2.5, 3.5, 5.5], [0, 1, 1, 0]), 0, 1)
-        run = pam.simulate(str(folder / "Truth.mo"), inputs={"time": times, "p_set": p}, outputs=["x"])
+        run = pam.simulate(str(folder / "Truth.mo"), inputs={"time": times, "p": p}, outputs=["x"])
         x = np.interp(times, run.time, run["x"]) + 1e-4 * rng.standard_normal(len(times))
-        rows = [f"{t:.3f},{a!r},{b!r}" for t, a, b in zip(times, p, x, strict=True)]
-        (folder / f"run-{number}.csv").write_text("\n".join(["time [s],p_set [Pa],x [m]", *rows, ""]), encoding="utf-8")
+        rows = [f"{t:.3f},{float(a)!r},{float(b)!r}" for t, a, b in zip(times, p, x, strict=True)]
+        (folder / f"run-{number}.csv").write_text("\n".join(["time [s],p [Pa],x [m]", *rows, ""]), encoding="utf-8")
     (folder / "Truth.mo").unlink()
     roles = ("fit", "fit", "holdout")
     tables = [f'[[runs]]\nfile = "run-{i}.csv"\nrole = "{role}"\n' for i, role in enumerate(roles)]

@@ -75,7 +75,7 @@ def test_muscle(command: Callable[..., Outcome], place: Path, capsys: pytest.Cap
     assert unsaid("stories/muscle.md", diagnosis) == []
     assert other_numbers("stories/muscle.md", errors_of(place / "muscle.json")) == []
     assert "FlexibleBladder" in (place / "Better.mo").read_text(encoding="utf-8")
-    assert "1.80 mm -> 0.201 mm" in diagnosis
+    assert "1.8 mm -> 0.201 mm" in diagnosis
     assert rms(after, "x") == "0.201 mm" != rms(before, "x")
 
 
