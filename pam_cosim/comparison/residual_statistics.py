@@ -114,8 +114,7 @@ def series_of(
 
 def residual_statistics(series: Sequence[Series]) -> ResidualStatistics:
     """Statistics of weighted residuals, one series for each run and signal."""
-    chi2 = float(sum(np.sum(e.values**2) for e in series))
-    samples = float(sum(e.samples for e in series))
+    chi2, samples = _sums(series)
     _, whiteness_score = lag_one(series)
     return ResidualStatistics(
         chi2,
@@ -128,10 +127,14 @@ def residual_statistics(series: Sequence[Series]) -> ResidualStatistics:
     )
 
 
+def _sums(series: Sequence[Series]) -> tuple[float, float]:
+    """Sum of squares, and how many samples they count for."""
+    return float(sum(np.sum(e.values**2) for e in series)), float(sum(e.samples for e in series))
+
+
 def _level_score(series: Sequence[Series]) -> float:
     """What residuals exceed a known noise by, over what chance would (chi-square distribution)."""
-    samples = sum(e.samples for e in series)
-    chi2 = float(sum(np.sum(e.values**2) for e in series))
+    chi2, samples = _sums(series)
     return (chi2 - samples) / float(np.sqrt(2 * samples)) if samples else 0.0
 
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from math import inf
 
 import numpy as np
 
@@ -181,7 +180,6 @@ def _judged(model: Fit) -> _Left:
 
 def _is_needed(with_it: _Left | None, without: _Left | None) -> bool:
     """Whether what is left beyond the noise is visibly less with an effect."""
-    if with_it is None:
-        return False
-    before = inf if without is None else without.excess
-    return before > 0 and before - with_it.excess >= CRITERIA.folds.visible * min(before, 1e300)
+    if with_it is None or without is None:
+        return with_it is not None
+    return without.excess > 0 and without.excess - with_it.excess >= CRITERIA.folds.visible * without.excess

@@ -27,7 +27,7 @@ def start_estimates(objective: Objective) -> dict[str, Estimate]:
             estimates[f"{name}@{one.run.name}"] = Estimate(
                 value, value, value, unit, determined=False, run=one.run.name
             )
-        told = (one.deviations() / one.sd) ** 2 < CRITERIA.starts.told
+        told = one.told()
         reach = CRITERIA.fit.interval * one.deviations()
         for k, (name, value) in enumerate(one.settings().items()):
             estimates[name] = Estimate(

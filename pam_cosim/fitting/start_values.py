@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from typing import Generic, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
 from pam_cosim.comparison import measured, start_time
@@ -79,10 +80,9 @@ class StartValues:
             return np.array(self.sd, dtype=float)
         return np.sqrt(np.diag(np.linalg.inv(self.slopes.T @ self.slopes)))
 
-    def told(self) -> int:
-        """How many of them the data tell, and not what is known beforehand alone."""
-        left = (self.deviations() / self.sd) ** 2
-        return int(np.sum(left < CRITERIA.starts.told))
+    def told(self) -> NDArray[np.bool_]:
+        """(k,) which of them the data tell, and not what is known beforehand alone."""
+        return np.asarray((self.deviations() / self.sd) ** 2 < CRITERIA.starts.told)
 
 
 def start_values(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> StartValues:

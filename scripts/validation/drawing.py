@@ -56,6 +56,13 @@ def spread_at(trajectory: Trajectory, level: float, pressure: str, variable: str
     return float(np.ptp(y[before] + share * (y[before + 1] - y[before])))
 
 
+def widths(model: str, end: float, samples: int, level: float, after: float) -> list[float]:
+    """How wide the loops of the four benches of a model are at a pressure [Pa], after a time [s]: % of the length."""
+    names = [(f"bench[{i}].regulator.p", f"eps[{i}]") for i in (1, 2, 3, 4)]
+    fine = simulate(model, end, samples, [name for pair in names for name in pair])
+    return [100 * spread_at(fine, level, p, eps, after) for p, eps in names]
+
+
 def numbers(values: Sequence[float], digits: int) -> str:
     """``1.0, 2.0 and 3.0``."""
     texts = [f"{v:.{digits}f}" for v in values]

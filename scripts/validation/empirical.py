@@ -9,7 +9,7 @@ import numpy as np
 
 from pam_cosim.fmu import build_source
 from pam_cosim.simulation import Inputs, Simulator
-from scripts.validation.drawing import COLOURS, figure, numbers, save, simulate, spread_at
+from scripts.validation.drawing import COLOURS, figure, numbers, save, simulate, widths
 
 EMPIRICAL = """model EmpiricalForce
   extends PneumaticMuscle.Benches.StaticForce(muscle(L0=0.3, D0=0.02, alpha_0=23*PneumaticMuscle.Constants.pi/180,
@@ -31,9 +31,7 @@ def loads_and_rates(folder: Path) -> list[str]:
         a.set(xlabel="gauge pressure [kPa]", ylabel="contraction ratio [%]", title=f"random wave up to {f:g} Hz")
         a.legend()
     save(picture, folder, "loads-and-rates")
-    names = [(f"bench[{i}].regulator.p", f"eps[{i}]") for i in (1, 2, 3, 4)]
-    fine = simulate("Validation.LoadsAndRates", 20, 20001, [name for pair in names for name in pair])
-    a, b, c, d = (100 * spread_at(fine, 2e5, p, eps, 2.0) for p, eps in names)
+    a, b, c, d = widths("Validation.LoadsAndRates", 20, 20001, 2e5, 2.0)
     return [f"{a:.2f} and {b:.2f} % of the length (5 kg, 0.5 and 2 Hz), {c:.2f} and {d:.2f} % (20 kg)"]
 
 

@@ -18,12 +18,14 @@ import traceback
 from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 from pam_cosim.errors import InputError
 from pam_cosim.resources import modelica_root
 from pam_cosim.units import UnitError, base_unit, convert, seconds
 from pam_cosim.workbench.saved import checked_content, checked_step
 from tests.hostile.corpora import data_sets, models
+from tests.hostile.judged import judged
 from tests.hostile.mutations import mutated_bytes, mutated_document
 from tests.hostile.reading import make
 
@@ -35,13 +37,9 @@ UNITS = [*"abkmgPNs°Ω%_/*^()-+. ·", "**", "99", "in", "lambda", "degC", "delt
 Attack = Callable[[random.Random, Path], int]
 
 
-def outcomes(module: str, folder: Path, *words: str) -> list[dict[str, object]]:
+def outcomes(module: str, folder: Path, *words: str) -> list[dict[str, Any]]:
     """What became of the inputs in a folder, in a process of its own."""
-    command = [sys.executable, "-m", f"tests.hostile.{module}", str(folder), *words]
-    made = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE, cwd=ROOT)
-    told: list[dict[str, object]] = [json.loads(line) for line in made.stdout.splitlines()]
-    assert made.returncode == 0 and "Traceback" not in made.stderr, made.stderr[-2000:]
-    return told
+    return judged(module, folder, *words, patience=PATIENCE, quiet=False)
 
 
 def edited(text: str, chance: random.Random) -> str:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import subprocess
 import sys
 from pathlib import Path
 from typing import Any
@@ -12,9 +10,9 @@ import pytest
 
 from pam_cosim.files import read_file
 from tests.hostile.corpora.data_sets import REFUSED, TAKEN
+from tests.hostile.judged import judged
 from tests.hostile.reading import make
 
-PATIENCE = 300.0  # s for all of them, beside other tests
 ONE = 10.0  # s of processor time
 MEMORY = 1000.0  # MB
 pytestmark = [
@@ -29,10 +27,7 @@ def outcomes(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, An
     folder = tmp_path_factory.mktemp("data")
     for number, changes in enumerate((*REFUSED.values(), *TAKEN.values())):
         make(folder / f"set-{number:03}", changes)
-    command = [sys.executable, "-m", "tests.hostile.reading", str(folder), "compare"]
-    made = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE, cwd=Path(__file__).parents[2])
-    assert made.returncode == 0 and not made.stderr, made.stderr[-2000:]
-    told = [json.loads(line) for line in made.stdout.splitlines()]
+    told = judged("reading", folder, "compare")
     return dict(zip((*REFUSED, *TAKEN), told, strict=True))
 
 

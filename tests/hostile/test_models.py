@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -14,8 +11,8 @@ from pam_cosim import study
 from pam_cosim.compiler import elementwise
 from pam_cosim.errors import ModelError
 from tests.hostile.corpora.models import REFUSED, TAKEN, model
+from tests.hostile.judged import judged
 
-PATIENCE = 300.0  # s for all of them, beside other tests
 ONE = 30.0  # s of processor time
 MEMORY = 1000.0  # MB
 pytestmark = pytest.mark.xdist_group("hostile models")  # they are compiled once
@@ -27,10 +24,7 @@ def outcomes(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, An
     folder = tmp_path_factory.mktemp("models")
     for number, text in enumerate((*REFUSED.values(), *TAKEN.values())):
         (folder / f"{number:03}.mo").write_text(text)
-    command = [sys.executable, "-m", "tests.hostile.compiling", str(folder)]
-    made = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE, cwd=Path(__file__).parents[2])
-    assert made.returncode == 0 and not made.stderr, made.stderr[-2000:]
-    told = [json.loads(line) for line in made.stdout.splitlines()]
+    told = judged("compiling", folder)
     return dict(zip((*REFUSED, *TAKEN), told, strict=True))
 
 
