@@ -16,7 +16,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.files import read_json
 from pam_cosim.fitting import Fit, parameters_in, read_parameters
 from pam_cosim.measurement import DataSet
-from pam_cosim.names import is_fmu, is_modelica, is_ratio
+from pam_cosim.names import is_fmu, is_modelica, is_ratio, sources_of
 from pam_cosim.products import load
 
 
@@ -81,7 +81,7 @@ def with_own_values(data: DataSet, model: str, files: Sequence[Path]) -> DataSet
         model: the other model.
         files: further Modelica files.
     """
-    sources = [*files, *(Path(one) for one in (data.bench, model) if is_modelica(one))]
+    sources = sources_of(files, data.bench, model)
     tree = read_library(files=sources)
     stated = {
         n for one in _lineage(tree, model, sources) - _lineage(tree, data.bench, sources) for n in _stated(tree, one)

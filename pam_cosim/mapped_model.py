@@ -11,7 +11,7 @@ from pam_cosim.fitted_model import with_base
 from pam_cosim.fmu.cache import cached_folder, digest
 from pam_cosim.input_map import InputMap
 from pam_cosim.interface import Interface
-from pam_cosim.names import is_modelica
+from pam_cosim.names import sources_of
 
 
 def mapped_model(model: str, interface: Interface, maps: Sequence[InputMap], files: Sequence[Path] = ()) -> str:
@@ -26,7 +26,7 @@ def mapped_model(model: str, interface: Interface, maps: Sequence[InputMap], fil
         ModelError: the model cannot be found.
         InputError: the cache cannot be written.
     """
-    sources = [*files, *([Path(model)] if is_modelica(model) else [])]
+    sources = sources_of(files, model)
     tree = read_library(files=sources)
     base = read_structure(qualified(tree, model), files=sources).model
     made = with_input_maps(tree, base, interface, maps)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from pathlib import Path
+
 
 def is_fmu(model: str) -> bool:
     """Whether it is an FMU's file."""
@@ -16,6 +19,11 @@ def is_modelica(model: str) -> bool:
 def is_file(model: str) -> bool:
     """Whether it is a file, and not a name in a library."""
     return is_fmu(model) or is_modelica(model)
+
+
+def sources_of(files: Sequence[Path], *models: str) -> tuple[Path, ...]:
+    """The Modelica files that models need: further ones, and their own where a model is named by its file."""
+    return (*files, *(Path(model) for model in models if is_modelica(model)))
 
 
 BRANCH = "branch"

@@ -54,7 +54,7 @@ from pam_cosim.measurement import DataSet, Run, complete_noise, read_data_set
 from pam_cosim.models import Paths, as_paths, opened
 from pam_cosim.models import build as build
 from pam_cosim.models import describe as describe
-from pam_cosim.names import START_VALUES, is_fmu, is_modelica, is_ratio, parameter_of
+from pam_cosim.names import START_VALUES, is_fmu, is_ratio, parameter_of, sources_of
 from pam_cosim.products import Product
 from pam_cosim.settings import Setting, resolve, value_of
 from pam_cosim.simulation import Inputs, Trajectory
@@ -121,7 +121,7 @@ def _described(files: Paths) -> Callable[[str], Interface]:
 
 def _domain(model: str, interface: Interface, files: Paths) -> Domain:
     """The words of the model's field; an FMU says what class it was made from."""
-    sources = as_paths(files) + ([Path(model)] if is_modelica(model) else [])
+    sources = sources_of(as_paths(files), model)
     return domain_of(read_library(files=sources), interface.model if is_fmu(model) else model)
 
 
@@ -406,7 +406,7 @@ def add(
     ratio = next((parameter_of(one) for one in fitted.effects if is_ratio(one)), None)
     if ratio is not None and not fitted.values:
         raise InputError(f"what is stated of {ratio} is no part of a model: correct it in the data set")
-    extra = as_paths(files) + ([Path(base)] if is_modelica(base) else [])
+    extra = sources_of(as_paths(files), base)
     name = Path(output).stem if output else None
     parameters = describe(base, files).parameters if fitted.values else ()
     tree = read_library(files=extra)

@@ -17,7 +17,7 @@ from pam_cosim.fitting import starts_are_open, with_starts
 from pam_cosim.fmu import build_model
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet, complete_noise, condensed
-from pam_cosim.names import is_fmu, is_modelica
+from pam_cosim.names import is_fmu, sources_of
 from pam_cosim.simulation import Simulator
 from pam_cosim.workers import wake
 
@@ -76,7 +76,7 @@ def subject_of(
     if is_fmu(name):
         raise InputError("effects can be added to a Modelica model only; an FMU can be compared and fitted", name)
     wake(workers, run_trial.__module__)
-    sources = tuple([*files, Path(name)] if is_modelica(name) else files)
+    sources = sources_of(files, name)
     tree = read_library(files=sources)
     data, said = condensed(data)
     if said:

@@ -40,7 +40,7 @@ from pam_cosim.ledger.radau import further_nodes, integrate
 from pam_cosim.ledger.sensor import SensorFault, Unaugmented, fault_beside, try_sensors
 from pam_cosim.ledger.smoother import Point, Problem, Smoothed, smooth, unknown_sizes, with_some
 from pam_cosim.measurement import DataSet
-from pam_cosim.names import is_fmu, is_modelica
+from pam_cosim.names import is_fmu, sources_of
 
 
 def keep_ledger(
@@ -72,7 +72,7 @@ def keep_ledger(
         raise InputError("a ledger is kept over time, and points at rest have none", data.folder)
     if is_fmu(name):
         raise InputError("a ledger can be kept of a Modelica model only: an FMU has no balances to open", name)
-    sources = [*files, Path(name)] if is_modelica(name) else list(files)
+    sources = sources_of(files, name)
     tree = tree or read_library(files=sources)
     models = augmented_models(tree, name, effects, files=sources)
     return _Estimation(data, dict(values or {}), models, domain_of(tree, name)).ledger()

@@ -23,7 +23,7 @@ from pam_cosim.compiler.names import last
 from pam_cosim.errors import InputError
 from pam_cosim.files import identity
 from pam_cosim.fitted_model import FittedModel, compose_fitted
-from pam_cosim.names import is_fmu, is_modelica
+from pam_cosim.names import is_fmu, sources_of
 from pam_cosim.workbench.protocol import ShownEffect
 
 _EQUATIONS = re.compile(
@@ -48,7 +48,7 @@ class Catalogue:
 
     def sources(self, model: str) -> tuple[Path, ...]:
         """The Modelica files that a model needs."""
-        return (*self.files, Path(model)) if is_modelica(model) else self.files
+        return sources_of(self.files, model)
 
     def _key(self, model: str) -> tuple[object, ...]:
         return tuple((str(file), identity(file)) for file in self.sources(model))
