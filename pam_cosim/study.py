@@ -41,6 +41,7 @@ from pam_cosim.fitting import (
     Progress,
     base_parameters,
     estimated_starts,
+    runs_without_start,
     starts_are_open,
     with_free,
     with_starts,
@@ -50,7 +51,7 @@ from pam_cosim.fitting import profile as _profile
 from pam_cosim.fmu import read_interface
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.mapped_model import mapped_model
-from pam_cosim.measurement import DataSet, Moment, Run, complete_noise, overrides_of, read_data_set
+from pam_cosim.measurement import DataSet, Moment, complete_noise, overrides_of, read_data_set
 from pam_cosim.models import Paths, as_paths, opened
 from pam_cosim.models import build as build
 from pam_cosim.models import describe as describe
@@ -164,7 +165,7 @@ def compare(
     values = _of_runs(parameters or {}, data, interface)
     data = begun_data(data, name, values, files, timeout)
     with opened(name, files, [START_VALUES] * data.estimates_starts, timeout) as simulator:
-        starts = estimated_starts(simulator, data, _without_start(data, values, interface), values)
+        starts = estimated_starts(simulator, data, runs_without_start(data, values, interface), values)
         return _compare(simulator, data, values | {name: e.value for name, e in starts.items()})
 
 
@@ -189,12 +190,6 @@ def begun_data(
         return data
     with opened(model, files, timeout=timeout) as simulator:
         return with_starts(simulator, data, values)
-
-
-def _without_start(data: DataSet, values: Mapping[str, float], interface: Interface) -> list[Run]:
-    """The runs of which the values do not say where they begin."""
-    given = {name.rpartition("@")[2] for name in values if name.rpartition("@")[0] in interface.states}
-    return [run for run in data.runs if run.name not in given]
 
 
 def _of_runs(parameters: Mapping[str, Setting], data: DataSet, interface: Interface) -> dict[str, float]:
