@@ -545,7 +545,7 @@ def new(
     made = draft(Path(folder), paths, wishes, read_library(files=as_paths(files)), _described(files), as_paths(files))
     written = read(folder, files=files)
     begun = begun_data(written, written.model, files=files)
-    return replace(made, data=written, to_check=(*begun.starts, *made.to_check))
+    return replace(made, data=written, starts=begun.starts)
 
 
 def simulate(

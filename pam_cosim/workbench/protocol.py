@@ -517,7 +517,8 @@ class Draft(Event):
 
     Attributes:
         model: the bench that is proposed. guesses: ``{"what", "taken_as", "why"}`` of each column, run and noise.
-        to_check: what only the experimenter knows, sentences.
+        starts: recordings that begin elsewhere than the model by itself, sentences.
+        to_check: what only the experimenter knows, likewise.
         names: inputs and outputs of the bench that a column can be taken for. parameters: that may be stated.
         toml: ``experiment.toml`` as it would be written.
         curves: ``{"run", "signal", "unit", "time", "values"}``, a preview.
@@ -529,6 +530,7 @@ class Draft(Event):
     title: str = ""
     model: str = ""
     guesses: tuple[Json, ...] = ()
+    starts: tuple[str, ...] = ()
     to_check: tuple[str, ...] = ()
     runs: tuple[Json, ...] = ()
     names: tuple[Json, ...] = ()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ import pytest
 import pam_cosim as pam
 from pam_cosim.errors import InputError
 from pam_cosim.workbench import Session
+from pam_cosim.workbench.starts import StartsShown
 from tests.workbench.conftest import Window
 from tests.workbench.test_saving import repeated, same, scores
 
@@ -93,6 +95,16 @@ def test_a_start_value_moves_the_curve_at_once(window: Window, recorded: Path) -
     assert chi2(window) == pytest.approx(compared.chi2_reduced("fit"), rel=1e-9)
     window.do(do="begin", run="run-01", mode="rest")
     assert value(window, "muscle.gas.p") == pytest.approx(101.325) and not window.session.state.values
+
+
+def test_what_the_model_cannot_begin_as_is_a_warning(window: Window) -> None:
+    session = window.session
+    reason = "run-01 begins at 118 kPa: the model begins at p = 0 kPa, and cannot begin elsewhere"
+    first, *others = session.state.data.runs
+    stuck = replace(first, start=replace(first.start, mode="rest", reason=reason, chosen=True))
+    state = replace(session.state, data=replace(session.state.data, runs=(stuck, *others)))
+    told = StartsShown().event(state, session.opened, {}, 1).runs
+    assert [(one.warning, one.text) for one in told][0] == (True, reason) and not told[1].warning
 
 
 @pytest.mark.parametrize(
