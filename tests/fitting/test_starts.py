@@ -67,6 +67,26 @@ def test_a_cut_recording_is_told_first(data: Callable[..., DataSet]) -> None:
     assert compared.as_dict()["runs"][0]["start"] == "estimated"  # type: ignore[index]
 
 
+def test_whoever_reads_may_cut_as_the_file_could_be(tmp_path: Path) -> None:
+    """The rows that are left say the same, and each run has its start chosen anew."""
+    whole = _folder(tmp_path / "whole", 0.0)
+    runs = [run.name for run in pam.read(whole).runs]
+    read = pam.compare(pam.read(whole, cuts={run: (f"{CUT} s", None) for run in runs}))
+    file = pam.compare(pam.read(_folder(tmp_path / "cut", CUT)))
+    assert read.data.starts == file.data.starts
+    assert read.chi2_reduced("fit") == pytest.approx(file.chi2_reduced("fit"), rel=1e-6)
+
+
+def test_a_run_begins_at_start_values_that_are_given_with_its_name(data: Callable[..., DataSet]) -> None:
+    """A fit holds them, and a comparison with them is the same."""
+    free = ["muscle.mu_fb"]
+    estimated = pam.fit(data(), free=free)
+    held = pam.fit(data(start="rest"), free=free, start=estimated.start_values)
+    assert _chi2(held, "fit") == pytest.approx(_chi2(estimated, "fit"), rel=0.02) and not held.starts
+    compared = pam.compare(data(start="rest"), parameters=held.values | estimated.start_values)
+    assert compared.chi2_reduced("fit") == pytest.approx(_chi2(held, "fit"), rel=1e-6)
+
+
 def test_cut_and_whole_have_the_same_parameters_and_leave_noise(data: Callable[..., DataSet]) -> None:
     whole, cut = pam.fit(data(cut=0.0)), pam.fit(data())
     for role in ("fit", "holdout"):
