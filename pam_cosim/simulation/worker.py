@@ -68,6 +68,7 @@ class _Worker:
             if self.simulator is None:
                 self._send(PROGRESS, None)  # before the FMU is loaded: nothing in this process can speak meanwhile
                 self.simulator = Simulator(self._path)
+                self.simulator.limit = None  # its steps are its own affair: who waits looks at its progress
             return "result", self._do(self.simulator, **request)
         except (InputError, SimulationFailure) as error:
             return "error", error
