@@ -20,7 +20,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import interface_of, read_description, real_variables
 from pam_cosim.interface import Interface
-from pam_cosim.simulation.driver import TOO_SLOW, Callbacks, Driver, Outcome, Progress, Settle
+from pam_cosim.simulation.driver import TOO_SLOW, AnyDriver, Callbacks, Driver, Outcome, Progress, Settle
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs, with_held
 from pam_cosim.simulation.instance import (
@@ -88,6 +88,8 @@ class Simulator:
         return self.limit[0] + self.limit[1] * rows if self.limit else None
 
     def _load(self) -> None:
+        if self._description.coSimulation is None:
+            raise InputError("this FMU has no co-simulation interface", self.path)
         self._callbacks = Callbacks()
         self._instance = load_instance(self.path, self._description, self._directory)
         self._slopes = takes_slopes(self._description, self._instance)
@@ -103,7 +105,7 @@ class Simulator:
         self._instance = None  # while there is none
         instantiate(instance, self._callbacks, self.path.name)
         self._instance = instance
-        self._driver = Driver(instance.dll, instance.component, self._slopes, major_version(instance))
+        self._driver: AnyDriver = Driver(instance.dll, instance.component, self._slopes, major_version(instance))
         self._used = False
 
     def __enter__(self) -> Simulator:
