@@ -73,7 +73,7 @@ def parse_variations(
 ) -> dict[str, list[float] | list[str]]:
     """``NAME=FROM:TO:N`` or ``NAME=A,B,C`` words to lists of values [SI]; with ``ranges``, ``NAME=FROM:TO`` words.
 
-    ``inputs=A.csv,B.csv`` stays a list of files.
+    ``inputs=A.csv,B.csv`` stays a list of texts, of files or of formulas.
 
     Raises:
         InputError: as ``parse_settings``.
@@ -84,7 +84,7 @@ def parse_variations(
         if name in variations:
             raise InputError(f"'{name}' is varied twice")
         if varies_inputs({name: text}, interface):
-            variations[name] = [file.strip() for file in text.split(",")]
+            variations[name] = [one.strip() for one in text.split(",")]
             continue
         variable = settable(name, interface)
         if ranges:

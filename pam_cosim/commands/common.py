@@ -29,6 +29,13 @@ remarks: list[Callable[[], str]] = []  # what else an interrupted command has to
 console = Console(stderr=True, highlight=False)
 
 ModelOption = Annotated[str | None, typer.Option("--model", help="A bench, a Modelica class, a .mo or an .fmu file.")]
+InputOption = Annotated[
+    str | None,
+    typer.Option(
+        "--input",
+        help="CSV with input columns: name [unit]; or formulas in time [s], 'u_in = 0.25 + 0.1*sin(6.28*time)'.",
+    ),
+]
 FilesOption = Annotated[
     list[Path] | None, typer.Option("--file", help="A .mo file or the folder of a package: own effects, rigs, library.")
 ]

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
+from pam_cosim.comparison import measured
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free, with_starts
 from pam_cosim.fitting.objective import Objective
@@ -85,6 +86,18 @@ def test_measured_is_near(data: Callable[..., DataSet]) -> None:
     fit = pam.fit(data(start="measured"))
     assert _chi2(fit, "fit") < 2.0
     assert not fit.starts
+
+
+def test_a_reading_at_the_end_of_its_range_shows_no_start(data: Callable[..., DataSet], tmp_path: Path) -> None:
+    """Beyond the end a position of kilometres changes the reading no more than one of millimetres."""
+    model = tmp_path / "Ceiling.mo"
+    pam.add(["PositionCeiling"], to="Isotonic", output=model)
+    data_set = data(start="measured")
+    with Simulator(build_model(str(model))) as simulator:
+        for run in data_set.runs:
+            begins = measured(simulator, data_set, run, data_set.parameters_of(run, {}))
+            assert set(begins.values) == {"muscle.gas.p"}
+            assert begins.settle == "others"
 
 
 def test_steady_is_right_where_the_rig_rested(data: Callable[..., DataSet]) -> None:
