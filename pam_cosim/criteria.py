@@ -416,8 +416,12 @@ class ResolutionCriteria:
 
 @dataclass(frozen=True)
 class RunCriteria:
-    """What is read off one run of a model."""
+    """What is read off one run of a model, and how long it may take."""
 
+    longest: tuple[float, float] = decides(
+        (30.0, 1e-2), "s", "of processor time, and more for each row: a thousand times what a run needs; the model "
+        "chatters there, or its values make it stiff beyond use",
+    )  # fmt: skip
     steady_part: float = decides(
         0.1, "of a run", "its last part, over which a steady value is averaged and a settled variable stays where it is"
     )
