@@ -32,9 +32,11 @@ def fits(folder: Path) -> dict[str, Fit]:
 def draw(made: dict[str, Fit], picture: Path) -> None:
     """The lowest chi-square by the number of simulations; a cross where a search leaves off and a descent begins."""
     figure, axes = plt.subplots(figsize=(8, 4.2), layout="constrained")
+    widths = {"least-squares": 5.0}  # where descents from the same start coincide, both are seen
     for method, fit in made.items():
         course = fit.convergence
-        (line,) = axes.step(course.evaluations, course.chi2_reduced, where="post", label=method)
+        width = widths.get(method, 1.5)
+        (line,) = axes.step(course.evaluations, course.chi2_reduced, where="post", label=method, linewidth=width)
         if fit.search is not None:
             own = fit.search.as_dict()
             axes.plot(own["evaluations"], own["chi2_reduced"], "x", color=line.get_color(), ms=9)
