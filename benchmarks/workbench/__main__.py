@@ -19,14 +19,12 @@ from typing import Any
 
 from playwright.sync_api import sync_playwright
 
-from rig.measurement import measure, write_data_set
-from rig.named import effect_of
-from rig.plan import default_plan
+from benchmarks.workbench.data import six_runs
 from scripts.browser import MISSING, chromium, serving
 
 MOVES = """
 async ([moves, pause]) => {
-  const slider = document.querySelector("input[type=range]"), times = [];
+  const slider = document.querySelector("#parameters input[type=range]"), times = [];
   const shown = () => new Promise((done) => {
     const drawn = (event) => {
       if (event.detail.version <= seen) return;
@@ -61,8 +59,7 @@ def main() -> int:
         print(MISSING, file=sys.stderr)
         return 2
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
-        data = Path(folder) / "six"
-        write_data_set(data, measure(default_plan(), [effect_of("elasticity:linear")], seed=1))
+        data = six_runs(Path(folder) / "six")
         browser = playwright.chromium.launch(executable_path=program, args=["--no-sandbox"])
         with serving(data) as (address, process):
             page = browser.new_page(viewport={"width": 1280, "height": 800})

@@ -6,6 +6,7 @@ import asyncio
 import contextlib
 import json
 import socket
+import sys
 import webbrowser
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -31,6 +32,7 @@ from pam_cosim.workbench.work import failed_by
 
 PAGE = Path(__file__).parent / "page"
 HOST = "127.0.0.1"
+SWITCH = 0.0005  # [s] after which what is sent need no longer wait for what is reckoned
 MOST_WAITING = 20_000  # messages that a window may be behind before it is given up
 
 
@@ -193,7 +195,9 @@ def serve(
         config = uvicorn.Config(
             _opening(application(workbench, token), address if browser else None),
             log_level="warning", lifespan="on", server_header=False, ws_max_size=1 << 20, timeout_graceful_shutdown=1,
+            ws_per_message_deflate=False,
         )  # fmt: skip
+        sys.setswitchinterval(SWITCH)
         server = uvicorn.Server(config)
         with contextlib.suppress(KeyboardInterrupt):
             server.run(sockets=[listener])
