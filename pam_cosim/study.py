@@ -578,7 +578,8 @@ def simulate(
         interval: [s] between outputs; default: the model's own.
         engine: "own", or "fmpy": FMPy drives the same FMU, in this process.
         files: further Modelica files.
-        timeout: [s]; an FMU that makes no progress for so long is ended, and its run fails; default: a minute.
+        timeout: [s] of processor time, after which a run of a Modelica model fails; default:
+            ``CRITERIA.run.longest``. An FMU that makes no progress for so long is ended; default: a minute.
 
     Raises:
         InputError: an unknown model or name, a value that cannot be used, an input given both ways.

@@ -69,7 +69,11 @@ StartOption = Annotated[
 ]
 TimeoutOption = Annotated[
     float | None,
-    typer.Option(help="End an .fmu that makes no progress for so many seconds; default 60, inf: never.", min=0.0),
+    typer.Option(
+        help="End a run that takes so many seconds of processor time (default: 30 and 0.01 for each row), or an .fmu "
+        "that makes no progress for so long (default: 60); inf: never.",
+        min=0.0,
+    ),
 ]
 VariablesOption = Annotated[
     list[str] | None, typer.Option("--output", help="A variable to keep beside the model's outputs; can be repeated.")

@@ -51,7 +51,7 @@ def simulate(
         files=files or [],
         timeout=timeout,
     )
-    for warning in trajectory.warnings:
+    for warning in filter(None, (trajectory.solver, *trajectory.warnings)):
         typer.echo(f"pam-cosim: {warning}", err=True)
     if output:
         trajectory.save(output)

@@ -155,3 +155,22 @@ def test_slopes_with_the_start_following_are_those_of_the_whole(data: Callable[.
             slope = (above @ above - below @ below) / (2 * step)
             assert slope == pytest.approx(2 * at @ jacobian[:, i], rel=1e-3)
             assert np.linalg.norm((above - below) / (2 * step) - jacobian[:, i]) < 0.02 * size
+
+
+def test_a_force_that_is_missing_is_no_start(tmp_path: Path) -> None:
+    """It is there from the first sample on, but no pressure that the manometer allows explains it."""
+    times, rng = np.linspace(0.0, 4.0, 201), np.random.default_rng(1)
+    command = {"time": times, "u_in": np.where(times < 2.0, 0.3, 0.0), "u_out": np.where(times < 2.0, 0.0, 0.3)}
+    run = pam.simulate("Isometric", inputs=command, stop_time=4.0, interval=0.02)
+    p = run["p"] + 500.0 * rng.standard_normal(len(times))
+    force = run["F"] - 0.3 * np.ptp(run["F"]) + 1.0 * rng.standard_normal(len(times))
+    rows = np.column_stack([times, command["u_in"], command["u_out"], p, force])
+    np.savetxt(
+        tmp_path / "run.csv", rows, delimiter=",", comments="", header="time [s],u_in [A],u_out [A],p [Pa],F [N]"
+    )
+    (tmp_path / "experiment.toml").write_text(
+        'model = "PneumaticMuscle.Benches.Isometric"\n[signals.p]\nsigma = "0.5 kPa"\n[signals.F]\nsigma = "1 N"\n'
+        '[[runs]]\nfile = "run.csv"\nrole = "fit"\ninterpolation = "previous"\n'
+    )
+    compared = pam.compare(pam.read(tmp_path))
+    assert [run.start.mode for run in compared.data.runs] == ["rest"]
