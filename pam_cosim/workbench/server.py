@@ -8,7 +8,7 @@ import json
 import socket
 import sys
 import webbrowser
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +27,7 @@ from pam_cosim.workbench.documents import NAMES, document
 from pam_cosim.workbench.drop import MOST_BYTES
 from pam_cosim.workbench.guard import Guard, new_token
 from pam_cosim.workbench.host import Workbench
+from pam_cosim.workbench.job import Worker
 from pam_cosim.workbench.protocol import Failed, answer, is_model
 from pam_cosim.workbench.work import failed_by
 
@@ -188,7 +189,7 @@ def serve(
     listener = _listener(port)
     token = new_token()
     address = f"http://{HOST}:{listener.getsockname()[1]}/?token={token}"
-    with listener, Workbench(folder, model=model, files=files) as workbench:
+    with listener, _awake() as worker, Workbench(folder, model=model, files=files, worker=worker) as workbench:
         workbench.wake()
         tell(f"the workbench is open at {address}")
         tell("end it with Ctrl-C; whoever has the address can use it")
@@ -201,6 +202,17 @@ def serve(
         server = uvicorn.Server(config)
         with contextlib.suppress(KeyboardInterrupt):
             server.run(sockets=[listener])
+
+
+@contextlib.contextmanager
+def _awake() -> Iterator[Worker]:
+    """The process for fits, which loads while the data set is read."""
+    worker = Worker()
+    worker.wake()
+    try:
+        yield worker
+    finally:
+        worker.end()
 
 
 def _listener(port: int) -> socket.socket:

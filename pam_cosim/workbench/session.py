@@ -50,6 +50,7 @@ class Session:
         files: further Modelica files.
         windows: that look at it; default: none yet.
         workers: number of processes of a diagnosis, as for ``study.diagnose``.
+        worker: the process in which it fits, if there is one already; the session ends it.
 
     Raises:
         InputError: the data set cannot be read.
@@ -63,11 +64,12 @@ class Session:
         files: Sequence[Path] = (),
         windows: Windows | None = None,
         workers: int | None = None,
+        worker: Worker | None = None,
     ) -> None:
         self.folder, self.files = Path(folder), tuple(Path(f) for f in files)
         self.source = Source(self.folder, self.files)
         self.windows, self.catalogue = windows or Windows(), Catalogue(self.files)
-        self.worker, self.workers = Worker(), workers
+        self.worker, self.workers = worker or Worker(), workers
         self.work = Work(self)
         self.scratch = Path(tempfile.mkdtemp(prefix="pam-cosim-workbench-"))
         self.past: list[State] = []
@@ -111,6 +113,12 @@ class Session:
             self._open.close()
             self._open = None
         shutil.rmtree(self.scratch, ignore_errors=True)
+
+    def prepare(self) -> None:
+        """Lets the process in which it fits be ready before anybody asks for a fit."""
+        opened = self.opened
+        content = (self.state.data, opened.name, {"files": opened.files})
+        self.worker.run("prepare", *content, heard=lambda said: None, done=lambda well, result: None)
 
     def __enter__(self) -> Session:
         return self
