@@ -245,7 +245,7 @@ class Session:
         known = {one.name: one for one in self.state.data.runs if not one.is_static}
         if run not in known:
             raise InputError(f"there is no recording {shown(run)}; {did_you_mean(run, known)}")
-        found = courses(known[run], self.state, self.opened, self._begun)
+        found = courses(known[run], self.state, self.opened, self._begun, only_start=True)
         if not found:
             raise InputError(f"{run} begins as what was before its first sample says: choose how it begins first")
         return {f"{name}@{run}": float(values[0]) for name, values in found.items()}
