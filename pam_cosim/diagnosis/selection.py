@@ -76,11 +76,10 @@ def select_effects(search: Search, base: Fit, deadline: float = math.inf, clocks
             models.try_forms()
             models.improve(count)
         models.set_outliers_aside()
-        if models.order.unsolved():
-            timed = models.with_step_times(count) if clocks else None
-            if timed is not None:
-                return Selection(models.search, models.base, outliers=models.outliers, timed=timed)
-        else:
+        timed = models.with_step_times(count) if clocks and models.order.above_noise() else None
+        if timed is not None:
+            return Selection(models.search, models.base, outliers=models.outliers, timed=timed)
+        if not models.order.unsolved():
             models.try_simpler()
             if not models.order.room(count + 1):
                 break
