@@ -1,4 +1,4 @@
-"""How fast the workbench answers, measured in the browser: first page, slider to redrawn curves, memory.
+"""How fast the workbench answers, measured in the browser: first page and fit, slider to redrawn curves, memory.
 
 python -m benchmarks.workbench [--moves 1000] [--fits 20]
 
@@ -19,14 +19,12 @@ from typing import Any
 
 from playwright.sync_api import sync_playwright
 
-from rig.measurement import measure, write_data_set
-from rig.named import effect_of
-from rig.plan import default_plan
+from benchmarks.workbench.data import six_runs
 from scripts.browser import MISSING, chromium, serving
 
 MOVES = """
 async ([moves, pause]) => {
-  const slider = document.querySelector("input[type=range]"), times = [];
+  const slider = document.querySelector("#parameters input[type=range]"), times = [];
   const shown = () => new Promise((done) => {
     const drawn = (event) => {
       if (event.detail.version <= seen) return;
@@ -61,12 +59,12 @@ def main() -> int:
         print(MISSING, file=sys.stderr)
         return 2
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
-        data = Path(folder) / "six"
-        write_data_set(data, measure(default_plan(), [effect_of("elasticity:linear")], seed=1))
+        data = six_runs(Path(folder) / "six")
         browser = playwright.chromium.launch(executable_path=program, args=["--no-sandbox"])
         with serving(data) as (address, process):
             page = browser.new_page(viewport={"width": 1280, "height": 800})
             told("first page [s]", [first_page(page, address)])
+            told("first fit, pressed at once [s]", [first_fit(page)])
             told("a page after it [s]", [first_page(page, address) for _ in range(3)])
             moves(page, 20)
             before = memory(process)
@@ -86,6 +84,16 @@ def first_page(page: Any, address: str) -> float:
     page.goto(address)
     page.locator("#ladder .fit:not(:empty)").first.wait_for()
     return time.perf_counter() - begin
+
+
+def first_fit(page: Any) -> float:
+    """Seconds until it is done; it is taken back."""
+    begin = time.perf_counter()
+    page.locator("#fit").click()
+    page.locator("#status", has_text="fit is done").wait_for(timeout=120_000)
+    seconds = time.perf_counter() - begin
+    page.locator("#undo").click()
+    return seconds
 
 
 def moves(page: Any, count: int) -> list[float]:

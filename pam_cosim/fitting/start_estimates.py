@@ -71,16 +71,18 @@ def runs_without_start(data: DataSet, values: Mapping[str, float], interface: In
 
 
 def simulated(
-    simulator: AnySimulator, data: DataSet, values: Mapping[str, float]
+    simulator: AnySimulator, data: DataSet, values: Mapping[str, float], runs: Sequence[Run] | None = None
 ) -> tuple[tuple[RunComparison, ...], dict[str, Estimate]]:
-    """Every run beside its samples, with given parameters [SI], and the starts that were to be estimated.
+    """Runs (default: all) beside their samples, with given parameters [SI], and the starts that were to be estimated.
 
     Raises:
         SimulationFailure: a run did not reach its end.
     """
-    starts = estimated_starts(simulator, data, runs_without_start(data, values, simulator.interface), values)
+    chosen = data.runs if runs is None else runs
+    free = {run.name for run in runs_without_start(data, values, simulator.interface)}
+    starts = estimated_starts(simulator, data, [run for run in chosen if run.name in free], values)
     known = {**values, **{name: e.value for name, e in starts.items()}}
-    return tuple(simulate_run(simulator, data, run, known) for run in data.runs), starts
+    return tuple(simulate_run(simulator, data, run, known) for run in chosen), starts
 
 
 def held_out_starts(

@@ -6,14 +6,14 @@ from collections.abc import Sequence
 
 from pam_cosim.comparison import Comparison, score
 from pam_cosim.measurement import ROLES
-from pam_cosim.reporting.diagnosis_rows import rule_rows
+from pam_cosim.reporting.account.diagnosis_rows import rule_rows
+from pam_cosim.reporting.account.labels import model_labels
+from pam_cosim.reporting.account.wording import NOTHING, listed, number, quantity_text
 from pam_cosim.reporting.figures.bars import where_picture
 from pam_cosim.reporting.figures.curves import curve_pictures
 from pam_cosim.reporting.figures.layer import rivals
 from pam_cosim.reporting.figures.residuals import residual_pictures
-from pam_cosim.reporting.labels import model_labels
 from pam_cosim.reporting.page import provenance, render, score_rows, signal_rows
-from pam_cosim.reporting.wording import NOTHING, listed, number, quantity_text
 
 Row = dict[str, str]
 

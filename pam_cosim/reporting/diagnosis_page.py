@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import Candidate, Diagnosis
 from pam_cosim.diagnosis.verdict import explained
-from pam_cosim.reporting.diagnosis_rows import (
+from pam_cosim.reporting.account.diagnosis_rows import (
     candidate_row,
     missing_rows,
     parameter_rows,
@@ -15,16 +15,8 @@ from pam_cosim.reporting.diagnosis_rows import (
     summary_rows,
     was_added,
 )
-from pam_cosim.reporting.figures.bars import Bar, balance_picture, ranking_picture, where_picture
-from pam_cosim.reporting.figures.curves import curve_pictures
-from pam_cosim.reporting.figures.ladder import Rung, ladder_picture
-from pam_cosim.reporting.figures.layer import Layer, before_and_after
-from pam_cosim.reporting.figures.residual_map import residual_map
-from pam_cosim.reporting.figures.residuals import residual_pictures
-from pam_cosim.reporting.glossary import glossary_entries
-from pam_cosim.reporting.learned_part import learned_part
-from pam_cosim.reporting.ledger_part import ledger_part
-from pam_cosim.reporting.meaning import (
+from pam_cosim.reporting.account.learned_part import learned_part
+from pam_cosim.reporting.account.meaning import (
     compared_sentence,
     error_sentence,
     headline,
@@ -33,10 +25,18 @@ from pam_cosim.reporting.meaning import (
     not_tried_sentence,
     probability_sentence,
 )
-from pam_cosim.reporting.next_run import next_run
+from pam_cosim.reporting.account.next_run import next_run
+from pam_cosim.reporting.account.wording import number, words
+from pam_cosim.reporting.figures.bars import Bar, balance_picture, ranking_picture, where_picture
+from pam_cosim.reporting.figures.curves import curve_pictures
+from pam_cosim.reporting.figures.ladder import Rung, ladder_picture
+from pam_cosim.reporting.figures.layer import Layer, before_and_after
+from pam_cosim.reporting.figures.residual_map import residual_map
+from pam_cosim.reporting.figures.residuals import residual_pictures
+from pam_cosim.reporting.glossary import glossary_entries
+from pam_cosim.reporting.ledger_part import ledger_part
 from pam_cosim.reporting.page import provenance, render, score_rows, signal_rows
 from pam_cosim.reporting.style import Picture, balance_colours
-from pam_cosim.reporting.wording import number, words
 
 _MOST_BARS = 20
 _MOST_ROWS = 12

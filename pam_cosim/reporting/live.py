@@ -11,8 +11,8 @@ from typing import Any
 from pam_cosim.diagnosis import BaseFitted, BegunAnew, Candidate, CandidateTried, EffectLookedAt, Event, Judged
 from pam_cosim.diagnosis.evidence import rank
 from pam_cosim.fitting import Fit, Standing
-from pam_cosim.reporting.diagnosis_rows import candidate_row
-from pam_cosim.reporting.meaning import kind_name, probability_sentence
+from pam_cosim.reporting.account.diagnosis_rows import candidate_row
+from pam_cosim.reporting.account.meaning import kind_name, probability_sentence
 
 _PACE = 0.3  # [s] between two drawings
 _MOST_ROWS = 10

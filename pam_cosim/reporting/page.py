@@ -10,7 +10,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from pam_cosim.comparison import Comparison, SignalScore
 from pam_cosim.measurement import ROLES, DataSet
-from pam_cosim.reporting.wording import NOTHING, number, quantity_text
+from pam_cosim.reporting.account.wording import NOTHING, number, quantity_text
 
 _LIBRARIES = ("fmpy", "numpy", "scipy", "matplotlib")
 

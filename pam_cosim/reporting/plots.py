@@ -16,6 +16,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, write_bytes
 from pam_cosim.fitting import Fit, Profiles
 from pam_cosim.ledger import Ledger
+from pam_cosim.reporting.account.labels import model_labels
 from pam_cosim.reporting.diagnosis_page import layers_of, rungs_of
 from pam_cosim.reporting.figures.bode import bode, poles_along
 from pam_cosim.reporting.figures.condition_maps import condition_maps
@@ -30,7 +31,6 @@ from pam_cosim.reporting.figures.panels import panels
 from pam_cosim.reporting.figures.showcase import showcase
 from pam_cosim.reporting.figures.sweep import sweep_figure
 from pam_cosim.reporting.figures.tracked import tracking_figure
-from pam_cosim.reporting.labels import model_labels
 from pam_cosim.reporting.style import drawing, png
 from pam_cosim.reporting.telling import most_telling
 from pam_cosim.simulation import Trajectory

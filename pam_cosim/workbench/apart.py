@@ -15,7 +15,7 @@ import time
 from collections.abc import Callable
 from typing import Any
 
-from pam_cosim import study
+from pam_cosim import models, study
 from pam_cosim.diagnosis import Event
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fitting import Standing
@@ -61,7 +61,12 @@ def check(tell: Tell, data: Any, model: str, options: dict[str, Any]) -> Any:
     return study.check(data, model, say=tell, **options)
 
 
-JOBS = {"fit": fit, "diagnose": diagnose, "check": check}
+def prepare(tell: Tell, data: Any, model: str, options: dict[str, Any]) -> None:
+    """Builds what a fit of these data needs, and loads it once, while the person looks at the page."""
+    models.opened(data.model_for(model), options["files"], data.differentiated).close()
+
+
+JOBS = {"fit": fit, "diagnose": diagnose, "check": check, "prepare": prepare}
 
 
 def main() -> None:

@@ -6,7 +6,6 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from pam_cosim.errors import InputError
-from pam_cosim.reporting import comparison_report, diagnosis_report
 from pam_cosim.tables import write_next_run
 from pam_cosim.workbench.script import commands_of, python_of
 from pam_cosim.workbench.session import Session
@@ -39,6 +38,8 @@ def document(session: Session, name: str) -> str:
             raise InputError("no effect is switched on: the model is the bench itself")
         return opened.text
     if name == "report.html":
+        from pam_cosim.reporting import comparison_report, diagnosis_report  # half a second for pictures
+
         return comparison_report(session.comparison) if diagnosis is None else diagnosis_report(diagnosis)
     if name == "learned.mo" and diagnosis is not None and diagnosis.learned is not None:
         return diagnosis.learned.term.modelica_source

@@ -18,7 +18,7 @@ from pam_cosim import study
 from pam_cosim.drafting import NewDataSet
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import any_text
-from pam_cosim.reporting.wording import unit_text
+from pam_cosim.reporting.account import unit_text
 from pam_cosim.units import readable_factor
 from pam_cosim.wording import shown
 from pam_cosim.workbench.doing.words import names_of, text_of

@@ -10,6 +10,7 @@ from typing import Any
 from pam_cosim.errors import InputError
 from pam_cosim.wording import shown
 from pam_cosim.workbench.drop import Drop
+from pam_cosim.workbench.job import Worker
 from pam_cosim.workbench.protocol import Json, Study
 from pam_cosim.workbench.session import Session
 from pam_cosim.workbench.windows import Listener, Windows
@@ -22,14 +23,17 @@ class Workbench:
         folder: of the data set; where it is missing or empty, recordings are dropped.
         model: default: the bench of the data set.
         files: further Modelica files.
+        worker: the process in which a study fits, if there is one already.
 
     Raises:
         InputError: the data set cannot be read.
     """
 
-    def __init__(self, folder: Path, *, model: str | None = None, files: Sequence[Path] = ()) -> None:
+    def __init__(
+        self, folder: Path, *, model: str | None = None, files: Sequence[Path] = (), worker: Worker | None = None
+    ) -> None:
         self.folder, self.model, self.files = Path(folder), model, tuple(files)
-        self.windows = Windows()
+        self.windows, self.worker = Windows(), worker or Worker()
         self.session: Session | None = None
         self.drop: Drop | None = None
         self._thread = ThreadPoolExecutor(1, thread_name_prefix="drop")
@@ -38,18 +42,22 @@ class Workbench:
             self.windows.tell(Study(title=self.folder.resolve().name, folder=self.folder.resolve().name, state="drop"))
             self.windows.tell(self.drop.dropped())
         else:
-            self.session = Session(self.folder, model=model, files=self.files, windows=self.windows)
+            self.session = self._session()
 
     def wake(self) -> None:
-        """Starts what will be needed for the first fit, while the person looks at the page."""
+        """Starts, and lets build, what will be needed for the first fit, while the person looks at the page."""
         if self.session is not None:
-            self.session.worker.wake()
+            self.session.submit(self.session.prepare)
+
+    def _session(self) -> Session:
+        return Session(self.folder, model=self.model, files=self.files, windows=self.windows, worker=self.worker)
 
     def close(self) -> None:
         """Ends everything."""
         self._thread.shutdown(wait=True, cancel_futures=True)
         if self.session is not None:
             self.session.close()
+        self.worker.end()
         if self.drop is not None:
             self.drop.close()
 
@@ -102,8 +110,7 @@ class Workbench:
         return {}
 
     def _open(self, drop: Drop) -> None:
-        session = Session(self.folder, model=self.model, files=self.files, windows=self.windows)
-        self.session, self.drop = session, None
+        self.session, self.drop = self._session(), None
         self.windows.forget("Dropped", "Draft")
         drop.close()
         self.wake()

@@ -31,6 +31,7 @@ class Worker:
     def __init__(self) -> None:
         self._process: subprocess.Popen[bytes] | None = None
         self._lock = threading.Lock()
+        self._turn = threading.Lock()  # of who is answered: one job at a time
         self._guard: subprocess.Popen[bytes] | None = None
         self.held = False
 
@@ -57,13 +58,14 @@ class Worker:
     def _follow(self, process: subprocess.Popen[bytes], content: bytes, heard: Heard, done: Done) -> None:
         assert process.stdin is not None and process.stdout is not None
         try:
-            write_frame(process.stdin, b"r", content)  # waits until the process has loaded
-            while True:
-                kind, content = read_frame(process.stdout)
-                said = pickle.loads(content)
-                if kind == ANSWER:
-                    break
-                heard(said)
+            with self._turn:
+                write_frame(process.stdin, b"r", content)  # waits until the process has loaded
+                while True:
+                    kind, content = read_frame(process.stdout)
+                    said = pickle.loads(content)
+                    if kind == ANSWER:
+                        break
+                    heard(said)
         except (EOFError, OSError, ValueError):
             with contextlib.suppress(subprocess.TimeoutExpired):  # it is ending, and the next job needs to know
                 process.wait(_PATIENCE)

@@ -13,6 +13,7 @@ from pam_cosim.measurement import DataSet, FreeParameter
 from pam_cosim.names import START_VALUES, is_ratio
 from pam_cosim.simulation import AnySimulator
 from pam_cosim.workbench.catalogue import Catalogue
+from pam_cosim.workbench.simulators import Simulators
 
 
 @dataclass(frozen=True)
@@ -23,7 +24,7 @@ class Opened:
         model: the base model. effects: what it has beside.
         name: what a call of the public API takes for the model with its effects: the base model, or a Modelica file.
         files: further Modelica files that such a call needs.
-        simulator: of that.
+        simulators: of that.
         parameters: what may be moved by a slider or a fit, by name.
         origin: the effect that brought a parameter, by its name; none for those of the base model.
         text: Modelica source of the model with effects; "" without any.
@@ -35,12 +36,21 @@ class Opened:
     effects: tuple[str, ...]
     name: str
     files: tuple[Path, ...]
-    simulator: AnySimulator
+    simulators: Simulators
     parameters: dict[str, Free]
     origin: dict[str, str]
     text: str
     declared: tuple[tuple[str, FreeParameter], ...]
     estimates_starts: bool = False
+
+    @property
+    def simulator(self) -> AnySimulator:
+        """One of them."""
+        return self.simulators.first
+
+    def close(self) -> None:
+        """Frees the simulators."""
+        self.simulators.close()
 
     def is_of(self, data: DataSet, model: str, effects: Sequence[str]) -> bool:
         """Whether it is this model, for these data."""
@@ -67,7 +77,9 @@ def open_model(data: DataSet, model: str, effects: Sequence[str], catalogue: Cat
         file = scratch / f"{composition.name}.mo"
         write_text(file, text)
         name, needed = str(file), catalogue.sources(model)
-    simulator = models.opened(name, needed, [START_VALUES] * data.estimates_starts)
+    slopes = [START_VALUES] * data.estimates_starts
+    simulators = Simulators(models.opened(name, needed, slopes), lambda: models.opened(name, needed, slopes))
+    simulator = simulators.first
     try:
         parameters = {free.name: free for free in base_parameters(data, simulator.interface)}
         origin = {}
@@ -77,11 +89,11 @@ def open_model(data: DataSet, model: str, effects: Sequence[str], catalogue: Cat
                     parameters[one] = model_parameter(one, simulator.interface)
                     origin[one] = effect
     except BaseException:
-        simulator.close()
+        simulators.close()
         raise
     declared = tuple(data.fit.items())
     estimates = data.estimates_starts
-    return Opened(model, tuple(effects), name, needed, simulator, parameters, origin, text, declared, estimates)
+    return Opened(model, tuple(effects), name, needed, simulators, parameters, origin, text, declared, estimates)
 
 
 def without_ratios(effects: Sequence[str]) -> tuple[str, ...]:

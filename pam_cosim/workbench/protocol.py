@@ -404,7 +404,7 @@ class Verdict(Event):
         kind, kind_name, headline, error, reason, probability, meaning, compared, not_tried: sentences.
         effects: what was found, to be added. instrument: what is said of an instrument; "": it is physics.
         summary: the error before and after. parameters: fitted, with intervals.
-        next: the next experiment, as ``reporting.next_run`` has it; None: there is none to make.
+        next: the next experiment, as ``reporting.account.next_run`` has it; None: there is none to make.
         learned: the formula for what no effect explains. missing: what is left in words.
         complete: whether balances and formula are known already.
     """

@@ -6,8 +6,9 @@ import asyncio
 import contextlib
 import json
 import socket
+import sys
 import webbrowser
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -26,11 +27,13 @@ from pam_cosim.workbench.documents import NAMES, document
 from pam_cosim.workbench.drop import MOST_BYTES
 from pam_cosim.workbench.guard import Guard, new_token
 from pam_cosim.workbench.host import Workbench
+from pam_cosim.workbench.job import Worker
 from pam_cosim.workbench.protocol import Failed, answer, is_model
 from pam_cosim.workbench.work import failed_by
 
 PAGE = Path(__file__).parent / "page"
 HOST = "127.0.0.1"
+SWITCH = 0.0005  # [s] after which what is sent need no longer wait for what is reckoned
 MOST_WAITING = 20_000  # messages that a window may be behind before it is given up
 
 
@@ -186,17 +189,30 @@ def serve(
     listener = _listener(port)
     token = new_token()
     address = f"http://{HOST}:{listener.getsockname()[1]}/?token={token}"
-    with listener, Workbench(folder, model=model, files=files) as workbench:
+    with listener, _awake() as worker, Workbench(folder, model=model, files=files, worker=worker) as workbench:
         workbench.wake()
         tell(f"the workbench is open at {address}")
         tell("end it with Ctrl-C; whoever has the address can use it")
         config = uvicorn.Config(
             _opening(application(workbench, token), address if browser else None),
             log_level="warning", lifespan="on", server_header=False, ws_max_size=1 << 20, timeout_graceful_shutdown=1,
+            ws_per_message_deflate=False,
         )  # fmt: skip
+        sys.setswitchinterval(SWITCH)
         server = uvicorn.Server(config)
         with contextlib.suppress(KeyboardInterrupt):
             server.run(sockets=[listener])
+
+
+@contextlib.contextmanager
+def _awake() -> Iterator[Worker]:
+    """The process for fits, which loads while the data set is read."""
+    worker = Worker()
+    worker.wake()
+    try:
+        yield worker
+    finally:
+        worker.end()
 
 
 def _listener(port: int) -> socket.socket:

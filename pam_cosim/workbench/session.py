@@ -15,7 +15,7 @@ from typing import Any
 
 from pam_cosim.comparison import Comparison, RunComparison, scored, sitting, where
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.fitting import Estimate, simulated
+from pam_cosim.fitting import Estimate
 from pam_cosim.wording import did_you_mean, shown
 from pam_cosim.workbench.catalogue import Catalogue
 from pam_cosim.workbench.curves import measured_curves, model_curves
@@ -26,6 +26,7 @@ from pam_cosim.workbench.protocol import Json, Study, frame
 from pam_cosim.workbench.saving import FILE as SAVED
 from pam_cosim.workbench.saving import lean_fit
 from pam_cosim.workbench.shown import rung_of, scores_event, steps_event, study_event, where_event
+from pam_cosim.workbench.simulators import Simulated
 from pam_cosim.workbench.source import Source
 from pam_cosim.workbench.starts import StartsShown, courses
 from pam_cosim.workbench.state import State, standing_label, with_rung
@@ -49,6 +50,7 @@ class Session:
         files: further Modelica files.
         windows: that look at it; default: none yet.
         workers: number of processes of a diagnosis, as for ``study.diagnose``.
+        worker: the process in which it fits, if there is one already; the session ends it.
 
     Raises:
         InputError: the data set cannot be read.
@@ -62,11 +64,12 @@ class Session:
         files: Sequence[Path] = (),
         windows: Windows | None = None,
         workers: int | None = None,
+        worker: Worker | None = None,
     ) -> None:
         self.folder, self.files = Path(folder), tuple(Path(f) for f in files)
         self.source = Source(self.folder, self.files)
         self.windows, self.catalogue = windows or Windows(), Catalogue(self.files)
-        self.worker, self.workers = Worker(), workers
+        self.worker, self.workers = worker or Worker(), workers
         self.work = Work(self)
         self.scratch = Path(tempfile.mkdtemp(prefix="pam-cosim-workbench-"))
         self.past: list[State] = []
@@ -107,9 +110,15 @@ class Session:
         self._thread.shutdown(wait=True, cancel_futures=True)
         self.worker.end()
         if self._open is not None:
-            self._open.simulator.close()
+            self._open.close()
             self._open = None
         shutil.rmtree(self.scratch, ignore_errors=True)
+
+    def prepare(self) -> None:
+        """Lets the process in which it fits be ready before anybody asks for a fit."""
+        opened = self.opened
+        content = (self.state.data, opened.name, {"files": opened.files})
+        self.worker.run("prepare", *content, heard=lambda said: None, done=lambda well, result: None)
 
     def __enter__(self) -> Session:
         return self
@@ -186,10 +195,10 @@ class Session:
             comparison = self._scored(state, fresh, runs)
         except BaseException:
             if not same:
-                fresh.simulator.close()
+                fresh.close()
             raise
         if old is not None and not same:
-            old.simulator.close()
+            old.close()
         if self._comparison is None or state.data is not self.state.data:
             curves = measured_curves(self.source.whole(state.data))
             self.windows.send(frame("measured", self._version, curves), "measured")
@@ -236,13 +245,13 @@ class Session:
         known = {one.name: one for one in self.state.data.runs if not one.is_static}
         if run not in known:
             raise InputError(f"there is no recording {shown(run)}; {did_you_mean(run, known)}")
-        found = courses(known[run], self.state, self.opened, self._begun)
+        found = courses(known[run], self.state, self.opened, self._begun, only_start=True)
         if not found:
             raise InputError(f"{run} begins as what was before its first sample says: choose how it begins first")
         return {f"{name}@{run}": float(values[0]) for name, values in found.items()}
 
-    def _simulated(self, state: State, opened: Opened) -> tuple[tuple[RunComparison, ...], dict[str, Estimate]]:
-        return simulated(opened.simulator, state.data, state.values)
+    def _simulated(self, state: State, opened: Opened) -> Simulated:
+        return opened.simulators.run(state.data, state.values)
 
     def _scored(self, state: State, opened: Opened, runs: Sequence[RunComparison]) -> Comparison:
         """The same as ``study.compare`` finds, but for where the error sits."""

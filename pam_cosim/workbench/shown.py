@@ -9,7 +9,7 @@ from pam_cosim.comparison import Comparison, SignalScore, chi2_reduced, score
 from pam_cosim.comparison import Rule as FoundRule
 from pam_cosim.fitting import METHODS, Free
 from pam_cosim.measurement import ROLES, DataSet, Run
-from pam_cosim.reporting.wording import estimate_texts, percent, quantity_text, remark, unit_text
+from pam_cosim.reporting.account import estimate_texts, percent, quantity_text, remark, unit_text
 from pam_cosim.units import readable_factor
 from pam_cosim.workbench.opened import Opened
 from pam_cosim.workbench.protocol import (

@@ -13,7 +13,7 @@ from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Estimate
 from pam_cosim.interface import Variable
 from pam_cosim.measurement import START_MODES, Run
-from pam_cosim.reporting.wording import unit_text
+from pam_cosim.reporting.account import unit_text
 from pam_cosim.units import format_quantity, readable_factor
 from pam_cosim.workbench.opened import Opened
 from pam_cosim.workbench.protocol import ShownStart, Starts, StartValue
@@ -51,11 +51,12 @@ class StartsShown:
         mode = BY_HAND if by_hand else "periodic" if run.start.periodic else run.start.mode or "rest"
         warning = run.start.mode == "rest" and bool(run.start.reason) and not by_hand
         try:
-            course = courses(run, state, opened, begun)
+            known = all(f"{name}@{run.name}" in self._reach for name in opened.simulator.interface.states)
+            course = courses(run, state, opened, begun, only_start=known)
         except SimulationFailure as failure:
             return ShownStart(run.name, mode, f"{run.name}: {failure}", True, _modes(opened), ())
-        known = opened.simulator.interface.start_values
-        values = tuple(self._value(run, known[name], states, begun) for name, states in course.items())
+        variables = opened.simulator.interface.start_values
+        values = tuple(self._value(run, variables[name], states, begun) for name, states in course.items())
         return ShownStart(run.name, mode, _text(run, mode), warning, _modes(opened), values)
 
     def _value(self, run: Run, variable: Variable, course: Array, begun: Mapping[str, Estimate]) -> StartValue:
@@ -78,8 +79,17 @@ class StartsShown:
         )
 
 
-def courses(run: Run, state: State, opened: Opened, begun: Mapping[str, Estimate]) -> dict[str, Array]:
+def courses(
+    run: Run, state: State, opened: Opened, begun: Mapping[str, Estimate], *, only_start: bool = False
+) -> dict[str, Array]:
     """The states along a run [SI], the first value where it begins; none where start values cannot be set.
+
+    Args:
+        run: a recording over time.
+        state: of the study.
+        opened: its model.
+        begun: starts that were estimated, by "state@run".
+        only_start: that alone is wanted, which costs next to nothing.
 
     Raises:
         SimulationFailure: the run did not reach its end.
@@ -87,7 +97,7 @@ def courses(run: Run, state: State, opened: Opened, begun: Mapping[str, Estimate
     if run.start.seconds or run.start.periodic or not opened.simulator.interface.states:
         return {}
     values = {**state.values, **{name: estimate.value for name, estimate in begun.items()}}
-    return state_course(opened.simulator, state.data, run, values)
+    return state_course(opened.simulator, state.data, run, values, () if only_start else None)
 
 
 def _reach(variable: Variable, course: Array) -> tuple[float, float]:

@@ -18,22 +18,28 @@ from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Entry, binned
 from pam_cosim.ledger import Ledger as KeptLedger
 from pam_cosim.measurement import DataSet
-from pam_cosim.reporting.diagnosis_rows import candidate_row, missing_rows, parameter_rows, summary_rows
-from pam_cosim.reporting.figures.ledger import against_of, telling
-from pam_cosim.reporting.learned_part import learned_part
-from pam_cosim.reporting.ledger_part import ledger_words
-from pam_cosim.reporting.meaning import (
+from pam_cosim.reporting.account import (
+    against_of,
+    candidate_row,
     compared_sentence,
     error_sentence,
     headline,
     instrument_sentence,
     kind_name,
+    learned_part,
+    ledger_words,
     meaning,
+    missing_rows,
+    next_run,
     not_tried_sentence,
+    parameter_rows,
+    percent,
     probability_sentence,
+    summary_rows,
+    telling_entries,
+    unit_text,
+    words,
 )
-from pam_cosim.reporting.next_run import next_run
-from pam_cosim.reporting.wording import percent, unit_text, words
 from pam_cosim.units import readable_factor
 from pam_cosim.workbench.protocol import Candidate, Event, Json, Ledger, Ranking, Verdict
 
@@ -187,7 +193,7 @@ def ledger_event(ledger: KeptLedger, added: Sequence[str]) -> Ledger:
         tuple(said["meanings"]),
         tuple(said["readings"]),
         tuple(said["notes"]),
-        tuple(_courses(e, ledger.domain) for e in telling(ledger)),
+        tuple(_courses(e, ledger.domain) for e in telling_entries(ledger)),
     )
 
 

@@ -129,7 +129,7 @@ class Work:
         self._over("stopped")
         self.session.draw()
         self.tell_diagnosis()
-        self.session.worker.wake()
+        self.session.prepare()
 
     def tell_diagnosis(self) -> None:
         """Tells the verdict of the standing study, or that there is none."""

@@ -33,6 +33,15 @@ def loaded(*words: str) -> set[str]:
     return set(json.loads(completed.stderr.splitlines()[-1]))
 
 
+@pytest.mark.parametrize("module", ["server", "apart"])
+def test_the_workbench_loads_no_pictures(module: str) -> None:
+    """Neither its server nor the process in which it fits; a report loads them when it is asked for."""
+    script = f"import json, sys, pam_cosim.workbench.{module}; print(json.dumps(sorted(sys.modules)))"
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    told = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True)
+    assert not {"matplotlib", "jinja2"} & set(json.loads(told.stdout))
+
+
 @pytest.mark.parametrize(
     ("words", "without", "most"),
     [

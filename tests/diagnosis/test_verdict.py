@@ -13,7 +13,7 @@ from pam_cosim.diagnosis.verdict import confidence, explained, judge, rivals, wi
 from pam_cosim.domain import Domain
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import Signal
-from pam_cosim.reporting.meaning import meaning, probability_sentence
+from pam_cosim.reporting.account.meaning import meaning, probability_sentence
 from tests.diagnosis.synthetic import LOST, candidate, fitted, statistics
 
 BASE = fitted(10.0, holdout=9.0, score=50.0)

@@ -7,7 +7,8 @@ from dataclasses import replace
 import numpy as np
 
 from pam_cosim.ledger import Course, Entry, Ledger
-from pam_cosim.reporting.figures.ledger import ledger_figure, telling
+from pam_cosim.reporting.account.ledger_words import telling_entries
+from pam_cosim.reporting.figures.ledger import ledger_figure
 from pam_cosim.reporting.style import balance_colours, drawing, png
 from tests.field import DOMAIN
 
@@ -50,11 +51,11 @@ def test_balances_without_a_part_in_the_error_are_not_drawn() -> None:
     ledger = _ledger()
     force = ledger.entries[0]
     mass = replace(force, balance="mass", share=0.0)
-    assert [e.balance for e in telling(replace(ledger, entries=(force, mass)))] == ["force"]
+    assert [e.balance for e in telling_entries(replace(ledger, entries=(force, mass)))] == ["force"]
     failing = replace(ledger, entries=(force, mass), failing=("mass",))
-    assert [e.balance for e in telling(failing)] == ["force", "mass"]
+    assert [e.balance for e in telling_entries(failing)] == ["force", "mass"]
     quiet = replace(ledger, entries=(replace(force, share=0.0), mass), failing=())
-    assert [e.balance for e in telling(quiet)] == ["force", "mass"]
+    assert [e.balance for e in telling_entries(quiet)] == ["force", "mass"]
 
 
 def test_each_balance_has_its_colour_in_the_order_of_the_field() -> None:

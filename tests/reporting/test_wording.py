@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from pam_cosim.fitting import Estimate
-from pam_cosim.reporting.wording import (
+from pam_cosim.reporting.account.wording import (
     estimate_texts,
     fixed,
     listed,

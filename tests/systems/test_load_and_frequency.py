@@ -11,7 +11,7 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim import Diagnosis, study
-from pam_cosim.reporting.printed import diagnosis_text
+from pam_cosim.reporting.account.printed import diagnosis_text
 from tests.documentation.pages import absent, other_numbers, other_pictures, unsaid
 
 STORY = "stories/dzahir-yamamoto-friction.md"

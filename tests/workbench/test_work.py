@@ -37,6 +37,14 @@ def test_a_fit_is_that_of_the_public_call_and_is_seen_coming_down(window: Window
     assert [r["label"] for r in window.last("scores")["ladder"]][-1] == "base model, fitted"
 
 
+def test_a_fit_that_is_asked_for_while_its_process_prepares_comes_after_that(window: Window, shared: Session) -> None:
+    """What was prepared is what it needs: it builds nothing."""
+    shared.prepare()
+    shared.prepare()
+    assert window.work(do="fit", free=["valve.C_A"])["end"] == "done"
+    assert [event["what"] for event in window.of("idle")] == ["fit"]
+
+
 def test_some_are_fitted_and_the_others_held(window: Window, shared: Session) -> None:
     window.do(do="set", values={"muscle.mu_fb": 0.02})
     window.work(do="fit", free=["valve.C_A"])

@@ -10,6 +10,7 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import PercentFormatter
 
 from pam_cosim.comparison import Rule
+from pam_cosim.reporting.account.wording import percent, shortened, words
 from pam_cosim.reporting.style import (
     BEFORE,
     INK,
@@ -21,7 +22,6 @@ from pam_cosim.reporting.style import (
     new_figure,
     picture,
 )  # fmt: skip
-from pam_cosim.reporting.wording import percent, shortened, words
 
 _MOST_RULES = 10
 _WORST = -0.2  # an effect that makes the error larger is drawn to here

@@ -10,8 +10,8 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from pam_cosim.analysis.linear import LinearCourse, LinearModel
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
+from pam_cosim.reporting.account.wording import unit_text
 from pam_cosim.reporting.style import BALANCES, new_figure
-from pam_cosim.reporting.wording import unit_text
 from pam_cosim.units import readable_factor
 
 _POINTS = 400

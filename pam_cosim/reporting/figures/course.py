@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from matplotlib.figure import Figure
 
+from pam_cosim.reporting.account.wording import unit_text
 from pam_cosim.reporting.style import AFTER, new_figure
-from pam_cosim.reporting.wording import unit_text
 from pam_cosim.simulation import Trajectory
 from pam_cosim.units import readable_factor
 

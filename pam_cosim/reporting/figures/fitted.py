@@ -11,9 +11,9 @@ from matplotlib.ticker import MaxNLocator
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.fitting import Fit, Profiles
+from pam_cosim.reporting.account.wording import unit_text
 from pam_cosim.reporting.figures.bode import plain_decades
 from pam_cosim.reporting.style import BLUE, INK, SOFT, VERMILLION, message, new_figure
-from pam_cosim.reporting.wording import unit_text
 from pam_cosim.units import readable_factor
 
 _COLUMNS = 3

@@ -12,8 +12,8 @@ from matplotlib.patches import Patch
 
 from pam_cosim.comparison import SignalScore
 from pam_cosim.measurement import ROLES, Signal
+from pam_cosim.reporting.account.wording import number, unit_text, wrapped
 from pam_cosim.reporting.style import AFTER, BEFORE, INK, SOFT, WIDTH, Picture, drawing, new_figure, picture
-from pam_cosim.reporting.wording import number, unit_text, wrapped
 from pam_cosim.units import readable_factor
 
 _WIDEST = 3  # panels beside each other

@@ -8,15 +8,14 @@ from matplotlib.figure import Figure
 
 from pam_cosim.domain import Domain
 from pam_cosim.ledger import Entry, Ledger, binned, mapped
+from pam_cosim.reporting.account.ledger_words import against_of, telling_entries
 from pam_cosim.reporting.style import BAND, INK, SOFT, balance_colours, message, new_figure
 from pam_cosim.units import readable_factor, readable_unit
-
-_SMALL = 0.005  # share of a balance that nothing is said to be missing in
 
 
 def ledger_figure(ledger: Ledger) -> Figure:
     """Above, the share of each balance. Below, a row a balance: in time, against its variables, and on a plane."""
-    rows, domain = telling(ledger), ledger.domain
+    rows, domain = telling_entries(ledger), ledger.domain
     colours = _colours(ledger)
     figure = new_figure(11.0, 1.4 + 2.3 * max(len(rows), 1))
     grid = figure.add_gridspec(1 + max(len(rows), 1), 4, height_ratios=[0.55] + [1.0] * max(len(rows), 1))
@@ -35,12 +34,6 @@ def ledger_figure(ledger: Ledger) -> Figure:
     if not rows:
         message(figure.add_subplot(grid[1, :]), "the model has no place for a missing term")
     return figure
-
-
-def telling(ledger: Ledger) -> list[Entry]:
-    """Entries that have a course and a part in the error; all that have a course where none has a part."""
-    drawn = [e for e in ledger.entries if e.courses]
-    return [e for e in drawn if e.balance in ledger.failing or e.share >= _SMALL] or drawn
 
 
 def draw_shares(axes: Axes, ledger: Ledger) -> None:
@@ -110,12 +103,6 @@ def draw_map(axes: Axes, entry: Entry, domain: Domain) -> None:
     axes.figure.colorbar(picture, ax=axes, label="in standard deviations")
     axes.set_xlabel(_named(entry, plane[0]))
     axes.set_ylabel(_named(entry, plane[1]))
-
-
-def against_of(entry: Entry, domain: Domain) -> list[str]:
-    """What a term can be drawn against, the telling ones first."""
-    names = list(entry.courses[0].against)
-    return [n for n in domain.axes if n in names] + [n for n in names if n not in domain.axes]
 
 
 def _colours(ledger: Ledger) -> dict[str, str]:

@@ -7,8 +7,8 @@ from matplotlib.figure import Figure
 
 from pam_cosim.analysis import Observation
 from pam_cosim.analysis.observation import LEVEL
+from pam_cosim.reporting.account.wording import unit_text
 from pam_cosim.reporting.style import AFTER, BALANCES, BAND, INK, new_figure
-from pam_cosim.reporting.wording import unit_text
 from pam_cosim.units import readable_factor
 
 

@@ -11,8 +11,8 @@ from matplotlib.figure import Figure
 from pam_cosim.arrays import Array
 from pam_cosim.comparison import RunComparison
 from pam_cosim.measurement import Signal
+from pam_cosim.reporting.account.wording import unit_text, wrapped
 from pam_cosim.reporting.style import LINE, WIDTH, message, new_figure
-from pam_cosim.reporting.wording import unit_text, wrapped
 from pam_cosim.units import readable_factor
 
 _NARROW = 4  # columns up to which a figure need not be as wide as the page

@@ -10,9 +10,9 @@ from matplotlib.collections import QuadMesh
 
 from pam_cosim.arrays import Array
 from pam_cosim.measurement import Signal
+from pam_cosim.reporting.account.wording import unit_text
 from pam_cosim.reporting.figures.layer import Layer
 from pam_cosim.reporting.style import BAND, SOFT, WIDTH, Picture, drawing, new_figure, picture
-from pam_cosim.reporting.wording import unit_text
 from pam_cosim.units import readable_factor
 
 _CELLS = 14

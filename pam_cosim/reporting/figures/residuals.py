@@ -11,10 +11,10 @@ from matplotlib.patches import Patch
 
 from pam_cosim.comparison import RunComparison
 from pam_cosim.measurement import Signal
+from pam_cosim.reporting.account.wording import listed
 from pam_cosim.reporting.figures.layer import SPARSE, Layer, pages
 from pam_cosim.reporting.figures.panels import drawn_over, panels, places
 from pam_cosim.reporting.style import BAND, SOFT, Picture, drawing, picture
-from pam_cosim.reporting.wording import listed
 from pam_cosim.units import readable_factor
 
 _BAND_SIGMAS = 2

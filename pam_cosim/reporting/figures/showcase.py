@@ -8,12 +8,12 @@ from matplotlib.figure import Figure
 
 from pam_cosim.comparison import RunComparison
 from pam_cosim.measurement import Signal
+from pam_cosim.reporting.account.wording import unit_text, wrapped
 from pam_cosim.reporting.figures.curves import draw_curves, legend
 from pam_cosim.reporting.figures.ladder import Rung, draw_ladder, ladder_legend, roles_of
 from pam_cosim.reporting.figures.layer import SPARSE, Layer
 from pam_cosim.reporting.figures.panels import over
 from pam_cosim.reporting.style import new_figure
-from pam_cosim.reporting.wording import unit_text, wrapped
 
 _DOTS = SPARSE  # more would hide under the line
 

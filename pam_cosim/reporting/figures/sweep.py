@@ -11,8 +11,8 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 
 from pam_cosim.arrays import Array
+from pam_cosim.reporting.account.wording import unit_text
 from pam_cosim.reporting.style import AFTER, message, new_figure
-from pam_cosim.reporting.wording import unit_text
 from pam_cosim.sweeps import Sweep
 from pam_cosim.units import readable_factor
 

@@ -6,9 +6,9 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pam_cosim.analysis import Tracking
+from pam_cosim.reporting.account.wording import unit_text
 from pam_cosim.reporting.figures.bode import plain_decades
 from pam_cosim.reporting.style import AFTER, BALANCES, INK, new_figure
-from pam_cosim.reporting.wording import unit_text
 from pam_cosim.units import readable_factor
 
 _MOST_COURSES = 5

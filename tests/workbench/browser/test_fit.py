@@ -23,7 +23,7 @@ def test_a_fit_an_effect_and_its_file(opened: Callable[..., Any], muscle: Path, 
         until(page, lambda: "fit is done" in page.locator("#status").inner_text())
         fitted = error(page, "x")
         assert noise(page, "x") < fitted < stated
-        assert "95 %" in page.locator(".parameter").first.inner_text()
+        assert "95 %" in page.locator("#parameters .parameter").first.inner_text()
 
         page.get_by_label("Search effects").fill(EFFECT)
         page.locator(f'input[data-effect="{EFFECT}"]').check()

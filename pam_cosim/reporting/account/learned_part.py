@@ -6,7 +6,7 @@ from typing import Any
 
 from pam_cosim.diagnosis import Candidate, Diagnosis
 from pam_cosim.measurement import ROLES
-from pam_cosim.reporting.wording import (
+from pam_cosim.reporting.account.wording import (
     NOTHING,
     estimate_texts,
     listed,

@@ -10,7 +10,7 @@ from pam_cosim.diagnosis import Candidate, Diagnosis
 from pam_cosim.diagnosis.verdict import explained
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import ROLES
-from pam_cosim.reporting.wording import (
+from pam_cosim.reporting.account.wording import (
     NOTHING,
     estimate_texts,
     fixed,

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from pam_cosim.diagnosis import Diagnosis
-from pam_cosim.reporting.ledger_part import ledger_line
-from pam_cosim.reporting.meaning import instrument_sentence
-from pam_cosim.reporting.next_run import next_run_line
-from pam_cosim.reporting.wording import number, percent
+from pam_cosim.reporting.account.ledger_words import ledger_line
+from pam_cosim.reporting.account.meaning import instrument_sentence
+from pam_cosim.reporting.account.next_run import next_run_line
+from pam_cosim.reporting.account.wording import number, percent
 
 _MOST_RULES = 3
 

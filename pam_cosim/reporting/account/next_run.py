@@ -7,7 +7,7 @@ from typing import Any
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import NextExperiment
-from pam_cosim.reporting.wording import listed, number, quantity_text, words
+from pam_cosim.reporting.account.wording import listed, number, quantity_text, words
 from pam_cosim.units import readable_factor, readable_unit
 
 _MOST_ROWS = 40

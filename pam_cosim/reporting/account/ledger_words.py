@@ -1,0 +1,106 @@
+"""The ledger in words: which balance fails, by how much, and what must be known to read it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from pam_cosim.domain import Domain
+from pam_cosim.ledger import Entry, Ledger, Reading
+from pam_cosim.reporting.account.wording import NOTHING, listed, number, percent, quantity_text, words
+
+_SHOWN = 0.005  # share that is worth a word
+
+
+def ledger_words(ledger: Ledger, added: Sequence[str]) -> dict[str, Any]:
+    """What is said of a ledger beside its picture; ``added``: the balances of the effects that were added."""
+    return {
+        "sentence": ledger_sentence(ledger),
+        "rows": [_row(e) for e in ledger.entries],
+        "meanings": [_sign(e) for e in ledger.entries if e.meaning],
+        "readings": [_reading(r) for r in ledger.readings],
+        "notes": [*_disagreement(added, ledger), *ledger.notes],
+    }
+
+
+def ledger_sentence(ledger: Ledger) -> str:
+    """Which balances fail, and whether that is all."""
+    if not ledger.failing:
+        return (
+            "No balance fails for certain: no missing term, free to take any course in time, makes the samples so "
+            "much more probable that it pays."
+        )
+    names = [_name(b, ledger) for b in ledger.failing]
+    course = f"mean square error {number(ledger.before)} → {number(ledger.after)} noise variances"
+    rest = (
+        "With what is missing there the model meets the samples to the noise"
+        if ledger.closed
+        else "What is missing there does not bring the model to the noise: something is missing elsewhere too"
+    )
+    return f"The base model fails in {listed(names)}. {rest} ({course})."
+
+
+def ledger_line(ledger: Ledger) -> str:
+    """The ledger in one line of plain text."""
+    if not ledger.failing:
+        return "no balance fails for certain"
+    shares = ", ".join(f"{_name(e.balance, ledger)} {percent(e.share)}" for e in ledger.entries if e.share >= _SHOWN)
+    rest = "" if ledger.closed else "; something is missing elsewhere too"
+    return f"share of the error in {shares}{rest}"
+
+
+def _name(balance: str, ledger: Ledger) -> str:
+    if balance == "sensor" and ledger.readings:
+        return f"the reading of {ledger.readings[0].signal}"
+    return f"the {words(balance)} balance"
+
+
+def _row(entry: Entry) -> dict[str, str]:
+    same = f"the balance of {listed([words(b) for b in entry.same_as])} may be meant as well" if entry.same_as else ""
+    there = bool(entry.courses)
+    return {
+        "balance": words(entry.balance),
+        "share": percent(entry.share),
+        "explains": percent(entry.explains),
+        "size": quantity_text(entry.size, entry.unit) if there else NOTHING,
+        "outside": percent(entry.outside) if there else NOTHING,
+        "note": "; ".join(t for t in (entry.note, same) if t),
+    }
+
+
+def _sign(entry: Entry) -> str:
+    return f"{words(entry.balance).capitalize()}: {entry.meaning[:1].lower()}{entry.meaning[1:]}"
+
+
+def _reading(r: Reading) -> dict[str, str]:
+    return {
+        "signal": r.signal,
+        "offset": f"{quantity_text(r.offset, r.unit)} ± {quantity_text(r.offset_deviation, r.unit, 2)}",
+        "factor": f"{number(1 + r.gain, 4)} ± {number(r.gain_deviation, 2)}",
+        "lag": quantity_text(r.lag, "s", 2) if r.lag else "none",
+        "explains": percent(r.explains),
+    }
+
+
+def _disagreement(balances: Sequence[str], ledger: Ledger) -> list[str]:
+    """Where the effects that were added act elsewhere than the ledger says: both explain the samples."""
+    added = [b for b in dict.fromkeys(balances) if b not in ledger.failing]
+    if not added or not ledger.failing:
+        return []
+    return [
+        f"The effects that were added act in the {listed([words(b) for b in added])} balance; a free term in the "
+        f"{listed([words(b) for b in ledger.failing])} balance explains the same samples. The effects do it with a law "
+        "of physics and fewer numbers, the ledger without any law."
+    ]
+
+
+def telling_entries(ledger: Ledger) -> list[Entry]:
+    """Entries that have a course and a part in the error; all that have a course where none has a part."""
+    drawn = [e for e in ledger.entries if e.courses]
+    return [e for e in drawn if e.balance in ledger.failing or e.share >= _SHOWN] or drawn
+
+
+def against_of(entry: Entry, domain: Domain) -> list[str]:
+    """What a term can be drawn against, the telling ones first."""
+    names = list(entry.courses[0].against)
+    return [n for n in domain.axes if n in names] + [n for n in names if n not in domain.axes]
