@@ -165,8 +165,8 @@ Time is processor time.
 
 ## Goal
 
-Error of the better of *verdict* and *+ learned* over that of the best rival (its name in brackets). The goal asks for no
-more than {AS_GOOD} within and 0.5 outside, on four of five rigs. **It is met on
+Error of the better of *verdict* and *+ learned* over that of the best rival (its name in brackets). The goal asks for
+no more than {AS_GOOD} within and 0.5 outside, on four of five rigs. **It is met on
 {sum(met for _, met in judged)} of {len(judged)}.**
 
 {goals}
