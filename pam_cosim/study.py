@@ -55,7 +55,7 @@ from pam_cosim.models import Paths, as_paths, opened
 from pam_cosim.models import build as build
 from pam_cosim.models import describe as describe
 from pam_cosim.names import START_VALUES, is_fmu, is_ratio, parameter_of, sources_of
-from pam_cosim.products import Product
+from pam_cosim.products import Product, load
 from pam_cosim.settings import Setting, resolve, value_of
 from pam_cosim.simulation import Inputs, Trajectory
 from pam_cosim.simulation.fmpy_engine import run_with_fmpy
@@ -380,6 +380,7 @@ def add(
     *,
     values: Mapping[str, Setting] | None = None,
     files: Paths = (),
+    learned: bool = False,
 ) -> str:
     """The Modelica text of a model with effects, or with what a diagnosis or a fit found; ``output`` is its file.
 
@@ -395,19 +396,45 @@ def add(
         output: a file that ends in ``.mo``; its name is that of the class.
         values: of parameters, before those of the product: numbers [SI] or texts with a unit.
         files: further Modelica files.
+        learned: of a diagnosis, the model with the term that was learned, whose class stands in the text.
 
     Raises:
-        InputError: an unknown effect, one that finds no place in the model, a value of a parameter that it lacks.
+        InputError: an unknown effect, one that finds no place in the model, a value of a parameter that it lacks;
+            nothing was learned.
     """
-    fitted = _fitted_model(what)
+    if not learned:
+        return _added(_fitted_model(what), to, output, values or {}, as_paths(files))
+    diagnosis = load(what) if isinstance(what, Path) else what
+    if not isinstance(diagnosis, Diagnosis) or diagnosis.learned is None:
+        raise InputError("nothing was learned: a term is learned where a diagnosis says unknown, and --save keeps it")
+    term, model = diagnosis.learned.term, diagnosis.learned.model
+    fitted = FittedModel(diagnosis.model, model.effects, model.fit.values, diagnosis.data.constants)
+    with TemporaryDirectory(prefix="pam-cosim-") as folder:
+        file = Path(folder, f"{term.name}.mo")
+        write_text(file, term.modelica_source)
+        text = _added(fitted, to, None, values or {}, [*as_paths(files), file], Path(output).stem if output else None)
+    text = f"{term.modelica_source.rstrip()}\n\n{text}"
+    if output:
+        write_text(Path(output), text)
+    return text
+
+
+def _added(
+    fitted: FittedModel,
+    to: str | None,
+    output: Path | str | None,
+    values: Mapping[str, Setting],
+    files: Sequence[Path],
+    named: str | None = None,
+) -> str:
     base = to or fitted.model
     if not base or is_fmu(base):
         raise InputError("effects and values are added to a Modelica model: name it by to")
     ratio = next((parameter_of(one) for one in fitted.effects if is_ratio(one)), None)
     if ratio is not None and not fitted.values:
         raise InputError(f"what is stated of {ratio} is no part of a model: correct it in the data set")
-    extra = sources_of(as_paths(files), base)
-    name = Path(output).stem if output else None
+    extra = sources_of(files, base)
+    name = Path(output).stem if output else named
     parameters = describe(base, files).parameters if fitted.values else ()
     tree = read_library(files=extra)
     fitted = replace(fitted, model=base)

@@ -27,6 +27,7 @@ from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.files import write_text
 from pam_cosim.fitted_model import fitted_model
 from pam_cosim.fitting import Fit
+from pam_cosim.names import is_ratio
 
 VERSION = f"pam-cosim {version('pam-cosim')}"
 
@@ -92,15 +93,10 @@ def run_rig(folder: Path, results: Path) -> None:
     if learned is None:
         return
     write_text(place / f"{learned.term.name}.mo", learned.term.modelica_source)
-    more = [*files, place / f"{learned.term.name}.mo"]
-    pam.add(list(learned.model.effects), to=data.model, output=place / "Learned.mo", files=more,
-            values=_of_the_model(learned.model.fit.values))  # fmt: skip
+    pam.add(diagnosis, output=place / "Learned.mo", files=files, learned=True)
     said = _said(learned.model.fit, 0.0, learned.term.formula) | {"effects": list(learned.model.effects)}
-    _write(results, rows, "learned", place / "Learned.mo", more, said, ratios)
-
-
-def _of_the_model(values: Mapping[str, float]) -> dict[str, float]:
-    return {n: v for n, v in values.items() if "@" not in n}
+    ratios = {n: v for n, v in learned.model.fit.values.items() if is_ratio(n)}
+    _write(results, rows, "learned", place / "Learned.mo", files, said, ratios)
 
 
 def _said(fit: Fit, seconds: float, reading: str) -> dict[str, object]:

@@ -14,10 +14,12 @@ from pam_cosim.diagnosis.explanation import LearnedModel, directly_learned
 from pam_cosim.diagnosis.learning_library import quantities, ramps
 from pam_cosim.diagnosis.search import Search
 from pam_cosim.diagnosis.subject import subject_of
+from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import DataSet
 from rig.named import UNLISTED
 from rig.short import write_light_data
+from tests.reporting.synthetic import make_diagnosis
 
 L0, D0, TURNS = 0.24, 0.02, 2.0
 NOISE = 1.0  # N
@@ -82,17 +84,19 @@ def test_recordings_teach_a_term_that_holds_in_another_run(tmp_path: Path) -> No
     assert before > 5 and after < 0.25 * before, (before, after, found.term.formula)
 
 
-def test_the_class_is_written_whole_and_is_added_like_an_effect(tmp_path: Path) -> None:
+def test_the_model_with_the_term_is_one_file_that_stands_by_itself(tmp_path: Path) -> None:
     data = pam.read(write_map(tmp_path))
-    _, found = learned(data)
+    base, found = learned(data)
     assert found is not None
-    file = tmp_path / f"{found.term.name}.mo"
-    file.write_text(found.term.modelica_source)
+    diagnosis = replace(make_diagnosis("unknown"), model=data.model, data=data, learned=found)
     better = tmp_path / "Better.mo"
-    values = {n: v for n, v in found.model.fit.values.items() if "@" not in n}
-    pam.add([found.term.name], to=data.model, output=better, values=values, files=[file])
-    score = pam.compare(data, str(better), files=[file]).scores["holdout"]["F"]
-    assert score.rmse == pytest.approx(found.model.fit.comparison.scores["holdout"]["F"].rmse, rel=1e-3)
+    text = pam.add(diagnosis, output=better, learned=True)
+    assert better.read_text() == text and f"model {found.term.name} " in text and "model Better " in text
+    after = pam.compare(data, str(better)).scores["holdout"]["F"].rmse
+    assert after == pytest.approx(found.model.fit.comparison.scores["holdout"]["F"].rmse, rel=1e-3)
+    with pytest.raises(InputError, match="nothing was learned"):
+        pam.add(replace(diagnosis, learned=None), output=better, learned=True)
+    assert better.read_text() == text
 
 
 def test_nothing_is_learned_where_nothing_is_missing(tmp_path: Path) -> None:
