@@ -413,7 +413,7 @@ def add(
         file = Path(folder, f"{term.name}.mo")
         write_text(file, term.modelica_source)
         text = _added(fitted, to, None, values or {}, [*as_paths(files), file], Path(output).stem if output else None)
-    text = f"{term.modelica_source.rstrip()}\n\n{text}"
+    text = f"{text.rstrip()}\n\n{term.modelica_source}"  # after what a file says of where it belongs, if it does
     if output:
         write_text(Path(output), text)
     return text

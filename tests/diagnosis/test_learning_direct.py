@@ -40,7 +40,7 @@ def hidden_force(p: np.ndarray, x: np.ndarray) -> np.ndarray:
     return np.asarray(60 * (p / 300e3) * np.exp(-(((x - 0.028) / 0.008) ** 2)))
 
 
-def write_map(folder: Path) -> Path:
+def write_map(folder: Path, model: str = "PneumaticMuscle.Benches.QuasiStaticIsometric") -> Path:
     """Points at rest of a cylinder with the hidden force, by its own formula, with noise; two pressures held out."""
     noise, b = np.random.default_rng(5), np.hypot(L0, TURNS * np.pi * D0)
     p, x = (a.ravel() for a in np.meshgrid(np.arange(1, 6.1) * 8e4, np.linspace(0, 0.05, 14), indexing="ij"))
@@ -50,7 +50,7 @@ def write_map(folder: Path) -> Path:
     (folder / "map.csv").write_text(f"p [kPa],x [mm],F [N]\n{table}\n")
     (folder / "experiment.toml").write_text(
         f"""title = "a lobe"
-model = "PneumaticMuscle.Benches.QuasiStaticIsometric"
+model = "{model}"
 kind = "static"
 [signals.F]
 sigma = "{NOISE} N"
@@ -85,7 +85,9 @@ def test_recordings_teach_a_term_that_holds_in_another_run(tmp_path: Path) -> No
 
 
 def test_the_model_with_the_term_is_one_file_that_stands_by_itself(tmp_path: Path) -> None:
-    data = pam.read(write_map(tmp_path))
+    own = "within;\nmodel Own\n  extends PneumaticMuscle.Benches.QuasiStaticIsometric;\nend Own;\n"
+    (tmp_path / "Own.mo").write_text(own)
+    data = pam.read(write_map(tmp_path, "Own.mo"))
     base, found = learned(data)
     assert found is not None
     diagnosis = replace(make_diagnosis("unknown"), model=data.model, data=data, learned=found)
