@@ -412,11 +412,7 @@ def add(
     with TemporaryDirectory(prefix="pam-cosim-") as folder:
         file = Path(folder, f"{term.name}.mo")
         write_text(file, term.modelica_source)
-        text = _added(fitted, to, None, values or {}, [*as_paths(files), file], Path(output).stem if output else None)
-    text = f"{text.rstrip()}\n\n{term.modelica_source}"  # after what a file says of where it belongs, if it does
-    if output:
-        write_text(Path(output), text)
-    return text
+        return _added(fitted, to, output, values or {}, [*as_paths(files), file], term.modelica_source)
 
 
 def _added(
@@ -425,8 +421,9 @@ def _added(
     output: Path | str | None,
     values: Mapping[str, Setting],
     files: Sequence[Path],
-    named: str | None = None,
+    beside: str = "",
 ) -> str:
+    """The text of a model with effects and values, with classes that stand ``beside`` it."""
     base = to or fitted.model
     if not base or is_fmu(base):
         raise InputError("effects and values are added to a Modelica model: name it by to")
@@ -434,7 +431,7 @@ def _added(
     if ratio is not None and not fitted.values:
         raise InputError(f"what is stated of {ratio} is no part of a model: correct it in the data set")
     extra = sources_of(files, base)
-    name = Path(output).stem if output else named
+    name = Path(output).stem if output else None
     parameters = describe(base, files).parameters if fitted.values else ()
     tree = read_library(files=extra)
     fitted = replace(fitted, model=base)
@@ -442,7 +439,7 @@ def _added(
         bare = compose_fitted(tree, replace(fitted, values={}), name, parameters, files=extra)
         fitted = replace(fitted, values={**fitted.values, **_resolved(values, bare, files)})
         parameters = (*parameters, *fitted.values)
-    composition = compose_fitted(tree, fitted, name, parameters, files=extra)
+    composition = compose_fitted(tree, fitted, name, parameters, files=extra, beside=beside)
     if output:
         write_text(Path(output), composition.text)
     return composition.text
