@@ -73,6 +73,8 @@ def line(results: Mapping[str, Result], rig: str, method: str) -> list[str] | No
     reading = own[0].get("reading") or own[0].get("size") or own[0].get("failed", "")
     if len(own) > 1 and method in OURS:
         reading = "; ".join(dict.fromkeys(r["reading"] for r in own if r["reading"]))
+    if len(own) < len(members(rig)):
+        reading = f"written for {len(own)} of {len(members(rig))}: {reading}"
     count = f"{np.mean(counts):.0f}" if counts else "-"
     return ["", NAMES.get(method, method), *cells, f"{seconds:.2g}", count, _short(str(reading))]
 
