@@ -73,7 +73,7 @@ def parse_variations(
 ) -> dict[str, list[float] | list[str]]:
     """``NAME=FROM:TO:N`` or ``NAME=A,B,C`` words to lists of values [SI]; with ``ranges``, ``NAME=FROM:TO`` words.
 
-    ``inputs=A.csv,B.csv`` stays a list of files.
+    ``inputs=A.csv,B.csv`` stays a list of texts, of files or of formulas.
 
     Raises:
         InputError: as ``parse_settings``.
@@ -84,7 +84,7 @@ def parse_variations(
         if name in variations:
             raise InputError(f"'{name}' is varied twice")
         if varies_inputs({name: text}, interface):
-            variations[name] = [file.strip() for file in text.split(",")]
+            variations[name] = [one.strip() for one in text.split(",")]
             continue
         variable = settable(name, interface)
         if ranges:
@@ -137,6 +137,24 @@ def parse_pairs(words: Sequence[str]) -> dict[str, str]:
             raise InputError(f"'{name}' is given twice")
         pairs[name] = text
     return pairs
+
+
+def parse_cuts(words: Sequence[str]) -> dict[str, tuple[str | None, str | None]]:
+    """``RUN=FROM:TO`` words to first and last times by run; one that is left out is None.
+
+    Raises:
+        InputError: not of that form, or a run twice.
+    """
+    cuts: dict[str, tuple[str | None, str | None]] = {}
+    for word in words:
+        run, text = _split(word, "RUN=FROM:TO, such as run-03=2.5:10")
+        begin, colon, end = (part.strip() for part in text.partition(":"))
+        if not colon or ":" in end:
+            raise InputError(f"'{word}': write RUN=FROM:TO; one of the times may be left out, such as run-03=2.5:")
+        if run in cuts:
+            raise InputError(f"'{run}' is cut twice")
+        cuts[run] = (begin or None, end or None)
+    return cuts
 
 
 def parse_frequencies(text: str) -> list[float]:

@@ -140,8 +140,8 @@ class StartCriteria:
         1e-3, "of a state", "by which a free parameter must move where the model begins, to be what says it"
     )
     worth: float = decides(
-        1.5, "1", "times fewer squares that a run must leave with a start of its own, where its first samples are off "
-        "by no more than an offset of an instrument: that stays",
+        1.5, "1", "times fewer squares that first samples must leave with a start of their own; the whole run, where "
+        "they are off by no more than an offset of an instrument: that stays",
     )  # fmt: skip
     pause: float = decides(10.0, "intervals", "of the usual length; a longer one is a pause of the logger")
     pauses_listed: int = decides(3, "places", "at which time goes back that are named")
@@ -304,7 +304,7 @@ class SearchCriteria:
     starts: int = decides(12, "models", "that further effects are reckoned on top of, and effects combined to two")
     step: float = decides(0.6, "of the excess", "that a further effect is expected to leave at most, to be tried")
     most_effects: int = decides(3, "effects", "in one explanation, at most")
-    at_noise: float = decides(0.1, "noise variances", "excess that needs no further effect tried")
+    at_noise: float = decides(0.1, "noise variances", "excess up to which no times of steps between samples are sought")
     evaluations: int = decides(40, "evaluations", "of each descent of a candidate: some valleys are long")
     precision: float = decides(1e-4, "of chi-square", "at which they end: creeping further leads nowhere")
     screening_evaluations: int = decides(6, "evaluations", "tell a promising effect from a hopeless one")
@@ -423,8 +423,12 @@ class ResolutionCriteria:
 
 @dataclass(frozen=True)
 class RunCriteria:
-    """What is read off one run of a model."""
+    """What is read off one run of a model, and how long it may take."""
 
+    longest: tuple[float, float] = decides(
+        (30.0, 1e-2), "s", "of processor time, and more for each row: a thousand times what a run needs; the model "
+        "chatters there, or its values make it stiff beyond use",
+    )  # fmt: skip
     steady_part: float = decides(
         0.1, "of a run", "its last part, over which a steady value is averaged and a settled variable stays where it is"
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
+from pam_cosim.counts import checked_time
 from pam_cosim.files import check_writable, make_folder, write_bytes
 from pam_cosim.fmu import build_model, read_interface
 from pam_cosim.interface import Interface
@@ -54,12 +55,25 @@ def opened(
 ) -> Simulator | IsolatedSimulator:
     """A model ready to run; an FMU of somebody else's runs in a process of its own, which it may crash.
 
-    A Modelica model tells its sensitivities to the ``free`` parameters. An FMU that makes no progress for ``timeout``
-    seconds is ended (None: the default of ``IsolatedSimulator``).
+    A Modelica model tells its sensitivities to the ``free`` parameters. ``timeout`` [s]: a run of a Modelica model ends
+    after so much processor time (None: ``CRITERIA.run.longest``); an FMU that makes no progress for so long is ended
+    (None: the default of ``IsolatedSimulator``).
     """
     if is_fmu(model):
         return IsolatedSimulator(build(model, files=files), timeout)
-    return Simulator(build_model(model, as_paths(files), sensitivities=tuple(free), where_smooth=True))
+    fmu = build_model(model, as_paths(files), sensitivities=tuple(free), where_smooth=True)
+    return limited(Simulator(fmu), timeout)
+
+
+def limited(simulator: Simulator, timeout: float | None) -> Simulator:
+    """The same, its runs with another limit of processor time [s]; None: as it is.
+
+    Raises:
+        InputError: no such limit.
+    """
+    if timeout is not None and simulator.limit is not None:
+        simulator.limit = checked_time(timeout), 0.0
+    return simulator
 
 
 def as_paths(files: Paths) -> list[Path]:

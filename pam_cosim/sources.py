@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.errors import InputError
+from pam_cosim.compiler.elementwise import elementwise
+from pam_cosim.errors import InputError, ModelError
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import read_recording
 from pam_cosim.settings import value_of
@@ -27,10 +28,11 @@ def inputs_of(source: Source | None, interface: Interface, times: Callable[[], A
     """Inputs from anything that says them.
 
     Args:
-        source: ``Inputs``; the name of a CSV file; a mapping of names to arrays, functions of time [s] or constants,
-            with "time" [s] where there are arrays; a pandas frame or a structured array with "time" as a column, or as
-            the index of the frame; an earlier ``Trajectory``. A name may carry a unit, ``p_supply [kPa]``; without one
-            numbers are in SI.
+        source: ``Inputs``; the name of a CSV file; formulas in time [s] as a text, "u_in = 0.25 + 0.1 * sin(time);
+            u_out = 0", in SI; a mapping of names to arrays, functions of time [s] or constants, with "time" [s] where
+            there are arrays; a pandas frame or a structured array with "time" as a column, or as the index of the
+            frame; an earlier ``Trajectory``. A name may carry a unit, ``p_supply [kPa]``; without one numbers are in
+            SI.
         interface: of the model.
         times: (n,) [s] at which functions are evaluated; lines between.
 
@@ -39,6 +41,8 @@ def inputs_of(source: Source | None, interface: Interface, times: Callable[[], A
     """
     if source is None or isinstance(source, Inputs):
         return source
+    if isinstance(source, str) and is_formulas(source):
+        return _of_formulas(source, interface, times())
     if isinstance(source, (str, Path)):
         return read_inputs(Path(source), interface)
     columns = _columns(source, interface)
@@ -47,6 +51,33 @@ def inputs_of(source: Source | None, interface: Interface, times: Callable[[], A
         time = times()
     named = {_named(head, interface): (head, values) for head, values in columns.items()}
     return Inputs(time, {name: _values(name, head, v, time, interface) for name, (head, v) in named.items()})
+
+
+def is_formulas(text: str) -> bool:
+    """Whether a text is formulas of inputs, and not the name of a file."""
+    return "=" in text and not Path(text).exists()
+
+
+def _of_formulas(text: str, interface: Interface, time: Array) -> Inputs:
+    """Inputs that formulas in time [s] give, in SI."""
+    values: dict[str, Array] = {}
+    for part in filter(str.strip, text.split(";")):
+        head, _, formula = part.partition("=")
+        name = _named(head, interface)
+        if name in values:
+            raise InputError(f"the input '{name}' has two formulas")
+        try:
+            with np.errstate(all="ignore"):
+                values[name] = np.array(np.broadcast_to(elementwise(formula, {"time": time}), time.shape))
+        except ModelError as problem:
+            place = f" (at character {problem.column})" if problem.column else ""
+            raise InputError(f"the formula of the input '{name}': {problem.message}{place}") from None
+        except (ArithmeticError, RecursionError, TypeError, ValueError) as problem:
+            raise InputError(f"the formula of the input '{name}' cannot be evaluated: {problem}") from None
+        wrong = time[~np.isfinite(values[name])]
+        if wrong.size:
+            raise InputError(f"the formula of the input '{name}' is no number at {wrong[0]:g} s")
+    return Inputs(time, values, "linear")
 
 
 def read_inputs(file: Path, interface: Interface) -> Inputs:

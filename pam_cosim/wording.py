@@ -17,6 +17,11 @@ def shown(value: object) -> str:
     return repr(text if len(text) <= _LONGEST else text[:_LONGEST] + "...")
 
 
+def printable(text: str) -> str:
+    """A line of somebody else's: what would command a terminal stands as a blank."""
+    return "".join(letter if letter.isprintable() else " " for letter in text)
+
+
 def listed(names: Iterable[str]) -> str:
     """``a, b, c``, cut after some twenty names; "none" when there are none."""
     names = list(names)

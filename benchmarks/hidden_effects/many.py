@@ -200,9 +200,14 @@ def _same_as(case: Case) -> list[list[str]]:
     return also
 
 
-def make(case: Case) -> Made:
-    """Simulates a case. Raises RuntimeError when its hidden effect cannot be simulated at any strength."""
-    setup = draw(case.rng(1), case.design).driven()
+def make(case: Case, changed: Callable[[Setup], Setup] = lambda setup: setup) -> Made:
+    """Simulates a case. Raises RuntimeError when its hidden effect cannot be simulated at any strength.
+
+    Args:
+        case: what is hidden on which bench.
+        changed: makes another setup of the one that was drawn, such as one that is driven in another way.
+    """
+    setup = changed(draw(case.rng(1), case.design)).driven()
     sensors = draw_sensors(case.rng(2), case.design.signals)
     ruler = Ruler(setup) if case.hidden else None
     hidden: list[Effect | Fault] = []

@@ -1,4 +1,4 @@
-"""Fits models to whole recordings, to the same without their beginning, and to their pieces.
+"""Fits models to whole recordings, to the same without their beginning, to their pieces, and to one period of a sine.
 
 python -m benchmarks.starts.compare_cut build/starts.jsonl --set tuning2 --numbers 5 15 24
 """
@@ -10,18 +10,21 @@ import json
 import tempfile
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import pam_cosim as pam
 from benchmarks.hidden_effects import many
 from benchmarks.starts.cutting import in_pieces, without_beginning
+from benchmarks.starts.sines import in_sines, last_period
 
 WAYS: dict[str, Callable[[Path, Path, int], Path]] = {
     "whole": lambda source, folder, seed: source,
     "cut": without_beginning,
     "pieces": in_pieces,
 }
+DIAGNOSED = ("whole", "cut", "sine")
 
 
 def fitted(folder: Path) -> dict[str, Any]:
@@ -29,11 +32,11 @@ def fitted(folder: Path) -> dict[str, Any]:
     began = time.process_time()
     fit = pam.fit(pam.read(folder))
     left = {role: s.chi2_reduced for role, s in fit.residuals.items() if s.samples}
-    starts = [run.run.start.mode for run in fit.comparison.runs]
+    starts = [str(run.run.start.mode) for run in fit.comparison.runs]
     return {
         "chi2": left,
         "parameters": {n: [e.value, e.low, e.high] for n, e in fit.parameters.items()},
-        "starts": {mode: starts.count(mode) for mode in dict.fromkeys(map(str, starts))},
+        "starts": {mode: starts.count(mode) for mode in dict.fromkeys(starts)},
         "seconds": time.process_time() - began,
         "evaluations": fit.evaluations,
     }
@@ -41,9 +44,13 @@ def fitted(folder: Path) -> dict[str, Any]:
 
 def verdict(folder: Path) -> dict[str, Any]:
     """What a diagnosis says."""
+    began = time.process_time()
     diagnosis = pam.diagnose(pam.read(folder), explain=False, workers=1)
-    return {"kind": diagnosis.verdict.kind, "families": list(diagnosis.verdict.families),
-            "chi2": diagnosis.final.residuals["fit"].chi2_reduced}  # fmt: skip
+    said, residuals = diagnosis.verdict, diagnosis.final.residuals
+    return {"kind": said.kind, "families": list(said.families), "effects": list(said.effects),
+            "probability": said.probability, "reason": said.reason,
+            "chi2": {role: s.chi2_reduced for role, s in residuals.items() if s.samples},
+            "seconds": time.process_time() - began}  # fmt: skip
 
 
 def one(which: str, number: int, diagnosed: bool) -> dict[str, Any]:
@@ -51,18 +58,32 @@ def one(which: str, number: int, diagnosed: bool) -> dict[str, Any]:
     case = many.case_of(which, number)
     outline = many.outline(case)
     result: dict[str, Any] = {"number": number, "bench": outline["bench"], "signals": outline["signals"],
-                              "hidden": [h["family"] for h in outline["hidden"]]}  # fmt: skip
+                              "group": outline["group"], "families": outline["families"],
+                              "same_as": outline["same_as"]}  # fmt: skip
     with tempfile.TemporaryDirectory() as name:
-        source = Path(name) / "whole"
-        many.write(many.make(case), source)
+        base = Path(name)
+        made = many.make(case)
+        many.write(made, base / "whole")
+        result["size"] = made.description["size"]["projected"]
         for way, make in WAYS.items():
-            folder = make(source, Path(name) / way, number)
-            try:
-                result[way] = fitted(folder)
-                if diagnosed and way != "pieces":
-                    result[way]["verdict"] = verdict(folder)
-            except Exception as problem:  # a failure is a result
-                result[way] = {"failed": f"{type(problem).__name__}: {problem}"}
+            result[way] = _result(way, partial(make, base / "whole", base / way, number), diagnosed)
+        result["sine"] = _result("sine", partial(_one_period, case, base, number), diagnosed)
+    return result
+
+
+def _one_period(case: many.Case, base: Path, number: int) -> Path:
+    many.write(many.make(case, in_sines), base / "sines")
+    return last_period(base / "sines", base / "sine", number)
+
+
+def _result(way: str, make: Callable[[], Path], diagnosed: bool) -> dict[str, Any]:
+    try:
+        folder = make()
+        result = fitted(folder)
+        if diagnosed and way in DIAGNOSED:
+            result["verdict"] = verdict(folder)
+    except Exception as problem:  # a failure is a result
+        return {"failed": f"{type(problem).__name__}: {problem}"}
     return result
 
 
@@ -72,7 +93,7 @@ def main() -> None:
     parser.add_argument("out", type=Path)
     parser.add_argument("--set", default="tuning2")
     parser.add_argument("--numbers", type=int, nargs="+", required=True)
-    parser.add_argument("--diagnose", action="store_true", help="also the verdicts of the whole and the cut recordings")
+    parser.add_argument("--diagnose", action="store_true", help="also the verdicts, but of the pieces")
     options = parser.parse_args()
     options.out.parent.mkdir(parents=True, exist_ok=True)
     for number in options.numbers:

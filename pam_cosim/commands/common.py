@@ -29,6 +29,13 @@ remarks: list[Callable[[], str]] = []  # what else an interrupted command has to
 console = Console(stderr=True, highlight=False)
 
 ModelOption = Annotated[str | None, typer.Option("--model", help="A bench, a Modelica class, a .mo or an .fmu file.")]
+InputOption = Annotated[
+    str | None,
+    typer.Option(
+        "--input",
+        help="CSV with input columns: name [unit]; or formulas in time [s], 'u_in = 0.25 + 0.1*sin(6.28*time)'.",
+    ),
+]
 FilesOption = Annotated[
     list[Path] | None, typer.Option("--file", help="A .mo file or the folder of a package: own effects, rigs, library.")
 ]
@@ -42,16 +49,31 @@ RoleOption = Annotated[
     list[str] | None,
     typer.Option("--role", help="RUN=fit or RUN=holdout, other than the data set says; may be repeated."),
 ]
+CutOption = Annotated[
+    list[str] | None,
+    typer.Option("--cut", help='RUN=FROM:TO, such as run-03="2.5 s:": what is kept of it; may be repeated.'),
+]
+BeginOption = Annotated[
+    list[str] | None,
+    typer.Option("--begin", help="RUN=rest, steady, measured or estimated: in which state it begins; may be repeated."),
+]
 FreeOption = Annotated[
     list[str] | None,
     typer.Option("--free", help="Fit this parameter, and only those named so: of the data set, or with bounds."),
 ]
 StartOption = Annotated[
-    list[str] | None, typer.Option("--start", help="NAME=VALUE: where a parameter starts, or is held; with a unit.")
+    list[str] | None,
+    typer.Option(
+        "--start", help="NAME=VALUE: where a parameter starts, or is held; with a unit. STATE@RUN: where a run begins."
+    ),
 ]
 TimeoutOption = Annotated[
     float | None,
-    typer.Option(help="End an .fmu that makes no progress for so many seconds; default 60, inf: never.", min=0.0),
+    typer.Option(
+        help="End a run that takes so many seconds of processor time (default: 30 and 0.01 for each row), or an .fmu "
+        "that makes no progress for so long (default: 60); inf: never.",
+        min=0.0,
+    ),
 ]
 VariablesOption = Annotated[
     list[str] | None, typer.Option("--output", help="A variable to keep beside the model's outputs; can be repeated.")
@@ -82,12 +104,26 @@ def say_used_with(files: Iterable[Path]) -> None:
         console.print(f"it is used together with what it is made from: {words}", markup=False, soft_wrap=True)
 
 
-def read_data(data: Path, model: str | None, files: list[Path] | None, roles: list[str] | None = None) -> DataSet:
+def read_data(
+    data: Path,
+    model: str | None,
+    files: list[Path] | None,
+    roles: list[str] | None = None,
+    cuts: list[str] | None = None,
+    begins: list[str] | None = None,
+) -> DataSet:
     """The data set; no result may replace one of its files."""
     from pam_cosim import study
-    from pam_cosim.arguments import parse_pairs
+    from pam_cosim.arguments import parse_cuts, parse_pairs
 
-    read = study.read(data, model=model, files=files or [], roles=parse_pairs(roles or []))
+    read = study.read(
+        data,
+        model=model,
+        files=files or [],
+        roles=parse_pairs(roles or []),
+        cuts=parse_cuts(cuts or []),
+        starts=parse_pairs(begins or []),
+    )
     check_spared(results, [read.model, *read.files])
     return read
 

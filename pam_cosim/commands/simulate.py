@@ -11,6 +11,7 @@ from pam_cosim import study
 from pam_cosim.arguments import parse_settings
 from pam_cosim.commands.common import (
     FilesOption,
+    InputOption,
     SetOption,
     TimeoutOption,
     VariablesOption,
@@ -23,7 +24,7 @@ from pam_cosim.reporting import plot_trajectory
 def simulate(
     model: Annotated[str, typer.Argument(help="A bench, a Modelica class, a .mo or an .fmu file.")],
     settings: SetOption = None,
-    inputs: Annotated[Path | None, typer.Option("--input", help="CSV with input columns: name [unit].")] = None,
+    inputs: InputOption = None,
     stop_time: Annotated[str | None, typer.Option(help="End of the run, such as 20 or '2 min'; in s.")] = None,
     interval: Annotated[str | None, typer.Option(help="Time between two rows of the result, such as '1 ms'.")] = None,
     output: Annotated[
@@ -50,7 +51,7 @@ def simulate(
         files=files or [],
         timeout=timeout,
     )
-    for warning in trajectory.warnings:
+    for warning in filter(None, (trajectory.solver, *trajectory.warnings)):
         typer.echo(f"pam-cosim: {warning}", err=True)
     if output:
         trajectory.save(output)

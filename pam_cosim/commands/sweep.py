@@ -12,6 +12,7 @@ from pam_cosim import study
 from pam_cosim.arguments import parse_named, parse_settings, parse_variations
 from pam_cosim.commands.common import (
     FilesOption,
+    InputOption,
     SetOption,
     TimeoutOption,
     VariablesOption,
@@ -34,12 +35,12 @@ def sweep(
         typer.Option(
             "--vary",
             help="NAME=FROM:TO:N or NAME=A,B,C: a parameter, input or start value; FROM:TO for random designs; "
-            "inputs=A.csv,B.csv: inputs over time.",
+            "inputs=A.csv,B.csv: inputs over time, of files or of formulas as for --input.",
         ),
     ],
     output: Annotated[Path, typer.Option("-o", metavar="FILE", help="Write the result: CSV, .nc (NetCDF), .parquet.")],
     settings: SetOption = None,
-    inputs: Annotated[Path | None, typer.Option("--input", help="CSV with input columns: name [unit].")] = None,
+    inputs: InputOption = None,
     variables: VariablesOption = None,
     scalars: Annotated[
         list[str] | None,

@@ -93,16 +93,24 @@ def measured(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mappi
     first = probe.first_samples()
     if not simulator.interface.states or not first:
         return Beginning()
+    shown, values = _agreeing(probe, first)
+    if missed := probe.missed(shown, values):  # such as a reading at the end of its range, which shows nothing
+        shown, values = _agreeing(probe, {signal: one for signal, one in first.items() if signal not in missed})
+    signals = {state: one.signal for state, one in shown.items()}
+    settle: Settle = "others" if probe.rests(values) else "none"
+    return Beginning(values, settle, signals)
+
+
+def _agreeing(probe: Probe, first: Mapping[str, FirstSamples]) -> tuple[dict[str, _Shown], dict[str, float]]:
+    """What shows which states, and their start values, at which the model agrees with that."""
     shown: dict[str, _Shown] = {}
     values: dict[str, float] = {}
     links = probe.links({}).joined(probe.links(probe.elsewhere()))
     for _ in range(2):  # what acts on what may not show where the model begins by itself
-        shown = _shown_states(links, first, probe.signals, simulator.interface.states)
+        shown = _shown_states(links, first, probe.signals, probe.states)
         values = probe.corrected(shown, links, values)
         links = links.joined(probe.links(values))
-    signals = {state: one.signal for state, one in shown.items()}
-    settle: Settle = "others" if probe.rests(values) else "none"
-    return Beginning(values, settle, signals)
+    return shown, values
 
 
 @dataclass(frozen=True)
@@ -253,6 +261,12 @@ class Probe:
             if np.all(np.abs(step) <= CRITERIA.starts.step * np.array([self._size(n, v) for n, v in held.items()])):
                 break
         return held
+
+    def missed(self, shown: Mapping[str, _Shown], values: Mapping[str, float]) -> set[str]:
+        """The signals that are not as they were measured, wherever the states that they show begin."""
+        there, _ = self.at(values)
+        known = [one for one in shown.values() if one.spread]
+        return {one.signal for one in known if abs(there[one.row] - one.aim) > CRITERIA.starts.away * one.spread}
 
     def rests(self, values: Mapping[str, float]) -> bool:
         """Whether the other states find a rest beside these."""

@@ -86,6 +86,12 @@ class Comparison(Printed):
             self.model, self.runs, self.data.signals[chosen], rows, columns, self.units, self.parameters
         )
 
+    def _solvers(self) -> list[str]:
+        """A sentence where runs were made by model exchange: the first that was said, and of how many."""
+        said = [r.solver for r in self.runs if r.solver]
+        count = "" if len(said) == len(self.runs) else f" (in {len(said)} of {len(self.runs)} runs)"
+        return [f"{said[0]}{count}"] if said else []
+
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
         roles = {
@@ -104,6 +110,7 @@ class Comparison(Printed):
                     "role": r.run.role,
                     "parameters": dict(r.run.parameters),
                     **_start_of(r),
+                    **({"solver": r.solver} if r.solver else {}),
                     "signals": {n: s.as_dict() for n, s in score([r], self.data.signals).items()},
                 }
                 for r in self.runs
@@ -115,6 +122,7 @@ class Comparison(Printed):
     def __str__(self) -> str:
         lines = [f"{self.model} against {self.data.title}"]
         lines += [f"  {sentence}" for sentence in self.data.starts]
+        lines += [f"  {sentence}" for sentence in self._solvers()]
         for role in ROLES:
             for name, s in self.scores[role].items():
                 signal = self.data.signals[name]

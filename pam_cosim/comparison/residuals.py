@@ -18,10 +18,12 @@ class RunComparison:
     Attributes:
         run: the measurement.
         model: (n,) each [SI], every output of the model at ``run.time``.
+        solver: as ``Trajectory.solver``.
     """
 
     run: Run
     model: dict[str, Array]
+    solver: str = ""
 
     def residual(self, signal: str) -> Array:
         """Measured minus modelled [SI], shape (n,), NaN where a sample is missing."""
@@ -68,4 +70,4 @@ def simulate_run(
         tolerance=tolerance,
         settle=start.settle,
     )
-    return RunComparison(run, dict(trajectory.values))
+    return RunComparison(run, dict(trajectory.values), trajectory.solver)

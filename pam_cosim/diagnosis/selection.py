@@ -76,11 +76,10 @@ def select_effects(search: Search, base: Fit, deadline: float = math.inf, clocks
             models.try_forms()
             models.improve(count)
         models.set_outliers_aside()
-        if models.order.unsolved():
-            timed = models.with_step_times(count) if clocks else None
-            if timed is not None:
-                return Selection(models.search, models.base, outliers=models.outliers, timed=timed)
-        else:
+        timed = models.with_step_times(count) if clocks and models.order.above_noise() else None
+        if timed is not None:
+            return Selection(models.search, models.base, outliers=models.outliers, timed=timed)
+        if not models.order.unsolved():
             models.try_simpler()
             if not models.order.room(count + 1):
                 break
@@ -109,6 +108,7 @@ class _Models:
         self.untried: list[tuple[str, ...]] = []
         self.probes: list[Probe] = []
         self.outliers: Counter[str] = Counter()
+        self.reduced: set[tuple[str, ...]] = set()
 
     @property
     def search(self) -> Search:
@@ -244,14 +244,27 @@ class _Models:
         need it no more once they are fitted together.
         """
         while (best := self.order.answer()) is not None and len(best.effects) > 1:
-            sets = [tuple(e for e in best.effects if e != name) for name in best.effects]
-            self._try([Wanted(effects, best.fit.values) for effects in sets])
+            self._reduce(best)
             brief = [c for c in self.order.known.values() if c.brief and set(c.effects) < set(best.effects)]
             brief = [c for c in brief if len(c.effects) == len(best.effects) - 1]
             if brief and not self._late([c.effects for c in brief]):
                 self._finish(brief)
             if self.order.answer() is best:
                 return
+
+    def _reduce(self, larger: Candidate) -> None:
+        """A model without each of its effects, from where it stands, once.
+
+        What was fitted from elsewhere may have ended in another valley, and its effect counts for less than it is.
+        """
+        sets = [tuple(e for e in larger.effects if e != name) for name in larger.effects]
+        if len(sets) < 2 or larger.effects in self.reduced or self._late(sets):
+            return
+        self.reduced.add(larger.effects)
+        before = set(self.known)
+        made = self.search.briefly([Wanted(effects, larger.fit.values) for effects in sets])
+        self._keep(made)
+        self._finish([c for c in made if c.effects in before and self.known[c.effects] is c])
 
     def _members(self, family: str) -> Iterator[str]:
         """The effects of a family that can show."""
@@ -278,6 +291,9 @@ class _Models:
             if not brief:
                 self._keep(self.search.briefly([self.promises.wanted(e) for e in chosen]))
                 self.promises.learn(chosen)
+        best = self.order.best()
+        if best is not None:
+            self._reduce(best)
 
     def _finish(self, brief: Sequence[Candidate]) -> None:
         """Fits models to the end that were fitted briefly."""
@@ -286,10 +302,19 @@ class _Models:
             self.known[c.effects] = replace(self.known[c.effects], brief=False)
 
     def path(self) -> list[Candidate]:
-        """The best model's effects, added one after another; none if the best is no better than the base model."""
-        best = self.order.answer()
-        if best is None:
-            return []
+        """The best model's effects, added one after another; none if the best is no better than the base model.
+
+        A model that breaks down at the accuracy of the verdict makes place for the next best.
+        """
+        while (best := self.order.answer()) is not None:
+            models = self._one_by_one(best)
+            if models and models[-1].effects == best.effects:
+                return [c.without_slopes for c in models]
+            del self.known[best.effects]
+            self.order.renew()
+        return []
+
+    def _one_by_one(self, best: Candidate) -> list[Candidate]:
         models: list[Candidate] = []
         for k in range(1, len(best.effects) + 1):
             names = best.effects[:k]
@@ -302,7 +327,7 @@ class _Models:
                 self.known[names] = own
             before = models[-1].fit if models else self.base
             models.append(rank(before, [own])[0])
-        return [c.without_slopes for c in models]
+        return models
 
     def _keep(self, candidates: Sequence[Candidate]) -> None:
         """Keeps the better fit of each model; one to the end began where the brief one stood, and is more exact."""

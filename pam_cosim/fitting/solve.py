@@ -79,10 +79,16 @@ def _points(free: Sequence[Free], starts: Sequence[Mapping[str, float]]) -> list
 
 
 def _starts(objective: Objective, points: Sequence[Array]) -> Iterator[Array]:
-    """The points at which every run can be simulated, the best first as far as a glance tells."""
+    """The points at which every run can be simulated, the best first as far as a glance at two runs tells.
+
+    A glance does not see what acts in the other runs: the stated start goes first where all runs say so.
+    """
     scored = [(objective.glance(z) if len(points) > 1 else 0.0, i) for i, z in enumerate(points)]
-    for score, i in sorted(scored):
-        if np.isfinite(score) and np.isfinite(objective.squares(points[i])):
+    order = [i for score, i in sorted(scored) if np.isfinite(score)]
+    if order and order[0] and 0 in order and objective.squares(points[0]) < objective.squares(points[order[0]]):
+        order = [0, *(i for i in order if i)]
+    for i in order:
+        if np.isfinite(objective.squares(points[i])):
             yield points[i]
 
 

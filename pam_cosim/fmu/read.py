@@ -24,17 +24,16 @@ _KEPT = 128  # descriptions: a diagnosis comes back to those of the catalogue's 
 
 
 def read_description(path: Path) -> ModelDescription:
-    """FMPy's model description of a co-simulation FMU of FMI 2.0 or 3.0.
+    """FMPy's model description of an FMU of FMI 2.0 or 3.0 for co-simulation or model exchange.
 
     Raises:
         InputError: not an FMU, or not of that kind.
     """
     description = _description(path)
-    if fmi_version(description) not in ("2.0", "3.0") or description.coSimulation is None:
-        kind = "co-simulation" if description.coSimulation is not None else "without co-simulation"
-        raise InputError(
-            f"a co-simulation FMU of FMI 2.0 or 3.0 is needed; this is FMI {description.fmiVersion} {kind}", path
-        )
+    runs = description.coSimulation is not None or description.modelExchange is not None
+    if fmi_version(description) not in ("2.0", "3.0") or not runs:
+        kind = "" if runs else " with neither co-simulation nor model exchange"
+        raise InputError(f"an FMU of FMI 2.0 or 3.0 is needed; this is FMI {description.fmiVersion}{kind}", path)
     return description
 
 
@@ -62,6 +61,15 @@ def has_exchange(path: Path) -> bool:
         InputError: not an FMU.
     """
     return _description(path).modelExchange is not None
+
+
+def has_co_simulation(path: Path) -> bool:
+    """Whether an FMU is for co-simulation.
+
+    Raises:
+        InputError: not an FMU.
+    """
+    return _description(path).coSimulation is not None
 
 
 def _description(path: Path) -> ModelDescription:
@@ -151,7 +159,7 @@ def read_interface(path: Path) -> Interface:
     ``locals`` holds every other continuous variable that can be read, states and derivatives included.
 
     Raises:
-        InputError: not a co-simulation FMU of FMI 2.0 or 3.0.
+        InputError: not an FMU of FMI 2.0 or 3.0.
     """
     return interface_of(read_description(path))
 
@@ -225,7 +233,7 @@ def feedthrough(path: Path) -> tuple[dict[str, frozenset[str]], bool]:
     By FMI an output without a declaration depends on every input.
 
     Raises:
-        InputError: not a co-simulation FMU of FMI 2.0 or 3.0.
+        InputError: not an FMU of FMI 2.0 or 3.0.
     """
     description = read_description(path)
     inputs = frozenset(v.name for v in real_variables(description) if v.causality == "input")

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, Protocol
 
 import numpy as np
 from fmpy.fmi2 import (
@@ -20,6 +20,7 @@ from fmpy.fmi2 import (
 from pam_cosim.arrays import Array
 from pam_cosim.fmu.compile import compile_library, native_platform
 from pam_cosim.simulation.plan import Plan
+from pam_cosim.wording import printable
 
 # In the order of the function pointers in driver_run, by major version of FMI; version 3 sets up the experiment when
 # it enters initialization mode, and has no slopes of inputs: our own FMUs have a function for them beside FMI, and one
@@ -141,7 +142,7 @@ class Callbacks:
         """Messages since the last call."""
         text = self._log.text.decode("utf-8", "replace")
         self._log.used, self._log.text = 0, b""
-        return [line for line in text.splitlines() if line.strip()]
+        return [printable(line) for line in text.splitlines() if line.strip()]
 
 
 @dataclass(frozen=True)
@@ -170,6 +171,33 @@ class Outcome:
 
     def __init__(self, values: Array, time: float, failed: str | None) -> None:
         self.values, self.time, self.failed = values, time, failed
+
+
+class AnyDriver(Protocol):
+    """What runs one instance of an FMU; its members are those of ``Driver``."""
+
+    @property
+    def settles(self) -> bool:
+        """Whether the FMU finds equilibria."""
+
+    @property
+    def progress(self) -> Progress | None:
+        """How far a run in another thread is."""
+
+    def run(
+        self,
+        plan: Plan,
+        parameters: tuple[Sequence[int], Sequence[float]],
+        inputs: Sequence[int],
+        outputs: Sequence[int],
+        tolerance: float | None,
+        must_reset: bool,
+        max_seconds: float | None,
+        plain: bool = False,
+        at_rest: bool = False,
+        settle: Settle = "none",
+    ) -> Outcome:
+        """One simulation."""
 
 
 class Driver:

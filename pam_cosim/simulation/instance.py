@@ -91,7 +91,7 @@ def instantiate(instance: Instance, callbacks: Callbacks, file: str) -> None:
 
 def free_instance(instance: Instance) -> None:
     """Frees the instance and keeps the library loaded."""
-    free = instance.fmi3FreeInstance if isinstance(instance, FMU3Slave) else instance.fmi2FreeInstance
+    free = instance.fmi3FreeInstance if major_version(instance) == 3 else instance.fmi2FreeInstance
     free(instance.component)
 
 

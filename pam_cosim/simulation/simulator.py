@@ -16,10 +16,11 @@ from fmpy.fmi1 import FMICallException
 from numpy.typing import ArrayLike
 
 from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import interface_of, read_description, real_variables
 from pam_cosim.interface import Interface
-from pam_cosim.simulation.driver import TOO_SLOW, Callbacks, Driver, Outcome, Progress, Settle
+from pam_cosim.simulation.driver import TOO_SLOW, AnyDriver, Callbacks, Driver, Outcome, Progress, Settle
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs, with_held
 from pam_cosim.simulation.instance import (
@@ -37,6 +38,7 @@ from pam_cosim.units import format_quantity
 from pam_cosim.wording import did_you_mean
 
 _OTHER_TOOLS = "FMUs of other tools do not find"
+_REMEDY = "look at the values of its parameters, or give it a longer time limit (--timeout)"
 
 
 @dataclass(frozen=True)
@@ -56,13 +58,16 @@ class Simulator:
     Args:
         path: a co-simulation FMU of FMI 2.0 or 3.0, of any origin; or the folder that one was unpacked to.
 
+    Attributes:
+        limit: processor time [s] that a run may take, and more for each of its rows; None: as long as it likes.
+
     Raises:
         InputError: not such an FMU, or none for this platform.
         SimulationFailure: the FMU refuses to be instantiated.
     """
 
     def __init__(self, path: Path) -> None:
-        self.limit: tuple[float, float] | None = None  # of processor time [s]: of a run, and of each of its rows
+        self.limit: tuple[float, float] | None = CRITERIA.run.longest
         self.path = Path(path)
         self._description = read_description(self.path)
         self.interface: Interface = interface_of(self._description)
@@ -83,6 +88,8 @@ class Simulator:
         return self.limit[0] + self.limit[1] * rows if self.limit else None
 
     def _load(self) -> None:
+        if self._description.coSimulation is None:
+            raise InputError("this FMU has no co-simulation interface", self.path)
         self._callbacks = Callbacks()
         self._instance = load_instance(self.path, self._description, self._directory)
         self._slopes = takes_slopes(self._description, self._instance)
@@ -98,7 +105,7 @@ class Simulator:
         self._instance = None  # while there is none
         instantiate(instance, self._callbacks, self.path.name)
         self._instance = instance
-        self._driver = Driver(instance.dll, instance.component, self._slopes, major_version(instance))
+        self._driver: AnyDriver = Driver(instance.dll, instance.component, self._slopes, major_version(instance))
         self._used = False
 
     def __enter__(self) -> Simulator:
@@ -173,7 +180,7 @@ class Simulator:
         outcome = self._outcome(layout, own, values, names, tolerance, limit, settle=settle)
         settings = {**own, **held}
         if outcome.failed is not None:
-            raise self._failure(outcome.failed, outcome.time, settings)
+            raise self._failure(outcome.failed, outcome.time, settings, limit)
         self._check_finite(wanted, names, outcome.values, settings)
         return self._trajectory(wanted, names, outcome)
 
@@ -211,13 +218,14 @@ class Simulator:
         count = max((values.size for values in given.values()), default=1)
         course = with_held(Inputs(np.arange(count, dtype=float), given), held, 0.0)
         values, names = course.values if course else {}, self._wanted(outputs)
-        outcome = self._outcome(points(values, count), own, values, names, None, max_seconds, at_rest=True)
+        limit = max_seconds or self._usual_limit(count)
+        outcome = self._outcome(points(values, count), own, values, names, None, limit, at_rest=True)
         settings = {**own, **held}
         if outcome.failed is not None:
             row = int(outcome.time)
             units = self.interface.inputs
             under = ", ".join(f"{n} = {format_quantity(float(v[row]), units[n].unit)}" for n, v in values.items())
-            failure = self._failure(outcome.failed, None, settings)
+            failure = self._failure(outcome.failed, None, settings, limit)
             raise RunFailure(f"{failure.reason} (under {under})", None, failure.parameters) if under else failure
         numbers = np.arange(count, dtype=float)
         self._check_finite(numbers, names, outcome.values, settings)
@@ -337,10 +345,12 @@ class Simulator:
     def _changed(self, values: Mapping[str, float]) -> dict[str, float]:
         return {name: value for name, value in values.items() if value != self._settable[name].start}
 
-    def _failure(self, function: str, time: float | None, values: Mapping[str, float]) -> RunFailure:
+    def _failure(
+        self, function: str, time: float | None, values: Mapping[str, float], limit: float | None
+    ) -> RunFailure:
         messages = self._callbacks.take_messages()
         if function == TOO_SLOW:
-            messages = ["the run takes longer than it may"]
+            messages = [f"the run takes longer than it may, {limit:.3g} s of processor time; {_REMEDY}"]
         reason = "; ".join(messages) if messages else f"the FMU reports an error in {function} and no reason"
         return RunFailure(reason, time, self._changed(values))
 

@@ -35,12 +35,14 @@ class Trajectory(Printed):
         values: name to (n,) [``units``].
         units: name to unit.
         warnings: what the model said of this run, such as assertions of level warning that do not hold.
+        solver: a sentence, where not the FMU's own co-simulation made the run, but its model exchange with a solver.
     """
 
     time: Array
     values: Mapping[str, Array]
     units: Mapping[str, str]
     warnings: tuple[str, ...] = ()
+    solver: str = ""
 
     def __getitem__(self, name: str) -> Array:
         return self.values[name]
@@ -58,7 +60,8 @@ class Trajectory(Printed):
         import xarray
 
         variables = {name: ("time", v, {"units": self.units.get(name) or "1"}) for name, v in self.values.items()}
-        return xarray.Dataset(variables, {"time": ("time", self.time, {"units": "s"})})
+        said = {"solver": self.solver} if self.solver else {}
+        return xarray.Dataset(variables, {"time": ("time", self.time, {"units": "s"})}, said)
 
     def draw(self, path: Path | str) -> None:
         """Draws every signal, one panel each, as PNG.

@@ -7,6 +7,7 @@ import pickle
 import sys
 import tempfile
 import threading
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -40,10 +41,11 @@ class _Worker:
     Args:
         path: the FMU.
         tick: seconds between two looks at the progress.
+        make: what runs it.
     """
 
-    def __init__(self, path: Path, tick: float) -> None:
-        self._path, self._tick = path, tick
+    def __init__(self, path: Path, tick: float, make: Callable[[Path], Simulator]) -> None:
+        self._path, self._tick, self._make = path, tick, make
         self._requests, self._channel = private_input(), private_output()
         self._lock = threading.Lock()
         self._told: Progress | None = None
@@ -67,7 +69,7 @@ class _Worker:
         try:
             if self.simulator is None:
                 self._send(PROGRESS, None)  # before the FMU is loaded: nothing in this process can speak meanwhile
-                self.simulator = Simulator(self._path)
+                self.simulator = self._make(self._path)
             return "result", self._do(self.simulator, **request)
         except (InputError, SimulationFailure) as error:
             return "error", error
@@ -97,11 +99,18 @@ class _Worker:
             self._send(ANSWER, self._answer(pickle.loads(content)))
 
 
-def main(path: Path, tick: float, folder: str) -> None:
+def unlimited(path: Path) -> Simulator:
+    """An FMU whose steps are its own affair: who waits for it looks at its progress."""
+    simulator = Simulator(path)
+    simulator.limit = None
+    return simulator
+
+
+def main(path: Path, tick: float, folder: str, make: Callable[[Path], Simulator] = unlimited) -> None:
     """Serves one FMU, with ``folder`` for all temporary files: who ends this process removes it."""
     tempfile.tempdir = folder
     limit_memory()
-    worker = _Worker(path, tick)
+    worker = _Worker(path, tick, make)
     worker.serve()
     if worker.simulator is not None:
         worker.simulator.close()

@@ -14,6 +14,7 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import SimulationFailure
+from pam_cosim.models import limited
 from pam_cosim.simulation import AnySimulator, Inputs, IsolatedSimulator, Simulator, Trajectory
 from pam_cosim.sweeps.patterns import INPUTS
 from pam_cosim.sweeps.records import Row
@@ -28,7 +29,7 @@ class Job:
         fmu: the file.
         content: of the file, for a machine that may not have it; None: it is there.
         foreign: whether it is an FMU of somebody else's, which runs in a process of its own.
-        timeout: of such an FMU [s].
+        timeout: of such an FMU, or of a run [s].
         times: (n,) [s].
         names: what is varied.
         fixed: further values [SI].
@@ -125,7 +126,7 @@ def _opened(job: Job) -> Iterator[AnySimulator]:
         with tempfile.TemporaryDirectory(prefix="pam-cosim-sweep-") as folder:
             fmu = Path(folder) / f"{hashlib.sha256(job.content).hexdigest()[:16]}.fmu"
             fmu.write_bytes(job.content)
-            with IsolatedSimulator(fmu, job.timeout) if job.foreign else Simulator(fmu) as simulator:
+            with _simulator(job, fmu) as simulator:
                 yield simulator
     elif job.foreign:
         key = job.fmu, job.timeout
@@ -134,5 +135,9 @@ def _opened(job: Job) -> Iterator[AnySimulator]:
             _foreign[key] = IsolatedSimulator(job.fmu, job.timeout)
         yield _foreign[key]
     else:
-        with Simulator(job.fmu) as simulator:
+        with _simulator(job, job.fmu) as simulator:
             yield simulator
+
+
+def _simulator(job: Job, fmu: Path) -> AnySimulator:
+    return IsolatedSimulator(fmu, job.timeout) if job.foreign else limited(Simulator(fmu), job.timeout)

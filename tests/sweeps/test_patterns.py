@@ -47,6 +47,33 @@ def test_each_run_is_what_simulate_makes_of_its_inputs(step: Path) -> None:
     assert "inputs of 3 patterns" in repr(swept)
 
 
+def test_formulas_are_inputs_over_time() -> None:
+    """As text, on the command line too; without times they are evaluated at those of the output."""
+    text = "u_in = 0.25 + 0.1*sin(6.28*time); u_out = 0"
+    told = pam.simulate(MODEL, inputs=text, stop_time=2)
+    alone = pam.simulate(MODEL, inputs={"u_in": lambda t: 0.25 + 0.1 * np.sin(6.28 * t), "u_out": 0.0}, stop_time=2)
+    assert np.array_equal(told["p"], alone["p"])
+    swept = pam.sweep(MODEL, {"inputs": [text, "u_in=0.3"]}, scalars=SCALARS, stop_time=2, workers=1)
+    assert swept.column("last")[0] == told["p"][-1]
+    assert list(swept.frame()["inputs"]) == [text, "u_in=0.3"]
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("u_in = log(-time)", "the formula of the input 'u_in' is no number at 0 s"),
+        ("u_in = __import__(1)", "only arithmetic and elementary functions"),
+        ("u_in = 1/0 + 2^99999", "cannot be evaluated"),
+        ("u_in = (-1)^0.5", "cannot be evaluated"),
+        ("u_in = 1; u_in = 2", "the input 'u_in' has two formulas"),
+        ("v = 1", "TankFilling has no input 'v'"),
+    ],
+)
+def test_a_wrong_formula_is_one_error(text: str, message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        pam.simulate(MODEL, inputs=text, stop_time=1)
+
+
 @pytest.mark.parametrize("kind", ["csv", "nc", "parquet"])
 def test_results_have_the_names_of_the_patterns(step: Path, tmp_path: Path, kind: str) -> None:
     vary = {"inputs": {"a step": step, "a ramp": {"u_in": rising}}, "p_supply": [138e3, 207e3]}

@@ -1,0 +1,142 @@
+"""The process of one FMU that is not trusted: requests to it, and what becomes of it."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import os
+import pickle
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+from pam_cosim.simulation import keeper
+from pam_cosim.simulation.driver import Progress, prepare_driver
+from pam_cosim.simulation.failure import RunFailure
+from pam_cosim.simulation.memory import MOST_MEMORY
+
+CO_SIMULATION, MODEL_EXCHANGE = "pam_cosim.simulation.worker", "pam_cosim.simulation.exchange_worker"
+_TICKS = 4  # looks at the progress within the limit, at least
+_LONGEST_TICK = 1.0  # [s]
+
+
+class ProcessFailure(RunFailure):
+    """The FMU's process was ended, or ended itself, before it answered."""
+
+
+class FmuProcess:
+    """Starts the FMU's process when it is asked something, and again when it has ended.
+
+    Args:
+        path: the FMU.
+        timeout: [s] without progress, after which the process is ended.
+        worker: the module that answers there.
+    """
+
+    def __init__(self, path: Path, timeout: float, worker: str = CO_SIMULATION) -> None:
+        self.path, self.timeout, self._worker = path, timeout, worker
+        self._process: subprocess.Popen[bytes] | None = None
+        self._never_loaded = False
+
+    def close(self) -> None:
+        """Frees the FMU and ends its process, also where it does not want to; the next run would start another."""
+        if self._process is not None and self._process.stdin is not None:
+            with contextlib.suppress(OSError):
+                keeper.write_frame(self._process.stdin, keeper.CLOSE)
+        self._end()
+
+    def _end(self) -> None:
+        """Ends the process; at once, where it was not told before to close."""
+        process, self._process = self._process, None
+        if process is None:
+            return
+        assert process.stdin is not None and process.stdout is not None
+        with contextlib.suppress(OSError):
+            process.stdin.close()
+        process.stdout.close()
+        process.wait()
+
+    def answer(self, call: str, arguments: dict[str, Any], alone: bool = True) -> Any:
+        """What the FMU's process makes of a call; where not ``alone``, it goes on with what came before."""
+        if not alone and (self._process is None or self._process.poll() is not None):
+            raise ProcessFailure(f"the run of {self.path.name} has ended with its process")
+        kind, answer = self._ask({"call": call, "arguments": arguments})
+        if kind == "error":
+            raise answer
+        return answer
+
+    def _ask(self, request: dict[str, Any]) -> tuple[str, Any]:
+        if self._never_loaded:
+            raise self._late(None, request)
+        if self._process is not None and self._process.poll() is not None:
+            self._end()
+        process = self._process = self._process or start_kept(self.path, self.timeout, self._worker)
+        assert process.stdin is not None and process.stdout is not None
+        try:
+            with contextlib.suppress(OSError):  # it has ended: the answer says why
+                keeper.write_frame(process.stdin, keeper.REQUEST, pickle.dumps(request))
+            kind, content = keeper.read_frame(process.stdout)
+        except EOFError:
+            self._end()
+            raise ProcessFailure(f"the process that watches {self.path.name} has ended") from None
+        except BaseException:
+            self._end()
+            raise
+        if kind == keeper.ANSWER:
+            return self._unpacked(content)
+        self._end()
+        if kind == keeper.LATE:
+            progress = pickle.loads(content) if content else None
+            self._never_loaded = bool(content) and progress is None
+            raise self._late(progress, request)
+        raise ProcessFailure(f"{self.path.name} crashed its process ({cause_of_end(int(content))}){_memory(content)}")
+
+    def _unpacked(self, content: bytes) -> tuple[str, Any]:
+        """An answer as the FMU's process packed it, unless the FMU wrote into it."""
+        try:
+            kind, answer = pickle.loads(content)
+        except Exception:
+            self._end()
+            raise ProcessFailure(f"{self.path.name} has written into the files of its process") from None
+        return kind, answer
+
+    def _late(self, progress: Progress | None, request: dict[str, Any]) -> ProcessFailure:
+        place = (
+            progress.function if progress else "while it was loaded" if self._never_loaded else "while it was made anew"
+        )
+        reason = (
+            f"{self.path.name} was ended: no progress for {self.timeout:g} s, {place}; "
+            "a longer time limit (--timeout) may help"
+        )
+        return ProcessFailure(reason, progress.time if progress else None, request["arguments"].get("parameters"))
+
+
+def start_kept(path: Path, timeout: float, worker: str) -> subprocess.Popen[bytes]:
+    """The keeper of a process that answers requests: the module ``worker`` with an FMU's path."""
+    prepare_driver()  # not within the time limit
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
+    limit = timeout if math.isfinite(timeout) else 0.0
+    tick = min(_LONGEST_TICK, timeout / _TICKS)
+    answering = [sys.executable, "-m", worker, str(path), str(tick)]
+    command = [sys.executable, "-I", "-S", str(Path(keeper.__file__)), str(limit), *answering]
+    # a session of its own: an interrupt from the terminal is this process's alone, which then ends the others
+    return subprocess.Popen(
+        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment, start_new_session=True
+    )
+
+
+def cause_of_end(code: int) -> str:
+    """Of a process, by its exit status."""
+    if code >= 0:
+        return f"exit status {code}"
+    try:
+        return f"signal {signal.Signals(-code).name}"
+    except ValueError:
+        return f"signal {-code}"
+
+
+def _memory(content: bytes) -> str:
+    """A hint where the end may come of too little memory."""
+    return f"; it may use {MOST_MEMORY / 1e9:g} GB of memory at most" if int(content) in (-6, -11, 134, 139) else ""
