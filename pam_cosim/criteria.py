@@ -364,6 +364,13 @@ class LearningCriteria:
     """When a formula describes a missing term."""
 
     most_forms: int = decides(4, "addends", "more describe a measurement, not a term")
+    most_ramps: int = decides(8, "addends", "of a spline: two variables, a line and three bends each")
+    parts_to_start_from: tuple[float, ...] = decides(
+        (1.0, 0.1), "1", "of what a spline should be to first order; with all of it a model may break down"
+    )
+    rounding: float = decides(0.03, "of the span of a variable", "width of a bend: a tenth of the way between two")
+    still: float = decides(1e-15, "SI unit", "a variable that spans less rests, as a speed where points are at rest")
+    bends: int = decides(3, "bends", "of a spline in each variable; the samples between two are a quarter")
     worth: float = decides(0.03, "of the error left", "in runs that were not asked, that a further addend must take")
     least: float = decides(0.005, "of the whole term", "the same")
     described: float = decides(0.3, "variances of the term", "mean square that is its own uncertainty: enough said")

@@ -147,7 +147,12 @@ def read_fitted_model(path: Path) -> FittedModel:
 
 
 def compose_fitted(
-    tree: ClassTree, fitted: FittedModel, name: str | None, parameters: Collection[str], files: Sequence[Path]
+    tree: ClassTree,
+    fitted: FittedModel,
+    name: str | None,
+    parameters: Collection[str],
+    files: Sequence[Path],
+    beside: str = "",
 ) -> Composition:
     """The Modelica class of a model with effects and values; its text stands by itself.
 
@@ -157,6 +162,7 @@ def compose_fitted(
         name: of the class; None: made from the names.
         parameters: names of all parameters of the base model.
         files: the user's files.
+        beside: text of classes that it is made of, which its text then holds.
 
     Raises:
         InputError: an effect finds no place; a value is of none of the parameters; there is a class of that name.
@@ -171,6 +177,8 @@ def compose_fitted(
         raise InputError(f"{made.name} has no parameter '{stray}', of which there is a value")
     if made.name in tree.classes:
         raise InputError(f"there is a class {made.name} already: choose another name")
+    if beside:
+        made = replace(made, text=f"{beside.rstrip()}\n\n{made.text}")
     return replace(made, text=with_base(made, fitted.model))
 
 

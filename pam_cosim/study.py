@@ -56,7 +56,7 @@ from pam_cosim.models import Paths, as_paths, opened
 from pam_cosim.models import build as build
 from pam_cosim.models import describe as describe
 from pam_cosim.names import START_VALUES, is_fmu, is_ratio, parameter_of, sources_of
-from pam_cosim.products import Product
+from pam_cosim.products import Product, load
 from pam_cosim.settings import Setting, resolve, value_of
 from pam_cosim.simulation import Inputs, Trajectory
 from pam_cosim.simulation.fmpy_engine import run_with_fmpy
@@ -397,6 +397,7 @@ def add(
     *,
     values: Mapping[str, Setting] | None = None,
     files: Paths = (),
+    learned: bool = False,
 ) -> str:
     """The Modelica text of a model with effects, or with what a diagnosis or a fit found; ``output`` is its file.
 
@@ -412,18 +413,41 @@ def add(
         output: a file that ends in ``.mo``; its name is that of the class.
         values: of parameters, before those of the product: numbers [SI] or texts with a unit.
         files: further Modelica files.
+        learned: of a diagnosis, the model with the term that was learned, whose class stands in the text.
 
     Raises:
-        InputError: an unknown effect, one that finds no place in the model, a value of a parameter that it lacks.
+        InputError: an unknown effect, one that finds no place in the model, a value of a parameter that it lacks;
+            nothing was learned.
     """
-    fitted = _fitted_model(what)
+    if not learned:
+        return _added(_fitted_model(what), to, output, values or {}, as_paths(files))
+    diagnosis = load(what) if isinstance(what, Path) else what
+    if not isinstance(diagnosis, Diagnosis) or diagnosis.learned is None:
+        raise InputError("nothing was learned: a term is learned where a diagnosis says unknown, and --save keeps it")
+    term, model = diagnosis.learned.term, diagnosis.learned.model
+    fitted = FittedModel(diagnosis.model, model.effects, model.fit.values, diagnosis.data.constants)
+    with TemporaryDirectory(prefix="pam-cosim-") as folder:
+        file = Path(folder, f"{term.name}.mo")
+        write_text(file, term.modelica_source)
+        return _added(fitted, to, output, values or {}, [*as_paths(files), file], term.modelica_source)
+
+
+def _added(
+    fitted: FittedModel,
+    to: str | None,
+    output: Path | str | None,
+    values: Mapping[str, Setting],
+    files: Sequence[Path],
+    beside: str = "",
+) -> str:
+    """The text of a model with effects and values, with classes that stand ``beside`` it."""
     base = to or fitted.model
     if not base or is_fmu(base):
         raise InputError("effects and values are added to a Modelica model: name it by to")
     ratio = next((parameter_of(one) for one in fitted.effects if is_ratio(one)), None)
     if ratio is not None and not fitted.values:
         raise InputError(f"what is stated of {ratio} is no part of a model: correct it in the data set")
-    extra = sources_of(as_paths(files), base)
+    extra = sources_of(files, base)
     name = Path(output).stem if output else None
     parameters = describe(base, files).parameters if fitted.values else ()
     tree = read_library(files=extra)
@@ -432,7 +456,7 @@ def add(
         bare = compose_fitted(tree, replace(fitted, values={}), name, parameters, files=extra)
         fitted = replace(fitted, values={**fitted.values, **_resolved(values, bare, files)})
         parameters = (*parameters, *fitted.values)
-    composition = compose_fitted(tree, fitted, name, parameters, files=extra)
+    composition = compose_fitted(tree, fitted, name, parameters, files=extra, beside=beside)
     if output:
         write_text(Path(output), composition.text)
     return composition.text

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -11,7 +11,7 @@ from benchmarks.real_rigs.dynamic import Fitted
 from benchmarks.real_rigs.rows import Course
 
 
-def run_static(method: str, courses: dict[str, Sequence[Course]]) -> Fitted:
+def run_static(method: str, courses: Mapping[str, Sequence[Course]]) -> Fitted:
     """Boosting, or a polynomial whose degree is chosen by cross-validation in the fitted rows."""
     x = np.concatenate([c.inputs for c in courses["fitted"]])
     y = np.concatenate([c.measured for c in courses["fitted"]])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -122,7 +122,7 @@ def network(units: int, lags: int, seed: int, outputs: bool = True) -> Fitter:
             y = np.concatenate([begun, np.zeros(len(u) - len(begun))])
             for i in range(lags, len(u)):
                 y[i] = (np.tanh(features(u, y, i) @ first + a) @ last + b)[0]
-            return y
+            return np.asarray(y)
 
         return Model(simulate, lags, sum(w.size for w in (first, last, a, b)))
 
@@ -146,7 +146,8 @@ def sindy(threshold: float) -> Fitter:
 
             def rate(t: float, y: Array) -> Array:
                 held = np.array([[np.interp(t, time, v) for v in u.T]]) if inputs else None
-                return np.asarray(model.predict(np.clip(y, -50, 50)[None, :], u=held))[0]
+                rates: Array = np.asarray(model.predict(np.clip(y, -50, 50)[None, :], u=held))[0]
+                return rates
 
             done = solve_ivp(rate, (0, time[-1]), begun[:1], t_eval=time, max_step=step, method="RK23", rtol=1e-2)
             out = np.full(len(u), np.nan)
@@ -183,7 +184,7 @@ class Fitted:
     predicted: dict[str, dict[str, Array]]
 
 
-def run_method(sizes: dict[str, Fitter], courses: dict[str, Sequence[Course]], step: float) -> Fitted:
+def run_method(sizes: dict[str, Fitter], courses: Mapping[str, Sequence[Course]], step: float) -> Fitted:
     """Chooses the size by what is held back, fits all rows with it and simulates every course."""
     even = [c.even(step) for c in courses["fitted"]]
     scale = Scale.of(even)

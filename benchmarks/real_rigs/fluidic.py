@@ -91,7 +91,8 @@ def run_of(store: Store, length: int, contraction: int, test: int) -> Run:
 def isometric(store: Store, bench: str, tests: Sequence[int] = (3, 7), name: str = "muscle") -> Rig:
     """The muscle of 274 mm at held lengths; ``tests`` are the two that are fitted."""
     fitted = [run_of(store, 30, x, t) for x in (0, 22) for t in tests]
-    within = [run_of(store, 30, x, t) for x in (0, 22) for t in (4, 8, 5)]
+    others = [t for t in (3, 7, 4, 8, 5) if t not in tests][-3:]
+    within = [run_of(store, 30, x, t) for x in (0, 22) for t in others]
     within += [run_of(store, 30, 13, t) for t in (3, 7)]
     return Rig(
         name=name,

@@ -33,17 +33,23 @@ def add(
             "--from", help="Effects and values from a result: of 'diagnose --json', 'fit -o' or a saved product (.npz)."
         ),
     ] = None,
+    learned: Annotated[
+        bool, typer.Option("--learned", help="The model with the learned term of a saved diagnosis (--from .npz).")
+    ] = False,
     settings: SetOption = None,
     files: FilesOption = None,
 ) -> None:
     """Write a readable Modelica model that extends another with effects, and with fitted values."""
     if bool(effects) == bool(origin):
         raise InputError("name effects, or a result with --from FILE; one of the two")
+    if learned and (origin is None or origin.suffix != ".npz"):
+        raise InputError("--learned is of a diagnosis that 'diagnose --save' kept: name it with --from FILE.npz")
     if origin is None and to is None:
         raise InputError("name the model that the effects are added to: --to MODEL")
     check_model_file(output)
     check_results(output, sources=[to, origin, *(files or [])])
     values = parse_pairs(settings or [])
-    typer.echo(study.add(origin or effects or [], to, output, values=values, files=files or []), nl=False)
+    text = study.add(origin or effects or [], to, output, values=values, files=files or [], learned=learned)
+    typer.echo(text, nl=False)
     say_written(output)
     say_used_with(files or [])

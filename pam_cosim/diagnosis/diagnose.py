@@ -19,7 +19,7 @@ from pam_cosim.diagnosis.events import (
     listened,
 )
 from pam_cosim.diagnosis.evidence import incomplete, rank
-from pam_cosim.diagnosis.explanation import LearnedModel, learned_term, ledger_of
+from pam_cosim.diagnosis.explanation import LearnedModel, directly_learned, learned_term, ledger_of
 from pam_cosim.diagnosis.finding import Finding, base_of, found, found_by_all_runs, shown_by_role, with_these
 from pam_cosim.diagnosis.folds import Folds, cross_validated, folds_of
 from pam_cosim.diagnosis.message import Message
@@ -244,8 +244,8 @@ def diagnose(
     tell(Judged(verdict, base, candidates, tuple(selected)))
     present = finding.last
     added = [c.effect for c in selected]
-    explain = explain and not any(run.is_static for run in data.runs)  # balances are kept over time
-    ledger = ledger_of(search, (), base) if explain and verdict.kind != "none_missing" else None
+    over_time = not any(run.is_static for run in data.runs)  # balances are kept over time
+    ledger = ledger_of(search, (), base) if explain and over_time and verdict.kind != "none_missing" else None
     if ledger is not None:
         tell(LedgerKept(ledger))
     learned, unexplained = None, verdict.kind == "unknown" or verdict.remainder
@@ -334,18 +334,26 @@ def _learned(
 ) -> LearnedModel | None:
     """A formula for what is missing beside the effects that were added, or for all of it, if that describes it better.
 
-    Effects that leave structure may stand in for what is missing, and then hide its course.
+    Effects that leave structure may stand in for what is missing, and then hide its course. Where no ledger can be
+    kept, or no formula from one leaves less than the model without it, the term is learned from what the samples feel.
     """
     every = [learned_term(search, ledger, (), base)]
-    if added:
+    if added and ledger is not None:
         every.append(learned_term(search, ledger_of(search, added, present), added, present))
-    return min((one for one in every if one is not None), key=_left_by, default=None)
+    best = min((one for one in every if one is not None), key=_left_by, default=None)
+    if best is not None and _left_by(best) < _left(present):
+        return best
+    direct = directly_learned(search, added, present)
+    return min((one for one in (direct, best) if one is not None), key=_left_by, default=None)
 
 
 def _left_by(learned: LearnedModel) -> float:
     """Chi-square of the model with the formula, in runs that were held out if there are any."""
-    residuals = learned.model.fit.residuals
-    return residuals["holdout" if residuals["holdout"].samples else "fit"].chi2_reduced
+    return _left(learned.model.fit)
+
+
+def _left(fit: Fit) -> float:
+    return fit.residuals["holdout" if fit.residuals["holdout"].samples else "fit"].chi2_reduced
 
 
 def _others(data: DataSet, best: Candidate, near: Sequence[Candidate], files: Sequence[Path]) -> list[Plan]:

@@ -7,10 +7,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
 from pam_cosim.diagnosis.events import Remark
 from pam_cosim.diagnosis.evidence import rank
 from pam_cosim.diagnosis.learning import LearnedTerm, learn, refitted, try_learned
+from pam_cosim.diagnosis.learning_direct import RESIDUALS, learn_directly, with_coefficients
 from pam_cosim.diagnosis.search import Search
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
@@ -65,3 +67,24 @@ def learned_term(search: Search, ledger: Ledger | None, effects: Sequence[str], 
     term = refitted(term, entry, attempt, search.tree)
     search.say(Remark(f"described, not explained: {term}").message)
     return LearnedModel(term, rank(present, [attempt])[0])
+
+
+def directly_learned(search: Search, effects: Sequence[str], present: Fit) -> LearnedModel | None:
+    """The same from what the samples feel of a term, without a ledger; None where it takes nothing away."""
+    direct = learn_directly(search, effects, present)
+    if direct is None:
+        return None
+    for part in CRITERIA.learning.parts_to_start_from:
+        term = with_coefficients(direct, search.tree, part)
+        with tempfile.TemporaryDirectory(prefix="pam-cosim-") as folder:
+            attempt = try_learned(
+                term, search.data, Path(folder), search.model, effects=effects, start=present.values, files=search.files
+            )
+        if isinstance(attempt, FailedTrial):
+            continue
+        best = rank(present, [attempt])[0]
+        if best.delta_bic < 0:
+            term = refitted(term, direct.entry, attempt, search.tree, RESIDUALS)
+            search.say(Remark(f"described, not explained: {term}").message)
+            return LearnedModel(term, best)
+    return None

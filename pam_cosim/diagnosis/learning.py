@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import combinations
 from pathlib import Path
 
 import numpy as np
@@ -20,7 +21,7 @@ from pam_cosim.compiler import ClassTree, read_library
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Attempt, Candidate
 from pam_cosim.diagnosis.learning_library import Form, Quantity, forms, quantities
-from pam_cosim.diagnosis.learning_text import formula_text, modelica_text
+from pam_cosim.diagnosis.learning_text import MISSING, formula_text, modelica_text
 from pam_cosim.diagnosis.trial import Trial, run_trial
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_text
@@ -32,11 +33,16 @@ _INTERVAL = 2 * CRITERIA.fit.interval  # standard deviations in the interval of 
 
 @dataclass(frozen=True)
 class Learned:
-    """One addend: coefficient [unit of the term] with its standard deviation, times a form."""
+    """One addend: coefficient [unit of the term] with its standard deviation, times a form.
+
+    Attributes:
+        reach: size of the coefficient by which its bounds are set; 0: its own.
+    """
 
     coefficient: float
     deviation: float
     form: Form
+    reach: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -97,8 +103,8 @@ def learn(ledger: Ledger, balance: str | None = None, *, name: str = "", tree: C
         raise InputError(f"there is no missing term to learn{f' in the balance {balance}' if balance else ''}")
     samples = _samples(entry)
     known = quantities(samples.variables, entry.units)
-    picked = _pick(samples, forms(known))
-    fitted = _fitted(samples, picked)
+    picked = pick(samples, forms(known))
+    fitted = coefficients_of(samples, picked)
     title = name or f"Learned{entry.balance.capitalize()}"
     terms = tuple(
         Learned(float(c), float(d), f)
@@ -155,7 +161,9 @@ def try_learned(
     return run_trial(Trial(effect, names, composition, data, dict(start or {}), tuple(sources)))
 
 
-def refitted(term: LearnedTerm, entry: Entry, model: Candidate, tree: ClassTree) -> LearnedTerm:
+def refitted(
+    term: LearnedTerm, entry: Entry, model: Candidate, tree: ClassTree, explained: str = MISSING
+) -> LearnedTerm:
     """The term with the values that ``try_learned`` fitted.
 
     Args:
@@ -163,6 +171,7 @@ def refitted(term: LearnedTerm, entry: Entry, model: Candidate, tree: ClassTree)
         entry: of the ledger, that it was learned from.
         model: the model with it.
         tree: the Modelica library.
+        explained: what its score is a part of.
     """
     values = {name.rpartition(".")[2]: e for name, e in model.parameters.items()}
     terms = []
@@ -172,12 +181,12 @@ def refitted(term: LearnedTerm, entry: Entry, model: Candidate, tree: ClassTree)
             shape = replace(shape, value=scale.value)
         own = values[f"c_{i}"]
         deviation = (own.high - own.low) / _INTERVAL if own.determined else t.deviation
-        terms.append(Learned(own.value, deviation, replace(t.form, shape=shape)))
+        terms.append(Learned(own.value, deviation, replace(t.form, shape=shape), t.reach))
     return replace(
         term,
         terms=tuple(terms),
         formula=formula_text(entry, terms),
-        modelica_source=modelica_text(tree, term.name, entry, terms, term.score),
+        modelica_source=modelica_text(tree, term.name, entry, terms, term.score, explained),
     )
 
 
@@ -185,7 +194,7 @@ def refitted(term: LearnedTerm, entry: Entry, model: Candidate, tree: ClassTree)
 
 
 @dataclass(frozen=True)
-class _Samples:
+class Samples:
     """The missing term (n,) in standard deviations, and what it may depend on.
 
     Attributes:
@@ -204,10 +213,11 @@ class _Samples:
     free: tuple[str, ...]
 
     def column(self, form: Form, shape: float | None = None) -> Array:
+        """What an addend of this form, with the coefficient 1, explains of the values."""
         return form.values(self.variables, shape) * self.weight
 
 
-def _samples(entry: Entry) -> _Samples:
+def _samples(entry: Entry) -> Samples:
     courses = entry.courses
     group, roles, count = [], [], 0
     single = sum(c.role == "fit" for c in courses) == 1
@@ -221,7 +231,7 @@ def _samples(entry: Entry) -> _Samples:
     imitated = np.concatenate([np.column_stack([np.zeros((len(c.time), 0)), *c.imitated.values()]) for c in courses])
     used = np.any(imitated != 0, axis=0)
     weight = 1 / np.maximum(deviation, np.median(deviation) / CRITERIA.learning.certain)
-    return _Samples(
+    return Samples(
         value=np.concatenate([c.value for c in courses]) * weight,
         weight=weight,
         variables={n: np.concatenate([c.against[n] for c in courses]) for n in courses[0].against},
@@ -236,7 +246,9 @@ def _samples(entry: Entry) -> _Samples:
 
 
 @dataclass(frozen=True)
-class _Fitted:
+class Fitted:
+    """Forms with coefficients, standard deviations of these, and what the free parameters do beside them."""
+
     forms: tuple[Form, ...]
     coefficients: Array
     deviations: Array
@@ -245,33 +257,58 @@ class _Fitted:
     fit_score: float
 
 
-def _pick(samples: _Samples, shelf: Sequence[Form]) -> list[Form]:
-    """The forms, in order of selection."""
+def pick(samples: Samples, shelf: Sequence[Form], most: int = CRITERIA.learning.most_forms) -> list[Form]:
+    """At most so many forms, in order of selection."""
     picked: list[Form] = []
-    left = _left_out(samples, [])
-    columns = [samples.column(f) for f in shelf]
-    first = left
-    while len(picked) < CRITERIA.learning.most_forms and left > CRITERIA.learning.described:
-        own = [samples.column(f) for f in picked]
-        errors = [
-            _left_out(samples, [*own, c]) if f not in picked else np.inf for f, c in zip(shelf, columns, strict=True)
-        ]
-        best = int(np.argmin(errors))
-        refined = _refined(samples, picked, shelf[best])
-        error = _left_out(samples, [*own, samples.column(refined)])
-        if not error < (1 - CRITERIA.learning.worth) * left or not left - error > CRITERIA.learning.least * first:
+    left = first = _left_out(samples, [])
+    while len(picked) < most and left > CRITERIA.learning.described:
+        best, error = _next(samples, picked, shelf)
+        if not _worth(left, error, first):
             break
-        picked.append(refined)
+        picked += best
         left = error
     return [f for i, f in enumerate(picked) if _needed(samples, picked, i, left)]
 
 
-def _needed(samples: _Samples, picked: Sequence[Form], i: int, left: float) -> bool:
+def pick_together(samples: Samples, shelf: Sequence[Form], most: int) -> list[Form]:
+    """As ``pick``, for forms that mean little alone: where no further one helps, two are added at once."""
+    picked: list[Form] = []
+    left = first = _left_out(samples, [])
+    columns = {f.text: samples.column(f) for f in shelf}
+    while len(picked) < most and left > CRITERIA.learning.described:
+        own = [columns[f.text] for f in picked]
+        others = [f for f in shelf if f not in picked]
+        steps: list[tuple[Form, ...]] = [(f,) for f in others]
+        for further in (steps, list(combinations(others, 2))):
+            errors = [_left_out(samples, [*own, *(columns[f.text] for f in one)]) for one in further]
+            error = min(errors, default=np.inf)
+            if _worth(left, error, first):
+                picked += further[int(np.argmin(errors))]
+                left = error
+                break
+        else:
+            break
+    return [f for i, f in enumerate(picked) if _needed(samples, picked, i, left)]
+
+
+def _worth(left: float, error: float, first: float) -> bool:
+    return error < (1 - CRITERIA.learning.worth) * left and left - error > CRITERIA.learning.least * first
+
+
+def _next(samples: Samples, picked: Sequence[Form], shelf: Sequence[Form]) -> tuple[list[Form], float]:
+    """The form that helps most beside others, with its best shape, and what is left with it."""
+    own = [samples.column(f) for f in picked]
+    errors = [_left_out(samples, [*own, samples.column(f)]) if f not in picked else np.inf for f in shelf]
+    refined = _refined(samples, picked, shelf[int(np.argmin(errors))])
+    return [refined], _left_out(samples, [*own, samples.column(refined)])
+
+
+def _needed(samples: Samples, picked: Sequence[Form], i: int, left: float) -> bool:
     others = [samples.column(f) for k, f in enumerate(picked) if k != i]
     return len(picked) == 1 or _left_out(samples, others) > (1 + CRITERIA.learning.worth) * left
 
 
-def _refined(samples: _Samples, picked: Sequence[Form], form: Form) -> Form:
+def _refined(samples: Samples, picked: Sequence[Form], form: Form) -> Form:
     """The form with the best value of its shape."""
     shape = form.shape
     if shape is None:
@@ -289,7 +326,7 @@ def _refined(samples: _Samples, picked: Sequence[Form], form: Form) -> Form:
     return replace(form, shape=replace(shape, value=float(np.exp(optimum.x))))
 
 
-def _left_out(samples: _Samples, columns: Sequence[Array]) -> float:
+def _left_out(samples: Samples, columns: Sequence[Array]) -> float:
     """Mean square of the term over its deviation in each asked group, predicted from the others."""
     rows = np.column_stack([samples.imitated, *columns])
     total, count = 0.0, 0
@@ -320,7 +357,7 @@ def _solved(matrix: Array, right: Array) -> Array:
     return solution
 
 
-def _fitted(samples: _Samples, picked: Sequence[Form]) -> _Fitted:
+def coefficients_of(samples: Samples, picked: Sequence[Form]) -> Fitted:
     columns = [samples.column(f) for f in picked]
     rows = np.column_stack([np.zeros((len(samples.value), 0)), samples.imitated, *columns])
     q = samples.imitated.shape[1]
@@ -342,7 +379,7 @@ def _fitted(samples: _Samples, picked: Sequence[Form]) -> _Fitted:
 
     others = ~asked
     held = score(others) if others.any() else 1 - _left_out(samples, columns) / float(np.mean(nuisance[asked] ** 2))
-    return _Fitted(tuple(picked), solution[q:], deviation[q:], solution[:q], held, score(asked))
+    return Fitted(tuple(picked), solution[q:], deviation[q:], solution[:q], held, score(asked))
 
 
 __all__ = ["Learned", "LearnedTerm", "Quantity", "learn", "refitted", "try_learned"]

@@ -110,6 +110,33 @@ def forms(known: Sequence[Quantity]) -> list[Form]:
     return listed
 
 
+def ramps(known: Sequence[Quantity], variables: Mapping[str, Array]) -> list[Form]:
+    """Forms that add up to splines: lines with rounded bends at quantiles of each variable, and their products."""
+    own = {q.name: [Form(q.ratio, (q,), None, q.name), *_bends(q, variables[q.name])] for q in known}
+    listed = [Form("1", (), None, "1"), *(f for forms_of in own.values() for f in forms_of)]
+    for i, a in enumerate(known):
+        for b in known[i + 1 :]:
+            listed.append(Form(f"{a.ratio}*{b.ratio}", (a, b), None, f"{a.name} {b.name}"))
+            for one, two in ((a, b), (b, a)):
+                bends = own[two.name][1:]
+                listed += [Form(f"{one.ratio}*{f.text}", (one, two), None, f"{one.name} {f.words}") for f in bends]
+    return listed
+
+
+def _bends(q: Quantity, z: Array) -> list[Form]:
+    """max(0, z - bend), rounded, for bends that divide the samples evenly."""
+    count = CRITERIA.learning.bends
+    places = np.unique(np.quantile(z, np.arange(1, count + 1) / (count + 1)) / q.size)
+    width = CRITERIA.learning.rounding * float(np.ptp(z)) / q.size
+    inside = (places > z.min() / q.size + width) & (places < z.max() / q.size - width)
+    listed = []
+    for place in places[inside].tolist():
+        above = f"({q.ratio} - {place:.6g})" if place >= 0 else f"({q.ratio} + {-place:.6g})"
+        text = f"(0.5*({above} + sqrt({above}^2 + {width**2:.6g})))"
+        listed.append(Form(text, (q,), None, f"max(0, {q.name} - {place:.3g})"))
+    return listed
+
+
 def _powers(q: Quantity) -> list[Form]:
     texts = [(q.ratio, q.name)]
     texts += [(f"{q.ratio}^{k}", f"{q.name}^{k}") for k in (2, 3)]

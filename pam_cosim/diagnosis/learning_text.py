@@ -13,6 +13,7 @@ from pam_cosim.ledger import Entry
 from pam_cosim.ledger.augmented import TERM
 from pam_cosim.units import format_quantity
 
+MISSING = "the missing term's mean square"
 _REACH = 10.0  # a coefficient may become this many times larger when it is fitted
 
 
@@ -30,6 +31,10 @@ class Addend(Protocol):
     @property
     def form(self) -> Form:
         """What it is multiplied by."""
+
+    @property
+    def reach(self) -> float:
+        """Size of the coefficient by which its bounds are set; 0: its own."""
 
 
 def formula_text(entry: Entry, terms: Sequence[Addend]) -> str:
@@ -52,8 +57,15 @@ def _sized(value: float, unit: str) -> str:
     return f"{value:.4g} {unit}".rstrip()
 
 
-def modelica_text(tree: ClassTree, name: str, entry: Entry, terms: Sequence[Addend], score: float) -> str:
-    """The term as an effect class, family "learned"."""
+def modelica_text(
+    tree: ClassTree,
+    name: str,
+    entry: Entry,
+    terms: Sequence[Addend],
+    score: float,
+    explained: str = MISSING,
+) -> str:
+    """The term as an effect class, family "learned"; ``score`` is the part of what is ``explained``."""
     absent = ",".join(f"c_{i}=0" for i in range(1, len(terms) + 1))
     says = 'final family="learned"'
     lines = [f'model {name} "Term in the balance of {entry.balance} that describes what a measurement lacks"']
@@ -65,10 +77,11 @@ def modelica_text(tree: ClassTree, name: str, entry: Entry, terms: Sequence[Adde
         lines.append(f'  extends {effect}({says}, final balance="{entry.balance}");')
     body, shapes = [], dict[str, str]()
     for i, t in enumerate(terms, 1):
-        reach = _rounded(_REACH * abs(t.coefficient))
+        size = _rounded(t.reach or abs(t.coefficient))
+        reach = _rounded(_REACH * (t.reach or abs(t.coefficient)))
         lines.append(
             f'  parameter Real c_{i}(unit="{entry.unit}", min={-reach:.6g}, max={reach:.6g}, '
-            f'nominal={_rounded(abs(t.coefficient)):.6g}) = {t.coefficient:.6g} "Coefficient of {_plain(t.form)}";'
+            f'nominal={size:.6g}) = {t.coefficient:.6g} "Coefficient of {_plain(t.form)}";'
         )
         text = t.form.text
         if t.form.shape is not None:
@@ -89,7 +102,7 @@ def modelica_text(tree: ClassTree, name: str, entry: Entry, terms: Sequence[Adde
     lines += ["equation", f"  {TERM} = {' + '.join(body) or '0'};"]
     says = (
         f"<p>{formula_text(entry, terms).replace('<', '&lt;')}. Source: learned from a measurement; it explains "
-        f"{100 * score:.0f} % of the missing term's mean square in runs that it was not learned from. It is a "
+        f"{100 * score:.0f} % of {explained} in runs that it was not learned from. It is a "
         "description, not a cause: another formula may describe the same measurement as well, and beyond the range "
         "that was measured it means nothing.</p>"
     )

@@ -88,3 +88,10 @@ def test_unusable_files_are_refused_before_the_work(
     assert (outcome.status, outcome.out) == (2, "")
     assert outcome.err.startswith("pam-cosim: ") and outcome.err.count("\n") == 1 and message in outcome.err
     assert everything(place) == before
+
+
+def test_add_learned_wants_a_saved_diagnosis(command: Command, place: Path, data: Path) -> None:
+    before = everything(place)
+    outcome = command("add", "--from", "v.json", "--learned", "-o", "Better.mo")
+    assert outcome.status == 2 and "--learned is of a diagnosis that 'diagnose --save' kept" in outcome.err
+    assert everything(place) == before

@@ -1,0 +1,228 @@
+"""A missing term learned from what the samples themselves feel of it.
+
+A ledger opens all balances at once and looks at the course of each missing term; that needs a model whose states may be
+moved freely, and time. Here the term is a sum of forms of the states, ramps that join to a spline among them, each with
+a coefficient that starts at zero. One simulation tells what each coefficient would change in every sample, to first
+order; the forms are chosen that explain most of the residuals of runs left out, beside what the free parameters can do.
+Points at rest have such residuals too. What comes out is a description, as everything that is learned.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.arrays import Array
+from pam_cosim.catalogue import EffectClass, compose, effect_classes, origins, unknown_terms
+from pam_cosim.comparison import simulate_run
+from pam_cosim.compiler import ClassTree, compile_model, read_library
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.diagnosis.learning import Learned, LearnedTerm, Samples, coefficients_of, pick_together
+from pam_cosim.diagnosis.learning_library import Form, quantities, ramps
+from pam_cosim.diagnosis.learning_text import formula_text, modelica_text
+from pam_cosim.diagnosis.search import Search
+from pam_cosim.diagnosis.trial import every_parameter
+from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.files import write_text
+from pam_cosim.fitting import Fit, linearised
+from pam_cosim.fitting.linear import rows_of_series
+from pam_cosim.fitting.objective import Objective
+from pam_cosim.fmu import build_source
+from pam_cosim.interface import Variable
+from pam_cosim.ledger import Entry
+from pam_cosim.ledger.augmented import TERM
+from pam_cosim.simulation import Simulator
+
+RESIDUALS = "the model's mean square error"
+"""What the score of a term that was learned directly is a part of."""
+
+_WATCHED = "Watched"
+_SCRATCH = "LearnedScratch"
+
+
+@dataclass(frozen=True)
+class Direct:
+    """A term that was learned directly, the entry that it is written for, and what it leaves of the residuals.
+
+    Attributes:
+        left: mean square of the residuals of runs left out, in standard deviations, by the linearised model.
+    """
+
+    term: LearnedTerm
+    entry: Entry
+    left: float
+
+
+def learn_directly(search: Search, effects: Sequence[str], present: Fit) -> Direct | None:
+    """A term in the balance whose forms explain most of what a fitted model leaves; None where none explains any.
+
+    Args:
+        search: model, data and library.
+        effects: names of effects that the model has.
+        present: the fit of the model with them.
+    """
+    found: list[Direct] = []
+    for term in unknown_terms(search.tree, origins(search.structure.parts)):
+        try:
+            direct = _in_balance(search, effects, present, term)
+        except (SimulationFailure, InputError, ArithmeticError, ValueError):
+            continue  # this balance cannot be opened in this model; others may
+        if direct is not None:
+            found.append(direct)
+    return min(found, key=lambda d: d.left, default=None)
+
+
+def with_coefficients(direct: Direct, tree: ClassTree, factor: float) -> LearnedTerm:
+    """The term with a part of its coefficients, where a fit may start from; their bounds stay."""
+    terms = tuple(replace(t, coefficient=factor * t.coefficient, reach=t.reach) for t in direct.term.terms)
+    source = modelica_text(tree, direct.term.name, direct.entry, terms, direct.term.score, RESIDUALS)
+    return replace(direct.term, terms=terms, modelica_source=source)
+
+
+def _in_balance(search: Search, effects: Sequence[str], present: Fit, term: EffectClass) -> Direct | None:
+    values = present.values | present.start_values
+    base = next(c.owner for c in search.tree.components(term.qualified_name) if c.name == TERM)
+    watched = _watched(search, effects, term, values)
+    if watched is None:
+        return None
+    variables, units, own = watched
+    known = quantities(variables, units)
+    shelf = ramps(known, variables)
+    entry = Entry(term.balance, 0.0, 0.0, 0.0, own.unit, own.description, base=base, units=units)
+    samples = _felt(search, effects, values, entry, shelf)
+    # what a term of the size that it is declared for does not move by a standard deviation, it cannot be learned from
+    largest = min(abs(own.min or np.inf), abs(own.max or np.inf))
+    shelf = [f for f in shelf if largest * float(np.max(np.abs(samples.column(f)))) > 1]
+    picked = pick_together(samples, shelf, CRITERIA.learning.most_ramps) if shelf else []
+    if not picked:
+        return None
+    fitted = coefficients_of(samples, picked)
+    if not fitted.score > CRITERIA.learning.worth:
+        return None
+    terms = tuple(
+        Learned(float(c), float(d), f, reach=float(abs(c)))
+        for c, d, f in zip(fitted.coefficients, fitted.deviations, fitted.forms, strict=True)
+    )
+    name = f"Learned{term.balance.capitalize()}"
+    learned = LearnedTerm(
+        name=name,
+        balance=term.balance,
+        formula=formula_text(entry, terms),
+        modelica_source=modelica_text(search.tree, name, entry, terms, fitted.score, RESIDUALS),
+        unit=own.unit,
+        terms=terms,
+        score=fitted.score,
+        fit_score=fitted.fit_score,
+        parameters=dict(zip(samples.free, fitted.free.tolist(), strict=True)),
+    )
+    return Direct(learned, entry, float(np.mean(samples.value**2)) * (1 - fitted.score))
+
+
+# ---- what a term could be a function of -----------------------------------------------------------------------------
+
+
+def _watched(
+    search: Search, effects: Sequence[str], term: EffectClass, values: Mapping[str, float]
+) -> tuple[dict[str, Array], dict[str, str], Variable] | None:
+    """The variables beside a term over all fitted samples, their units, and the parameter that is the term."""
+    composition = compose(search.tree, search.model, [*effects, term.name], files=search.files)
+    if composition is None:
+        return None
+    parameter = composition.parameters[term.name][0]
+    prefix = parameter.rpartition(".")[0] + "."
+    with tempfile.TemporaryDirectory(prefix="pam-cosim-") as folder:
+        file = Path(folder, "composition.mo")
+        file.write_text(composition.text, encoding="utf-8")
+        interface = compile_model(composition.name, files=[*search.files, file]).interface
+    inside = [n for n in interface.locals if n.startswith(prefix) and "." not in n[len(prefix) :]]
+    names = {n[len(prefix) :]: n for n in inside if n != prefix + TERM}
+    if not names:
+        return None
+    lines = [f"  output Real watched_{i} = {full};" for i, full in enumerate(names.values(), 1)]
+    text = "\n".join([f"model {_WATCHED}", f"  extends {composition.name};", *lines, f"end {_WATCHED};"])
+    seen: dict[str, list[Array]] = {short: [] for short in names}
+    with Simulator(build_source(_WATCHED, f"{composition.text}\n{text}\n", search.files)) as simulator:
+        for run in search.data.fit_runs:
+            made = simulate_run(simulator, search.data, run, values)
+            for i, short in enumerate(names, 1):
+                seen[short].append(made.model[f"watched_{i}"])
+    variables = {short: np.concatenate(parts) for short, parts in seen.items()}
+    units = {short: interface.locals[full].unit for short, full in names.items()}
+    still = CRITERIA.learning.still
+    moving = {n: v for n, v in variables.items() if np.all(np.isfinite(v)) and np.ptp(v) > still}
+    return moving, units, interface.parameters[parameter]
+
+
+# ---- what the samples feel of it ------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _Felt(Samples):
+    """Residuals of the model, and what each form's coefficient would change in them."""
+
+    felt: Mapping[str, Array]
+
+    def column(self, form: Form, shape: float | None = None) -> Array:
+        return self.felt[form.text]
+
+
+def _felt(
+    search: Search, effects: Sequence[str], values: Mapping[str, float], entry: Entry, shelf: Sequence[Form]
+) -> _Felt:
+    """The fitted runs linearised by the free parameters and by a coefficient of every form."""
+    terms = [Learned(0.0, 0.0, form, reach=1.0) for form in shelf]
+    with tempfile.TemporaryDirectory(prefix="pam-cosim-") as folder:
+        file = Path(folder, f"{_SCRATCH}.mo")
+        write_text(file, modelica_text(search.tree, _SCRATCH, entry, terms, 0.0))
+        sources = (*search.files, file)
+        tree = read_library(files=sources)
+        composition = compose(tree, search.model, [*effects, _SCRATCH], files=sources)
+        if composition is None or not any(e.name == _SCRATCH for e in effect_classes(tree)):
+            raise InputError(f"the model has no place for a term of {entry.balance}")
+        own = [n for names in composition.parameters.values() for n in names]
+        free = tuple(dict.fromkeys([*search.data.differentiated, *own]))
+        fmu = build_source(composition.name, composition.text, sources, sensitivities=free, lean=True)
+    with Simulator(fmu) as simulator:
+        simulator.limit = CRITERIA.search.longest_run
+        moved = every_parameter(search.data, composition, simulator.interface)
+        moved = [f.starting_at(values.get(f.name, f.start)) for f in moved]
+        objective = Objective(simulator, search.data, search.data.fit_runs, moved, values)
+        linear = linearised(objective, np.array([f.to_z(f.start) for f in moved]), CRITERIA.search.rows)
+        if linear is None:
+            raise SimulationFailure(objective.first_failure)
+        series = rows_of_series(objective, CRITERIA.search.rows)
+    mine = composition.parameters[_SCRATCH]
+    by_name = dict(zip(linear.names, linear.slopes.T, strict=True))
+    near = CRITERIA.fit.at_bound * (linear.high - linear.low)
+    inside = (linear.values > linear.low + near) & (linear.values < linear.high - near)
+    others = [n for n, i in zip(linear.names, inside, strict=True) if i and n not in mine and np.any(by_name[n])]
+    nuisance = np.column_stack([np.zeros((len(linear.residual), 0)), *(by_name[n] for n in others)])
+    group = _groups(search, objective, series)
+    return _Felt(
+        value=linear.residual,
+        weight=np.ones(len(linear.residual)),
+        variables={},
+        group=group,
+        asked=tuple(range(int(group.max()) + 1)),
+        imitated=nuisance,
+        free=tuple(others),
+        felt={form.text: by_name[n] for form, n in zip(shelf, mine, strict=True)},
+    )
+
+
+def _groups(search: Search, objective: Objective, series: NDArray[np.int_]) -> NDArray[np.intp]:
+    """(m,) number of the run that each row is of; parts of it where there is a single one."""
+    names = [run.name for run in search.data.fit_runs]
+    run = np.array([names.index(r.name) for r, _ in objective.series])[series]
+    if len(names) > 1:
+        return run
+    place = np.concatenate([np.arange(n) / n for n in np.bincount(series)])
+    return np.asarray(place * CRITERIA.learning.blocks, dtype=np.intp)
+
+
+__all__ = ["RESIDUALS", "Direct", "learn_directly", "with_coefficients"]

@@ -1,0 +1,65 @@
+"""The score of the benchmark with rigs of others: what counts, what is lost, and when the goal is met."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from benchmarks.real_rigs import table
+from benchmarks.real_rigs.folders import Rig, Run, write_rig
+from benchmarks.real_rigs.rows import LOST, overall, read_rows, score
+
+TIME = np.linspace(0, 1, 11)
+
+
+def written(folder: Path) -> Path:
+    def run(name: str, size: float, score_from: float = -np.inf) -> Run:
+        return Run(name, {"time [s]": TIME, "p [kPa]": size * TIME}, score_from)
+
+    runs = {"fitted": [run("a", 10), run("b", 12)], "outside": [run("c", 20, 0.5)]}
+    rig = Rig("r", "a rig", "p", (), 'model = "M"', runs, 0.1, repeats=(("a", "b"),))
+    write_rig(folder, rig)
+    return folder / "r"
+
+
+def test_errors_are_in_ranges_over_what_is_scored(tmp_path: Path) -> None:
+    rows = read_rows(written(tmp_path))
+    assert rows.range == 20
+    early = np.where(TIME < 0.5, 1e6, 0.0)  # before it is scored nothing counts
+    found = score(rows, {"fitted": {"a": 10 * TIME + 2}, "outside": {"c": 20 * TIME + early + 4}})
+    assert found["fitted"]["a"] == pytest.approx(0.1)
+    assert found["outside"]["c"] == pytest.approx(0.2)
+    assert found["fitted"]["b"] == LOST  # a run that nobody foretold
+
+
+def test_first_samples_that_a_method_was_given_are_not_scored_but_later_gaps_are_lost(tmp_path: Path) -> None:
+    rows = read_rows(written(tmp_path))
+    begun = np.where(TIME < 0.15, np.nan, 10 * TIME + 2)
+    assert score(rows, {"fitted": {"a": begun}})["fitted"]["a"] == pytest.approx(0.1)
+    ended = np.where(TIME > 0.8, np.nan, 10 * TIME)
+    assert score(rows, {"fitted": {"a": ended}})["fitted"]["a"] == LOST
+    assert score(rows, {"fitted": {"a": 1e9 * TIME}})["fitted"]["a"] == LOST
+
+
+def test_repeatability_is_the_difference_of_repeats_over_the_root_of_two(tmp_path: Path) -> None:
+    rows = read_rows(written(tmp_path))
+    difference = np.sqrt(np.mean((2 * TIME) ** 2))
+    assert rows.repeatability == pytest.approx(difference / np.sqrt(2) / 20)
+    assert overall({"x": 3.0, "y": 4.0}) == pytest.approx(np.sqrt(12.5))
+
+
+@pytest.mark.parametrize(("outside", "met"), [(0.04, True), (0.06, False)])
+def test_the_goal_wants_half_of_the_best_rival_outside(outside: float, met: bool) -> None:
+    def result(within: float, beyond: float) -> dict[str, object]:
+        return {"scores": {"within": {"a": within}, "outside": {"b": beyond}}, "repeatability": None}
+
+    results = {"hose.verdict": result(0.02, outside), "hose.NARX": result(0.02, 0.3), "hose.formula": result(0.05, 0.1)}
+    cells, reached = table.goal(results, "hose")
+    assert reached is met and cells[1] == "1.00 (NARX)" and cells[2].endswith("(formula)")
+
+
+def test_the_page_is_made_from_the_results_that_are_kept() -> None:
+    import json
+
+    results = json.loads(table.KEPT.read_text(encoding="utf-8"))
+    assert (table.HERE / "TABLE.md").read_text(encoding="utf-8") == table.page(results)
