@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import stat
 import tempfile
 from collections.abc import Iterable, Iterator
@@ -58,9 +59,15 @@ def written_whole(path: Path) -> Iterator[Path]:
         os.chmod(name, mode)
         os.replace(name, target)
     except OSError as problem:
-        raise InputError(f"cannot be written: {problem.strerror or problem}", path) from problem
+        raise InputError(f"cannot be written: {_reason(problem)}", path) from problem
     finally:
         Path(name).unlink(missing_ok=True)
+
+
+def _reason(problem: OSError) -> str:
+    """In the system's words; those of HDF5 and Arrow hold them among others."""
+    number = problem.errno or next(iter(re.findall(r"errno[ =]+(\d+)", str(problem))), None)
+    return os.strerror(int(number)) if number else " ".join((problem.strerror or str(problem)).split())
 
 
 def _umask() -> int:
