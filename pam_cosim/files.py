@@ -28,7 +28,7 @@ _KINDS = {
 }
 
 
-def write_bytes(path: Path, content: bytes) -> None:
+def write_bytes(path: Path, content: bytes | bytearray) -> None:
     """Writes ``content`` under a temporary name and moves it to ``path``.
 
     A link stays a link: what it leads to is replaced.
