@@ -149,6 +149,24 @@ def read_file(path: Path, most: int = MOST_BYTES) -> bytes:
     return content
 
 
+def check_regular(path: Path, most: int = MOST_BYTES) -> None:
+    """Finds out whether a file can be opened by somebody else's reader: a pipe would never end, or never begin.
+
+    Raises:
+        InputError: it is missing, no regular file, or too large.
+    """
+    try:
+        status = os.stat(path)
+    except FileNotFoundError:
+        raise InputError("there is no such file", path) from None
+    except (OSError, ValueError) as problem:
+        raise InputError(f"cannot be read: {getattr(problem, 'strerror', None) or problem}", path) from problem
+    if not stat.S_ISREG(status.st_mode):
+        raise InputError(f"is {_KINDS.get(stat.S_IFMT(status.st_mode), 'no file')}; name a file", path)
+    if status.st_size > most:
+        raise InputError(f"has {status.st_size / 1e6:.0f} MB; {most / 1e6:.0f} MB can be taken", path)
+
+
 def read_json(path: Path) -> Any:
     """The content of a JSON file.
 
