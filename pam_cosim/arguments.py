@@ -142,6 +142,24 @@ def parse_pairs(words: Sequence[str]) -> dict[str, str]:
     return pairs
 
 
+def parse_cuts(words: Sequence[str]) -> dict[str, tuple[str | None, str | None]]:
+    """``RUN=FROM:TO`` words to first and last times by run; one that is left out is None.
+
+    Raises:
+        InputError: not of that form, or a run twice.
+    """
+    cuts: dict[str, tuple[str | None, str | None]] = {}
+    for word in words:
+        run, text = _split(word, "RUN=FROM:TO, such as run-03=2.5:10")
+        begin, colon, end = (part.strip() for part in text.partition(":"))
+        if not colon or ":" in end:
+            raise InputError(f"'{word}': write RUN=FROM:TO; one of the times may be left out, such as run-03=2.5:")
+        if run in cuts:
+            raise InputError(f"'{run}' is cut twice")
+        cuts[run] = (begin or None, end or None)
+    return cuts
+
+
 def parse_frequencies(text: str) -> list[float]:
     """``FROM:TO:N``, evenly in the logarithm, or ``A,B,C`` [Hz].
 

@@ -23,6 +23,7 @@ from pam_cosim.fmu.read import exchange_description, has_exchange, interface_of
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import read_recording
 from pam_cosim.names import is_fmu
+from pam_cosim.recorded_start import recorded_start
 from pam_cosim.settings import Setting, resolve, value_of
 from pam_cosim.simulation import Inputs, Trajectory
 from pam_cosim.simulation.inputs import Interpolation
@@ -302,7 +303,8 @@ def observe(
             a second.
         drift: standard deviation of what the model does not know of a state, within a second; default: none.
         spread: standard deviation of a state at the start; default: a hundredth of its nominal size.
-        start: values at the start by name, as a state of ``linearise``; default: the model's.
+        start: values at the start by name, as a state of ``linearise``; default: the model's, or what the first samples
+            show of a Modelica model where the recording begins elsewhere.
         interpolation: of inputs between rows: "linear", or "previous", held.
 
     Raises:
@@ -327,8 +329,13 @@ def observe(
     )
     samples = Samples(*read, held=interpolation == "previous")
     settings = resolve(parameters or {}, face)
+    begins = ""
+    if not start and not is_fmu(model):
+        states, begins = recorded_start(model, read, belief.noise, settings, interpolation, files, timeout)
+        belief = replace(belief, start=states)
     chosen = list(face.outputs if outputs is None else outputs)
-    return work_on(known.path, known.trusted, timeout, observe_samples, settings, samples, belief, chosen)
+    made = work_on(known.path, known.trusted, timeout, observe_samples, settings, samples, belief, chosen)
+    return replace(made, begins=begins)
 
 
 def _recorded(

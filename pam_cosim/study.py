@@ -41,6 +41,7 @@ from pam_cosim.fitting import (
     Progress,
     base_parameters,
     estimated_starts,
+    runs_without_start,
     starts_are_open,
     with_free,
     with_starts,
@@ -50,7 +51,7 @@ from pam_cosim.fitting import profile as _profile
 from pam_cosim.fmu import read_interface
 from pam_cosim.interface import Interface, Variable
 from pam_cosim.mapped_model import mapped_model
-from pam_cosim.measurement import DataSet, Run, complete_noise, read_data_set
+from pam_cosim.measurement import DataSet, Moment, complete_noise, overrides_of, read_data_set
 from pam_cosim.models import Paths, as_paths, opened
 from pam_cosim.models import build as build
 from pam_cosim.models import describe as describe
@@ -75,19 +76,40 @@ def benches(files: Paths = ()) -> list[str]:
 
 
 def read(
-    folder: Path | str, *, model: str | None = None, files: Paths = (), roles: Mapping[str, str] | None = None
+    folder: Path | str,
+    *,
+    model: str | None = None,
+    files: Paths = (),
+    roles: Mapping[str, str] | None = None,
+    cuts: Mapping[str, Sequence[Moment]] | None = None,
+    starts: Mapping[str, str] | None = None,
 ) -> DataSet:
     """Reads a data set and checks it against its bench (or against ``model``).
 
-    ``folder`` may also be a saved diagnosis, fit or comparison (``.npz``): the data set as that judged it, without the
-    samples that it set aside. ``roles``: "fit" or "holdout" by run, where it shall be another one than the data set
-    says.
+    ```python
+    data = pam.read("my-rig", cuts={"run-03": ("2.5 s", None)}, starts={"run-03": "estimated"})
+    ```
+
+    Args:
+        folder: of the data set; or a saved diagnosis, fit or comparison (``.npz``): the data set as that judged it,
+            without the samples that it set aside.
+        model: default: the bench of the data set.
+        files: further Modelica files.
+        roles: "fit" or "holdout" by run, where it shall be another one than the data set says.
+        cuts: the first and the last time of a run, by run, instead of ``from`` and ``to`` of the data set: [s] of the
+            file's own clock or texts with a unit; None: as it was recorded. Where it begins elsewhere then, its start
+            is chosen anew.
+        starts: "rest", "steady", "measured" or "estimated" by run, where it shall begin otherwise than the data set
+            says.
 
     Raises:
-        InputError: with file, line and column of what cannot be used; no such run or role.
+        InputError: with file, line and column of what cannot be used; no such run, role or start; nothing is left.
     """
     described = _described(files)
+    overrides = overrides_of(cuts, starts)
     if Path(folder).suffix.lower() == ".npz":
+        if cuts or starts:
+            raise InputError("what was judged keeps its ends and starts; cut the data set that it is of", folder)
         data = judged_data(Path(folder))
         data = replace(data, model=model or data.model)
     else:
@@ -97,6 +119,7 @@ def read(
             model=model,
             benches=lambda: benches(files),
             with_maps=lambda base, maps: mapped_model(base, described(base), maps, as_paths(files)),
+            overrides=overrides,
         )
     data = replace(data.with_roles(roles or {}), domain=_domain(data.model, described(data.model), files))
     return _for_model(data, model, files)
@@ -142,7 +165,7 @@ def compare(
     values = _of_runs(parameters or {}, data, interface)
     data = begun_data(data, name, values, files, timeout)
     with opened(name, files, [START_VALUES] * data.estimates_starts, timeout) as simulator:
-        starts = estimated_starts(simulator, data, _without_start(data, values, interface), values)
+        starts = estimated_starts(simulator, data, runs_without_start(data, values, interface), values)
         return _compare(simulator, data, values | {name: e.value for name, e in starts.items()})
 
 
@@ -167,12 +190,6 @@ def begun_data(
         return data
     with opened(model, files, timeout=timeout) as simulator:
         return with_starts(simulator, data, values)
-
-
-def _without_start(data: DataSet, values: Mapping[str, float], interface: Interface) -> list[Run]:
-    """The runs of which the values do not say where they begin."""
-    given = {name.rpartition("@")[2] for name in values if name.rpartition("@")[0] in interface.states}
-    return [run for run in data.runs if run.name not in given]
 
 
 def _of_runs(parameters: Mapping[str, Setting], data: DataSet, interface: Interface) -> dict[str, float]:
@@ -528,7 +545,7 @@ def new(
     made = draft(Path(folder), paths, wishes, read_library(files=as_paths(files)), _described(files), as_paths(files))
     written = read(folder, files=files)
     begun = begun_data(written, written.model, files=files)
-    return replace(made, data=written, to_check=(*begun.starts, *made.to_check))
+    return replace(made, data=written, starts=begun.starts)
 
 
 def simulate(

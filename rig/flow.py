@@ -45,14 +45,18 @@ def flow_function(r: float, r_laminar: float = R_LAMINAR) -> float:
     return s * (value / edge + c * (s - edge))
 
 
+_COLDEST = 1.0  # K
+
+
 def mass_flow(area: float, p_a: float, t_a: float, p_b: float, t_b: float) -> float:
     """Mass flow from a to b [kg/s], negative when b has the higher pressure.
 
-    area: effective area [m2]; pressures absolute [Pa]; temperatures [K].
+    area: effective area [m2]; pressures absolute [Pa]; temperatures [K], which in a trial step of a solver may be
+    below any that a gas has.
     """
     if p_a >= p_b:
-        return FLOW_CONSTANT * p_a * area * flow_function(p_b / p_a) / sqrt(t_a)
-    return -FLOW_CONSTANT * p_b * area * flow_function(p_a / p_b) / sqrt(t_b)
+        return FLOW_CONSTANT * p_a * area * flow_function(p_b / p_a) / sqrt(max(t_a, _COLDEST))
+    return -FLOW_CONSTANT * p_b * area * flow_function(p_a / p_b) / sqrt(max(t_b, _COLDEST))
 
 
 def valve_area(current: float, calibration: float) -> float:

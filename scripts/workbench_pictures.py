@@ -76,6 +76,8 @@ def main() -> int:
         folder = Path(place) / "my-rig"
         write_data_set(folder, measure(default_plan(), [effect_of(HIDDEN)], seed=1), title=HIDDEN_TITLE)
         with serving(folder) as (address, _):
+            cut(browser, address)
+        with serving(folder) as (address, _):
             study(browser, address)
         with serving(Path(place) / "new-rig") as (address, _):
             dropped(browser, address, folder, Path(place))
@@ -133,6 +135,24 @@ def study(browser: Any, address: str) -> None:
     page.locator(".run button").nth(4).click()
     still(page, "workbench-dark")
     dark.close()
+
+
+def cut(browser: Any, address: str) -> None:
+    """A run whose beginning is dragged off, and where it begins then."""
+    page = opened(browser.new_context(viewport=SIZE, color_scheme="light"), address)
+    box = page.locator(".curve").first.bounding_box()
+    left, height = box["x"] + 53, box["y"] + box["height"] / 3
+    page.mouse.move(left, height)
+    page.mouse.down()
+    page.mouse.move(left + 14, height)
+    page.mouse.move(left + 28, height)
+    page.mouse.up()
+    first = page.locator('.start[data-run="run-01"] > summary')
+    first.filter(has_text="estimated").wait_for()
+    first.click()
+    page.locator(".run button").first.click()
+    still(page, "workbench-cut")
+    page.context.close()
 
 
 def dropped(browser: Any, address: str, folder: Path, place: Path) -> None:

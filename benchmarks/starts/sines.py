@@ -15,7 +15,7 @@ from rig.schedule import Course, Phase, SampledSchedule, Schedule
 from rig.trial import Trial
 
 PERIODS = 4
-KNOTS = 60  # corners in a period
+KNOTS = 60  # corners in a period, about
 UP = 0.1  # of the amplitude, by which the inlet opens more than the exhaust
 
 
@@ -25,36 +25,43 @@ def in_sines(setup: Setup) -> Setup:
 
 
 def _driven(trial: Trial) -> Trial:
-    period = (trial.samples - 1) / trial.rate / PERIODS
-    schedules = tuple(_periodic(schedule, period, trial.held) for schedule in trial.schedules)
-    return replace(trial, schedules=schedules, course=trial.course and _sine(trial.course, period))
+    knot = max(1, (trial.samples - 1) // (PERIODS * KNOTS))  # samples: corners fall on them, so that they are recorded
+    count = (trial.samples - 1) // (PERIODS * knot)
+    schedules = tuple(_periodic(schedule, count, knot / trial.rate, trial.held) for schedule in trial.schedules)
+    course = trial.course and _sine(trial.course, count, knot / trial.rate)
+    return replace(trial, samples=PERIODS * count * knot + 1, schedules=schedules, course=course)
 
 
-def _periodic(schedule: Schedule, period: float, switched: bool) -> Schedule:
+def _periodic(schedule: Schedule, count: int, knot: float, switched: bool) -> Schedule:
+    """Count corners in a period, a knot [s] apart."""
     rows = schedule.samples if isinstance(schedule, SampledSchedule) else schedule.currents
     largest = float(np.max(rows, initial=0.0))
     if not largest:
         return schedule
     if switched:
-        filled = [Phase(0.35 * period, u_in=largest), Phase(0.15 * period)]
-        return Schedule.of([*filled, Phase(0.35 * period, u_out=largest), Phase(0.15 * period)] * PERIODS)
-    turns = np.arange(KNOTS * PERIODS + 1) / KNOTS
-    values = (largest - SHUT) * (np.sin(2 * pi * turns) + UP)
+        move, rest = round(0.35 * count), round(0.15 * count)
+        left = count - 2 * move - rest
+        filled = [Phase(move * knot, u_in=largest), Phase(rest * knot)]
+        return Schedule.of([*filled, Phase(move * knot, u_out=largest), Phase(left * knot)] * PERIODS)
+    values = (largest - SHUT) * (np.sin(2 * pi * _turns(count)) + UP)
     currents = [(SHUT + v, 0.0) if v > 0 else (0.0, SHUT - v) for v in values.tolist()]
-    return SampledSchedule.joined(currents, period / KNOTS)
+    return SampledSchedule.joined(currents, knot)
 
 
-def _sine(course: Course, period: float) -> Course:
+def _sine(course: Course, count: int, knot: float) -> Course:
     low, high = min(course.values), max(course.values)
-    turns = np.arange(KNOTS * PERIODS + 1) / KNOTS
-    return Course(tuple((low + (high - low) * (1 - np.cos(2 * pi * turns)) / 2).tolist()), period / KNOTS)
+    return Course(tuple((low + (high - low) * (1 - np.cos(2 * pi * _turns(count))) / 2).tolist()), knot)
+
+
+def _turns(count: int) -> np.ndarray:
+    return np.arange(count * PERIODS + 1) / count
 
 
 def last_period(source: Path, folder: Path, seed: int) -> Path:
     """Of each recording the last period alone."""
 
     def keep(random: np.random.Generator) -> Keep:
-        return lambda time, begin, end: time >= end - (end - begin) / PERIODS
+        return lambda time, begin, end: time >= end - (end - begin) / PERIODS - 1e-9
 
     return cut_files(source, folder, keep, seed)
 

@@ -54,6 +54,7 @@ class Observation:
         sizes: (N, 3) normalised innovation squared of all signals together, how many they were, and the logarithm of
             the determinant of their covariance.
         truth: by name (N,): what was true, where that is known.
+        begins: where the recording begins, as far as that is elsewhere than the model does by itself.
     """
 
     model: str
@@ -66,6 +67,7 @@ class Observation:
     innovations: dict[str, Array]
     sizes: Array
     truth: dict[str, Array] = field(default_factory=dict)
+    begins: str = ""
 
     def __getitem__(self, name: str) -> Array:
         return self.values[name]
@@ -196,7 +198,8 @@ class Observation:
 
     def __str__(self) -> str:
         span = f"{len(self.time)} samples from {self.time[0]:g} s to {self.time[-1]:g} s"
-        return "\n".join([f"{self.model}, from {', '.join(self.measured)}: {span}", *self._lines()])
+        begins = [self.begins] if self.begins else []
+        return "\n".join([f"{self.model}, from {', '.join(self.measured)}: {span}", *begins, *self._lines()])
 
     def _repr_html_(self) -> str:
         return "".join(f"<p>{escape(line)}</p>" for line in str(self).splitlines())

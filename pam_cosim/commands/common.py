@@ -49,12 +49,23 @@ RoleOption = Annotated[
     list[str] | None,
     typer.Option("--role", help="RUN=fit or RUN=holdout, other than the data set says; may be repeated."),
 ]
+CutOption = Annotated[
+    list[str] | None,
+    typer.Option("--cut", help='RUN=FROM:TO, such as run-03="2.5 s:": what is kept of it; may be repeated.'),
+]
+BeginOption = Annotated[
+    list[str] | None,
+    typer.Option("--begin", help="RUN=rest, steady, measured or estimated: in which state it begins; may be repeated."),
+]
 FreeOption = Annotated[
     list[str] | None,
     typer.Option("--free", help="Fit this parameter, and only those named so: of the data set, or with bounds."),
 ]
 StartOption = Annotated[
-    list[str] | None, typer.Option("--start", help="NAME=VALUE: where a parameter starts, or is held; with a unit.")
+    list[str] | None,
+    typer.Option(
+        "--start", help="NAME=VALUE: where a parameter starts, or is held; with a unit. STATE@RUN: where a run begins."
+    ),
 ]
 TimeoutOption = Annotated[
     float | None,
@@ -93,12 +104,26 @@ def say_used_with(files: Iterable[Path]) -> None:
         console.print(f"it is used together with what it is made from: {words}", markup=False, soft_wrap=True)
 
 
-def read_data(data: Path, model: str | None, files: list[Path] | None, roles: list[str] | None = None) -> DataSet:
+def read_data(
+    data: Path,
+    model: str | None,
+    files: list[Path] | None,
+    roles: list[str] | None = None,
+    cuts: list[str] | None = None,
+    begins: list[str] | None = None,
+) -> DataSet:
     """The data set; no result may replace one of its files."""
     from pam_cosim import study
-    from pam_cosim.arguments import parse_pairs
+    from pam_cosim.arguments import parse_cuts, parse_pairs
 
-    read = study.read(data, model=model, files=files or [], roles=parse_pairs(roles or []))
+    read = study.read(
+        data,
+        model=model,
+        files=files or [],
+        roles=parse_pairs(roles or []),
+        cuts=parse_cuts(cuts or []),
+        starts=parse_pairs(begins or []),
+    )
     check_spared(results, [read.model, *read.files])
     return read
 

@@ -11,6 +11,8 @@ import typer
 from pam_cosim import study
 from pam_cosim.arguments import parse_pairs
 from pam_cosim.commands.common import (
+    BeginOption,
+    CutOption,
     Data,
     FilesOption,
     JsonOption,
@@ -48,6 +50,8 @@ def compare(
     report: ReportOption = None,
     settings: SetOption = None,
     roles: RoleOption = None,
+    cuts: CutOption = None,
+    begins: BeginOption = None,
     files: FilesOption = None,
     timeout: TimeoutOption = None,
 ) -> None:
@@ -57,7 +61,7 @@ def compare(
     check_results(json, report, table_csv, table_plot, sources=[model, params, *(against or []), *(files or [])])
     values: dict[str, float | str] = {**(_values_of(params, model) if params else {}), **parse_pairs(settings or [])}
     earlier = [(path.stem, read_comparison(path)) for path in against or []]
-    read = read_data(data, model, files, roles)
+    read = read_data(data, model, files, roles, cuts, begins)
     comparison = study.compare(read, model, values, files=files or [], timeout=timeout)
     typer.echo(str(comparison))
     for line in against_lines(comparison, earlier):

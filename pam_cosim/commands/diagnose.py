@@ -12,6 +12,8 @@ import typer
 from pam_cosim import products, study
 from pam_cosim.arguments import parse_pairs
 from pam_cosim.commands.common import (
+    BeginOption,
+    CutOption,
     Data,
     FilesOption,
     FreeOption,
@@ -57,6 +59,8 @@ def diagnose(
     free: FreeOption = None,
     start: StartOption = None,
     roles: RoleOption = None,
+    cuts: CutOption = None,
+    begins: BeginOption = None,
     files: FilesOption = None,
     workers: Annotated[int | None, typer.Option(help="Processes; default: all processors.")] = None,
     time_limit: Annotated[
@@ -74,7 +78,7 @@ def diagnose(
     if save is not None and save.suffix != ".npz":
         raise InputError("a diagnosis is saved as .npz: name a file that ends so", save)
     check_results(output, save, json, report, following, learned, sources=[model, *(files or [])])
-    read = read_data(data, model, files, roles)
+    read = read_data(data, model, files, roles, cuts, begins)
     with console.status("refitting the base model") as status:
         say = teller(status)
         diagnosis = study.diagnose(

@@ -10,6 +10,8 @@ import typer
 from pam_cosim import study
 from pam_cosim.arguments import parse_pairs
 from pam_cosim.commands.common import (
+    BeginOption,
+    CutOption,
     Data,
     FilesOption,
     FreeOption,
@@ -52,12 +54,14 @@ def fit(
     free: FreeOption = None,
     start: StartOption = None,
     roles: RoleOption = None,
+    cuts: CutOption = None,
+    begins: BeginOption = None,
     files: FilesOption = None,
     timeout: TimeoutOption = None,
 ) -> None:
     """Fit the parameters that the data set leaves free."""
     check_results(output, json, plot, profile, resume, sources=[model, *(files or [])])
-    read = read_data(data, model, files, roles)
+    read = read_data(data, model, files, roles, cuts, begins)
     with console.status("fitting") as status:
         fitted = study.fit(
             read,

@@ -59,7 +59,7 @@ def new(
 
 
 def _tell(made: NewDataSet) -> None:
-    typer.echo(str(made).partition("\n")[0])
+    typer.echo(made.headline)
     table = Table("in the files", "taken as", "why", show_lines=False)
     for guess in made.guesses:
         table.add_row(*map(escape, (guess.what, guess.taken_as, guess.why)))

@@ -16,6 +16,7 @@ from pam_cosim.comparison.residual_statistics import (
 from pam_cosim.comparison.residuals import RunComparison, simulate_run
 from pam_cosim.comparison.rounding import expected_squares, slope, usual_square, weighted
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
+from pam_cosim.comparison.state_course import state_course
 from pam_cosim.comparison.where import Rule, sitting, where
 
 __all__ = [
@@ -48,6 +49,7 @@ __all__ = [
     "sitting",
     "slope",
     "start_time",
+    "state_course",
     "usual_square",
     "weighted",
     "where",

@@ -286,10 +286,19 @@ class _Models:
             self.known[c.effects] = replace(self.known[c.effects], brief=False)
 
     def path(self) -> list[Candidate]:
-        """The best model's effects, added one after another; none if the best is no better than the base model."""
-        best = self.order.answer()
-        if best is None:
-            return []
+        """The best model's effects, added one after another; none if the best is no better than the base model.
+
+        A model that breaks down at the accuracy of the verdict makes place for the next best.
+        """
+        while (best := self.order.answer()) is not None:
+            models = self._one_by_one(best)
+            if models and models[-1].effects == best.effects:
+                return [c.without_slopes for c in models]
+            del self.known[best.effects]
+            self.order.renew()
+        return []
+
+    def _one_by_one(self, best: Candidate) -> list[Candidate]:
         models: list[Candidate] = []
         for k in range(1, len(best.effects) + 1):
             names = best.effects[:k]
@@ -302,7 +311,7 @@ class _Models:
                 self.known[names] = own
             before = models[-1].fit if models else self.base
             models.append(rank(before, [own])[0])
-        return [c.without_slopes for c in models]
+        return models
 
     def _keep(self, candidates: Sequence[Candidate]) -> None:
         """Keeps the better fit of each model; one to the end began where the brief one stood, and is more exact."""

@@ -39,6 +39,7 @@ class NewDataSet(Printed):
         guesses: what each column, run and signal was taken for.
         to_check: sentences about what only the experimenter knows.
         next_commands: to type next.
+        starts: recordings that begin elsewhere than the model by itself, in sentences.
     """
 
     folder: Path
@@ -47,11 +48,18 @@ class NewDataSet(Printed):
     guesses: tuple[Guess, ...]
     to_check: tuple[str, ...]
     next_commands: tuple[str, ...]
+    starts: tuple[str, ...] = ()
+
+    @property
+    def headline(self) -> str:
+        """What was written, and what to know before anything else: where recordings begin."""
+        lines = [f"{self.folder}: {_counted(len(self.data.runs))}, bench {self.model}"]
+        return "\n".join([*lines, *(f"  {sentence}" for sentence in self.starts)])
 
     def __str__(self) -> str:
         rows = [(g.what, g.taken_as, g.why) for g in self.guesses]
         widths = [max(len(row[k]) for row in rows) for k in (0, 1)]
-        lines = [f"{self.folder}: {_counted(len(self.data.runs))}, bench {self.model}"]
+        lines = [self.headline]
         lines += [f"  {a:<{widths[0]}}  {b:<{widths[1]}}  {c}".rstrip() for a, b, c in rows]
         lines += ["to check, and to state in experiment.toml:", *(f"  - {one}" for one in self.to_check)]
         return "\n".join([*lines, "next:", *(f"  {one}" for one in self.next_commands)])

@@ -13,7 +13,7 @@ from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.parameter_file import parameters_in, read_parameters, write_parameters
 from pam_cosim.fitting.profile import Profile, Profiles
 from pam_cosim.fitting.solve import spread_starts
-from pam_cosim.fitting.start_estimates import estimated_starts, simulated
+from pam_cosim.fitting.start_estimates import estimated_starts, runs_without_start, simulated
 from pam_cosim.fitting.tracker import Convergence, Progress, Standing
 
 __all__ = [
@@ -42,6 +42,7 @@ __all__ = [
     "read_parameters",
     "residual_rows",
     "rows_of_series",
+    "runs_without_start",
     "simulated",
     "spread_starts",
     "starts_are_open",

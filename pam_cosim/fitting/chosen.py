@@ -22,14 +22,16 @@ def with_free(
         interface: of the model.
         free: names: of parameters that the data set declares free, or that the model itself gives bounds. None: those
             of the data set.
-        start: where parameters start, or are held, by name [SI].
+        start: where parameters start, or are held, by name [SI]; and start values of states by "state@run": there the
+            run begins, or the estimate of where it does.
 
     Raises:
         InputError: the model has no such parameter, it has no bounds, or a start is of none of these.
     """
+    data, start = _beginning(data, interface, start or {})
     known = {f.name: f for f in base_parameters(data, interface)}
     names = tuple(known) if free is None else tuple(dict.fromkeys(free))
-    starts = dict(start or {})
+    starts = dict(start)
     every = known | {n: model_parameter(n, interface) for n in (*names, *starts) if n not in known}
     stray = next((n for n in starts if n not in names and n not in known), None)
     if stray is not None:
@@ -41,6 +43,20 @@ def with_free(
         fit={n: _declared(moved[n]) if n not in data.fit or n in starts else data.fit[n] for n in names},
         runs=tuple(_holding(run, held) for run in data.runs),
     )
+
+
+def _beginning(data: DataSet, interface: Interface, start: Mapping[str, float]) -> tuple[DataSet, dict[str, float]]:
+    """The data set whose runs know the start values that are stated of them, and the other starts."""
+    ends = {f"{state}@{run.name}": (state, run.name) for state in interface.states for run in data.runs}
+    own = {name: value for name, value in start.items() if name in ends}
+    if not own:
+        return data, dict(start)
+
+    def stated(run: Run) -> Run:
+        of_run = {ends[name][0]: value for name, value in own.items() if ends[name][1] == run.name}
+        return replace(run, parameters={**run.parameters, **of_run}) if of_run else run
+
+    return replace(data, runs=tuple(map(stated, data.runs))), {n: v for n, v in start.items() if n not in own}
 
 
 def _declared(f: Free) -> FreeParameter:

@@ -7,7 +7,15 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pam_cosim.comparison.beginning import Probe, beginning, first_of_run, inputs_of_run, measured, start_time
+from pam_cosim.comparison.beginning import (
+    Beginning,
+    Probe,
+    beginning,
+    first_of_run,
+    inputs_of_run,
+    measured,
+    start_time,
+)
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.objective import Objective
@@ -77,17 +85,33 @@ def _with_start(simulator: AnySimulator, data: DataSet, run: Run, parameters: Ma
         off = [one for one in first if one.off]
         if not off or _is_fitted(simulator, data, run, own):
             return begun("rest")
-        shown = measured(simulator, data, run, own).shown
-        if not any(one.away for one in first) and not (shown and _takes_away(simulator, data, run, parameters)):
+        begins = measured(simulator, data, run, own)
+        shown = begins.shown
+        far = any(one.away for one in first) and (not shown or _explains(simulator, data, run, own, begins))
+        if not far and not (shown and _takes_away(simulator, data, run, parameters)):
             return begun("rest")
     except SimulationFailure:  # who simulates the run says why it cannot be
         return begun("rest")
     moving = any(one.sample.moves for one in first)
-    begins = f"{run.name} begins at {', '.join(one.said() for one in first)}, {'moving' if moving else 'at rest'}"
+    said = f"{run.name} begins at {', '.join(one.said() for one in first)}, {'moving' if moving else 'at rest'}"
     if not shown:
         where = ", ".join(f"{one.name} = {one.said(model=True)}" for one in off)
-        return begun("rest", f"{begins}: the model begins at {where}, and cannot begin elsewhere")
-    return begun("estimated", f"{begins}: estimated")
+        return begun("rest", f"{said}: the model begins at {where}, and cannot begin elsewhere")
+    return begun("estimated", f"{said}: estimated")
+
+
+def _explains(simulator: AnySimulator, data: DataSet, run: Run, own: Mapping[str, float], begins: Beginning) -> bool:
+    """Whether all signals are much nearer to their first samples from there: a force that is missing stays away."""
+    probe = Probe(simulator, data, run, own)
+    samples = probe.first_samples()
+    aims = np.array([samples[name].value for name in probe.signals])
+    noise = np.array([data.signals[name].sigma or 1.0 for name in probe.signals])
+
+    def squares(start: Beginning) -> float:
+        there = probe.at(start.values, start.settle)[0][: len(aims)]
+        return float(np.sum(((there - aims) / noise) ** 2))
+
+    return squares(Beginning()) > CRITERIA.starts.worth * squares(begins)
 
 
 def _as_others(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> Run:

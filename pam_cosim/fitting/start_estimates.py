@@ -11,6 +11,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.estimate import Estimate
 from pam_cosim.fitting.objective import Objective
+from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
 
@@ -63,15 +64,23 @@ def estimated_starts(
     return start_estimates(objective)
 
 
-def simulated(simulator: AnySimulator, data: DataSet, values: Mapping[str, float]) -> tuple[RunComparison, ...]:
-    """Every run beside its samples, with given parameters [SI]; starts that are to be estimated are.
+def runs_without_start(data: DataSet, values: Mapping[str, float], interface: Interface) -> list[Run]:
+    """The runs of which the values do not say where they begin: a start value is named "state@run"."""
+    given = {name.rpartition("@")[2] for name in values if name.rpartition("@")[0] in interface.states}
+    return [run for run in data.runs if run.name not in given]
+
+
+def simulated(
+    simulator: AnySimulator, data: DataSet, values: Mapping[str, float]
+) -> tuple[tuple[RunComparison, ...], dict[str, Estimate]]:
+    """Every run beside its samples, with given parameters [SI], and the starts that were to be estimated.
 
     Raises:
         SimulationFailure: a run did not reach its end.
     """
-    starts = estimated_starts(simulator, data, data.runs, values)
+    starts = estimated_starts(simulator, data, runs_without_start(data, values, simulator.interface), values)
     known = {**values, **{name: e.value for name, e in starts.items()}}
-    return tuple(simulate_run(simulator, data, run, known) for run in data.runs)
+    return tuple(simulate_run(simulator, data, run, known) for run in data.runs), starts
 
 
 def held_out_starts(

@@ -1,6 +1,7 @@
 """The measurement room: a folder with ``experiment.toml`` and CSV files becomes a ``DataSet``."""
 
 from pam_cosim.measurement.condensing import condensed
+from pam_cosim.measurement.cuts import Cut, Moment, Overrides, overrides_of
 from pam_cosim.measurement.data_set import ROLES, DataSet, FreeParameter, Prior, Role, Run, Signal, Transform
 from pam_cosim.measurement.experiment import error_in
 from pam_cosim.measurement.first_samples import FirstSamples, first_samples
@@ -13,9 +14,12 @@ from pam_cosim.measurement.text_file import any_text
 from pam_cosim.measurement.write import write_data_set
 
 __all__ = [
+    "Cut",
     "DataSet",
     "FirstSamples",
     "FreeParameter",
+    "Moment",
+    "Overrides",
     "Prior",
     "ROLES",
     "Recording",
@@ -33,6 +37,7 @@ __all__ = [
     "error_in",
     "estimate_noise",
     "first_samples",
+    "overrides_of",
     "record_step",
     "read_data_set",
     "read_recording",

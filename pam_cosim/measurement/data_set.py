@@ -141,6 +141,7 @@ class Run:
         more_files: of other loggers.
         along: of a curve of points at rest, what it is drawn over; None: a recording over time.
         start: in which state it begins.
+        recorded: first and last time [s] of the recording that it was cut out of; None: it is all of it.
     """
 
     name: str
@@ -157,6 +158,7 @@ class Run:
     more_files: tuple[Path, ...] = ()
     along: Along | None = None
     start: Start = Start()
+    recorded: tuple[float, float] | None = None
 
     @property
     def is_static(self) -> bool:
@@ -175,7 +177,8 @@ class Run:
             low, high = (format_quantity(float(self.time[i]), self.along.unit) for i in (0, -1))
             span = f"{len(self.time)} points at rest, {self.along.name} {low} to {high}"
             return f"{self.name}: {self.role}, {span}, imposed {', '.join(self.inputs)}, samples of {measured}"
-        span = f"{self.time[0]:g} to {self.time[-1]:g} s, {len(self.time)} rows"
+        whole = f" of {self.recorded[0]:g} to {self.recorded[1]:g} s" if self.recorded else ""
+        span = f"{self.time[0]:g} to {self.time[-1]:g} s{whole}, {len(self.time)} rows"
         inputs = ", ".join(self.inputs) or "none"
         return f"{self.name}: {self.role}, {span}, inputs {inputs} ({self.interpolation}), samples of {measured}"
 

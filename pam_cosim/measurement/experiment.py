@@ -146,6 +146,8 @@ class RunTable(_Table):
     lead: Value | None = None
     periodic: bool | None = None
     gaps: Literal["split", "through"] | None = None
+    begin: Value | None = Field(default=None, alias="from")
+    end: Value | None = Field(default=None, alias="to")
 
 
 class EffectsTable(_Table):

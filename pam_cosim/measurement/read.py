@@ -9,6 +9,7 @@ from pathlib import Path
 from pam_cosim.errors import InputError, ModelError
 from pam_cosim.input_map import InputMap
 from pam_cosim.interface import Interface
+from pam_cosim.measurement.cuts import Cut, Overrides, cut_run
 from pam_cosim.measurement.data_set import Along, DataSet, FreeParameter, Run, Signal
 from pam_cosim.measurement.experiment import FILE_NAME, ExperimentFile, RunTable, Value, read_experiment
 from pam_cosim.measurement.input_maps import input_maps, with_names_of_maps
@@ -31,6 +32,7 @@ def read_data_set(
     model: str | None = None,
     benches: Callable[[], Sequence[str]] = tuple,
     with_maps: Callable[[str, Sequence[InputMap]], str] | None = None,
+    overrides: Overrides | None = None,
 ) -> DataSet:
     """Reads a data set and converts it to the units of its bench.
 
@@ -40,6 +42,7 @@ def read_data_set(
         model: read the data for this model instead of the one the file names.
         benches: names to offer where the file names none.
         with_maps: gives the model that has maps of its inputs; None: a map that is fitted is an error.
+        overrides: what counts instead of what is stated of single runs.
 
     Raises:
         InputError: whatever is wrong in the folder, with file, line and column or key.
@@ -64,8 +67,10 @@ def read_data_set(
     _check_signals(document, interface)
     _check_runs(document)
     own = [_own_free(document, interface, index, run, parameters) for index, run in enumerate(content.runs)]
-    read = [_runs(document, interface, index, run, known) for index, run in enumerate(content.runs)]
+    instead = overrides or Overrides()
+    read = [_runs(document, interface, index, run, known, instead) for index, run in enumerate(content.runs)]
     runs = tuple(run for several in read for run in several)
+    instead.check(content.title or document.file.parent.resolve().name, [run.name for run in runs])
     _check_branches(document, interface, read)
     return DataSet(
         folder=document.file.parent,
@@ -210,7 +215,12 @@ def _is_static(document: ExperimentFile, table: RunTable) -> bool:
 
 
 def _runs(
-    document: ExperimentFile, interface: Interface, index: int, table: RunTable, known: Mapping[str, float]
+    document: ExperimentFile,
+    interface: Interface,
+    index: int,
+    table: RunTable,
+    known: Mapping[str, float],
+    instead: Overrides,
 ) -> list[Run]:
     """The run of a recording, or those of the curves of a file of points at rest."""
     path = ("runs", index, "parameters")
@@ -251,11 +261,43 @@ def _runs(
         message = f"{shown(table.file)} holds {len(points)} curves, which have no parameter of their own"
         raise document.error(f"{message}; free it under [fit]", "runs", index, "fit")
     every = [_curve(run, one, i == 0) for i, one in enumerate(points)]
-    every = every or pieces_of(run, table.gaps or document.content.gaps)
+    every = every or pieces_of(_cut_as_stated(document, index, run), table.gaps or document.content.gaps)
     if table.fit and len(every) > 1:
         message = f"{shown(table.file)} falls into {len(every)} pieces, which have no parameter of their own"
         raise document.error(f"{message}; free it under [fit]", "runs", index, "fit")
-    return [with_start(document, interface, index, one) for one in every]
+    return [_begun(document, interface, index, run, one, instead) for one in every]
+
+
+def _cut_as_stated(document: ExperimentFile, index: int, run: Run) -> Run:
+    """The rows of a recording that ``from`` and ``to`` leave."""
+    table, ends = document.content.runs[index], dict[str, float]()
+    for key, value in (("from", table.begin), ("to", table.end)):
+        if value is not None:
+            try:
+                ends[key] = parse_quantity(value, "s")
+            except UnitError as error:
+                raise document.error(f"{key}: {error}", "runs", index, key) from None
+    try:
+        return cut_run(run, Cut(ends.get("from"), ends.get("to")))
+    except InputError as error:
+        raise document.error(error.message, "runs", index, next(iter(ends), "file")) from None
+
+
+def _begun(document: ExperimentFile, interface: Interface, index: int, whole: Run, run: Run, instead: Overrides) -> Run:
+    """A run, or a piece of one, with its start; cut to other ends than are stated, where that is asked for.
+
+    What is stated of its start does not count where it then begins elsewhere, or is no longer the period that it was.
+    """
+    mode = instead.starts.get(run.name)
+    if mode is not None and run.is_static:
+        raise InputError(f"{run.name} holds points at rest, which have no start", run.file)
+    if run.name not in instead.cuts:
+        return with_start(document, interface, index, run, mode)
+    made = cut_run(whole if run.name == whole.name else run, instead.cuts[run.name])
+    table = document.content.runs[index]
+    periodic = document.content.periodic if table.periodic is None else table.periodic
+    elsewhere = made.time[0] != run.time[0] or (bool(periodic) and made.time[-1] != run.time[-1])
+    return with_start(document, interface, index, made, mode, anew=bool(elsewhere))
 
 
 def _curve(run: Run, points: Points, first: bool) -> Run:

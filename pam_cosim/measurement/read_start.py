@@ -10,7 +10,7 @@ from pam_cosim.interface import Interface
 from pam_cosim.measurement.data_set import Run
 from pam_cosim.measurement.experiment import Experiment, ExperimentFile, KeyPath, RunTable
 from pam_cosim.measurement.parameters import known_values
-from pam_cosim.measurement.start import Start
+from pam_cosim.measurement.start import Start, StartMode
 from pam_cosim.units import UnitError, parse_quantity
 from pam_cosim.wording import shown
 
@@ -18,8 +18,24 @@ _FOR = "for"
 _KEYS = ("start", "before", "lead", "periodic")
 
 
-def with_start(document: ExperimentFile, interface: Interface, index: int, run: Run) -> Run:
+def with_start(
+    document: ExperimentFile,
+    interface: Interface,
+    index: int,
+    run: Run,
+    mode: StartMode | None = None,
+    *,
+    anew: bool = False,
+) -> Run:
     """The run with what is stated of its start, by itself or for all.
+
+    Args:
+        document: what is stated.
+        interface: of the bench.
+        index: of the run's table.
+        run: the run.
+        mode: how it begins, instead of what is stated of that and of the time before; a lead stays.
+        anew: it begins elsewhere than what is stated is about, which then counts no more.
 
     Raises:
         InputError: what contradicts itself, an unknown input, a duration that is none.
@@ -32,6 +48,8 @@ def with_start(document: ExperimentFile, interface: Interface, index: int, run: 
             key = next(iter(own))
             raise document.error(f"{key} is for recordings over time; points at rest have no start", *own[key])
         return run
+    if mode is not None or anew:
+        return _with_mode(document, index, replace(run, start=Start(mode=mode)), lead=not anew)
     start = Start(mode=_stated(content, table, "start"), periodic=bool(_stated(content, table, "periodic")))
     if start.periodic:
         for key in ("start", "before"):
@@ -44,6 +62,17 @@ def with_start(document: ExperimentFile, interface: Interface, index: int, run: 
     if "before" in places and not start.periodic:
         start = _with_before(document, interface, start, _stated(content, table, "before"), places["before"])
     return _without_lead(document, replace(run, start=start), places.get("lead", ()))
+
+
+def _with_mode(document: ExperimentFile, index: int, run: Run, lead: bool) -> Run:
+    """A run whose start was chosen by whoever reads the data, with the lead that is stated."""
+    table = document.content.runs[index]
+    place: KeyPath = ("lead",) if table.lead is None else ("runs", index, "lead")
+    stated = _stated(document.content, table, "lead")
+    if stated is None or not lead:
+        return run
+    start = replace(run.start, lead=_seconds(document, stated, *place))
+    return _without_lead(document, replace(run, start=start), place)
 
 
 def _stated(content: Experiment, table: RunTable, key: str):  # type: ignore[no-untyped-def]

@@ -27,20 +27,25 @@ def measured_curves(data: DataSet) -> list[Curve]:
     return curves
 
 
-def model_curves(runs: Sequence[RunComparison], data: DataSet) -> list[Curve]:
-    """Modelled signals and residuals of all runs."""
-    return [
-        Curve(
-            r.run.name,
-            name,
-            {
-                "values": thinned(_rising(r.run, r.model[name] * _factor(data, name))),
-                "residual": thinned(_rising(r.run, r.residual(name) * _factor(data, name))),
-            },
-        )
-        for r in runs
-        for name in r.run.measurements
-    ]
+def model_curves(runs: Sequence[RunComparison], whole: DataSet) -> list[Curve]:
+    """Modelled signals and residuals of all runs at all times that were recorded, NaN where a run was cut."""
+    curves, recorded = [], {run.name: run for run in whole.runs}
+    for r in runs:
+        room = _room(r.run, recorded[r.run.name])
+        for name in r.run.measurements:
+            factor = _factor(whole, name)
+            model, residual = (
+                thinned(_rising(r.run, np.pad(values * factor, room, constant_values=np.nan)))
+                for values in (r.model[name], r.residual(name))
+            )
+            curves.append(Curve(r.run.name, name, {"values": model, "residual": residual}))
+    return curves
+
+
+def _room(run: Run, whole: Run) -> tuple[int, int]:
+    """Rows that were recorded before and after those of a run."""
+    before = int(np.searchsorted(whole.time, run.time[0], side="left")) if run.recorded else 0
+    return before, len(whole.time) - before - len(run.time)
 
 
 def _rising(run: Run, values: Array) -> Array:

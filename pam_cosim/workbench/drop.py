@@ -150,6 +150,7 @@ def _drafted(made: NewDataSet) -> Draft:
         title=data.title,
         model=made.model,
         guesses=tuple({"what": g.what, "taken_as": g.taken_as, "why": g.why} for g in made.guesses),
+        starts=made.starts,
         to_check=made.to_check,
         runs=tuple({"name": r.name, "role": r.role, "describe": r.describe()} for r in data.runs),
         names=tuple({"name": n, "unit": unit_text(v.unit), "input": n in interface.inputs, "description": v.description}

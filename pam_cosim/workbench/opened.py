@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -28,6 +28,7 @@ class Opened:
         origin: the effect that brought a parameter, by its name; none for those of the base model.
         text: Modelica source of the model with effects; "" without any.
         declared: what the data set leaves free.
+        estimates_starts: it tells its slopes by start values, which some run's are estimated with.
     """
 
     model: str
@@ -39,10 +40,17 @@ class Opened:
     origin: dict[str, str]
     text: str
     declared: tuple[tuple[str, FreeParameter], ...]
+    estimates_starts: bool = False
 
     def is_of(self, data: DataSet, model: str, effects: Sequence[str]) -> bool:
         """Whether it is this model, for these data."""
-        return (self.model, self.effects) == (model, tuple(effects)) and self.declared == tuple(data.fit.items())
+        same = (self.model, self.effects, self.estimates_starts) == (model, tuple(effects), data.estimates_starts)
+        return same and self.declared == tuple(data.fit.items())
+
+    def start_values_in(self, values: Mapping[str, float]) -> dict[str, float]:
+        """Those of the values that are where a run begins, by "state@run" [SI]."""
+        states = self.simulator.interface.states
+        return {n: v for n, v in values.items() if n not in self.parameters and n.rpartition("@")[0] in states}
 
 
 def open_model(data: DataSet, model: str, effects: Sequence[str], catalogue: Catalogue, scratch: Path) -> Opened:
@@ -71,7 +79,9 @@ def open_model(data: DataSet, model: str, effects: Sequence[str], catalogue: Cat
     except BaseException:
         simulator.close()
         raise
-    return Opened(model, tuple(effects), name, needed, simulator, parameters, origin, text, tuple(data.fit.items()))
+    declared = tuple(data.fit.items())
+    estimates = data.estimates_starts
+    return Opened(model, tuple(effects), name, needed, simulator, parameters, origin, text, declared, estimates)
 
 
 def without_ratios(effects: Sequence[str]) -> tuple[str, ...]:

@@ -9,8 +9,9 @@ A frame of curves is one binary message: the length of a header (unsigned, 4 byt
 padded with spaces so that what follows begins at a multiple of 4 bytes), then 32-bit floats. The header is
 ``{"event": "curves", "kind": kind, "version": n, "answers": id, "label": text, "runs": [{"name": run, "signals":
 [{"name": signal, "n": count, "values_at": place, ...}]}]}``, places in floats. In a frame of kind "measured" each
-signal has ``time_at`` too; in one of kind "model", or "reference" (the model as it was before the last step),
-``residual_at``. The values are those at the times of the measured ones; missing samples are NaN.
+signal has ``time_at`` too, of all that was recorded; in one of kind "model", or "reference" (the model as it was before
+the last step), ``residual_at``. The values are those at the times of the measured ones; missing samples, and the model
+where a run was cut, are NaN.
 """
 
 from __future__ import annotations
@@ -55,6 +56,7 @@ class ShownRun:
         static: points at rest; their "times" in frames are values of what they are drawn over, ``along`` with its unit.
         describe: a line about it.
         parameters: what is known of it, as text.
+        begins, ends: first and last time [s] that count; frames have all that was recorded.
     """
 
     name: str
@@ -65,6 +67,8 @@ class ShownRun:
     samples: int
     describe: str
     parameters: tuple[str, ...] = ()
+    begins: float = 0.0
+    ends: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -238,6 +242,49 @@ class Where(Event):
     kept = True
     version: int
     rules: tuple[Rule, ...]
+
+
+@dataclass(frozen=True)
+class StartValue:
+    """Where one state begins: its ``value`` [unit] between the ends of a slider, and the interval of an estimate."""
+
+    name: str
+    label: str
+    unit: str
+    value: float
+    low: float
+    high: float
+    description: str
+    low95: float | None = None
+    high95: float | None = None
+
+
+@dataclass(frozen=True)
+class ShownStart:
+    """How a run begins.
+
+    Attributes:
+        mode: one of ``modes``, or "periodic", or "by hand" where start values were set.
+        text: a sentence.
+        warning: the model cannot be where the first samples are.
+        values: of the states, none where they cannot be set.
+    """
+
+    run: str
+    mode: str
+    text: str
+    warning: bool
+    modes: tuple[str, ...]
+    values: tuple[StartValue, ...]
+
+
+@dataclass(frozen=True)
+class Starts(Event):
+    """How each recording begins."""
+
+    kept = True
+    version: int
+    runs: tuple[ShownStart, ...]
 
 
 @dataclass(frozen=True)
@@ -470,7 +517,8 @@ class Draft(Event):
 
     Attributes:
         model: the bench that is proposed. guesses: ``{"what", "taken_as", "why"}`` of each column, run and noise.
-        to_check: what only the experimenter knows, sentences.
+        starts: recordings that begin elsewhere than the model by itself, sentences.
+        to_check: what only the experimenter knows, likewise.
         names: inputs and outputs of the bench that a column can be taken for. parameters: that may be stated.
         toml: ``experiment.toml`` as it would be written.
         curves: ``{"run", "signal", "unit", "time", "values"}``, a preview.
@@ -482,6 +530,7 @@ class Draft(Event):
     title: str = ""
     model: str = ""
     guesses: tuple[Json, ...] = ()
+    starts: tuple[str, ...] = ()
     to_check: tuple[str, ...] = ()
     runs: tuple[Json, ...] = ()
     names: tuple[Json, ...] = ()

@@ -20,10 +20,12 @@ from pydantic import (
     FiniteFloat,
     TypeAdapter,
     ValidationError,
+    model_validator,
 )
 from pydantic_core import ErrorDetails
 
 from pam_cosim.fitting import METHODS
+from pam_cosim.measurement import StartMode
 from pam_cosim.names import is_file, is_ratio
 from pam_cosim.wording import did_you_mean, shown
 from pam_cosim.workbench.inside import is_name_here
@@ -100,6 +102,8 @@ Names = Annotated[list[Name], Field(max_length=MOST)]
 Effects = Annotated[list[Effect], Field(max_length=MOST)]
 Values = Annotated[dict[Name, Number], Field(max_length=MOST)]
 Roles = Annotated[dict[Name, Literal["fit", "holdout"]], Field(max_length=MOST)]
+Cuts = Annotated[dict[Name, Annotated[list[Number | None], Field(min_length=2, max_length=2)]], Field(max_length=MOST)]
+Starts = Annotated[dict[Name, StartMode], Field(max_length=MOST)]
 
 
 class Checked(BaseModel):
@@ -175,7 +179,50 @@ class RolesStep(Checked):
     roles: Roles
 
 
-AnyStep = SetStep | SwitchStep | ChooseStep | FitStep | DiagnoseStep | TakeStep | AddStep | RolesStep
+class CutStep(Checked):
+    """A run was cut; how all runs are cut and begin since then, and the values that were kept [SI]."""
+
+    do: Literal["cut"]
+    run: Name
+    cuts: Cuts
+    starts: Starts
+    values: Values
+
+    @model_validator(mode="after")
+    def _is_of_its_run(self) -> CutStep:
+        if self.run not in self.cuts:
+            raise ValueError(f"cuts lacks {shown(self.run)}")
+        return self
+
+
+class BeginStep(Checked):
+    """How a run begins was chosen; how all runs begin since then, and the values that were kept [SI]."""
+
+    do: Literal["begin"]
+    run: Name
+    starts: Starts
+    values: Values
+
+
+class StartStep(Checked):
+    """Start values were set by hand [SI]; ``moved``: these, and the others of their runs stayed where they were."""
+
+    do: Literal["start"]
+    values: Values
+    moved: Names
+
+    @model_validator(mode="after")
+    def _moves_its_values(self) -> StartStep:
+        stray = next((name for name in self.moved if name not in self.values), None)
+        if stray is not None:
+            raise ValueError(f"values lacks {shown(stray)}")
+        return self
+
+
+AnyStep = (
+    SetStep | SwitchStep | ChooseStep | FitStep | DiagnoseStep | TakeStep | AddStep | RolesStep
+    | CutStep | BeginStep | StartStep
+)  # fmt: skip
 _STEP: TypeAdapter[Any] = TypeAdapter(Annotated[AnyStep, Field(discriminator="do")])
 
 
@@ -210,6 +257,8 @@ class SavedContent(Checked):
     milestone: Text
     file: Annotated[Name, AfterValidator(_modelica_file)] | None
     roles: Roles
+    cuts: Cuts = {}
+    starts: Starts = {}
     ladder: Annotated[list[SavedRung], Field(max_length=MOST)]
     steps: Annotated[list[Annotated[AnyStep, Field(discriminator="do")]], Field(max_length=MOST)]
     fit: Annotated[Name, AfterValidator(_product_file)] | None

@@ -21,7 +21,7 @@ from pam_cosim.workbench.inside import inside
 from pam_cosim.workbench.protocol import Level, Rung
 from pam_cosim.workbench.protocol import plain as as_plain
 from pam_cosim.workbench.saved import SavedContent, SavedRung, checked_content, plain_step
-from pam_cosim.workbench.state import State
+from pam_cosim.workbench.state import Ends, State
 from pam_cosim.workbench.steps import step_of
 
 FILE = "workbench.json"
@@ -70,6 +70,8 @@ def save_state(state: State, folder: Path) -> SavedStudy:
         "milestone": state.milestone,
         "file": state.file,
         "roles": {run.name: run.role for run in state.data.runs},
+        "cuts": {name: list(ends) for name, ends in state.cuts.items()},
+        "starts": dict(state.starts),
         "ladder": as_plain(state.rungs),
         "steps": [step.as_dict() for step in state.steps],
         "fit": _kept(state.fit, folder, "fit"),
@@ -105,7 +107,7 @@ def _kept(product: Fit | Diagnosis | None, folder: Path, what: str) -> str | Non
 
 
 def load_state(folder: Path, first: State) -> State:
-    """The study that was saved in a folder; ``first``: as it was opened, with the data.
+    """The study that was saved in a folder, its data not yet cut; ``first``: as it was opened, with the data.
 
     Raises:
         InputError: there is none, it was damaged, or it is of other data.
@@ -126,7 +128,10 @@ def _state(content: SavedContent, folder: Path, first: State) -> State:
         raise InputError("the saved study is of other runs than the data set has now", folder / FILE)
     same = all(roles[run.name] == run.role for run in first.data.runs)
     runs = tuple(replace(run, role=roles[run.name]) for run in first.data.runs)
+    cuts: dict[str, Ends] = {name: (begin, end) for name, (begin, end) in content.cuts.items()}
     return State(
+        cuts=cuts,
+        starts=dict(content.starts),
         data=first.data if same else replace(first.data, runs=runs),
         model=content.model,
         effects=tuple(content.effects),

@@ -30,6 +30,8 @@ class _Place:
     effects: tuple[str, ...] = ()
     diagnosed: tuple[str, ...] = ()
     roles: dict[str, str] = field(default_factory=dict)
+    cuts: dict[str, list[float | None]] = field(default_factory=dict)
+    starts: dict[str, str] = field(default_factory=dict)
     held: dict[str, float] = field(default_factory=dict)
     fitted: str = ""
     fits: int = 0
@@ -46,6 +48,11 @@ class _Place:
             return None
         self.model = f"{self.catalogue.composed(self.base, on).name}.mo"
         return self.model
+
+    def take_runs(self, told: Mapping[str, Any]) -> None:
+        """How runs are cut, and begin, from a step on."""
+        self.cuts = told.get("cuts", self.cuts)
+        self.starts = told["starts"]
 
     @property
     def files(self) -> list[str]:
@@ -89,7 +96,7 @@ _COMPARED = "comparison = pam.compare(data, model, values, files=files)"
 def _python_step(step: Step, place: _Place) -> list[str]:
     told = step.arguments
     match step.do:
-        case "set":
+        case "set" | "start":
             return [f"values |= {_numbers(told['values'])}", _COMPARED]
         case "switch":
             return [*_python_effects(told["effects"], place), f"values = {_numbers(told['values'])}", _COMPARED]
@@ -99,6 +106,9 @@ def _python_step(step: Step, place: _Place) -> list[str]:
         case "roles":
             place.roles |= told["roles"]
             return [_python_read(place), _COMPARED]
+        case "cut" | "begin":
+            place.take_runs(told)
+            return [_python_read(place), f"values = {_numbers(told['values'])}", _COMPARED]
         case "fit":
             options = f"method={told['method']!r}, free={told['free']!r}, start={_numbers(told['start'])}"
             return [
@@ -128,8 +138,9 @@ def _python_step(step: Step, place: _Place) -> list[str]:
 
 
 def _python_read(place: _Place) -> str:
-    roles = f", roles={place.roles!r}" if place.roles else ""
-    return f"data = pam.read(folder, model={place.base!r}, files=files{roles})"
+    known = {"roles": place.roles, "cuts": place.cuts, "starts": place.starts}
+    said = "".join(f", {name}={value!r}" for name, value in known.items() if value)
+    return f"data = pam.read(folder, model={place.base!r}, files=files{said})"
 
 
 def _python_effects(effects: Sequence[str], place: _Place) -> list[str]:
@@ -165,7 +176,7 @@ def commands_of(state: State, base: str, folder: Path, catalogue: Catalogue) -> 
 def _command_step(step: Step, place: _Place, data: str) -> list[str]:
     told = step.arguments
     match step.do:
-        case "set":
+        case "set" | "start":
             place.held |= told["values"]
             return [_compare(data, place)]
         case "switch":
@@ -176,6 +187,10 @@ def _command_step(step: Step, place: _Place, data: str) -> list[str]:
             return [*_command_effects((), place), _compare(data, place)]
         case "roles":
             place.roles |= told["roles"]
+            return [_compare(data, place)]
+        case "cut" | "begin":
+            place.take_runs(told)
+            place.held, place.fitted = dict(told["values"]), ""
             return [_compare(data, place)]
         case "fit":
             place.fits += 1
@@ -213,7 +228,13 @@ def _command(name: str, data: str, place: _Place, *options: str) -> str:
     model = [f"--model {quote(place.model)}"]
     further = [f"--file {quote(file)}" for file in place.further]
     roles = [f"--role {quote(f'{run}={role}')}" for run, role in place.roles.items()]
-    return " ".join(["pam-cosim", name, data, *model, *further, *roles, *options])
+    cuts = [f"--cut {quote(f'{run}={_moment(first)}:{_moment(last)}')}" for run, (first, last) in place.cuts.items()]
+    begins = [f"--begin {quote(f'{run}={mode}')}" for run, mode in place.starts.items()]
+    return " ".join(["pam-cosim", name, data, *model, *further, *roles, *cuts, *begins, *options])
+
+
+def _moment(time: float | None) -> str:
+    return "" if time is None else repr(time)
 
 
 def _add(effects: Sequence[str], file: str, place: _Place, values: Mapping[str, float] = MappingProxyType({})) -> str:

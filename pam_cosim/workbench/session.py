@@ -13,10 +13,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from pam_cosim import study
 from pam_cosim.comparison import Comparison, RunComparison, scored, sitting, where
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.fitting import simulated
+from pam_cosim.fitting import Estimate, simulated
 from pam_cosim.wording import did_you_mean, shown
 from pam_cosim.workbench.catalogue import Catalogue
 from pam_cosim.workbench.curves import measured_curves, model_curves
@@ -27,6 +26,8 @@ from pam_cosim.workbench.protocol import Json, Study, frame
 from pam_cosim.workbench.saving import FILE as SAVED
 from pam_cosim.workbench.saving import lean_fit
 from pam_cosim.workbench.shown import rung_of, scores_event, steps_event, study_event, where_event
+from pam_cosim.workbench.source import Source
+from pam_cosim.workbench.starts import StartsShown, courses
 from pam_cosim.workbench.state import State, standing_label, with_rung
 from pam_cosim.workbench.steps import Step
 from pam_cosim.workbench.windows import Listener, Windows
@@ -63,6 +64,7 @@ class Session:
         workers: int | None = None,
     ) -> None:
         self.folder, self.files = Path(folder), tuple(Path(f) for f in files)
+        self.source = Source(self.folder, self.files)
         self.windows, self.catalogue = windows or Windows(), Catalogue(self.files)
         self.worker, self.workers = Worker(), workers
         self.work = Work(self)
@@ -76,6 +78,8 @@ class Session:
         self._looking = False
         self._open: Opened | None = None
         self._comparison: Comparison | None = None
+        self._begun: dict[str, Estimate] = {}
+        self._starts = StartsShown()
         try:
             self._thread.submit(self._begin, model).result()
         except BaseException:
@@ -83,8 +87,7 @@ class Session:
             raise
 
     def _begin(self, model: str | None) -> None:
-        data = study.read(self.folder, model=model, files=self.files)
-        data = study.begun_data(data, model or data.model, files=self.files)
+        data = self.source.read(model)
         self.benches = self.catalogue.benches(data.model)
         self.first = self.state = State(data, data.model_for(model))
         self._install(self.state)
@@ -179,7 +182,8 @@ class Session:
         fresh = old if same else open_model(state.data, state.model, state.effects, self.catalogue, self.scratch)
         assert fresh is not None
         try:
-            comparison = self._scored(state, fresh, self._simulated(state, fresh))
+            runs, begun = self._simulated(state, fresh)
+            comparison = self._scored(state, fresh, runs)
         except BaseException:
             if not same:
                 fresh.simulator.close()
@@ -187,22 +191,25 @@ class Session:
         if old is not None and not same:
             old.simulator.close()
         if self._comparison is None or state.data is not self.state.data:
-            self.windows.send(frame("measured", self._version, measured_curves(state.data)), "measured")
-        self.state, self._open, self._comparison = state, fresh, comparison
+            curves = measured_curves(self.source.whole(state.data))
+            self.windows.send(frame("measured", self._version, curves), "measured")
+        if not same or state.data is not self.state.data:
+            self._starts.forget()
+        self.state, self._open, self._comparison, self._begun = state, fresh, comparison, begun
         self.draw()
         self.tell_study()
 
     def move(self, state: State) -> None:
         """As ``enter`` where only values are set: the curves are drawn before anything else is reckoned."""
         before, standing = self.state, self.comparison
-        runs = self._simulated(state, self.opened)
+        runs, begun = self._simulated(state, self.opened)
         self._version += 1
         self._draw(state, runs)
         if before.milestone:
             state = replace(state, rungs=with_rung(state.rungs, rung_of(before.milestone, standing)))
         if len(state.steps) > len(before.steps):
             self.remember(before)
-        self.state, self._comparison = state, self._scored(state, self.opened, runs)
+        self.state, self._comparison, self._begun = state, self._scored(state, self.opened, runs), begun
         self._tell_scores()
 
     def draw(self) -> None:
@@ -214,13 +221,27 @@ class Session:
     def draw_passing(self, values: Mapping[str, float]) -> None:
         """Draws the standing model at other values, without making them those of the study."""
         passing = replace(self.state, values={**self.state.values, **values}, milestone="")
-        runs = self._simulated(passing, self.opened)
+        runs, _ = self._simulated(passing, self.opened)
         self._version += 1
         self._draw(passing, runs)
         comparison = self._scored(passing, self.opened, runs)
         self.windows.tell(scores_event(passing, self.opened, comparison, self._version))
 
-    def _simulated(self, state: State, opened: Opened) -> tuple[RunComparison, ...]:
+    def start_values_of(self, run: str) -> dict[str, float]:
+        """Where a run begins, by "state@run" [SI].
+
+        Raises:
+            InputError: there is no such run, or what was before its first sample says where it begins.
+        """
+        known = {one.name: one for one in self.state.data.runs if not one.is_static}
+        if run not in known:
+            raise InputError(f"there is no recording {shown(run)}; {did_you_mean(run, known)}")
+        found = courses(known[run], self.state, self.opened, self._begun)
+        if not found:
+            raise InputError(f"{run} begins as what was before its first sample says: choose how it begins first")
+        return {f"{name}@{run}": float(values[0]) for name, values in found.items()}
+
+    def _simulated(self, state: State, opened: Opened) -> tuple[tuple[RunComparison, ...], dict[str, Estimate]]:
         return simulated(opened.simulator, state.data, state.values)
 
     def _scored(self, state: State, opened: Opened, runs: Sequence[RunComparison]) -> Comparison:
@@ -229,7 +250,9 @@ class Session:
 
     def _draw(self, state: State, runs: Sequence[RunComparison]) -> None:
         label = standing_label(state)
-        self.windows.send(frame("model", self._version, model_curves(runs, state.data), label), "model")
+        self.windows.send(
+            frame("model", self._version, model_curves(runs, self.source.whole(state.data)), label), "model"
+        )
 
     def _tell_scores(self) -> None:
         self.windows.tell(scores_event(self.state, self.opened, self.comparison, self._version))
@@ -245,12 +268,17 @@ class Session:
     def tell_study(self) -> None:
         """Tells all that moves seldom."""
         self.windows.tell(self._study())
+        self.tell_starts()
         before = self.state.before
         if before is None:
             self.windows.forget("reference")
         else:
-            curves = model_curves(before.runs, before.data)
+            curves = model_curves(before.runs, self.source.whole(self.state.data))
             self.windows.send(frame("reference", self._version, curves, "before"), "reference")
+
+    def tell_starts(self) -> None:
+        """Tells where runs begin."""
+        self.windows.tell(self._starts.event(self.state, self.opened, self._begun, self._version))
 
     def _study(self) -> Study:
         state = self.state
@@ -274,6 +302,7 @@ class Session:
             self.later(QUIET, self._tell_where, self._version)
             return
         self._looking = False
+        self.tell_starts()
         interface, data = self.opened.simulator.interface, self.state.data
         about = (self.comparison.runs, data.signals, interface.outputs, data.domain, interface.inputs)
         rules = where(*about)

@@ -64,6 +64,8 @@ def _run(run: Run) -> ShownRun:
         samples=len(run.time),
         describe=run.describe(),
         parameters=tuple(f"{name} = {value:.4g}" for name, value in run.parameters.items()),
+        begins=float(run.time[0]),
+        ends=float(run.time[-1]),
     )
 
 

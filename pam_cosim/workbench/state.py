@@ -13,6 +13,7 @@ from pam_cosim.workbench.protocol import Rung
 from pam_cosim.workbench.steps import Step, with_step
 
 AS_STATED = "as stated"
+Ends = tuple[float | None, float | None]
 
 
 @dataclass(frozen=True)
@@ -28,6 +29,8 @@ class State:
         diagnosis: the last one; ``diagnosed``: the effects that the model had then.
         rungs: of the error ladder, the standing model not among them.
         milestone: what the standing model is called on the ladder, as long as nothing is changed; "": it has no place.
+        cuts: first and last time [s] of runs that were cut here, by name; None: as it was recorded.
+        starts: how runs begin, where that was chosen here, by name.
         steps: done so far.
         file: that the model with its effects was written to, by its name in the folder of the study.
         before: the model before the last change of its effects, to be drawn beside.
@@ -42,6 +45,8 @@ class State:
     diagnosed: tuple[str, ...] = ()
     rungs: tuple[Rung, ...] = ()
     milestone: str = AS_STATED
+    cuts: Mapping[str, Ends] = field(default_factory=dict)
+    starts: Mapping[str, str] = field(default_factory=dict)
     steps: tuple[Step, ...] = ()
     file: str | None = None
     before: Comparison | None = None

@@ -11,6 +11,7 @@ from pam_cosim.workbench.saved import checked_step
 SET, SWITCH, CHOOSE, FIT, DIAGNOSE, TAKE, ADD, ROLES_STEP = (
     "set", "switch", "choose", "fit", "diagnose", "take", "add", "roles"
 )  # fmt: skip
+CUT, BEGIN, START = "cut", "begin", "start"
 
 
 @dataclass(frozen=True)
@@ -46,7 +47,22 @@ class Step:
                 return f"added {' + '.join(told['effects'])}: {told['file']}"
             case "roles":
                 return "roles: " + ", ".join(f"{run} {role}" for run, role in told["roles"].items())
+            case "cut":
+                return f"cut {told['run']}: {_ends(*told['cuts'][told['run']])}"
+            case "begin":
+                mode = told["starts"].get(told["run"])
+                return f"begin {told['run']}: {mode or 'as the data set says'}"
+            case "start":
+                return "start " + ", ".join(f"{name} = {told['values'][name]:.4g}" for name in told["moved"])
         return self.do
+
+
+def _ends(begin: float | None, end: float | None) -> str:
+    if begin is None and end is None:
+        return "all of it"
+    first = "its beginning" if begin is None else f"{begin:g} s"
+    last = "its end" if end is None else f"{end:g} s"
+    return f"{first} to {last}"
 
 
 def step_of(content: Any) -> Step:
@@ -65,6 +81,10 @@ def with_step(steps: Sequence[Step], step: Step) -> tuple[Step, ...]:
     if last is not None and step.do == last.do == SET:
         merged = {**last.arguments["values"], **step.arguments["values"]}
         return (*steps[:-1], Step(SET, {"values": merged}))
+    if last is not None and step.do == last.do == START:
+        values = {**last.arguments["values"], **step.arguments["values"]}
+        moved = [*dict.fromkeys([*last.arguments["moved"], *step.arguments["moved"]])]
+        return (*steps[:-1], Step(START, {"values": values, "moved": moved}))
     if last is not None and step.do == last.do == SWITCH:
         return (*steps[:-1], step)
     return (*steps, step)

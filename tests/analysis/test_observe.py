@@ -160,3 +160,21 @@ def test_truth_of_something_else(lag: str) -> None:
         observation.with_truth({"z": time})
     with pytest.raises(pam.InputError, match="'y' has 3 values for 2 times"):
         observation.with_truth({"y": np.zeros(3)})
+
+
+def test_a_recording_that_begins_in_the_middle(lag: str) -> None:
+    """The filter begins where the first samples lie, and says so; one that begins at rest says nothing."""
+    times, rng = np.linspace(0.0, 4.0, 401), np.random.default_rng(2)
+    force = 5.0 + np.sin(3.0 * times)
+    whole = pam.simulate(lag, inputs={"time": times, "u": force}, stop_time=4.0, interval=0.01)
+    noisy = {"u": force, "y": np.interp(times, whole.time, whole["y"]) + 0.01 * rng.standard_normal(401)}
+    late = times >= 1.0
+    cut = pam.Trajectory(times[late], {n: v[late] for n, v in noisy.items()}, {"u": "N", "y": "m"})
+    observed = pam.observe(lag, cut, noise={"y": 0.01})
+    assert abs(observed["x"][0] - np.interp(1.0, whole.time, whole["y"])) < 0.01
+    assert observed.is_consistent
+    assert observed.begins.startswith("the recording begins at 4.")
+    assert observed.begins in str(observed)
+    assert not pam.observe(lag, cut, noise={"y": 0.01}, start={"x": 0.0}).is_consistent
+    from_rest = pam.Trajectory(times, noisy, {"u": "N", "y": "m"})
+    assert not pam.observe(lag, from_rest, noise={"y": 0.01}).begins

@@ -20,7 +20,8 @@ def blocks(page: str, kind: str) -> list[str]:
 @pytest.mark.full
 @pytest.mark.parametrize("page", ["linear-analysis.md"])
 def test_page(page: str, command: Callable[..., Outcome], place: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    lines = [line for block in blocks(page, "sh") for line in block.splitlines() if line.startswith("pam-cosim ")]
+    shell = "\n".join(blocks(page, "sh")).replace("\\\n", "")
+    lines = [line for line in shell.splitlines() if line.startswith("pam-cosim ")]
     assert lines
     for line in lines:
         done(command(*shlex.split(line)[1:]))

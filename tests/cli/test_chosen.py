@@ -49,6 +49,14 @@ def test_a_value_that_is_set_is_compared(command: Command, data: Path, place: Pa
     assert first["signals"]["p"]["rmse"] != second["signals"]["p"]["rmse"]
 
 
+def test_a_run_is_cut_and_begins_as_is_said(command: Command, data: Path, place: Path) -> None:
+    for name, words in (("a.json", ()), ("b.json", ("--cut", "one=:20 s", "--begin", "one=measured"))):
+        assert command("compare", data, *words, "--json", name).status == 0
+    first, second = (json.loads((place / n).read_text())["runs"][0] for n in ("a.json", "b.json"))
+    assert second["signals"]["p"]["rmse"] != first["signals"]["p"]["rmse"]
+    assert second["start"] == "measured"
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [
@@ -59,6 +67,10 @@ def test_a_value_that_is_set_is_compared(command: Command, data: Path, place: Pa
         (["fit", "--role", "one=judge"], "no role"),
         (["compare", "--role", "one=holdout"], "no run would be left"),
         (["compare", "--set", "orifice.C_x=1"], "did you mean 'orifice.C_d'"),
+        (["compare", "--cut", "one=5"], "write RUN=FROM:TO"),
+        (["compare", "--cut", "one=0:1 kPa"], "to=1 kPa"),
+        (["compare", "--cut", "two=0:1"], "no run 'two'"),
+        (["compare", "--begin", "one=soon"], "rest, steady, measured, estimated"),
         (["diagnose", "--free", "orifice.C_x"], "did you mean 'orifice.C_d'"),
     ],
 )

@@ -120,3 +120,16 @@ def test_whatever_is_chosen_is_compared_with_all_that_lacks_one_of_its_effects()
     selection = select_effects(triple, triple.fitted(()))
     to_the_end = {frozenset(c.effects) for c in selection.tried if not c.brief}
     assert {frozenset(two) for two in combinations(selection.path[-1].effects, 2)} <= to_the_end
+
+
+def test_a_model_that_breaks_down_in_the_end_makes_place_for_the_next(monkeypatch: pytest.MonkeyPatch) -> None:
+    leaking = world({"GeneralLeak": 30.0})
+    models = _Models(leaking, leaking.fitted(()), math.inf)
+    for names in (("GeneralLeak",), ("OrificeLeak",)):
+        models.known[names] = leaking.candidate(names)
+    models.order.renew()
+    whole = LinearWorld.finished
+    broken = staticmethod(lambda effects, start: None if "GeneralLeak" in effects else whole(leaking, effects, start))
+    assert models.path()[-1].effects == ("GeneralLeak",)
+    monkeypatch.setattr(LinearWorld, "finished", broken)
+    assert models.path()[-1].effects == ("OrificeLeak",)

@@ -67,6 +67,26 @@ def test_a_cut_recording_is_told_first(data: Callable[..., DataSet]) -> None:
     assert compared.as_dict()["runs"][0]["start"] == "estimated"  # type: ignore[index]
 
 
+def test_whoever_reads_may_cut_as_the_file_could_be(tmp_path: Path) -> None:
+    """The rows that are left say the same, and each run has its start chosen anew."""
+    whole = _folder(tmp_path / "whole", 0.0)
+    runs = [run.name for run in pam.read(whole).runs]
+    read = pam.compare(pam.read(whole, cuts={run: (f"{CUT} s", None) for run in runs}))
+    file = pam.compare(pam.read(_folder(tmp_path / "cut", CUT)))
+    assert read.data.starts == file.data.starts
+    assert read.chi2_reduced("fit") == pytest.approx(file.chi2_reduced("fit"), rel=1e-6)
+
+
+def test_a_run_begins_at_start_values_that_are_given_with_its_name(data: Callable[..., DataSet]) -> None:
+    """A fit holds them, and a comparison with them is the same."""
+    free = ["muscle.mu_fb"]
+    estimated = pam.fit(data(), free=free)
+    held = pam.fit(data(start="rest"), free=free, start=estimated.start_values)
+    assert _chi2(held, "fit") == pytest.approx(_chi2(estimated, "fit"), rel=0.02) and not held.starts
+    compared = pam.compare(data(start="rest"), parameters=held.values | estimated.start_values)
+    assert compared.chi2_reduced("fit") == pytest.approx(_chi2(held, "fit"), rel=1e-6)
+
+
 def test_cut_and_whole_have_the_same_parameters_and_leave_noise(data: Callable[..., DataSet]) -> None:
     whole, cut = pam.fit(data(cut=0.0)), pam.fit(data())
     for role in ("fit", "holdout"):
@@ -135,3 +155,22 @@ def test_slopes_with_the_start_following_are_those_of_the_whole(data: Callable[.
             slope = (above @ above - below @ below) / (2 * step)
             assert slope == pytest.approx(2 * at @ jacobian[:, i], rel=1e-3)
             assert np.linalg.norm((above - below) / (2 * step) - jacobian[:, i]) < 0.02 * size
+
+
+def test_a_force_that_is_missing_is_no_start(tmp_path: Path) -> None:
+    """It is there from the first sample on, but no pressure that the manometer allows explains it."""
+    times, rng = np.linspace(0.0, 4.0, 201), np.random.default_rng(1)
+    command = {"time": times, "u_in": np.where(times < 2.0, 0.3, 0.0), "u_out": np.where(times < 2.0, 0.0, 0.3)}
+    run = pam.simulate("Isometric", inputs=command, stop_time=4.0, interval=0.02)
+    p = run["p"] + 500.0 * rng.standard_normal(len(times))
+    force = run["F"] - 0.3 * np.ptp(run["F"]) + 1.0 * rng.standard_normal(len(times))
+    rows = np.column_stack([times, command["u_in"], command["u_out"], p, force])
+    np.savetxt(
+        tmp_path / "run.csv", rows, delimiter=",", comments="", header="time [s],u_in [A],u_out [A],p [Pa],F [N]"
+    )
+    (tmp_path / "experiment.toml").write_text(
+        'model = "PneumaticMuscle.Benches.Isometric"\n[signals.p]\nsigma = "0.5 kPa"\n[signals.F]\nsigma = "1 N"\n'
+        '[[runs]]\nfile = "run.csv"\nrole = "fit"\ninterpolation = "previous"\n'
+    )
+    compared = pam.compare(pam.read(tmp_path))
+    assert [run.start.mode for run in compared.data.runs] == ["rest"]

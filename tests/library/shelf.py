@@ -113,8 +113,8 @@ def values(effect: EffectClass, composition: Composition, own: dict[str, float])
 
 
 @cache
-def base(bench: str) -> tuple[Values, Interface]:
-    return run(build_model(bench), {})
+def base(bench: str, tolerance: float | None = None) -> tuple[Values, Interface]:
+    return run(build_model(bench), {}, tolerance)
 
 
 @cache
@@ -123,7 +123,7 @@ def built(bench: str, effect: str) -> Path:
     return build_source(composition.name, composition.text)
 
 
-def run(fmu: Path, parameters: dict[str, float]) -> tuple[Values, Interface]:
+def run(fmu: Path, parameters: dict[str, float], tolerance: float | None = None) -> tuple[Values, Interface]:
     """Outputs of a run in which both valves are opened and shut, where there are valves."""
     with Simulator(fmu) as simulator:
         known = simulator.interface.inputs
@@ -133,7 +133,7 @@ def run(fmu: Path, parameters: dict[str, float]) -> tuple[Values, Interface]:
             if name in known
         }
         inputs = Inputs(_DRIVE_TIMES, drive, "linear") if drive else None
-        courses = simulator.run(TIMES, parameters=parameters, inputs=inputs).values
+        courses = simulator.run(TIMES, parameters=parameters, inputs=inputs, tolerance=tolerance).values
         return {name: courses[name] for name in simulator.interface.outputs}, simulator.interface
 
 

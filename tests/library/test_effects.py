@@ -34,6 +34,8 @@ BALANCES = {
     "pressure_sensor_lag": "sensor", "temperature_sensor": "sensor", "clock_offset": "sensor", "saturation": "sensor",
 }  # fmt: skip
 
+FINE = 1e-9  # tolerance of the solver
+AT_ONCE = 2  # samples
 OTHER_LAWS = ("VerticalLoad", "StaticForce")
 """Benches whose muscle has not the laws of Doumit and Pardoel, so that an effect takes the place of something else."""
 
@@ -126,12 +128,17 @@ def test_vanishes_where_it_says_so_on_every_bench(effect: EffectClass) -> None:
 
 
 def _vanish(effect: EffectClass, bench: str) -> None:
+    """Where the base model pulls, for a cylinder without bladder may push; a lag is one while all begins at once."""
     own = effect.absent
-    share = 1e-3 if set(own.values()) <= {0.0, 1.0} else 1.0  # exactly, or in the limit
-    outputs, interface = run(built(bench, effect.name), values(effect, on_bench(effect.name, bench), own))
-    without, _ = base(bench)
+    exactly = set(own.values()) <= {0.0, 1.0}
+    share, first = (1e-3, 0) if exactly else (1.0, AT_ONCE)  # exactly, or in the limit
+    outputs, interface = run(built(bench, effect.name), values(effect, on_bench(effect.name, bench), own), FINE)
+    without, _ = base(bench, FINE)
     for name, y in outputs.items():
-        assert np.abs(y - without[name]).max() <= share * noise(interface.outputs[name]), (bench, name)
+        known = interface.outputs[name]
+        pushes = (without[name] < noise(known)) & (known.quantity == "Force")
+        off = np.abs(y - without[name])[~pushes][first:]
+        assert off.max(initial=0.0) <= share * noise(known), (bench, name)
 
 
 @every_effect

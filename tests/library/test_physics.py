@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -145,7 +146,7 @@ _RANGES = {
     "rad/s": (-30, 30),
 }
 _INPUTS = {"A": (0.0, 0.6), "Pa": (0.0, 6e5), "m": (0.0, 0.07), "1": (0.0, 0.3), "N": (-100.0, 2000.0)}
-_MODELS = {name: Model(name) for name in benches()}
+_model = cache(Model)
 
 
 def _state(name: str, unit: str) -> st.SearchStrategy[float]:
@@ -160,7 +161,7 @@ def _state(name: str, unit: str) -> st.SearchStrategy[float]:
 @settings(max_examples=60, deadline=None, derandomize=True)
 @given(data=st.data())
 def test_rates_and_slopes_are_finite(bench: str, data: st.DataObject) -> None:
-    model = _MODELS[bench]
+    model = _model(bench)
     x = np.array([data.draw(_state(s.name, s.unit), label=s.name) for s in model.ode.states])
     u = np.array([data.draw(st.floats(*_INPUTS[v.unit]), label=n) for n, v in model.interface.inputs.items()])
     changed = {}

@@ -52,3 +52,21 @@ def test_class(name: str) -> None:
 def test_effect(effect: str) -> None:
     apart = differences(built(BENCH, effect), HERE / "isotonic-with-effect" / f"{effect}.csv", LATER.get(effect))
     assert max(apart.values()) < ADDED_UP * 1e-8, apart
+
+
+STARTED = sorted(p.stem for p in (HERE / "started").glob("*.csv"))
+
+
+@pytest.mark.parametrize("name", STARTED)
+def test_start_values_in_modelica(name: str) -> None:
+    """Fixed starts, and the initial equations of effects, which lean on them and on the inputs."""
+    fmu = build_model(f"Started.{name}", files=[HERE / "started" / "Started.mo"])
+    apart = differences(fmu, HERE / "started" / f"{name}.csv")
+    assert max(apart.values()) < ADDED_UP * 1e-9, apart
+
+
+def test_start_values_of_an_fmu() -> None:
+    """What another compiler makes of start values in a model is what the bench's FMU makes of those that are set."""
+    values = {"muscle.gas.p": 219325.0, "load.s": 0.031, "load.v": 0.02, "u_in": 0.3}
+    apart = differences(build_model(BENCH), HERE / "started" / "Muscle.csv", values)
+    assert max(apart.values()) < ADDED_UP * 1e-9, apart

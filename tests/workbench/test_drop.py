@@ -78,6 +78,20 @@ def test_it_ends_as_a_data_set_as_if_written_by_hand(window: Window, recorded: P
     assert window.last("scores")["values"]["valve.C_A"] == 0.7
 
 
+def test_where_a_recording_begins_is_said_first(window: Window, recorded: Path) -> None:
+    """Before anything is made of it; the model cannot say it by itself."""
+    head, *rows = (recorded / "run-01.csv").read_text().splitlines()
+    put(window, "run-01.csv", "\n".join([head, *rows[55:]]).encode())
+    put(window, "run-02.csv", (recorded / "run-02.csv").read_bytes())
+    window.do(do="draft", wishes={"parameters": {"load.m": "2.27 kg"}})
+    (said,) = window.last("draft")["starts"]
+    assert said.startswith("run-01 begins at 47.1 kPa") and said.endswith(": estimated")
+    window.do(do="create")
+    (start, other) = window.last("starts")["runs"]
+    assert (start["mode"], start["text"], start["warning"]) == ("estimated", said, False)
+    assert other["mode"] == "rest"
+
+
 @pytest.mark.parametrize(
     "wishes",
     [{"columns": {"p": "no such column"}}, {"roles": {"run-09": "fit"}}, {"roles": {"run-01": "judge"}},

@@ -71,9 +71,12 @@ def test_every_step_of_a_session_can_be_saved_and_loaded(window: Window, folder:
     window.do(do="add")
     window.do(do="roles", roles={"run-02": "fit"})
     window.do(do="choose", model="Isotonic")
+    window.do(do="cut", run="run-01", begin=1.0, end=3.5)
+    window.do(do="begin", run="run-02", mode="measured")
+    window.do(do="set", values={"muscle.gas.p@run-02": 110.0})
     window.do(do="save")
     steps = window.session.state.steps
-    assert {step.do for step in steps} == {"set", "switch", "add", "roles", "choose"}
+    assert {step.do for step in steps} == {"set", "switch", "add", "roles", "choose", "cut", "begin", "start"}
     assert load_state(folder, window.session.first).steps == steps
 
 

@@ -10,6 +10,7 @@ year, written as here: one, two or three names, or the first <code>and others</c
 <li><b>AM</b>: <i>Modeling and control of a pneumatic air muscle actuator</i>, slides.</li>
 <li><b>Astrom and Hagglund 1995</b>: K. J. Astrom, T. Hagglund, <i>PID controllers: theory, design, and tuning</i>, second edition, Instrument Society of America, Research Triangle Park 1995.</li>
 <li><b>Bolen and others 2026</b>: B. Bolen, M. Elzein, L. Pang, A. Hunt, <i>Isometric force characterization of braided pneumatic actuators</i>, Actuators (2026), accepted on 17 April 2026.</li>
+<li><b>Chambers and Wereley 2022</b>: J. M. Chambers, N. M. Wereley, <i>Analysis of pneumatic artificial muscles and the inelastic braid assumption</i>, Actuators 11 (2022) 219.</li>
 <li><b>Dahl 1968</b>: P. R. Dahl, <i>A solid friction model</i>, The Aerospace Corporation, report TOR-0158(3107-18)-1, 1968.</li>
 <li><b>Dittus and Boelter 1930</b>: F. W. Dittus, L. M. K. Boelter, <i>Heat transfer in automobile radiators of the tubular type</i>, University of California Publications in Engineering 2 (1930) 443-461.</li>
 <li><b>Dymond and Smith 1980</b>: J. H. Dymond, E. B. Smith, <i>The virial coefficients of pure gases and mixtures: a critical compilation</i>, Clarendon Press, Oxford 1980.</li>

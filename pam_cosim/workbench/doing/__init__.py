@@ -6,14 +6,17 @@ from collections.abc import Callable
 from typing import Any
 
 from pam_cosim.workbench.doing.keeping import add, load, save, script
-from pam_cosim.workbench.doing.models import choose, roles, switch, take, undo, where
+from pam_cosim.workbench.doing.models import choose, switch, take, undo, where
+from pam_cosim.workbench.doing.runs import begin, cut, roles
 from pam_cosim.workbench.doing.values import reset, set_values
 from pam_cosim.workbench.doing.working import check, diagnose, discard, fit, resume, stop
 
 COMMANDS: dict[str, Callable[..., dict[str, Any] | None]] = {
     "add": add,
+    "begin": begin,
     "check": check,
     "choose": choose,
+    "cut": cut,
     "diagnose": diagnose,
     "discard": discard,
     "fit": fit,

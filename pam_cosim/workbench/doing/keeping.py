@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -103,6 +104,10 @@ def load(session: Session) -> None:
     """Makes the saved study the standing one."""
     session.work.make_room()
     state = load_state(session.folder, session.first)
+    if state.cuts or state.starts:
+        known = {run.name: run.role for run in state.data.runs}
+        data = session.source.read(state.model, known, state.cuts, state.starts)
+        state = replace(state, data=data)
     before = session.state
     session.back(state)
     session.remember(before)

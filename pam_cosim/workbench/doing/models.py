@@ -1,16 +1,15 @@
-"""The model: which one, with which effects, on which runs."""
+"""The model: which one, with which effects."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from pam_cosim import study
 from pam_cosim.diagnosis import Candidate
 from pam_cosim.errors import InputError
 from pam_cosim.workbench.doing.words import names_of, text_of
 from pam_cosim.workbench.state import label_of
-from pam_cosim.workbench.steps import CHOOSE, ROLES_STEP, SWITCH, TAKE, Step
+from pam_cosim.workbench.steps import CHOOSE, SWITCH, TAKE, Step
 
 if TYPE_CHECKING:
     from pam_cosim.workbench.session import Session
@@ -34,7 +33,9 @@ def switch(session: Session, effects: Sequence[str]) -> None:
 def _kept(session: Session, effects: Sequence[str]) -> dict[str, float]:
     """The values that a model with these effects keeps: those of its base, and of effects that it had before."""
     origin = session.opened.origin
-    return {name: value for name, value in session.state.values.items() if origin.get(name) in (None, *effects)}
+    starts = session.opened.start_values_in(session.state.values)  # another model may have other states
+    kept = {name: value for name, value in session.state.values.items() if name not in starts}
+    return {name: value for name, value in kept.items() if origin.get(name) in (None, *effects)}
 
 
 def choose(session: Session, model: str) -> None:
@@ -45,8 +46,7 @@ def choose(session: Session, model: str) -> None:
         raise InputError("choose wants the name of a bench or of a Modelica class")
     state = session.state
     known = {run.name: run.role for run in state.data.runs}
-    data = study.read(session.folder, model=name, files=session.files, roles=known)
-    data = study.begun_data(data, name, files=session.files)
+    data = session.source.read(name, known, state.cuts, state.starts)
     same = data.signals.keys() == state.data.signals.keys()
     session.enter(
         state.after(
@@ -92,16 +92,6 @@ def take_candidate(session: Session, chosen: Candidate) -> None:
             milestone=f"{label_of(effects)}, fitted", before=session.comparison,
         )
     )  # fmt: skip
-
-
-def roles(session: Session, roles: Mapping[str, str]) -> None:
-    """Says of runs whether they are fitted or held out."""
-    session.work.make_room()
-    if not isinstance(roles, Mapping):
-        raise InputError("roles wants fit or holdout by run")
-    data = session.state.data.with_roles(roles)
-    step = Step(ROLES_STEP, {"roles": {str(name): str(role) for name, role in roles.items()}})
-    session.enter(session.state.after(step, data=data, rungs=(), before=None))
 
 
 def undo(session: Session) -> None:

@@ -10,6 +10,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.fitting import METHODS, Fit
 from pam_cosim.units import UnitError, seconds
 from pam_cosim.wording import did_you_mean, shown
+from pam_cosim.workbench.doing.runs import release_estimated
 from pam_cosim.workbench.doing.words import names_of
 from pam_cosim.workbench.protocol import Checked
 from pam_cosim.workbench.saving import lean
@@ -32,6 +33,8 @@ def fit(session: Session, method: str = "least-squares", free: Sequence[str] | N
         raise InputError(f"there is no parameter {shown(stray)} to fit; {did_you_mean(stray, known)}")
     if not chosen:
         raise InputError("nothing to fit: choose at least one parameter")
+    session.work.make_room()
+    release_estimated(session)
     options = {"method": method, "free": chosen, "start": moved(session)}
 
     def finish(result: Fit) -> None:
@@ -65,6 +68,8 @@ def diagnose(
     }  # fmt: skip
     if session.state.effects:
         options["free"] = list(session.opened.parameters)
+    session.work.make_room()
+    release_estimated(session)
     start = moved(session)
     if start:
         options["start"] = start
@@ -75,7 +80,6 @@ def diagnose(
         session.remember(state)
         session.work.tell_diagnosis()
 
-    session.work.make_room()
     session.windows.forget("Ranking", "Verdict", "Ledger")
     session.work.begin("diagnose", "refitting the base model", options, finish)
 
@@ -105,7 +109,8 @@ def discard(session: Session) -> None:
 
 
 def moved(session: Session) -> dict[str, float]:
-    """Values [SI] of the parameters that do not stand where they begin."""
+    """Values [SI] of the parameters that do not stand where they begin, and start values that were set by hand."""
     state: State = session.state
     values = {f.name: (value_of(f, state), f.start) for f in session.opened.parameters.values()}
-    return {name: value for name, (value, start) in values.items() if value != start}
+    moved = {name: value for name, (value, start) in values.items() if value != start}
+    return moved | session.opened.start_values_in(state.values)

@@ -16,10 +16,12 @@ const SCREEN = 16; // ms between two pictures of a screen: what comes later than
 const KEYS = "Curves. Arrows move, plus and minus zoom, Home shows all runs, Shift and arrows read values.";
 
 export class Curves {
-  constructor(host, view) {
+  /** `cut(run, {begin, end})` is told the end of a run that was dragged. */
+  constructor(host, view, cut) {
     Object.assign(this, {
       host,
       view,
+      cut,
       signals: [],
       rows: [],
       frames: {},
@@ -70,9 +72,10 @@ export class Curves {
         .filter((run) => measured.has(run.name))
         .map((run) => {
           const times = [...measured.get(run.name).values()].map((s) => s.time).filter((time) => time?.length);
-          const ends = run.static ? times.flatMap((t) => [...t]) : times.flatMap((t) => [t[0], t.at(-1)]);
-          const [low, high] = [Math.min(...ends), Math.max(...ends)];
-          return { name: run.name, role: run.role, low, high, points: run.static, ...quantityOf(run.along) };
+          const limits = run.static ? times.flatMap((t) => [...t]) : times.flatMap((t) => [t[0], t.at(-1)]);
+          const [low, high] = [Math.min(...limits), Math.max(...limits)];
+          const { name, role, begins, ends } = run;
+          return { name, role, low, high, begins, ends, points: run.static, ...quantityOf(run.along) };
         }),
     );
   }
@@ -103,7 +106,7 @@ export class Curves {
     );
     const element = make("div", { class: "signal" }, head, make("div", { class: "charts" }, canvas, map));
     const row = { signal, canvas, map, readout, element, box: null };
-    followPointer(canvas, this.view, (range) => this.select(range));
+    followPointer(canvas, this.view, (range) => this.select(range), this.cut);
     map.addEventListener("click", (event) => this.cell(row, event));
     return row;
   }

@@ -9,6 +9,18 @@ import { palette } from "./palette.js";
 export function draftParts(draft, wishes, change, files) {
   return [
     heading(draft, wishes, change),
+    draft.starts.length
+      ? make(
+          "section",
+          { class: "starts" },
+          make("h3", {}, "Recordings that begin in the middle"),
+          make(
+            "ul",
+            { class: "caution-list" },
+            draft.starts.map((line) => make("li", {}, line)),
+          ),
+        )
+      : null,
     make("section", {}, make("h3", {}, "Preview"), make("div", { class: "previews" }, previews(draft))),
     make("section", {}, make("h3", {}, "Runs"), runs(draft, change)),
     draft.to_check.length

@@ -12,6 +12,7 @@ import { Ladder } from "./ladder.js";
 import { clock, lasted } from "./numbers.js";
 import { Parameters } from "./parameters.js";
 import { Rules, Runs } from "./runs.js";
+import { Starts } from "./starts.js";
 import { StudyPage } from "./study.js";
 import { tabs } from "./tabs.js";
 import { theme } from "./theme.js";
@@ -24,6 +25,7 @@ const done = new Set(); // what was done in this study: it says what comes next
 let study = null,
   busy = null,
   verdict = null,
+  warned = "", // of runs that the model cannot begin as they do
   connected = false;
 
 /** Sends a command; what is wrong is said at the top, or to `failed`. The answer, or null. */
@@ -42,9 +44,10 @@ const newest = new Newest((values) => ask("set", { values }));
 const set = (values) => newest.give(values);
 
 const parts = {
-  curves: new Curves(byId("curves"), view),
+  curves: new Curves(byId("curves"), view, (run, ends) => parts.starts.cut(run, ends)),
   ladder: new Ladder(byId("ladder")),
   runs: new Runs(byId("run-list"), view, ask),
+  starts: new Starts(byId("starts"), view, set, ask),
   rules: new Rules(byId("rule-list"), view, ask),
   parameters: new Parameters(byId("parameters"), set, ask),
   effects: new Effects(byId("effects"), ask),
@@ -77,6 +80,7 @@ const hear = {
         parts.curves,
         parts.ladder,
         parts.runs,
+        parts.starts,
         parts.parameters,
         parts.effects,
         parts.diagnosis,
@@ -91,6 +95,14 @@ const hear = {
     parts.parameters.values(event.values);
     for (const { run, text } of event.failed ?? []) alert({ text: `${run}: ${text}`, run });
     if (!event.failed?.length && byId("alert").dataset.of === "run") byId("alert").hidden = true;
+  },
+  starts(event) {
+    parts.starts.show(event);
+    const impossible = event.runs.filter((start) => start.warning).map((start) => start.text);
+    if (impossible.join() !== warned) {
+      warned = impossible.join();
+      if (warned) alert({ text: impossible.join("; ") });
+    }
   },
   where: (event) => parts.rules.show(event),
   busy(event) {
@@ -186,7 +198,7 @@ function lock() {
   say(byId("stop"), busy?.held ? "Resume" : "Stop");
   byId("stop").disabled = !busy || !connected;
   byId("discard").hidden = !busy?.held;
-  for (const part of [parts.parameters, parts.effects, parts.diagnosis]) part.lock(held);
+  for (const part of [parts.parameters, parts.starts, parts.effects, parts.diagnosis]) part.lock(held);
   document.body.classList.toggle("busy", Boolean(busy));
   const next = verdict?.kind === "identified" ? "add" : done.has("fit") || done.has("diagnose") ? "diagnose" : "fit";
   for (const id of ["fit", "diagnose", "add"]) byId(id).classList.toggle("main", id === next);

@@ -91,17 +91,20 @@ export class Parameters {
   }
 }
 
-class Row {
+/** A value with its slider; with `choose`, whether a fit may move it can be said. */
+export class Row {
   constructor(p, set, free, choose) {
     Object.assign(this, { p, set });
     const label = `${p.name}${p.unit ? `, ${p.unit}` : ""}`;
-    this.fitted = make("input", {
-      type: "checkbox",
-      checked: free,
-      onchange: () => choose(this.fitted.checked),
-      title: "A fit may move it",
-      "aria-label": `A fit may move ${p.name}`,
-    });
+    this.fitted =
+      choose &&
+      make("input", {
+        type: "checkbox",
+        checked: free,
+        onchange: () => choose(this.fitted.checked),
+        title: "A fit may move it",
+        "aria-label": `A fit may move ${p.name}`,
+      });
     this.number = make("input", {
       type: "number",
       step: "any",
@@ -130,7 +133,7 @@ class Row {
           "label",
           {},
           this.fitted,
-          make("span", {}, make("code", {}, p.name), p.effect ? make("small", {}, p.effect) : ""),
+          make("span", {}, make("code", {}, p.label ?? p.name), p.effect ? make("small", {}, p.effect) : ""),
         ),
         this.number,
         make("span", { class: "unit" }, p.unit),

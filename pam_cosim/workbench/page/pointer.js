@@ -1,12 +1,30 @@
 // Wheel, drag and keys on charts that share a view.
 
-import { scale } from "./signal-chart.js";
+import { handleAt, scale } from "./signal-chart.js";
 
 const SMALLEST = 5; // px that a drag must be long to be a range
+const DIGITS = 4; // of a time that a run is cut at
 
-/** Wheel zooms, drag shows a range, drag with Shift moves, double click shows all, moving reads out. */
-export function followPointer(canvas, view, select) {
+/**
+ * Wheel zooms, drag shows a range, drag with Shift moves, double click shows all, moving reads out; an end of a run
+ * that is dragged cuts it, which `cut(run, {begin or end})` is told.
+ */
+export function followPointer(canvas, view, select, cut) {
   let begun = null;
+  const handle = (event) => handleAt(view, canvas.clientWidth, event.offsetX);
+  const dragEnd = (event) => {
+    const { run, side } = begun.handle;
+    const at = Math.min(run.start + run.span, Math.max(run.start, place(event)));
+    view.cutting = { run: run.name, side, at };
+    view.tell();
+  };
+  const cutEnd = () => {
+    const { run, side } = begun.handle,
+      at = view.cutting?.at;
+    view.cutting = begun = null;
+    view.tell();
+    if (at !== undefined) cut(run.name, { [side]: Number((at - run.shift).toPrecision(DIGITS)) });
+  };
   const place = (event) => {
     const box = canvas.getBoundingClientRect();
     return scale(view, box.width).back(event.clientX - box.left);
@@ -23,23 +41,27 @@ export function followPointer(canvas, view, select) {
   canvas.addEventListener("pointerdown", (event) => {
     if (event.button !== 0) return;
     canvas.setPointerCapture(event.pointerId);
-    begun = { x: event.clientX, last: event.clientX, from: place(event), moves: event.shiftKey };
+    const { clientX: x, shiftKey: moves } = event;
+    begun = { x, last: x, from: place(event), moves, handle: moves ? null : handle(event) };
   });
   canvas.addEventListener("pointermove", (event) => {
-    if (begun?.moves) {
+    canvas.classList.toggle("at-end", Boolean(begun ? begun.handle : handle(event)));
+    if (begun?.handle) dragEnd(event);
+    else if (begun?.moves) {
       view.pan((begun.last - event.clientX) / canvas.clientWidth);
       begun.last = event.clientX;
     } else if (begun) select([begun.from, place(event)]);
     view.point(place(event));
   });
   canvas.addEventListener("pointerup", (event) => {
+    if (begun?.handle) return cutEnd();
     const range =
       begun && !begun.moves && Math.abs(event.clientX - begun.x) >= SMALLEST ? [begun.from, place(event)] : null;
     begun = null;
     select(null);
     if (range) view.show(Math.min(...range), Math.max(...range));
   });
-  canvas.addEventListener("pointercancel", () => ((begun = null), select(null)));
+  canvas.addEventListener("pointercancel", () => ((begun = view.cutting = null), select(null)));
   canvas.addEventListener("pointerleave", () => view.point(null));
   canvas.addEventListener("dblclick", () => view.whole());
 }

@@ -6,6 +6,7 @@ import { number, tickLabels, ticks } from "./numbers.js";
 export const LEFT = 52,
   RIGHT = 8; // px, the same in all charts, so that times stand above each other
 const SHARE = 0.66; // of the height for the curves, the rest for the residual
+const GRIP = { reach: 6, width: 3, height: 14 }; // px of the end of a run, which can be dragged
 const DOTS = 6; // px between samples from which on each is a dot
 const PADDING = 0.06;
 
@@ -55,8 +56,42 @@ export function drawSignal(canvas, view, signal, curves, colours) {
     if (s.model?.residual)
       line(g, s, s.model.residual, toX, left, colours.model, 1.1, [], s.run.points || areApart(s, toX));
   }
+  cuts(g, view, across, height, colours);
   cursorLine(g, view, across, height, colours);
   g.restore();
+}
+
+/** The end of a run at a place on the canvas, that can be dragged: `{run, side}`, or null. */
+export function handleAt(view, width, x) {
+  const across = scale(view, width);
+  let found = null,
+    nearest = GRIP.reach;
+  for (const run of view.visible()) {
+    if (run.points) continue;
+    for (const [side, place] of Object.entries(view.kept(run))) {
+      const far = Math.abs(across.to(place) - x);
+      if (far <= nearest) [found, nearest] = [{ run, side }, far];
+    }
+  }
+  return found;
+}
+
+/** What does not count of a run is pale; its ends have grips. */
+function cuts(g, view, across, height, colours) {
+  for (const run of view.visible()) {
+    if (run.points) continue;
+    const { begin, end } = view.kept(run);
+    const [first, last, low, high] = [run.start, run.start + run.span, begin, end].map(across.to);
+    Object.assign(g, { fillStyle: colours.ground, globalAlpha: 0.75 });
+    if (low - first > 1) g.fillRect(first, 0, low - first, height);
+    if (last - high > 1) g.fillRect(high, 0, last - high, height);
+    Object.assign(g, { fillStyle: colours.soft, globalAlpha: 0.9 });
+    if (low - first > 1) g.fillRect(low - 0.5, 0, 1, height);
+    if (last - high > 1) g.fillRect(high - 0.5, 0, 1, height);
+    g.fillRect(low, 0, GRIP.width, GRIP.height);
+    g.fillRect(high - GRIP.width, 0, GRIP.width, GRIP.height);
+    g.globalAlpha = 1;
+  }
 }
 
 /** What stands at the cursor: `{at, measured, model, residual}`, or null. */

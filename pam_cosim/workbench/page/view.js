@@ -5,7 +5,7 @@ const CLOSEST = 1e-4; // of all that can be shown at once
 
 export class View {
   constructor() {
-    Object.assign(this, { runs: [], from: 0, to: 1, end: 1, cursor: null, lit: [], listeners: [] });
+    Object.assign(this, { runs: [], from: 0, to: 1, end: 1, cursor: null, cutting: null, lit: [], listeners: [] });
   }
 
   /** Lays the runs end to end: `[{name, role, low, high}]` with the first and last value of each on its own axis. */
@@ -69,6 +69,13 @@ export class View {
   at(place) {
     const run = this.runs.find((r) => place >= r.start && place <= r.start + r.span);
     return run ? { run, value: place - run.shift } : null;
+  }
+
+  /** First and last place of a run that count, as they are or as they are being dragged. */
+  kept(run) {
+    const { run: name, side, at } = this.cutting ?? {};
+    const ends = { begin: run.begins + run.shift, end: run.ends + run.shift };
+    return name === run.name ? { ...ends, [side]: at } : ends;
   }
 
   visible() {

@@ -42,6 +42,35 @@ def test_undo_takes_the_value_back(opened: Open, address: str) -> None:
     until(page, lambda: error(page, "p") == before)
 
 
+def test_an_end_of_a_run_is_dragged_and_where_it_begins_moved(opened: Open, address: str) -> None:
+    """What is cut begins at its new first sample; both are steps that are taken back."""
+    page = opened(address)
+    first = page.locator('.start[data-run="run-01"]')
+    until(page, lambda: "rest" in first.locator("summary").inner_text())
+    whole = picture(page)
+    box = page.locator(".curve").first.bounding_box()
+    assert box is not None
+    left, height = box["x"] + 52, box["y"] + box["height"] / 3  # where charts begin
+    page.mouse.move(left + 1, height)
+    page.mouse.down()
+    page.mouse.move(left + 40, height)
+    page.mouse.move(left + 80, height)
+    page.mouse.up()
+    until(page, lambda: "estimated" in first.locator("summary").inner_text())
+    first.locator("summary").click()
+    assert float(first.get_by_label("First time of run-01").input_value()) > 0.5
+    cut = picture(page)
+    drag(page, "muscle.gas.p@run-01", 0.8)
+    until(page, lambda: first.locator("select").input_value() == "by hand")
+    assert picture(page) != cut
+    page.get_by_role("button", name="Undo").click()
+    until(page, lambda: first.locator("select").input_value() == "estimated")
+    first.get_by_label("First time of run-01").fill("0")
+    first.get_by_label("First time of run-01").press("Enter")
+    until(page, lambda: first.locator("select").input_value() == "rest")
+    until(page, lambda: picture(page) == whole)
+
+
 def test_a_second_window_shows_the_same(opened: Open, address: str) -> None:
     first, second = opened(address), opened(address)
     before = second.locator("#ladder").inner_text()

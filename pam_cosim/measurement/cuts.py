@@ -1,0 +1,146 @@
+"""Runs that begin later, or end earlier, than what was recorded."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from pam_cosim.errors import InputError
+from pam_cosim.interface import Variable
+from pam_cosim.measurement.data_set import Run
+from pam_cosim.measurement.start import START_MODES, StartMode
+from pam_cosim.settings import value_of
+from pam_cosim.wording import did_you_mean, shown
+
+_NEAR = 1e-9  # of a run, by which a time may miss a row that it is written like
+
+Moment = float | str | None
+"""A time [s] of a recording's own clock, or as a text with a unit; None: its first or last."""
+
+
+@dataclass(frozen=True)
+class Cut:
+    """What is kept of a recording.
+
+    Attributes:
+        begin, end: times of the recording's own clock [s], both kept; None: its first, and its last.
+    """
+
+    begin: float | None = None
+    end: float | None = None
+
+
+def cut_of(run: str, begin: Moment, end: Moment) -> Cut:
+    """A cut from times as a person states them.
+
+    Args:
+        run: its name, for what is complained of.
+        begin: of the cut; ``end`` likewise.
+
+    Raises:
+        InputError: no time.
+    """
+    return Cut(_seconds(run, "from", begin), _seconds(run, "to", end))
+
+
+def cuts_of(stated: Mapping[str, Sequence[Moment]]) -> dict[str, Cut]:
+    """Cuts by run, from a first and a last time each.
+
+    Raises:
+        InputError: what is no such pair.
+    """
+    made = {}
+    for run, pair in stated.items():
+        if isinstance(pair, str) or len(pair) != 2:
+            raise InputError(f"{shown(run)}: a run is cut to a first and a last time, not {shown(pair)}")
+        made[run] = cut_of(run, *pair)
+    return made
+
+
+def _seconds(run: str, which: str, value: Moment) -> float | None:
+    if value is None:
+        return None
+    try:
+        return value_of(value, Variable(which, "s"))
+    except InputError as problem:
+        raise InputError(f"{shown(run)}: {problem.message}") from None
+
+
+def cut_run(run: Run, cut: Cut) -> Run:
+    """The rows of a run from ``cut.begin`` to ``cut.end``; the same run where these are all.
+
+    Raises:
+        InputError: nothing, or one row, would be left; points at rest.
+    """
+    near = _NEAR * float(run.time[-1] - run.time[0])
+    first = 0 if cut.begin is None else int(np.searchsorted(run.time, cut.begin - near, side="left"))
+    last = len(run.time) if cut.end is None else int(np.searchsorted(run.time, cut.end + near, side="right"))
+    if (first, last) == (0, len(run.time)) and not run.is_static:
+        return run
+    if run.is_static:
+        raise InputError(f"{run.name} holds points at rest, which have no times to be cut at", run.file)
+    kept = slice(first, last)
+    measurements = {name: values[kept] for name, values in run.measurements.items()}
+    if last - first < 2 or run.time[kept][0] == run.time[kept][-1]:
+        raise InputError(f"{run.name} {_span(run)}: nothing would be left between {_ends(run, cut)}", run.file)
+    if not any(np.isfinite(values).any() for values in measurements.values()):
+        raise InputError(f"{run.name} has no sample between {_ends(run, cut)}", run.file)
+    return replace(
+        run,
+        time=run.time[kept],
+        inputs={name: values[kept] for name, values in run.inputs.items()},
+        measurements=measurements,
+        recorded=(float(run.time[0]), float(run.time[-1])),
+    )
+
+
+def _span(run: Run) -> str:
+    return f"goes from {run.time[0]:g} to {run.time[-1]:g} s"
+
+
+def _ends(run: Run, cut: Cut) -> str:
+    begin = run.time[0] if cut.begin is None else cut.begin
+    end = run.time[-1] if cut.end is None else cut.end
+    return f"{begin:g} and {end:g} s"
+
+
+@dataclass(frozen=True)
+class Overrides:
+    """What whoever reads a data set says of its runs instead of what the data set says, by run.
+
+    Attributes:
+        cuts: from when to when a run goes.
+        starts: in which state it begins.
+    """
+
+    cuts: Mapping[str, Cut] = field(default_factory=dict)
+    starts: Mapping[str, StartMode] = field(default_factory=dict)
+
+    def check(self, title: str, known: Sequence[str]) -> None:
+        """Refuses what is said of a run that there is not.
+
+        Raises:
+            InputError: names the nearest one.
+        """
+        for name in (*self.cuts, *self.starts):
+            if name not in known:
+                raise InputError(f"{title} has no run {shown(name)}; {did_you_mean(str(name), known)}")
+
+
+def overrides_of(
+    cuts: Mapping[str, Sequence[Moment]] | None = None, starts: Mapping[str, str] | None = None
+) -> Overrides:
+    """What is said of runs, checked but for their names.
+
+    Raises:
+        InputError: no such times; no way to begin.
+    """
+    modes: dict[str, StartMode] = {}
+    for run, stated in (starts or {}).items():
+        mode = next((one for one in START_MODES if one == stated), None)
+        if mode is None:
+            raise InputError(f"{shown(run)} cannot begin as {shown(stated)}; it is one of {', '.join(START_MODES)}")
+        modes[run] = mode
+    return Overrides(cuts_of(cuts or {}), modes)

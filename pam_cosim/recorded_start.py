@@ -1,0 +1,73 @@
+"""The state at which a model agrees with the first samples of a recording that stands by itself."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.comparison import measured, start_time
+from pam_cosim.comparison.beginning import inputs_of_run
+from pam_cosim.errors import SimulationFailure
+from pam_cosim.fitting import with_starts
+from pam_cosim.measurement import DataSet, Run, Signal
+from pam_cosim.models import Paths, opened
+from pam_cosim.simulation import AnySimulator
+from pam_cosim.simulation.inputs import Interpolation
+
+
+def recorded_start(
+    model: str,
+    recording: tuple[Array, dict[str, Array], dict[str, Array]],
+    noise: Mapping[str, float],
+    parameters: Mapping[str, float],
+    interpolation: Interpolation,
+    files: Paths = (),
+    timeout: float | None = None,
+) -> tuple[dict[str, float], str]:
+    """All states [SI] where the first samples say that a recording begins, and that in a line.
+
+    Both are empty where they agree with the model's own start.
+
+    Args:
+        model: by name, or a file.
+        recording: times (n,) [s], inputs and measurements (n,) each by name [SI].
+        noise: standard deviation of each signal [SI].
+        parameters: and inputs held constant [SI].
+        interpolation: of the inputs.
+        files: further Modelica files.
+        timeout: as in ``simulate``.
+
+    Raises:
+        InputError: the model cannot be used.
+    """
+    times, inputs, measurements = recording
+    run = Run("the recording", Path(), "fit", interpolation, dict(parameters), times, inputs, measurements)
+    with opened(model, files, timeout=timeout) as simulator:
+        known = simulator.interface.variables
+        signals = {name: Signal(name, known[name].unit, noise[name]) for name in measurements}
+        data = DataSet(Path(), "", model, signals, {}, {}, (run,))
+        try:
+            run = with_starts(simulator, data).runs[0]
+            if run.start.mode != "estimated":
+                return {}, ""
+            return _states(simulator, data, run), run.start.reason.removesuffix(": estimated")
+        except SimulationFailure:  # the filter says what it cannot do
+            return {}, ""
+
+
+def _states(simulator: AnySimulator, data: DataSet, run: Run) -> dict[str, float]:
+    run = replace(run, start=replace(run.start, mode="measured"))
+    begins = measured(simulator, data, run, run.parameters)
+    at, names = start_time(run), simulator.interface.states
+    course = simulator.run(
+        np.array([at]), parameters={**run.parameters, **begins.values}, inputs=inputs_of_run(run),
+        outputs=names, start_time=at, settle=begins.settle,
+    )  # fmt: skip
+    return {name: float(course[name][0]) for name in names}
+
+
+__all__ = ["recorded_start"]

@@ -1,0 +1,116 @@
+"""How the runs of a study begin, as the page shows it: the mode, and the start value of each state."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.comparison import state_course
+from pam_cosim.errors import SimulationFailure
+from pam_cosim.fitting import Estimate
+from pam_cosim.interface import Variable
+from pam_cosim.measurement import START_MODES, Run
+from pam_cosim.reporting.wording import unit_text
+from pam_cosim.units import format_quantity, readable_factor
+from pam_cosim.workbench.opened import Opened
+from pam_cosim.workbench.protocol import ShownStart, Starts, StartValue
+from pam_cosim.workbench.state import State
+
+_ROOM = 0.5  # of what a state goes through in its run, that a slider goes beyond that on both sides
+
+BY_HAND = "by hand"
+
+
+@dataclass
+class StartsShown:
+    """Makes the event; keeps how far sliders go, so that they stand still while they are dragged."""
+
+    _reach: dict[str, tuple[float, float]] = field(default_factory=dict)
+
+    def forget(self) -> None:
+        """After which sliders may go elsewhere: the model, or the data, are others."""
+        self._reach.clear()
+
+    def event(self, state: State, opened: Opened, begun: Mapping[str, Estimate], version: int) -> Starts:
+        """How each recording begins.
+
+        Args:
+            state: of the study.
+            opened: its model.
+            begun: starts that were estimated, by "state@run".
+            version: of what is drawn.
+        """
+        runs = [run for run in state.data.runs if not run.is_static]
+        return Starts(version, tuple(self._run(run, state, opened, begun) for run in runs))
+
+    def _run(self, run: Run, state: State, opened: Opened, begun: Mapping[str, Estimate]) -> ShownStart:
+        by_hand = f"@{run.name}" in {name[name.rfind("@") :] for name in opened.start_values_in(state.values)}
+        mode = BY_HAND if by_hand else "periodic" if run.start.periodic else run.start.mode or "rest"
+        warning = run.start.mode == "rest" and bool(run.start.reason) and not by_hand
+        try:
+            course = courses(run, state, opened, begun)
+        except SimulationFailure as failure:
+            return ShownStart(run.name, mode, f"{run.name}: {failure}", True, _modes(opened), ())
+        known = opened.simulator.interface.start_values
+        values = tuple(self._value(run, known[name], states, begun) for name, states in course.items())
+        return ShownStart(run.name, mode, _text(run, mode), warning, _modes(opened), values)
+
+    def _value(self, run: Run, variable: Variable, course: Array, begun: Mapping[str, Estimate]) -> StartValue:
+        name, factor = f"{variable.name}@{run.name}", readable_factor(variable.unit)
+        value, estimate = float(course[0]), begun.get(name)
+        low, high = self._reach.setdefault(name, _reach(variable, course))
+        if not low <= value <= high:
+            low, high = self._reach[name] = min(low, value), max(high, value)
+        known = estimate is not None and estimate.determined
+        return StartValue(
+            name,
+            variable.name,
+            unit_text(variable.unit),
+            value * factor,
+            low * factor,
+            high * factor,
+            variable.description,
+            estimate.low * factor if estimate is not None and known else None,
+            estimate.high * factor if estimate is not None and known else None,
+        )
+
+
+def courses(run: Run, state: State, opened: Opened, begun: Mapping[str, Estimate]) -> dict[str, Array]:
+    """The states along a run [SI], the first value where it begins; none where start values cannot be set.
+
+    Raises:
+        SimulationFailure: the run did not reach its end.
+    """
+    if run.start.seconds or run.start.periodic or not opened.simulator.interface.states:
+        return {}
+    values = {**state.values, **{name: estimate.value for name, estimate in begun.items()}}
+    return state_course(opened.simulator, state.data, run, values)
+
+
+def _reach(variable: Variable, course: Array) -> tuple[float, float]:
+    """Between which values a slider moves a start value [SI]."""
+    low, high = float(np.min(course)), float(np.max(course))
+    room = _ROOM * (high - low) or 0.1 * max(abs(high), abs(variable.nominal or 0.0)) or 1.0
+    low, high = low - room, high + room
+    low = low if variable.min is None else max(low, variable.min)
+    return low, high if variable.max is None else min(high, variable.max)
+
+
+def _modes(opened: Opened) -> tuple[str, ...]:
+    if not opened.simulator.interface.states:
+        return ("rest",)
+    return tuple(mode for mode in START_MODES if mode != "steady" or opened.simulator.settles)
+
+
+def _text(run: Run, mode: str) -> str:
+    if mode == BY_HAND:
+        return f"{run.name} begins where it was set by hand"
+    if run.start.reason:
+        return run.start.reason
+    if run.start.seconds:
+        return f"{run.name} begins {mode}, {format_quantity(run.start.seconds, 's')} before its first sample"
+    first = "its first samples agree with the model's own start" if run.start.chosen else "as stated"
+    return f"{run.name} begins {mode}: {first}"

@@ -1,0 +1,92 @@
+"""Fibres that stretch: the class against the smallest potential energy of gas and fibres, found by SciPy alone."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.optimize import minimize_scalar
+
+import pam_cosim as pam
+from pam_cosim.fmu import build_source
+from pam_cosim.simulation import Inputs, Simulator
+
+L0, D0, TURNS = 0.24, 0.02, 2.0
+FIBRE = float(np.hypot(L0, TURNS * np.pi * D0))
+STRAIN = 0.012  # of the fibres at 1 kN
+
+
+def energy(length: float, p: float, fibre: float, strain: float) -> float:
+    """Elastic energy of all fibres together less the work of the gas [J]."""
+    stiffness = 1e3 / strain  # N
+    volume = length * (fibre**2 - length**2) / (4 * np.pi * TURNS**2)
+    return 0.5 * stiffness * (fibre - FIBRE) ** 2 / FIBRE - p * volume
+
+
+def least_energy(length: float, p: float, strain: float) -> float:
+    """Of the fibre length that the braid takes."""
+    bounds = (FIBRE, 2 * FIBRE)
+    found = minimize_scalar(lambda b: energy(length, p, b, strain), bounds=bounds, options={"xatol": 1e-12})
+    return float(found.fun)
+
+
+def pull(length: float, p: float, strain: float = STRAIN) -> float:
+    """Derivative of the least energy by the length: what must be held [N]."""
+    step = 1e-5
+    return (least_energy(length + step, p, strain) - least_energy(length - step, p, strain)) / (2 * step)
+
+
+def modelled(p: np.ndarray, eps: np.ndarray, strain: float) -> np.ndarray:
+    text = f"""model Bench "Stretching fibres"
+      extends PneumaticMuscle.Benches.StaticForce(muscle(L0={L0}, D0={D0}, alpha_0={float(np.arccos(L0 / FIBRE))!r},
+        redeclare model Braid = PneumaticMuscle.Effects.EndShape.ElasticBraid(e_f={strain!r})));
+    end Bench;"""
+    times = np.arange(float(len(p)))
+    with Simulator(build_source("Bench", text)) as simulator:
+        values: np.ndarray = simulator.run(times, inputs=Inputs(times, {"p": p, "eps": eps}, "linear")).values["F"]
+    return values
+
+
+@pytest.mark.parametrize("strain", [STRAIN, 0.06])
+def test_pull_is_the_derivative_of_the_least_energy(strain: float) -> None:
+    p, eps = (a.ravel() for a in np.meshgrid([1e5, 3e5, 6e5], [0.0, 0.08, 0.16, 0.22]))
+    expected = [pull(L0 * (1 - e), float(q), strain) for q, e in zip(p, eps, strict=True)]
+    assert modelled(p, eps, strain) == pytest.approx(expected, rel=2e-4, abs=0.05)
+    inelastic = p * (3 * (L0 * (1 - eps)) ** 2 - FIBRE**2) / (4 * np.pi * TURNS**2)
+    assert np.max(inelastic / expected) > 1 + 5 * strain  # the stretch is no small matter
+
+
+def test_a_static_map_of_a_soft_braid_names_the_stretch(tmp_path: Path) -> None:
+    """Least energies with noise; three pressures fitted and two held out."""
+    noise = np.random.default_rng(11)
+    rows = [
+        (q, x, pull(L0 - x, 1e3 * q) + noise.normal(0, 1.0))
+        for q in (100, 180, 260, 350, 450)
+        for x in np.linspace(0.0, 0.045, 8)
+    ]
+    lines = [f"{q},{1e3 * x:.4f},{force:.3f}" for q, x, force in rows]
+    (tmp_path / "map.csv").write_text("\n".join(["p [kPa],x [mm],F [N]", *lines]) + "\n")
+    (tmp_path / "experiment.toml").write_text(
+        f"""title = "soft braid"
+model = "PneumaticMuscle.Benches.QuasiStaticIsometric"
+kind = "static"
+[signals.F]
+sigma = "1 N"
+[parameters]
+"muscle.L0" = "{L0} m"
+"muscle.D0" = "{D0} m"
+"muscle.mu_fb" = 0
+[fit]
+"muscle.turns" = {{ min = 1.0, max = 4.0 }}
+[[runs]]
+file = "map.csv"
+hold_out = {{ p = ["180 kPa", "450 kPa"] }}
+"""
+    )
+    verdict = pam.diagnose(pam.read(tmp_path), workers=1)
+    assert verdict.verdict.families == ("end_shape",), str(verdict)
+    assert [c.effect for c in verdict.path] == ["ElasticBraid"]
+    found = verdict.final.parameters["muscle.braid.e_f"]
+    assert found.low < STRAIN < found.high and found.high < 1.5 * STRAIN
+    assert verdict.final.comparison.scores["holdout"]["F"].rmse < 1.5  # N, at a pressure above the fitted ones too

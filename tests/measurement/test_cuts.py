@@ -1,0 +1,108 @@
+"""Runs that begin later or end earlier than their recording: by the data set, or by whoever reads it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pam_cosim.errors import InputError
+from pam_cosim.interface import Interface, Variable
+from pam_cosim.measurement import DataSet, overrides_of, read_data_set
+
+BENCH = Interface("Bench", {"u": Variable("u", "A", start=0.0)}, {"p": Variable("p", "Pa")}, {})
+TIMES = np.arange(20) / 10
+ROWS = "".join(f"{t:g},{t / 10:g},{100 + t:g}\n" for t in TIMES)
+
+
+@pytest.fixture
+def read(tmp_path: Path) -> Callable[..., DataSet]:
+    def made(run: str = "", rows: str = ROWS, **overrides: dict) -> DataSet:
+        (tmp_path / "run.csv").write_text("time [s],u [A],p [Pa]\n" + rows)
+        text = f'model = "Bench"\n[signals.p]\nsigma = "1 Pa"\n[[runs]]\nfile = "run.csv"\n{run}\n'
+        (tmp_path / "experiment.toml").write_text(text)
+        return read_data_set(tmp_path, lambda _: BENCH, overrides=overrides_of(**overrides))
+
+    return made
+
+
+def test_a_run_is_what_lies_between_its_ends(read: Callable[..., DataSet]) -> None:
+    run = read('from = "500 ms"\nto = "1.2 s"').runs[0]
+    assert run.time.tolist() == pytest.approx([0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2])
+    assert run.inputs["u"][0] == pytest.approx(0.05) and run.measurements["p"][-1] == pytest.approx(101.2)
+    assert run.recorded == (0.0, 1.9) and "0.5 to 1.2 s of 0 to 1.9 s" in run.describe()
+    assert read().runs[0].recorded is None
+    assert read('from = "-5 s"\nto = "9 s"').runs[0].recorded is None  # nothing was cut
+
+
+def test_whoever_reads_may_cut_elsewhere_or_not_at_all(read: Callable[..., DataSet]) -> None:
+    stated = 'from = "0.5 s"\nto = "1.2 s"'
+    assert read(stated, cuts={"run": ("0.9 s", None)}).runs[0].time[[0, -1]].tolist() == pytest.approx([0.9, 1.9])
+    assert read(stated, cuts={"run": (None, None)}).runs[0].recorded is None
+
+
+def test_both_rows_of_a_step_are_kept(read: Callable[..., DataSet]) -> None:
+    rows = "0,0,1\n1,0,1\n1,1,1\n2,1,2\n"
+    assert read(rows=rows, cuts={"run": (1, None)}).runs[0].inputs["u"].tolist() == [0.0, 1.0, 1.0]
+    assert read(rows=rows, cuts={"run": (None, 1)}).runs[0].inputs["u"].tolist() == [0.0, 0.0, 1.0]
+
+
+def test_a_start_is_of_the_first_sample_that_it_was_stated_for(read: Callable[..., DataSet]) -> None:
+    stated = 'start = "rest"\nlead = "0.3 s"'
+    assert read(stated).runs[0].start.mode == "rest"
+    assert read('from = "0.5 s"\n' + stated).runs[0].start.mode == "rest"  # both are stated
+    later = read(stated, cuts={"run": (0.5, None)}).runs[0]
+    assert later.start.mode is None and later.sample_count("p") == len(later.time)
+    shorter = read(stated, cuts={"run": (None, 1.0)}).runs[0]
+    assert shorter.start.mode == "rest" and shorter.start.lead == 0.3
+
+
+def test_a_period_that_is_cut_is_none(read: Callable[..., DataSet]) -> None:
+    assert read('from = "0.5 s"\nperiodic = true').runs[0].start.periodic
+    assert not read("periodic = true", cuts={"run": (None, 1.0)}).runs[0].start.periodic
+
+
+def test_whoever_reads_may_say_how_a_run_begins(read: Callable[..., DataSet]) -> None:
+    assert read('start = "rest"', starts={"run": "measured"}).runs[0].start.mode == "measured"
+    run = read('before = { u = "1 A", for = "2 s" }\nlead = "0.3 s"', starts={"run": "estimated"}).runs[0]
+    assert (run.start.mode, run.start.seconds, run.start.lead) == ("estimated", 0.0, 0.3)
+    assert read("periodic = true", starts={"run": "rest"}).runs[0].start.periodic is False
+
+
+def test_a_piece_is_cut_by_its_own_name(read: Callable[..., DataSet]) -> None:
+    rows = ROWS + "".join(f"{t:g},0,100\n" for t in TIMES + 50)
+    runs = read('gaps = "split"', rows=rows, cuts={"run piece 2": (50.5, None)}).runs
+    assert [run.time[0] for run in runs] == pytest.approx([0.0, 50.5])
+
+
+@pytest.mark.parametrize(
+    ("run", "overrides", "said"),
+    [
+        ('from = "1 m"', {}, "from: "),
+        ('from = "5 s"', {}, "nothing would be left between 5 and 1.9 s"),
+        ('from = "1 s"\nto = "0.5 s"', {}, "nothing would be left"),
+        ("to = 1.5", {}, "needs a unit"),
+        ("form = 1", {}, "did you mean 'from'"),
+        ("", {"cuts": {"rum": (None, 1)}}, "did you mean 'run'"),
+        ("", {"starts": {"rum": "rest"}}, "did you mean 'run'"),
+        ("", {"starts": {"run": "moving"}}, "rest, steady, measured, estimated"),
+        ("", {"cuts": {"run": ("soon", None)}}, "from"),
+        ("", {"cuts": {"run": (float("nan"), None)}}, "finite"),
+        ("", {"cuts": {"run": "0:1"}}, "a first and a last time"),
+        ("", {"cuts": {"run": (3, 4)}}, "nothing would be left"),
+    ],
+)
+def test_what_cannot_be_cut_is_refused_in_words(
+    read: Callable[..., DataSet], run: str, overrides: dict, said: str
+) -> None:
+    with pytest.raises(InputError, match=said) as caught:
+        read(run, **overrides)
+    if run:
+        assert caught.value.line is not None
+
+
+def test_a_run_without_samples_is_none(read: Callable[..., DataSet]) -> None:
+    with pytest.raises(InputError, match="no sample"):
+        read(rows=ROWS + "2,0,\n2.1,0,\n", cuts={"run": (2, None)})
