@@ -84,7 +84,7 @@ DAMAGE: dict[str, Callable[[Path], object]] = {
 }
 
 
-@pytest.mark.parametrize("what", MAKE)
+@pytest.mark.parametrize("what", [pytest.param(w, marks=[pytest.mark.full] * (w == "a compiled model")) for w in MAKE])
 def test_what_is_damaged_is_made_again(cache: Path, what: str) -> None:
     """Each file in each way, with those that were made from it gone, so that it is asked for."""
     expected = _run(MAKE[what]())
@@ -132,7 +132,7 @@ def test_eight_at_once(cache: Path) -> None:
 
 
 @pytest.mark.skipif(not disks_can_be_made(), reason="no disk can be made here")
-@pytest.mark.parametrize("how", ["full", "read-only"])
+@pytest.mark.parametrize("how", [pytest.param("full", marks=pytest.mark.full), "read-only"])
 def test_a_cache_that_takes_nothing(cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, how: str) -> None:
     """One that has the model serves; one that does not says so."""
     prepare_driver()

@@ -56,7 +56,7 @@ def test_places_that_hold_no_file(place: Path, capfd: pytest.CaptureFixture[str]
         assert sorted(place.rglob("*")) == before, name
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", [*NAMES[:2], *(pytest.param(name, marks=pytest.mark.full) for name in NAMES[2:])])
 def test_names_are_names(place: Path, capfd: pytest.CaptureFixture[str], name: str) -> None:
     """Nothing in them is run, looked up or set in colours; runs and files are told by them as they are."""
     assert main([*RUN, f"-o{name}.csv"]) == 0
