@@ -103,17 +103,17 @@ class Window:
         """Sends and receives until the window is closed, or given up."""
         work = [asyncio.create_task(part) for part in (self.send(), self.receive(workbench), self.lost.wait())]
         try:
-            await asyncio.wait(work, return_when=asyncio.FIRST_COMPLETED)
+            done, _ = await asyncio.wait(work, return_when=asyncio.FIRST_COMPLETED)
         finally:
             for part in work:
                 part.cancel()
-        ends = await asyncio.gather(*work, return_exceptions=True)
         if self.lost.is_set():
             with contextlib.suppress(TimeoutError, RuntimeError, WebSocketDisconnect):
                 await asyncio.wait_for(self.socket.close(1013, "too far behind"), _PATIENCE)
-        for end in ends:
-            if isinstance(end, Exception) and not isinstance(end, (WebSocketDisconnect, RuntimeError)):
-                raise end
+        for part in done:
+            problem = part.exception()
+            if problem is not None and not isinstance(problem, (WebSocketDisconnect, RuntimeError)):
+                raise problem
 
 
 def _answer(done: Any, number: Any) -> str:
