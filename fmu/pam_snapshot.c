@@ -1,4 +1,5 @@
 /* The FMU state: everything that changes while an instance lives, as one block of bytes. */
+#include <math.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -55,9 +56,14 @@ pam_status pam_get_state(pam_instance *c, void **state) {
     return PAM_OK;
 }
 
+static int is_of_this_model(const pam_instance *c, const pam_snapshot *s) {
+    return strncmp(s->guid, c->model->guid, sizeof s->guid) == 0;
+}
+
 pam_status pam_set_state(pam_instance *c, const void *state) {
     const pam_snapshot *s = state;
     if (!s) return missing(c);
+    if (!is_of_this_model(c, s)) return pam_log(c, PAM_ERROR, "the FMU state is not one of this FMU");
     if (s->kind != c->kind)
         return pam_log(c, PAM_ERROR, "the FMU state was taken from an instance of the other interface type");
     c->core = s->core;
@@ -105,22 +111,54 @@ pam_status pam_serialise(pam_instance *c, const void *state, void *bytes, size_t
     return PAM_OK;
 }
 
+/* A history in the numbers: where the next one begins, or null where they do not hold it. Its times rise, and one that has
+ * begun has a line at least.
+ */
+static const double *history_after(const double *numbers, const double *end, int begun) {
+    if (numbers >= end) return NULL;
+    double count = *numbers++;
+    if (!(count >= (begun ? 1.0 : 0.0)) || count > (double)((size_t)(end - numbers) / PAM_SEGMENT_SIZE)) return NULL;
+    if (count != (double)(size_t)count) return NULL;
+    double last = -INFINITY;
+    for (size_t k = 0; k < (size_t)count; k++, numbers += PAM_SEGMENT_SIZE) {
+        if (!(numbers[0] >= last)) return NULL;
+        last = numbers[0];
+    }
+    return numbers;
+}
+
+/* Whether a state of the right length is one that an instance can have been in; what is wrong with its numbers only, an
+ * instance can bear.
+ */
+static int is_consistent(const pam_instance *c, const pam_snapshot *s) {
+    int phase = s->core.phase, before = phase == INSTANTIATED || phase == INITIALIZATION;
+    if (phase <= 0 || phase > ANY || (phase & (phase - 1))) return 0;
+    if (s->kind != MODEL_EXCHANGE && s->kind != CO_SIMULATION) return 0;
+    size_t count = (s->size - sizeof *s) / sizeof(double);
+    if (c->saved_size > count || count * sizeof(double) != s->size - sizeof *s) return 0;
+    const double *numbers = s->numbers + c->saved_size, *end = s->numbers + count;
+    for (int i = 0; i < c->model->nd && numbers; i++)
+        numbers = history_after(numbers, end, s->kind == CO_SIMULATION && !before);
+    return numbers == end;
+}
+
 /* Whether it is this FMU's and nothing is missing or changed. */
 static int is_own(const pam_instance *c, const unsigned char *bytes, size_t size) {
     if (size < sizeof(pam_snapshot)) return 0;
     pam_snapshot head;
     memcpy(&head, bytes, sizeof head);
-    return strncmp(head.guid, c->model->guid, sizeof head.guid) == 0 && head.size == size
-        && head.hash == hash_of(bytes, size);
+    return is_of_this_model(c, &head) && head.size == size && head.hash == hash_of(bytes, size);
 }
 
 pam_status pam_deserialise(pam_instance *c, const void *bytes, size_t size, void **state) {
     if (!bytes || !state) return missing(c);
-    if (!is_own(c, bytes, size))
-        return pam_log(c, PAM_ERROR, "the serialized FMU state is not one of this FMU, or it is damaged");
-    pam_snapshot *made = allocate(c, size);
-    if (!made) return pam_log(c, PAM_ERROR, "out of memory");
-    memcpy(made, bytes, size);
+    pam_snapshot *made = is_own(c, bytes, size) ? allocate(c, size) : NULL;
+    if (made) memcpy(made, bytes, size);
+    if (made && !is_consistent(c, made)) {
+        c->host.memory.release(made);
+        made = NULL;
+    }
+    if (!made) return pam_log(c, PAM_ERROR, "the serialized FMU state is not one of this FMU, or it is damaged");
     pam_free_state(c, state);
     *state = made;
     return PAM_OK;

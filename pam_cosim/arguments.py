@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Sequence
 from pathlib import Path
@@ -98,6 +99,8 @@ def parse_variations(
             if int(parts[2]) > MOST_RUNS:
                 raise InputError(f"'{word}': a sweep has {MOST_RUNS} runs at most")
             low, high = (value_of(p, variable) for p in _alike(parts[:2], word))
+            if not math.isfinite(high - low):
+                raise InputError(f"'{word}': its ends are too far apart")
             variations[name] = [float(v) for v in np.linspace(low, high, int(parts[2]))]
         else:
             variations[name] = [value_of(p, variable) for p in _alike(text.split(","), word)]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import stat
 import tempfile
 from collections.abc import Iterable, Iterator
@@ -27,7 +28,7 @@ _KINDS = {
 }
 
 
-def write_bytes(path: Path, content: bytes) -> None:
+def write_bytes(path: Path, content: bytes | bytearray) -> None:
     """Writes ``content`` under a temporary name and moves it to ``path``.
 
     A link stays a link: what it leads to is replaced.
@@ -58,9 +59,15 @@ def written_whole(path: Path) -> Iterator[Path]:
         os.chmod(name, mode)
         os.replace(name, target)
     except OSError as problem:
-        raise InputError(f"cannot be written: {problem.strerror or problem}", path) from problem
+        raise InputError(f"cannot be written: {_reason(problem)}", path) from problem
     finally:
         Path(name).unlink(missing_ok=True)
+
+
+def _reason(problem: OSError) -> str:
+    """In the system's words; those of HDF5 and Arrow hold them among others."""
+    number = problem.errno or next(iter(re.findall(r"errno[ =]+(\d+)", str(problem))), None)
+    return os.strerror(int(number)) if number else " ".join((problem.strerror or str(problem)).split())
 
 
 def _umask() -> int:
@@ -140,6 +147,24 @@ def read_file(path: Path, most: int = MOST_BYTES) -> bytes:
     if len(content) > most:
         raise InputError(f"has more than {most / 1e6:.0f} MB, which cannot be taken", path)
     return content
+
+
+def check_regular(path: Path, most: int = MOST_BYTES) -> None:
+    """Finds out whether a file can be opened by somebody else's reader: a pipe would never end, or never begin.
+
+    Raises:
+        InputError: it is missing, no regular file, or too large.
+    """
+    try:
+        status = os.stat(path)
+    except FileNotFoundError:
+        raise InputError("there is no such file", path) from None
+    except (OSError, ValueError) as problem:
+        raise InputError(f"cannot be read: {getattr(problem, 'strerror', None) or problem}", path) from problem
+    if not stat.S_ISREG(status.st_mode):
+        raise InputError(f"is {_KINDS.get(stat.S_IFMT(status.st_mode), 'no file')}; name a file", path)
+    if status.st_size > most:
+        raise InputError(f"has {status.st_size / 1e6:.0f} MB; {most / 1e6:.0f} MB can be taken", path)
 
 
 def read_json(path: Path) -> Any:

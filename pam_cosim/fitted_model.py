@@ -13,7 +13,7 @@ from pam_cosim.comparison import Comparison
 from pam_cosim.compiler import ClassTree, names, read_library, read_structure
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
-from pam_cosim.files import read_json
+from pam_cosim.files import MOST_TEXT, read_file, read_json
 from pam_cosim.fitting import Fit, parameters_in, read_parameters
 from pam_cosim.measurement import DataSet
 from pam_cosim.names import is_fmu, is_modelica, is_ratio, sources_of
@@ -186,4 +186,4 @@ def with_base(made: Composition, model: str) -> str:
     """The text of a model after that of the file whose model it extends; classes of packages are found by name."""
     if not is_modelica(model) or names.parent(made.base):
         return made.text
-    return f"{Path(model).read_text(encoding='utf-8-sig').rstrip()}\n\n{made.text}"
+    return f"{read_file(Path(model), MOST_TEXT).decode('utf-8-sig').rstrip()}\n\n{made.text}"

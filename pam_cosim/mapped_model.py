@@ -31,4 +31,4 @@ def mapped_model(model: str, interface: Interface, maps: Sequence[InputMap], fil
     base = read_structure(qualified(tree, model), files=sources).model
     made = with_input_maps(tree, base, interface, maps)
     text, file = with_base(made, model).encode(), f"{made.name}.mo"
-    return str(cached_folder("maps", digest(text), file, lambda: {file: text}) / file)
+    return str(cached_folder("maps", digest(text), lambda: {file: text}) / file)

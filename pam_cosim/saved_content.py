@@ -28,7 +28,7 @@ def arrays_in(content: bytes) -> dict[str, Any]:
             raise ValueError("more than is kept in memory")
     with np.load(io.BytesIO(content), allow_pickle=False) as file:
         arrays = {name: file[name] for name in file.files}
-    if not all(array.dtype.kind in "biufc" for array in arrays.values()):
+    if not all(array.dtype.kind in "biuf" for array in arrays.values()):
         raise ValueError("an array that holds no numbers")
     return arrays
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -55,7 +56,7 @@ def inputs_of(source: Source | None, interface: Interface, times: Callable[[], A
 
 def is_formulas(text: str) -> bool:
     """Whether a text is formulas of inputs, and not the name of a file."""
-    return "=" in text and not Path(text).exists()
+    return "=" in text and not os.path.exists(text)
 
 
 def _of_formulas(text: str, interface: Interface, time: Array) -> Inputs:

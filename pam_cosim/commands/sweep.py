@@ -67,8 +67,8 @@ def sweep(
 
     A sweep that was stopped goes on with the same command.
     """
-    check_writable(partial_of(output))
     check_results(output, plot, sources=[model, inputs, *(files or [])])
+    check_writable(partial_of(output))
     interface = study.describe(model, files or [])
     variations = parse_variations(vary, interface, ranges=design in ("random", "latin-hypercube"))
     parameters = parse_settings(settings or [], interface)

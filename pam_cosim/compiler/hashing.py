@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-from pam_cosim.compiler.library import modelica_files, package_folder
+from pam_cosim.compiler.library import modelica_files, package_folder, source_bytes
 from pam_cosim.errors import ModelError
 from pam_cosim.names import is_modelica
 from pam_cosim.resources import modelica_root
@@ -36,11 +36,11 @@ def flat_hash(model: str, *, files: Sequence[Path] = (), root: Path | None = Non
             raise ModelError("there is no such file", file)
         folder = package_folder(file)
         if folder is None:
-            _add(digest, file.read_bytes())
+            _add(digest, source_bytes(file))
             continue
         for part in modelica_files(folder):
             _add(digest, part.relative_to(folder).as_posix().encode())
-            _add(digest, part.read_bytes())
+            _add(digest, source_bytes(part))
     return digest.hexdigest()
 
 

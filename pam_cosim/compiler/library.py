@@ -108,12 +108,25 @@ def _is_copy(node: ClassDefinition, known: ClassDefinition) -> bool:
     return one in other or other in one
 
 
-def _read(file: Path) -> Source:
+def source_bytes(file: Path) -> bytes:
+    """What a Modelica file holds.
+
+    Raises:
+        ModelError: it is not there, or cannot be read.
+        InputError: it is no file, or larger than any model.
+    """
     try:
-        return Source(file, read_file(file, 4 * LIMITS.file).decode("utf-8-sig").replace("\r\n", "\n"))
+        return read_file(file, 4 * LIMITS.file)
     except FileNotFoundError:
         raise ModelError("there is no such file", file) from None
-    except (OSError, UnicodeDecodeError) as error:
+    except OSError as error:
+        raise ModelError(f"the file cannot be read: {error}", file) from None
+
+
+def _read(file: Path) -> Source:
+    try:
+        return Source(file, source_bytes(file).decode("utf-8-sig").replace("\r\n", "\n"))
+    except UnicodeDecodeError as error:
         raise ModelError(f"the file cannot be read: {error}", file) from None
 
 

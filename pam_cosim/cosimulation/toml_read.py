@@ -7,6 +7,7 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from pam_cosim.errors import InputError
+from pam_cosim.files import MOST_TEXT, read_file
 from pam_cosim.measurement.toml_text import line_of, parse_toml
 from pam_cosim.settings import Setting
 from pam_cosim.units import UnitError, seconds
@@ -44,7 +45,7 @@ def read_toml(file: Path) -> Written:
         InputError: with the line of what cannot be used.
     """
     try:
-        text = file.read_text(encoding="utf-8")
+        text = read_file(file, MOST_TEXT).decode()
     except (OSError, UnicodeDecodeError) as problem:
         raise InputError(f"cannot be read: {problem}", file) from problem
     content = parse_toml(text, file)

@@ -22,6 +22,8 @@ from pam_cosim.wording import did_you_mean, listed, shown
 
 _C = CRITERIA.recognition
 
+_MOST = 400  # columns; each is held against each
+
 
 @dataclass(frozen=True)
 class Found:
@@ -93,9 +95,14 @@ def find_columns(sources: Sequence[Source], asked: Mapping[str, str]) -> list[Fo
     """Every column of numbers and what it is; ``asked`` are columns by the names that the user gave them.
 
     Raises:
-        InputError: a column that is asked for is in no file.
+        InputError: a column that is asked for is in no file; there are too many.
     """
     names = dict.fromkeys(name for source in sources for name in source.table.columns)
+    if len(names) > _MOST:
+        raise InputError(
+            f"{len(names)} columns are too many to recognise; leave out those that are not needed, down to {_MOST}",
+            sources[-1].file,
+        )
     columns = [_found(name, sources) for name in names]
     columns = _time(_valves(_supply(columns)), sources, asked.get("time"))
     _check_alike(columns, sources)

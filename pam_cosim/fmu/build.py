@@ -18,7 +18,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.files import make_folder, write_bytes
 from pam_cosim.fmu import description2, description3
 from pam_cosim.fmu.c_text import c_string
-from pam_cosim.fmu.cache import cached, cached_folder, digest, folder_in_cache
+from pam_cosim.fmu.cache import cached, cached_folder, digest, folder_in_cache, folder_is_whole
 from pam_cosim.fmu.compile import (
     PLATFORMS,
     binary_folder,
@@ -102,7 +102,7 @@ def cached_lean_model(key: str, make_ode: Callable[[], Ode]) -> Path:
         key: as in ``cached_fmu``.
         make_ode: compiles the model.
     """
-    return cached_folder("models", _lean_key(key), _DESCRIPTION, lambda: _compiled(_bare(make_ode())))
+    return cached_folder("models", _lean_key(key), lambda: _compiled(_bare(make_ode())))
 
 
 def cached_taped_model(key: str, make_ode: Callable[[], Ode]) -> Path:
@@ -111,9 +111,8 @@ def cached_taped_model(key: str, make_ode: Callable[[], Ode]) -> Path:
     Both give the same numbers. What a model as data cannot say is compiled.
     """
     full = _lean_key(key)
-    compiled = folder_in_cache("models", full)
-    if (compiled / _DESCRIPTION).exists():
-        return compiled
+    if folder_is_whole("models", full):
+        return folder_in_cache("models", full)
 
     def make() -> dict[str, bytes]:
         bare = _bare(make_ode())
@@ -122,7 +121,7 @@ def cached_taped_model(key: str, make_ode: Callable[[], Ode]) -> Path:
         except NoTapeError:
             return _compiled(bare)
 
-    return cached_folder("tapes", full, _DESCRIPTION, make)
+    return cached_folder("tapes", full, make)
 
 
 def _lean_key(key: str) -> str:

@@ -22,7 +22,7 @@ import ziglang
 
 from pam_cosim.compiler.budget import LIMITS
 from pam_cosim.errors import InputError
-from pam_cosim.fmu.cache import cache_dir, cached, digest
+from pam_cosim.fmu.cache import CAN_BE_MADE_AGAIN, cache_dir, cached, digest
 from pam_cosim.processes import run_tool
 from pam_cosim.resources import fmu_runtime
 
@@ -35,6 +35,7 @@ _OWN_ARITHMETIC = ("build-lib", "-dynamic", "-fno-compiler-rt", "-fstrip", "-ORe
 
 
 _STALE = 3600.0  # [s]
+_NO_ROOM = ("NoSpaceLeft", "ReadOnlyFileSystem", "DiskQuota", "AccessDenied", "No space left", "Read-only file system")
 
 
 class CompilerError(RuntimeError):
@@ -147,16 +148,28 @@ def _compile(shipped: Sequence[str], generated: Mapping[str, str], target: Platf
         sources = [str(fmu_runtime() / name) for name in shipped] + sorted(generated)
         output = f"library{target.suffix}"
         command = [str(_zig()), *_arguments(target, output, sources)]
-        zig = str(cache_dir() / "zig")
-        _clear_stale(Path(zig, "tmp"))
-        environment = os.environ | {"ZIG_GLOBAL_CACHE_DIR": zig, "ZIG_LOCAL_CACHE_DIR": zig}
-        try:
-            run = run_tool(command, Path(directory), environment, LIMITS.c_seconds)
-        except subprocess.TimeoutExpired:
-            raise CompilerError(f"the C compiler took more than {LIMITS.c_seconds:g} s for {target.target}") from None
-        if run.returncode != 0:
-            raise CompilerError(f"the C compiler failed for {target.target}:\n{run.stderr.strip()}")
+        zig = cache_dir() / "zig"
+        _clear_stale(zig / "tmp")
+        problem = _compiled(command, Path(directory), zig, target)
+        if problem:  # its own cache may be damaged
+            problem = _compiled(command, Path(directory), Path(directory, "zig"), target)
+            if not problem:
+                shutil.rmtree(zig, ignore_errors=True)
+        if any(reason in problem for reason in _NO_ROOM):
+            raise InputError(f"the C compiler has no room for its files; {CAN_BE_MADE_AGAIN}", zig)
+        if problem:
+            raise CompilerError(f"the C compiler failed for {target.target}:\n{problem}")
         return Path(directory, output).read_bytes()
+
+
+def _compiled(command: Sequence[str], folder: Path, cache: Path, target: Platform) -> str:
+    """Runs the C compiler: what it complains of, if it failed."""
+    environment = os.environ | {"ZIG_GLOBAL_CACHE_DIR": str(cache), "ZIG_LOCAL_CACHE_DIR": str(cache)}
+    try:
+        run = run_tool(command, folder, environment, LIMITS.c_seconds)
+    except subprocess.TimeoutExpired:
+        raise CompilerError(f"the C compiler took more than {LIMITS.c_seconds:g} s for {target.target}") from None
+    return "" if run.returncode == 0 else run.stderr.strip() or f"exit status {run.returncode}"
 
 
 def _arguments(target: Platform, output: str, sources: Sequence[str]) -> list[str]:

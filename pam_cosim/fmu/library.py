@@ -8,6 +8,7 @@ from pathlib import Path
 from pam_cosim.catalogue import full_name
 from pam_cosim.compiler import Ode, compile_model, flat_hash, smooth_parameters, with_sensitivities
 from pam_cosim.errors import InputError
+from pam_cosim.files import check_regular
 from pam_cosim.fmu.build import cached_fmu, cached_lean_model, cached_taped_model
 from pam_cosim.fmu.cache import cached, digest
 from pam_cosim.fmu.odes import cached_ode
@@ -43,8 +44,7 @@ def build_model(
     if is_fmu(model) and sensitivities:
         raise InputError("sensitivities can be built into a Modelica model only", model)
     if is_fmu(model):
-        if not Path(model).exists():
-            raise InputError("there is no such file", model)
+        check_regular(Path(model))
         return Path(model)
     key, make = _recipe(full_name(model, files), files, sensitivities, where_smooth)
     return cached_fmu(key, make, platforms=platforms, fmi=fmi)

@@ -9,12 +9,12 @@ import json
 import lzma
 import zlib
 from collections.abc import Callable, Mapping
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 
 from pam_cosim.compiler import Ode, ode_bytes, read_ode
 from pam_cosim.files import make_folder, write_bytes
-from pam_cosim.fmu.cache import cache_dir, cached
+from pam_cosim.fmu.cache import cached
 from pam_cosim.resources import shipped_models
 
 _KIND, _SUFFIX = "odes", ".ode"
@@ -44,10 +44,8 @@ def _shipped(key: str) -> bytes | None:
         return None
     models = _archive(name)
     for other, content in models.items():
-        path = cache_dir() / _KIND / f"{other}{_SUFFIX}"
-        if other != key and not path.exists():
-            make_folder(path.parent)
-            write_bytes(path, zlib.compress(content))
+        if other != key:
+            cached(_KIND, other, _SUFFIX, partial(zlib.compress, content))
     return models.get(key)
 
 

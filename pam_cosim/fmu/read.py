@@ -14,6 +14,7 @@ import fmpy
 from fmpy.model_description import ModelDescription, ValidationError
 
 from pam_cosim.errors import InputError
+from pam_cosim.files import check_regular
 from pam_cosim.interface import Interface, Variable, is_sensitivity, sensitivity_name
 from pam_cosim.wording import shown
 
@@ -73,8 +74,8 @@ def has_co_simulation(path: Path) -> bool:
 
 
 def _description(path: Path) -> ModelDescription:
-    if not Path(path).exists():
-        raise InputError("there is no such file", path)
+    if not Path(path).is_dir():
+        check_regular(Path(path))
     file = Path(path).stat()
     return _read(Path(path), file.st_mtime_ns, file.st_size)
 

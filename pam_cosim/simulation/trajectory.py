@@ -14,7 +14,7 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
-from pam_cosim.files import write_text, written_whole
+from pam_cosim.files import read_file, write_text, written_whole
 from pam_cosim.netcdf import with_netcdf_names
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed
@@ -124,9 +124,8 @@ class Trajectory(Printed):
             InputError: no such file, or a line that is not made of numbers.
         """
         try:
-            with open(path, newline="", encoding="utf-8") as file:
-                lines = list(csv.reader(file))
-        except (OSError, UnicodeDecodeError) as error:
+            lines = list(csv.reader(io.StringIO(read_file(Path(path)).decode(), newline="")))
+        except (OSError, UnicodeDecodeError, csv.Error) as error:
             raise InputError(f"cannot be read: {error}", path) from error
         if not lines or not lines[0] or not lines[0][0].startswith("time"):
             raise InputError("the first column of the header must be 'time [s]'", path, 1)

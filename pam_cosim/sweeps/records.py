@@ -70,11 +70,15 @@ class Records:
             ]
         )
         head = {"format": _MARK, **identity}
+        self._count = 0
         self._file: BinaryIO = _opened(path)
+        new = self._size() == 0
         try:
             self._offset = self._begin(head)
-        except BaseException:
-            self._file.close()
+        except BaseException as problem:
+            self._close(remove=new)
+            if isinstance(problem, OSError):
+                raise InputError(f"cannot be written: {problem.strerror}", path) from None
             raise
         self._count = (self._size() - self._offset) // self.kind.itemsize
         self._file.truncate(self._offset + self._count * self.kind.itemsize)
@@ -92,9 +96,13 @@ class Records:
     def close(self) -> None:
         """Ends the writing; one that holds no run is removed."""
         if not self._file.closed:
+            self._close(remove=self._count == 0)
+
+    def _close(self, remove: bool) -> None:
+        with suppress(OSError):  # the disk is full, which was said before
             self._file.close()
-            if self._count == 0:
-                self.path.unlink(missing_ok=True)
+        if remove:
+            self.path.unlink(missing_ok=True)
 
     def _size(self) -> int:
         return os.fstat(self._file.fileno()).st_size
@@ -124,14 +132,21 @@ class Records:
         return len(line)
 
     def add(self, rows: Sequence[Row]) -> None:
-        """Writes runs that are done; on the disk when this returns."""
+        """Writes runs that are done; on the disk when this returns.
+
+        Raises:
+            InputError: the disk is full, or not there any more; the runs before are kept.
+        """
         records = np.zeros(len(rows), self.kind)
         for record, row in zip(records, rows, strict=True):
             record["run"], record["failure"] = row.run, _cut(row.failure)
             record["scalars"] = row.scalars
             record["values"] = np.nan if row.values is None else row.values
-        self._file.write(records.tobytes())
-        self._file.flush()
+        try:
+            self._file.write(records.tobytes())
+            self._file.flush()
+        except OSError as problem:
+            raise InputError(f"cannot be written: {problem.strerror}", self.path) from None
         for i, row in enumerate(rows):
             self._place[row.run] = self._count + i
         self._count += len(rows)

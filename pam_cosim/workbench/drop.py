@@ -17,6 +17,7 @@ import numpy as np
 from pam_cosim import study
 from pam_cosim.drafting import NewDataSet
 from pam_cosim.errors import InputError
+from pam_cosim.files import write_bytes
 from pam_cosim.measurement import any_text
 from pam_cosim.reporting.account import unit_text
 from pam_cosim.units import readable_factor
@@ -27,6 +28,7 @@ from pam_cosim.workbench.protocol import Draft, Dropped, DroppedFile, Excerpt, J
 from pam_cosim.workbench.work import failed_by
 
 MOST_BYTES = 200_000_000  # of one file
+MOST_TOGETHER = 2_000_000_000
 MOST_FILES = 200
 _ROWS = 6  # of a file that are shown
 _AROUND = 2  # lines above and below one that is wrong
@@ -53,18 +55,21 @@ class Drop:
         """Removes what was dropped."""
         shutil.rmtree(self.place, ignore_errors=True)
 
-    def put(self, name: str, content: bytes) -> Dropped:
+    def put(self, name: str, content: bytes | bytearray) -> Dropped:
         """Takes a file; one of the same name is replaced.
 
         Raises:
-            InputError: it is too large, or there are too many.
+            InputError: it is too large, or there are too many; there is no room for it.
         """
         if len(content) > MOST_BYTES:
             raise InputError(f"{shown(name)} is larger than {MOST_BYTES // 1_000_000} MB")
         target = inside(self.place, safe_name(name))
         if target not in self.recordings and len(self.recordings) >= MOST_FILES:
             raise InputError(f"more than {MOST_FILES} files at once cannot be taken")
-        target.write_bytes(content)
+        others = sum(file.stat().st_size for file in self.recordings if file != target)
+        if others + len(content) > MOST_TOGETHER:
+            raise InputError(f"more than {MOST_TOGETHER // 1_000_000} MB together cannot be taken")
+        write_bytes(target, content)
         if target not in self.recordings:
             self.recordings = sorted([*self.recordings, target])
         return self.dropped()

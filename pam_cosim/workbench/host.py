@@ -79,11 +79,11 @@ class Workbench:
             return self.session.do(command)
         return self._thread.submit(self._do, dict(command))
 
-    def put(self, name: str, content: bytes) -> Future[Json]:
+    def put(self, name: str, content: bytes | bytearray) -> Future[Json]:
         """Takes a recording that was dropped."""
         return self._thread.submit(self._put, name, content)
 
-    def _put(self, name: str, content: bytes) -> Json:
+    def _put(self, name: str, content: bytes | bytearray) -> Json:
         dropped = self._dropping().put(name, content)
         self.windows.tell(dropped)
         return {"files": [file.name for file in dropped.files]}

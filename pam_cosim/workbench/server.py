@@ -15,7 +15,7 @@ from typing import Any
 import uvicorn
 from starlette.applications import Starlette
 from starlette.exceptions import HTTPException
-from starlette.requests import Request
+from starlette.requests import ClientDisconnect, Request
 from starlette.responses import FileResponse, JSONResponse, PlainTextResponse, Response
 from starlette.routing import Mount, Route, WebSocketRoute
 from starlette.staticfiles import StaticFiles
@@ -34,7 +34,10 @@ from pam_cosim.workbench.work import failed_by
 PAGE = Path(__file__).parent / "page"
 HOST = "127.0.0.1"
 SWITCH = 0.0005  # [s] after which what is sent need no longer wait for what is reckoned
-MOST_WAITING = 20_000  # messages that a window may be behind before it is given up
+MOST_WAITING, MOST_WAITING_LETTERS = 20_000, 100_000_000  # that a window may be behind before it is given up
+MOST_ASKED = 1000  # commands of a window that are not answered yet; further ones wait in its socket
+MOST_AT_ONCE = 2  # files that are taken at the same time
+_PATIENCE = 1.0  # [s] for a window that is given up to hear of it
 
 
 class Window:
@@ -43,6 +46,9 @@ class Window:
     def __init__(self, socket: WebSocket, loop: asyncio.AbstractEventLoop) -> None:
         self.socket, self.loop = socket, loop
         self.waiting: asyncio.Queue[str | bytes | None] = asyncio.Queue()
+        self.lost = asyncio.Event()  # set where nobody reads what it is told
+        self._letters = 0  # that wait
+        self._asked = asyncio.Semaphore(MOST_ASKED)
         self._newest: bytes | None = None  # of the model's curves, whose place in the queue is None
 
     def tell(self, message: str | bytes) -> None:
@@ -51,30 +57,34 @@ class Window:
             self.loop.call_soon_threadsafe(self._put, message)
 
     def _put(self, message: str | bytes) -> None:
+        if self.lost.is_set():
+            return
         if isinstance(message, str) or not is_model(message):
             self.waiting.put_nowait(message)
-            return
-        if self._newest is None:
-            self.waiting.put_nowait(None)
-        self._newest = message
+            self._letters += len(message)
+        else:
+            if self._newest is None:
+                self.waiting.put_nowait(None)
+            self._newest = message
+        if self.waiting.qsize() > MOST_WAITING or self._letters > MOST_WAITING_LETTERS:
+            self.lost.set()
+            self.waiting = asyncio.Queue()
 
     async def send(self) -> None:
         """Sends what comes, as long as somebody listens."""
-        while True:
+        while not self.lost.is_set():
             message = await self.waiting.get()
             if message is None:
                 message, self._newest = self._newest or b"", None
+            else:
+                self._letters -= len(message)
             await _send(self.socket, message)
-            if self.waiting.qsize() > MOST_WAITING:
-                await self.socket.close(1013, "too far behind")
-                return
 
     async def receive(self, workbench: Workbench) -> None:
         """Takes commands and answers each when it is done."""
-        while True:
-            text = await self.socket.receive_text()
+        while (message := await self.socket.receive())["type"] != "websocket.disconnect":
             try:
-                command = json.loads(text)
+                command = json.loads(message.get("text") or "")
                 if not isinstance(command, dict):
                     raise ValueError
             except (ValueError, RecursionError):
@@ -82,8 +92,31 @@ class Window:
                 continue
             number = command.get("id")
             number = number if isinstance(number, (int, str)) else None
+            await self._asked.acquire()
             future = workbench.do(command)
-            future.add_done_callback(lambda done, number=number: self.tell(_answer(done, number)))  # type: ignore[misc]
+            future.add_done_callback(lambda done, number=number: self._answer(done, number))  # type: ignore[misc]
+
+    def _answer(self, done: Any, number: Any) -> None:
+        """From any thread."""
+        self.tell(_answer(done, number))
+        with contextlib.suppress(RuntimeError):  # the server has ended
+            self.loop.call_soon_threadsafe(self._asked.release)
+
+    async def serve(self, workbench: Workbench) -> None:
+        """Sends and receives until the window is closed, or given up."""
+        work = [asyncio.create_task(part) for part in (self.send(), self.receive(workbench), self.lost.wait())]
+        try:
+            done, _ = await asyncio.wait(work, return_when=asyncio.FIRST_COMPLETED)
+        finally:
+            for part in work:
+                part.cancel()
+        if self.lost.is_set():
+            with contextlib.suppress(TimeoutError, RuntimeError, WebSocketDisconnect):
+                await asyncio.wait_for(self.socket.close(1013, "too far behind"), _PATIENCE)
+        for part in done:
+            problem = part.exception()
+            if problem is not None and not isinstance(problem, (WebSocketDisconnect, RuntimeError)):
+                raise problem
 
 
 def _answer(done: Any, number: Any) -> str:
@@ -100,18 +133,28 @@ async def _send(socket: WebSocket, message: str | bytes) -> None:
         await socket.send_bytes(message)
 
 
-async def _body(request: Request) -> bytes:
-    parts, size = [], 0
-    async for part in request.stream():
-        size += len(part)
-        if size > MOST_BYTES:
-            raise InputError(f"a file of more than {MOST_BYTES // 1_000_000} MB cannot be taken")
-        parts.append(part)
-    return b"".join(parts)
+async def _body(request: Request) -> bytearray:
+    """A file that is sent.
+
+    Raises:
+        InputError: it is too large; one that says so is not read.
+    """
+    content = bytearray()
+    announced = request.headers.get("content-length", "0")
+    too_large = announced.isdecimal() and int(announced[:20]) > MOST_BYTES
+    if not too_large:
+        async for part in request.stream():
+            content += part
+            if too_large := len(content) > MOST_BYTES:
+                break
+    if too_large:
+        raise InputError(f"a file of more than {MOST_BYTES // 1_000_000} MB cannot be taken")
+    return content
 
 
 def application(workbench: Workbench, token: str, page: Path = PAGE) -> ASGIApp:
     """The server of a workbench, as an ASGI application."""
+    taken = asyncio.Semaphore(MOST_AT_ONCE)
 
     async def index(request: Request) -> Response:
         return FileResponse(page / "index.html")
@@ -129,8 +172,11 @@ def application(workbench: Workbench, token: str, page: Path = PAGE) -> ASGIApp:
 
     async def drop(request: Request) -> Response:
         try:
-            content = await _body(request)
-            result = await asyncio.wrap_future(workbench.put(request.query_params.get("name", ""), content))
+            async with taken:
+                content = await _body(request)
+                result = await asyncio.wrap_future(workbench.put(request.query_params.get("name", ""), content))
+        except ClientDisconnect:
+            return Response(status_code=400)
         except InputError as problem:
             return JSONResponse({"failed": failed_by(problem).as_dict()}, 409)
         return JSONResponse(result)
@@ -139,14 +185,10 @@ def application(workbench: Workbench, token: str, page: Path = PAGE) -> ASGIApp:
         await socket.accept()
         window = Window(socket, asyncio.get_running_loop())
         end = await asyncio.wrap_future(workbench.subscribe(window.tell))
-        sending = asyncio.create_task(window.send())
         try:
-            await window.receive(workbench)
-        except (WebSocketDisconnect, RuntimeError):
-            pass
+            await window.serve(workbench)
         finally:
             end()
-            sending.cancel()
 
     async def missing(request: Request, problem: Exception) -> Response:
         return PlainTextResponse("there is no such page\n", 404)

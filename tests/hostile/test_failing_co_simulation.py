@@ -78,7 +78,7 @@ def test_where_both_fail_the_first_reason_is_said(tmp_path: Path) -> None:
         simulator.run(TIMES, parameters={"x_start": 1e300}, inputs=Inputs([0.0, 1.5, 1.5], {"u": [0, 0, 1e308]}))
 
 
-@pytest.mark.parametrize("fmi", ["2.0", "3.0"])
+@pytest.mark.parametrize("fmi", [pytest.param("2.0", marks=pytest.mark.full), "3.0"])
 def test_an_fmu_for_model_exchange_alone(tmp_path: Path, fmi: str) -> None:
     fmu = study.build("Isotonic", fmi=fmi)
     inputs = Inputs([0.0, 1.0, 2.0, 3.0], {"u_in": [0.2, 0.35, 0.35, 0.2]})

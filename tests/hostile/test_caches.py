@@ -1,0 +1,150 @@
+"""A cache that is damaged, foreign, half cleaned, full or read-only: it is mended, or one message says why not."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import zlib
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pam_cosim.compiler import Ode
+from pam_cosim.errors import InputError
+from pam_cosim.fmu import cached_fmu
+from pam_cosim.fmu.build import cached_lean_model, cached_taped_model
+from pam_cosim.fmu.cache import cache_dir, is_whole
+from pam_cosim.fmu.odes import cached_ode
+from pam_cosim.simulation import Simulator
+from pam_cosim.simulation.driver import prepare_driver
+from tests.fmu import models
+from tests.hostile.small_disk import disks_can_be_made, on_disk
+
+TIMES = np.linspace(0.0, 2.0, 21)
+ROOT = Path(__file__).parents[2]
+
+
+def _ode() -> Ode:
+    return cached_ode("key", models.lag)
+
+
+MAKE: dict[str, Callable[[], Path]] = {
+    "an FMU": lambda: cached_fmu("key", _ode),
+    "a compiled model": lambda: cached_lean_model("key", _ode),
+    "a model as data": lambda: cached_taped_model("key", _ode),
+}
+
+
+def _run(path: Path) -> list[float]:
+    with Simulator(path) as simulator:
+        made: list[float] = simulator.run(TIMES, parameters={"x_start": 1.0})["y"].tolist()
+        return made
+
+
+@pytest.fixture
+def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty one, beside the files of the C compiler that is used everywhere."""
+    (cache_dir() / "zig").mkdir(parents=True, exist_ok=True)
+    made = tmp_path / "cache"
+    made.mkdir()
+    (made / "zig").symlink_to(cache_dir() / "zig")
+    monkeypatch.setenv("PAM_COSIM_CACHE", str(made))
+    return made
+
+
+def _files(cache: Path) -> list[Path]:
+    return sorted(p for p in cache.rglob("*") if p.is_file() and not p.is_symlink())
+
+
+def _cut(file: Path) -> None:
+    file.write_bytes(file.read_bytes()[: file.stat().st_size // 2])
+
+
+def _changed(file: Path) -> None:
+    content = bytearray(file.read_bytes())
+    content[len(content) // 2] ^= 0x40
+    file.write_bytes(content)
+
+
+def _pipe(file: Path) -> None:
+    file.unlink()
+    os.mkfifo(file)
+
+
+DAMAGE: dict[str, Callable[[Path], object]] = {
+    "removed": Path.unlink,
+    "cut": _cut,
+    "changed in one byte": _changed,
+    "emptied": lambda file: file.write_bytes(b""),
+    "of another kind": lambda file: file.write_bytes(zlib.compress(b"\x7fELF" + bytes(range(256)))),
+}
+
+
+@pytest.mark.parametrize("what", [pytest.param(w, marks=[pytest.mark.full] * (w == "a compiled model")) for w in MAKE])
+def test_what_is_damaged_is_made_again(cache: Path, what: str) -> None:
+    """Each file in each way, with those that were made from it gone, so that it is asked for."""
+    expected = _run(MAKE[what]())
+    for file in _files(cache):
+        for damage in DAMAGE.values():
+            for later in ("fmus", "models", "tapes") if file.parent.name in ("odes", "binaries") else ():
+                shutil.rmtree(cache / later, ignore_errors=True)
+            if file.exists():
+                damage(file)
+                assert file.name.endswith(".sums") or not is_whole(file.with_name(file.name + ".sums"))
+            assert _run(MAKE[what]()) == expected
+
+
+def test_what_is_no_file_is_said(cache: Path) -> None:
+    fmu = cached_fmu("key", _ode)
+    _pipe(fmu)
+    with pytest.raises(InputError, match=r"is a pipe.*can be made again.*PAM_COSIM_CACHE") as caught:
+        cached_fmu("key", _ode)
+    assert caught.value.file == fmu and "\n" not in str(caught.value)
+    shutil.rmtree(cache / "fmus")
+    (cache / "fmus").write_text("")
+    with pytest.raises(InputError, match=r"folder cannot be made.*PAM_COSIM_CACHE"):
+        cached_fmu("key", _ode)
+
+
+BUILD = """
+import sys
+from tests.hostile.test_caches import MAKE, _run
+from pam_cosim.errors import InputError
+try:
+    print(sum(_run(MAKE[sys.argv[1]]())))
+except InputError as problem:
+    sys.exit(f"pam-cosim: {problem}")
+"""
+
+
+@pytest.mark.full
+def test_eight_at_once(cache: Path) -> None:
+    command = [sys.executable, "-c", BUILD, "an FMU"]
+    running = [subprocess.Popen(command, stdout=subprocess.PIPE, text=True, cwd=ROOT) for _ in range(8)]
+    told = [process.communicate()[0] for process in running]
+    assert {process.returncode for process in running} == {0} and len(set(told)) == 1
+    left = [p.name for p in _files(cache) if p.name.startswith(".")]
+    assert not left and all(is_whole(p) for p in _files(cache) if p.name.endswith(".sums"))
+
+
+@pytest.mark.skipif(not disks_can_be_made(), reason="no disk can be made here")
+@pytest.mark.parametrize("how", [pytest.param("full", marks=pytest.mark.full), "read-only"])
+def test_a_cache_that_takes_nothing(cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, how: str) -> None:
+    """One that has the model serves; one that does not says so."""
+    prepare_driver()
+    MAKE["an FMU"]()
+    disk, kept = tmp_path / "disk", tmp_path / "kept"
+    disk.mkdir()
+    shutil.copytree(cache, kept, symlinks=True)
+    monkeypatch.setenv("PAM_COSIM_CACHE", str(disk))
+    status, _, said = on_disk(disk, ["-c", BUILD, "an FMU"], 10_000, how, kept)
+    assert status == 0, said
+    shutil.rmtree(kept / "fmus")
+    shutil.rmtree(kept / "binaries")
+    status, files, said = on_disk(disk, ["-c", BUILD, "an FMU"], 100, how, kept)
+    assert status == 1 and said.startswith("pam-cosim: ") and said.count("\n") == 1, said
+    assert "PAM_COSIM_CACHE" in said and not [name for name in files if name.startswith(".")]

@@ -1,0 +1,158 @@
+"""The page's server before windows that never read and files that are broken, endless or never end."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+pytest.importorskip("starlette", reason="the extra 'workbench' is not installed")
+
+from starlette.testclient import TestClient
+
+from pam_cosim.errors import InputError
+from pam_cosim.workbench import Workbench, server
+from pam_cosim.workbench.server import application
+
+TOKEN = "a-token-of-a-test"
+HOME = "http://127.0.0.1:8123"
+PATIENCE = 60.0  # s for an answer
+BROKEN: dict[str, bytes] = {
+    "empty.csv": b"",
+    "zeros.csv": b"\0" * 5000,
+    "head.csv": b"time [s],p [kPa]",
+    "commas.csv": b"," * 1_000_000,
+    "quotes.csv": b'time [s],p [kPa]\n"' + b"1,2\n" * 1000,
+    "wide.csv": b"time [s]," + b",".join(b"p%d [kPa]" % i for i in range(3000)) + b"\n" + b"1," * 3000 + b"1\n",
+    "cut.txt": "time [s];p [kPa]\n0,0;1\n".encode("utf-16")[:-1],
+    "lone.csv": b"time [s],p [kPa]\n0,\xff\xfe\xfd\n1,2\n",
+    "not.mat": b"MATLAB 5.0 MAT-file" + b"x" * 200,
+    "zero.mat": b"MATLAB 5.0 MAT-file" + b" " * 105 + b"\x00\x01IM" + b"\0" * 64,
+    "not.h5": b"\x89HDF\r\n\x1a\n" + b"\xff" * 300,
+    "not.parquet": b"PAR1" + b"\xff" * 100 + b"PAR1",
+    "not.tdms": b"TDSm" + b"\xff" * 100,
+    "not.xlsx": b"PK\x03\x04" + b"\xff" * 100,
+    "picture.csv": b"\x89PNG\r\n\x1a\n" + bytes(range(256)) * 20,
+    "<img src=x>$(touch MADE).csv": b"time [s],p [kPa]\nx,y\n",
+}
+
+
+@pytest.fixture
+def workbench(tmp_path: Path) -> Iterator[Workbench]:
+    with Workbench(tmp_path / "rig") as made:
+        yield made
+
+
+@pytest.fixture
+def client(workbench: Workbench) -> Iterator[TestClient]:
+    with TestClient(application(workbench, TOKEN), base_url=HOME, headers={"Origin": HOME}) as client:
+        assert client.get(f"/?token={TOKEN}").status_code == 200
+        yield client
+
+
+class Deaf:
+    """A socket of a window that never reads: nothing that is sent arrives, and nothing comes."""
+
+    def __init__(self) -> None:
+        self.closed: list[int] = []
+
+    async def send_text(self, text: str) -> None:
+        await asyncio.Event().wait()
+
+    async def receive(self) -> Any:
+        await asyncio.Event().wait()
+
+    async def close(self, code: int, reason: str) -> None:
+        self.closed.append(code)
+        await asyncio.Event().wait()
+
+
+@pytest.mark.parametrize(("size", "most"), [(10, 30_000), (1_000_000, 200)])
+def test_a_window_that_never_reads_is_given_up(workbench: Workbench, size: int, most: int) -> None:
+    async def told() -> tuple[int, int]:
+        socket = Deaf()
+        window = server.Window(socket, asyncio.get_running_loop())  # type: ignore[arg-type]
+        serving = asyncio.create_task(window.serve(workbench))
+        longest = 0
+        for _ in range(most):
+            window.tell("x" * size)
+            await asyncio.sleep(0)
+            longest = max(longest, window.waiting.qsize())
+        await asyncio.wait_for(serving, PATIENCE)
+        assert socket.closed == [1013] and window.waiting.empty()
+        return longest, longest * size
+
+    count, letters = asyncio.run(told())
+    assert count <= server.MOST_WAITING and letters <= server.MOST_WAITING_LETTERS
+
+
+def test_frames_that_are_no_text(client: TestClient) -> None:
+    with client.websocket_connect("ws://127.0.0.1:8123/socket", headers={"Origin": HOME}) as socket:
+        socket.send_bytes(b"\xff\0" * 100)
+        while True:
+            message = socket.receive()
+            told = json.loads(message["text"]) if message.get("text") else {}
+            if told.get("event") == "answer":
+                break
+        assert told["failed"]["text"] == "a command is a JSON object"
+
+
+def test_files_that_are_too_large(client: TestClient, workbench: Workbench, monkeypatch: pytest.MonkeyPatch) -> None:
+    answer = client.post("/drop?name=a.csv", content=b"x", headers={"Content-Length": str(10**18)})
+    assert answer.status_code == 409 and "200 MB" in answer.json()["failed"]["text"]
+    monkeypatch.setattr(server, "MOST_BYTES", 100_000)
+    sent = 0
+
+    def endless() -> Iterator[bytes]:
+        nonlocal sent
+        for _ in range(1000):
+            sent += 1
+            yield b"x" * 1000
+
+    assert client.post("/drop?name=a.csv", content=endless()).status_code == 409
+    monkeypatch.setattr("pam_cosim.workbench.drop.MOST_TOGETHER", 100)
+    with pytest.raises(InputError, match="together"):
+        workbench.put("b.csv", b"x" * 101).result(PATIENCE)
+    assert workbench.drop is not None and list(workbench.drop.place.iterdir()) == []
+
+
+def test_a_file_of_which_only_a_part_comes(workbench: Workbench, client: TestClient) -> None:
+    """Whoever sends it goes away."""
+    parts = [{"type": "http.request", "body": b"time", "more_body": True}, {"type": "http.disconnect"}]
+    cookies = "; ".join(f"{name}={value}" for name, value in client.cookies.items())
+    heads = {"host": "127.0.0.1:8123", "origin": HOME, "cookie": cookies}
+    scope = {
+        "type": "http", "method": "POST", "path": "/drop", "raw_path": b"/drop", "query_string": b"name=a.csv",
+        "headers": [(k.encode(), v.encode()) for k, v in heads.items()], "http_version": "1.1", "scheme": "http",
+        "server": ("127.0.0.1", 8123), "client": ("127.0.0.1", 1), "root_path": "",
+    }  # fmt: skip
+    said: list[Any] = []
+
+    async def send(message: Any) -> None:
+        said.append(message)
+
+    async def receive() -> Any:
+        return parts.pop(0)
+
+    asyncio.run(application(workbench, TOKEN)(scope, receive, send))
+    assert said[0]["status"] == 400
+    assert workbench.drop is not None and list(workbench.drop.place.iterdir()) == []
+
+
+def test_broken_files_are_answered_in_words(workbench: Workbench) -> None:
+    told: list[Any] = []
+    end = workbench.subscribe(told.append).result(PATIENCE)
+    for name, content in BROKEN.items():
+        told.clear()
+        workbench.put(name, content).result(PATIENCE)
+        workbench.do({"do": "draft", "wishes": {}}).result(PATIENCE)
+        drafts = [m for m in map(json.loads, told) if m["event"] == "draft"]
+        assert len(drafts) == 1 and drafts[0]["failed"]["text"], name
+        assert "should not" not in drafts[0]["failed"]["text"], drafts[0]["failed"]
+        workbench.do({"do": "remove", "names": [p.name for p in workbench.drop.recordings]}).result(PATIENCE)  # type: ignore[union-attr]
+    end()
+    assert not workbench.folder.exists() and not list(workbench.folder.parent.rglob("MADE"))
