@@ -15,6 +15,7 @@ _MOST_LETTERS = 60  # of a unit; its parser reads no more
 _INVISIBLE = ("Cc", "Cf", "Cs", "Zl", "Zp")  # classes of characters, by Unicode
 _UNITS = ("unit", "display_unit", "units")
 _OVER_TIME = ("inputs", "measurements", "values", "against", "imitated", "value", "deviation")
+_COMPLEX = "gain"  # of a response
 
 
 def arrays_in(content: bytes) -> dict[str, Any]:
@@ -28,7 +29,7 @@ def arrays_in(content: bytes) -> dict[str, Any]:
             raise ValueError("more than is kept in memory")
     with np.load(io.BytesIO(content), allow_pickle=False) as file:
         arrays = {name: file[name] for name in file.files}
-    if not all(array.dtype.kind in "biuf" for array in arrays.values()):
+    if not all(array.dtype.kind in "biufc" for array in arrays.values()):
         raise ValueError("an array that holds no numbers")
     return arrays
 
@@ -49,15 +50,18 @@ def plain_value(value: Any, kind: type[Any]) -> Any:
 
 
 def check_plain(content: Any, arrays: Mapping[str, Any], is_unit: bool = False) -> None:
-    """Looks at what types do not say: texts in the place of units, and arrays over time of the length of their times.
+    """Looks at what types do not say: units, complex numbers, and arrays over time of the length of their times.
 
     Raises:
-        ValueError: a text that is no unit, so that none reaches its parser; arrays that do not belong together.
+        ValueError: a text that is no unit, so that none reaches its parser; arrays that do not belong together;
+            complex numbers that are no gains.
         KeyError: an array that is not there.
     """
     if isinstance(content, dict):
         _check_lengths(content, arrays)
         for key, value in content.items():
+            if key != _COMPLEX and _is_reference(value) and arrays[value["array"]].dtype.kind == "c":
+                raise ValueError(f"complex numbers in the place of '{key}'")
             check_plain(value, arrays, is_unit or key in _UNITS)
     elif isinstance(content, list):
         for value in content:
