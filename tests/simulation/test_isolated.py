@@ -93,7 +93,7 @@ def test_one_that_hangs_while_it_is_loaded_is_not_loaded_again(tmp_path: Path, m
     monkeypatch.setenv("HANG", "load")
     path = hanging(tmp_path)
     assert study.describe(str(path)).parameters["tau"].start == 0.5  # read without loading it
-    points = study.sweep(str(path), {"tau": np.linspace(0.1, 1.0, 200)}, timeout=LIMIT)
+    points = study.sweep(str(path), {"tau": np.linspace(0.1, 1.0, 200)}, timeout=3 * LIMIT)
     assert all("while it was loaded" in str(p.failure) for p in points) and len(points) == 200
 
 
