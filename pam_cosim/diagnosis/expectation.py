@@ -13,12 +13,12 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from scipy.optimize import lsq_linear
 
 from pam_cosim.arrays import Array
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.probing import Probe
 from pam_cosim.fitting import Linear
-from pam_cosim.fitting.bounded import least_in_box
 
 _NOTHING_NEW = 1e-4  # of a column's length: what is left of it beside others, below which it says nothing new
 _WEAK = 1e-6  # of the longest column
@@ -110,10 +110,34 @@ def _orthonormal(columns: Array) -> Array:
 
 def reduction(linear: Linear) -> float:
     """By how much the sum of squares falls, to first order, when the parameters go where they like within bounds."""
-    room = np.minimum(linear.low - linear.values, 0.0), np.maximum(linear.high - linear.values, 0.0)
-    square, along = linear.slopes.T @ linear.slopes, linear.slopes.T @ linear.residual
-    step = least_in_box(square, along, *room)
-    return max(float(step @ (2 * along - square @ step)), 0.0)
+    size = np.linalg.norm(linear.slopes, axis=0)
+    felt = size > 0
+    if not felt.any():
+        return 0.0
+    rows = linear.slopes[:, felt] / size[felt]
+    low = np.minimum((linear.low - linear.values)[felt] * size[felt], -1e-12)
+    high = np.maximum((linear.high - linear.values)[felt] * size[felt], 1e-12)
+    triangle: Array = np.asarray(np.linalg.qr(np.column_stack([rows, linear.residual]), mode="r"))
+    n = rows.shape[1]
+    solution = lsq_linear(triangle[:n, :n], triangle[:n, n], (low, high), method="bvls")
+    before = float(triangle[:n, n] @ triangle[:n, n])
+    return max(before - 2 * float(solution.cost), 0.0)
+
+
+def _boxed(square: Array, along: Array, low: Array, high: Array) -> Array:
+    """The step within a box that makes least of a quadratic form: what would leave the box stays at its side."""
+    size = np.sqrt(np.maximum(np.diag(square), 0.0))
+    free, step = size > 0, np.zeros(len(along))
+    while free.any():
+        at = np.flatnonzero(free)
+        scaled = square[np.ix_(at, at)] / np.outer(size[at], size[at]) + _NOTHING_NEW**2 * np.eye(len(at))
+        wanted = np.linalg.solve(scaled, (along[at] - square[np.ix_(at, ~free)] @ step[~free]) / size[at]) / size[at]
+        step[at] = np.clip(wanted, low[at], high[at])
+        out = step[at] != wanted
+        if not out.any():
+            break
+        free[at[out]] = False
+    return step
 
 
 @dataclass(frozen=True)
@@ -193,7 +217,7 @@ class Beside:
         values = np.concatenate([own.values, *(s.values for s in shapes)])
         low = np.concatenate([own.low, *(s.low for s in shapes)]) - values
         high = np.concatenate([own.high, *(s.high for s in shapes)]) - values
-        step = least_in_box(square, along, low, high)
+        step = _boxed(square, along, low, high)
         whole = 2 * float(cross[k, wholes].sum()) - float(gram[np.ix_(wholes, wholes)].sum())
         gained = whole + float(step @ (2 * along - square @ step))
         names = (*own.names, *(n for s in shapes for n in s.names))

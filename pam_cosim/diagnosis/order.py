@@ -149,11 +149,6 @@ class Order:
         best = self.best()
         return best is None or self.leaves_structure(best)
 
-    def above_noise(self) -> bool:
-        """Whether the best model leaves more than noise, be it without structure: no two runs have the same steps."""
-        best = self.best()
-        return best is None or self.unsolved() or best.fit.residuals["fit"].excess > CRITERIA.search.at_noise
-
     def rungs(self) -> list[Candidate]:
         """The models that the search goes on from: the best, and the best of laws; or what may replace the best.
 

@@ -76,10 +76,11 @@ def select_effects(search: Search, base: Fit, deadline: float = math.inf, clocks
             models.try_forms()
             models.improve(count)
         models.set_outliers_aside()
-        timed = models.with_step_times(count) if clocks and models.order.above_noise() else None
-        if timed is not None:
-            return Selection(models.search, models.base, outliers=models.outliers, timed=timed)
-        if not models.order.unsolved():
+        if models.order.unsolved():
+            timed = models.with_step_times(count) if clocks else None
+            if timed is not None:
+                return Selection(models.search, models.base, outliers=models.outliers, timed=timed)
+        else:
             models.try_simpler()
             if not models.order.room(count + 1):
                 break
@@ -108,7 +109,6 @@ class _Models:
         self.untried: list[tuple[str, ...]] = []
         self.probes: list[Probe] = []
         self.outliers: Counter[str] = Counter()
-        self.reduced: set[tuple[str, ...]] = set()
 
     @property
     def search(self) -> Search:
@@ -244,27 +244,14 @@ class _Models:
         need it no more once they are fitted together.
         """
         while (best := self.order.answer()) is not None and len(best.effects) > 1:
-            self._reduce(best)
+            sets = [tuple(e for e in best.effects if e != name) for name in best.effects]
+            self._try([Wanted(effects, best.fit.values) for effects in sets])
             brief = [c for c in self.order.known.values() if c.brief and set(c.effects) < set(best.effects)]
             brief = [c for c in brief if len(c.effects) == len(best.effects) - 1]
             if brief and not self._late([c.effects for c in brief]):
                 self._finish(brief)
             if self.order.answer() is best:
                 return
-
-    def _reduce(self, larger: Candidate) -> None:
-        """A model without each of its effects, from where it stands, once.
-
-        What was fitted from elsewhere may have ended in another valley, and its effect counts for less than it is.
-        """
-        sets = [tuple(e for e in larger.effects if e != name) for name in larger.effects]
-        if len(sets) < 2 or larger.effects in self.reduced or self._late(sets):
-            return
-        self.reduced.add(larger.effects)
-        before = set(self.known)
-        made = self.search.briefly([Wanted(effects, larger.fit.values) for effects in sets])
-        self._keep(made)
-        self._finish([c for c in made if c.effects in before and self.known[c.effects] is c])
 
     def _members(self, family: str) -> Iterator[str]:
         """The effects of a family that can show."""
@@ -291,9 +278,6 @@ class _Models:
             if not brief:
                 self._keep(self.search.briefly([self.promises.wanted(e) for e in chosen]))
                 self.promises.learn(chosen)
-        best = self.order.best()
-        if best is not None:
-            self._reduce(best)
 
     def _finish(self, brief: Sequence[Candidate]) -> None:
         """Fits models to the end that were fitted briefly."""

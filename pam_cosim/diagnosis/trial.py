@@ -70,17 +70,12 @@ class Trial:
     beside: Linear | None = None
 
     def screening(self) -> Trial:
-        """A few steps of the same from one start: enough to tell a promising effect from a hopeless one.
-
-        Short data have more steps, and another start, for the same effort: a table of fifty points is worth both.
-        """
+        """A few steps of the same from one start: enough to tell a promising effect from a hopeless one."""
         numbers = CRITERIA.search
-        rows = sum(len(run.time) for run in self.data.fit_runs)
-        effort = max(1, numbers.rows // max(rows, 1))
         return replace(
             self.fitted_with(
-                evaluations=min(numbers.screening_evaluations * effort, numbers.evaluations),
-                descents=min(effort, 2),
+                evaluations=numbers.screening_evaluations,
+                descents=1,
                 tolerance=numbers.screening_tolerance,
                 precision=numbers.precision,
                 rules=False,
