@@ -98,8 +98,7 @@ def _target(path: Path) -> Path:
         return place
     except OSError as problem:
         raise InputError(f"cannot be written: {problem.strerror}", path) from problem
-    if not stat.S_ISREG(status.st_mode):
-        raise InputError(f"is {_KINDS.get(stat.S_IFMT(status.st_mode), 'no file')}; name a file", path)
+    _check_kind(status, path)
     if not os.access(place, os.W_OK):
         raise InputError("cannot be written: it is protected", path)
     return place
@@ -137,10 +136,8 @@ def read_file(path: Path, most: int = MOST_BYTES) -> bytes:
     handle = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
     with os.fdopen(handle, "rb") as file:
         status = os.fstat(handle)
-        if not stat.S_ISREG(status.st_mode):
-            raise InputError(f"is {_KINDS.get(stat.S_IFMT(status.st_mode), 'no file')}; name a file", path)
-        if status.st_size > most:
-            raise InputError(f"has {status.st_size / 1e6:.0f} MB; {most / 1e6:.0f} MB can be taken", path)
+        _check_kind(status, path)
+        _check_size(status, path, most)
         content = file.read(status.st_size + 1)
         while len(content) <= most and (more := file.read(_AT_ONCE)):  # it grows, or does not say its size
             content += more
@@ -161,8 +158,16 @@ def check_regular(path: Path, most: int = MOST_BYTES) -> None:
         raise InputError("there is no such file", path) from None
     except (OSError, ValueError) as problem:
         raise InputError(f"cannot be read: {getattr(problem, 'strerror', None) or problem}", path) from problem
+    _check_kind(status, path)
+    _check_size(status, path, most)
+
+
+def _check_kind(status: os.stat_result, path: Path) -> None:
     if not stat.S_ISREG(status.st_mode):
         raise InputError(f"is {_KINDS.get(stat.S_IFMT(status.st_mode), 'no file')}; name a file", path)
+
+
+def _check_size(status: os.stat_result, path: Path, most: int) -> None:
     if status.st_size > most:
         raise InputError(f"has {status.st_size / 1e6:.0f} MB; {most / 1e6:.0f} MB can be taken", path)
 

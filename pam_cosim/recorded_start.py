@@ -6,16 +6,12 @@ from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
-
 from pam_cosim.arrays import Array
-from pam_cosim.comparison import measured, start_time
-from pam_cosim.comparison.beginning import inputs_of_run
+from pam_cosim.comparison import state_course
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import with_starts
 from pam_cosim.measurement import DataSet, Run, Signal
 from pam_cosim.models import Paths, opened
-from pam_cosim.simulation import AnySimulator
 from pam_cosim.simulation.inputs import Interpolation
 
 
@@ -54,20 +50,11 @@ def recorded_start(
             run = with_starts(simulator, data).runs[0]
             if run.start.mode != "estimated":
                 return {}, ""
-            return _states(simulator, data, run), run.start.reason.removesuffix(": estimated")
+            at_first = replace(run, start=replace(run.start, mode="measured"))
+            course = state_course(simulator, data, at_first, {}, ())
+            return {name: float(one[0]) for name, one in course.items()}, run.start.reason.removesuffix(": estimated")
         except SimulationFailure:  # the filter says what it cannot do
             return {}, ""
-
-
-def _states(simulator: AnySimulator, data: DataSet, run: Run) -> dict[str, float]:
-    run = replace(run, start=replace(run.start, mode="measured"))
-    begins = measured(simulator, data, run, run.parameters)
-    at, names = start_time(run), simulator.interface.states
-    course = simulator.run(
-        np.array([at]), parameters={**run.parameters, **begins.values}, inputs=inputs_of_run(run),
-        outputs=names, start_time=at, settle=begins.settle,
-    )  # fmt: skip
-    return {name: float(course[name][0]) for name in names}
 
 
 __all__ = ["recorded_start"]

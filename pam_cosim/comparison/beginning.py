@@ -93,19 +93,22 @@ def measured(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mappi
     first = probe.first_samples()
     if not simulator.interface.states or not first:
         return Beginning()
-    shown, values = _agreeing(probe, first)
+    links = probe.links({}).joined(probe.links(probe.elsewhere()))
+    shown, values = _agreeing(probe, links, first)
     if missed := probe.missed(shown, values):  # such as a reading at the end of its range, which shows nothing
-        shown, values = _agreeing(probe, {signal: one for signal, one in first.items() if signal not in missed})
+        others = {signal: one for signal, one in first.items() if signal not in missed}
+        shown, values = _agreeing(probe, links, others)
     signals = {state: one.signal for state, one in shown.items()}
     settle: Settle = "others" if probe.rests(values) else "none"
     return Beginning(values, settle, signals)
 
 
-def _agreeing(probe: Probe, first: Mapping[str, FirstSamples]) -> tuple[dict[str, _Shown], dict[str, float]]:
+def _agreeing(
+    probe: Probe, links: _Links, first: Mapping[str, FirstSamples]
+) -> tuple[dict[str, _Shown], dict[str, float]]:
     """What shows which states, and their start values, at which the model agrees with that."""
     shown: dict[str, _Shown] = {}
     values: dict[str, float] = {}
-    links = probe.links({}).joined(probe.links(probe.elsewhere()))
     for _ in range(2):  # what acts on what may not show where the model begins by itself
         shown = _shown_states(links, first, probe.signals, probe.states)
         values = probe.corrected(shown, links, values)

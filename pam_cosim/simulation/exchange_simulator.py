@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from pam_cosim.errors import InputError
-from pam_cosim.simulation.driver import Callbacks
+from pam_cosim.simulation.driver import AnyDriver, Callbacks
 from pam_cosim.simulation.exchange import ExchangeDriver
-from pam_cosim.simulation.instance import Instance, instantiate, load_instance
+from pam_cosim.simulation.instance import Instance, load_instance
 from pam_cosim.simulation.simulator import Simulator
 from pam_cosim.simulation.stepper import Stepper
 
@@ -24,12 +24,8 @@ class ExchangeSimulator(Simulator):
         self._slopes = True
         self._instantiate(self._instance)
 
-    def _instantiate(self, instance: Instance) -> None:
-        self._instance = None  # while there is none
-        instantiate(instance, self._callbacks, self.path.name)
-        self._instance = instance
-        self._driver = ExchangeDriver(instance, self._description, self._callbacks)
-        self._used = False
+    def _new_driver(self, instance: Instance) -> AnyDriver:
+        return ExchangeDriver(instance, self._description, self._callbacks)
 
     def stepper(self) -> Stepper:
         """Raises InputError: steps need co-simulation."""

@@ -105,8 +105,12 @@ class Simulator:
         self._instance = None  # while there is none
         instantiate(instance, self._callbacks, self.path.name)
         self._instance = instance
-        self._driver: AnyDriver = Driver(instance.dll, instance.component, self._slopes, major_version(instance))
+        self._driver = self._new_driver(instance)
         self._used = False
+
+    def _new_driver(self, instance: Instance) -> AnyDriver:
+        """What makes the runs of an instance."""
+        return Driver(instance.dll, instance.component, self._slopes, major_version(instance))
 
     def __enter__(self) -> Simulator:
         return self
