@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.compiler.elementwise import elementwise
+from pam_cosim.compiler.elementwise import elementwise, with_place
 from pam_cosim.errors import InputError, ModelError
 from pam_cosim.interface import Interface
 from pam_cosim.measurement import read_recording
@@ -71,8 +71,7 @@ def _of_formulas(text: str, interface: Interface, time: Array) -> Inputs:
             with np.errstate(all="ignore"):
                 values[name] = np.array(np.broadcast_to(elementwise(formula, {"time": time}), time.shape))
         except ModelError as problem:
-            place = f" (at character {problem.column})" if problem.column else ""
-            raise InputError(f"the formula of the input '{name}': {problem.message}{place}") from None
+            raise InputError(f"the formula of the input '{name}': {with_place(problem)}") from None
         except (ArithmeticError, RecursionError, TypeError, ValueError) as problem:
             raise InputError(f"the formula of the input '{name}' cannot be evaluated: {problem}") from None
         wrong = time[~np.isfinite(values[name])]

@@ -53,6 +53,11 @@ def evaluate(text: str, values: Mapping[str, Any], quantity: Callable[[str], Any
     return _bounded_value(_parsed(text), _Known(values, quantity))
 
 
+def with_place(problem: ModelError) -> str:
+    """What is wrong with an expression that stands by itself, and at which of its characters."""
+    return f"{problem.message} (at character {problem.column})" if problem.column else problem.message
+
+
 @dataclass(frozen=True)
 class _Known:
     values: Mapping[str, Any]

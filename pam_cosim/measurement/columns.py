@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from pam_cosim.compiler.elementwise import evaluate
+from pam_cosim.compiler.elementwise import evaluate, with_place
 from pam_cosim.errors import InputError, ModelError
 from pam_cosim.measurement.experiment import ColumnTable, ExperimentFile, KeyPath
 from pam_cosim.measurement.table import TIME, Column, Table
@@ -125,8 +125,7 @@ def _derived(
     except UnitError as error:
         raise renaming.error(str(error), name, "formula") from None
     except ModelError as error:
-        place = f" (at character {error.column})" if error.column else ""
-        raise renaming.error(f"{error.message}{place}", name, "formula") from None
+        raise renaming.error(with_place(error), name, "formula") from None
     except registry_errors() as error:
         raise renaming.error(f"the units of the formula do not fit: {error}", name, "formula") from None
     except (ArithmeticError, RecursionError, TypeError, ValueError) as error:

@@ -173,6 +173,34 @@ class Outcome:
         self.values, self.time, self.failed = values, time, failed
 
 
+@dataclass(frozen=True)
+class Request:
+    """A simulation that is asked of a driver.
+
+    Attributes:
+        plan: when what is set and read.
+        parameters: their value references, and values.
+        inputs, outputs: value references; the plan has the values of the inputs.
+        tolerance: relative, of the solver; None: the model's.
+        must_reset: the instance was used before.
+        max_seconds: of processor time; None: as long as it likes.
+        plain: none of the outputs is a sensitivity.
+        at_rest: each point of the plan is an equilibrium under its own inputs, not a time.
+        settle: as in ``Simulator.run``.
+    """
+
+    plan: Plan
+    parameters: tuple[Sequence[int], Sequence[float]]
+    inputs: Sequence[int]
+    outputs: Sequence[int]
+    tolerance: float | None
+    must_reset: bool
+    max_seconds: float | None
+    plain: bool = False
+    at_rest: bool = False
+    settle: Settle = "none"
+
+
 class AnyDriver(Protocol):
     """What runs one instance of an FMU; its members are those of ``Driver``."""
 
@@ -184,19 +212,7 @@ class AnyDriver(Protocol):
     def progress(self) -> Progress | None:
         """How far a run in another thread is."""
 
-    def run(
-        self,
-        plan: Plan,
-        parameters: tuple[Sequence[int], Sequence[float]],
-        inputs: Sequence[int],
-        outputs: Sequence[int],
-        tolerance: float | None,
-        must_reset: bool,
-        max_seconds: float | None,
-        plain: bool = False,
-        at_rest: bool = False,
-        settle: Settle = "none",
-    ) -> Outcome:
+    def run(self, request: Request) -> Outcome:
         """One simulation."""
 
 
@@ -229,24 +245,10 @@ class Driver:
         run = self._running
         return None if run is None else Progress(self._names[run.active], run.calls, run.time_reached)
 
-    def run(
-        self,
-        plan: Plan,
-        parameters: tuple[Sequence[int], Sequence[float]],
-        inputs: Sequence[int],
-        outputs: Sequence[int],
-        tolerance: float | None,
-        must_reset: bool,
-        max_seconds: float | None,
-        plain: bool = False,
-        at_rest: bool = False,
-        settle: Settle = "none",
-    ) -> Outcome:
-        """One simulation; variables are given by value reference. ``plain``: none of the outputs is a sensitivity.
-
-        ``settle``: as in ``Simulator.run``. ``at_rest``: each point of the plan is an equilibrium under its own
-        inputs, not a time.
-        """
+    def run(self, request: Request) -> Outcome:
+        """One simulation."""
+        plan, parameters, inputs, outputs = request.plan, request.parameters, request.inputs, request.outputs
+        tolerance = request.tolerance
         references = [np.array(r, dtype=np.uint32) for r in (parameters[0], inputs, outputs)]
         values = np.array(parameters[1], dtype=np.float64)
         orders = np.ones(len(inputs), dtype=np.int32)
@@ -255,22 +257,22 @@ class Driver:
             **self._addresses,
             instance=self._instance,
             version=self._version,
-            must_reset=must_reset,
+            must_reset=request.must_reset,
             tolerance_defined=tolerance is not None,
             tolerance=tolerance or 0.0,
-            max_seconds=max_seconds or 0.0,
+            max_seconds=request.max_seconds or 0.0,
             follow=self._follow,
-            plain=plain,
-            settle_start=_SETTLING[settle],
+            plain=request.plain,
+            settle_start=_SETTLING[request.settle],
             settle_at=self._settle_at,
-            at_rest=at_rest,
+            at_rest=request.at_rest,
             n_parameters=values.size,
             parameters=references[0].ctypes.data,
             parameter_values=values.ctypes.data,
             n_inputs=len(inputs),
             inputs=references[1].ctypes.data,
             input_values=plan.values.ctypes.data,
-            input_slopes=plan.slopes.ctypes.data if self._slopes and not at_rest else None,
+            input_slopes=plan.slopes.ctypes.data if self._slopes and not request.at_rest else None,
             orders=orders.ctypes.data,
             n_outputs=len(outputs),
             outputs=references[2].ctypes.data,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Sequence
 from ctypes import c_double
 from typing import Any
 
@@ -15,9 +14,8 @@ from fmpy.sundials import CVodeSolver
 from fmpy.sundials.nvector_serial import NV_DATA_S
 
 from pam_cosim.fmu.read import real_variables
-from pam_cosim.simulation.driver import TOO_SLOW, Callbacks, Outcome, Progress, Settle
+from pam_cosim.simulation.driver import TOO_SLOW, Callbacks, Outcome, Progress, Request
 from pam_cosim.simulation.instance import Instance, major_version
-from pam_cosim.simulation.plan import Plan
 
 CVODE = "CVode"
 _MOST_STEPS = 100_000  # from row to row, as our own solver
@@ -119,28 +117,17 @@ class ExchangeDriver:
         """As ``Driver.progress``."""
         return Progress(self._function, self._calls, self.time) if self._function else None
 
-    def run(
-        self,
-        plan: Plan,
-        parameters: tuple[Sequence[int], Sequence[float]],
-        inputs: Sequence[int],
-        outputs: Sequence[int],
-        tolerance: float | None,
-        must_reset: bool,
-        max_seconds: float | None,
-        plain: bool = False,
-        at_rest: bool = False,
-        settle: Settle = "none",
-    ) -> Outcome:
+    def run(self, request: Request) -> Outcome:
         """As ``Driver.run``; there are neither sensitivities nor equilibria."""
-        self._plan, self._inputs, self._outputs = plan, list(inputs), list(outputs)
-        self._deadline = time.process_time() + (max_seconds or math.inf)
-        self._values = np.full((plan.row_count, len(outputs)), np.nan)
+        plan = self._plan = request.plan
+        self._inputs, self._outputs = list(request.inputs), list(request.outputs)
+        self._deadline = time.process_time() + (request.max_seconds or math.inf)
+        self._values = np.full((plan.row_count, len(self._outputs)), np.nan)
         self._knot, self._next_event = -1, math.inf
         failed = None
         try:
-            self._initialise(parameters, tolerance, must_reset)
-            self._integrate(tolerance or self._tolerance)
+            self._initialise(request)
+            self._integrate(request.tolerance or self._tolerance)
             self._calling("terminate").terminate()
         except FMICallException as problem:
             failed = problem.function
@@ -165,18 +152,17 @@ class ExchangeDriver:
 
     # Initialisation and events
 
-    def _initialise(
-        self, parameters: tuple[Sequence[int], Sequence[float]], tolerance: float | None, must_reset: bool
-    ) -> None:
+    def _initialise(self, request: Request) -> None:
         self.time = start = float(self._plan.times[0])
-        if must_reset:
+        if request.must_reset:
             self._calling("reset").reset()
-        self._write(list(parameters[0]), list(parameters[1]))
+        references, values = request.parameters
+        self._write(list(references), list(values))
         model = self._calling("enterInitializationMode")
         if major_version(model) == 3:
-            model.enterInitializationMode(tolerance=tolerance, startTime=start)
+            model.enterInitializationMode(tolerance=request.tolerance, startTime=start)
         else:
-            model.setupExperiment(tolerance=tolerance, startTime=start)
+            model.setupExperiment(tolerance=request.tolerance, startTime=start)
             model.enterInitializationMode()
         self._take_knot(int(self._plan.knots[0]))
         self._calling("exitInitializationMode").exitInitializationMode()

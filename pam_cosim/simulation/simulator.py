@@ -20,7 +20,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import interface_of, read_description, real_variables
 from pam_cosim.interface import Interface
-from pam_cosim.simulation.driver import TOO_SLOW, AnyDriver, Callbacks, Driver, Outcome, Progress, Settle
+from pam_cosim.simulation.driver import TOO_SLOW, AnyDriver, Callbacks, Driver, Outcome, Progress, Request, Settle
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs, with_held
 from pam_cosim.simulation.instance import (
@@ -266,10 +266,10 @@ class Simulator:
         plain = all(name in self.interface.outputs for name in names)  # sensitivities stand elsewhere
 
         def drive() -> Outcome:
-            return self._driver.run(
-                layout, (parameter_references, parameter_values), input_references, output_references,
-                tolerance, self._used, max_seconds, plain, at_rest, settle,
-            )  # fmt: skip
+            parameters = parameter_references, parameter_values
+            request = Request(layout, parameters, input_references, output_references, tolerance, self._used,
+                              max_seconds, plain, at_rest, settle)  # fmt: skip
+            return self._driver.run(request)
 
         self._end_steps()
         outcome = drive()
