@@ -14,10 +14,11 @@ from pam_cosim.fmu.read import read_description
 from pam_cosim.resources import fmu_runtime
 from tests.fmu import models
 
-# Never returns from the function that the environment names, nor from fmi2SetReal with a value above HANG_ABOVE;
-# takes 0.15 s for each step where it says DAWDLE.
+# Never returns from the function that ALWAYS or the environment names, nor from fmi2SetReal with a value above
+# HANG_ABOVE; takes 0.15 s for each step where it says DAWDLE.
 _HANG = """
 #define _POSIX_C_SOURCE 199309L
+#define ALWAYS "{always}"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,7 +26,7 @@ _HANG = """
 static void spin(void) { for (volatile int i = 1; i;) {} }
 static void hang(const char *function) {
     const char *chosen = getenv("HANG");
-    if (chosen && !strcmp(chosen, function)) spin();
+    if (!strcmp(ALWAYS, function) || (chosen && !strcmp(chosen, function))) spin();
     if (getenv("DAWDLE") && !strcmp(function, "fmi2DoStep")) {
         struct timespec pause = {0, 150000000};
         nanosleep(&pause, NULL);
@@ -73,18 +74,21 @@ def patched(folder: Path, name: str, old: str, new: str) -> Path:
 
 
 @cache
-def _hanging_binary() -> bytes:
+def _hanging_binary(always: str) -> bytes:
     name = "pam_fmi2.c"
     text = (fmu_runtime() / name).read_text()
     entry = re.compile(r"^(fmi2\w+ (fmi2\w+)\([^)]*\) \{)", re.MULTILINE)
     assert {"fmi2Instantiate", "fmi2DoStep", "fmi2SetReal"} <= {m[2] for m in entry.finditer(text)}
     text = entry.sub(lambda m: f'{m[1]} hang("{m[2]}");' + " compare_all(value, n);" * (m[2] == "fmi2SetReal"), text)
-    return _binary({name: _HANG + text})
+    return _binary({name: _HANG.replace("{always}", always) + text})
 
 
-def hanging(folder: Path) -> Path:
-    """The lag, which hangs where the environment says: ``HANG``, ``HANG_ABOVE``, ``DAWDLE``."""
-    return repacked(models.fmu(models.lag), folder / "Hanging.fmu", binary=_hanging_binary())
+def hanging(folder: Path, always: str = "") -> Path:
+    """The lag, which hangs where the environment says: ``HANG``, ``HANG_ABOVE``, ``DAWDLE``.
+
+    Processes that were started before know nothing of that, a pool's among them: for them there is ``always``.
+    """
+    return repacked(models.fmu(models.lag), folder / "Hanging.fmu", binary=_hanging_binary(always))
 
 
 def processes_of(path: Path) -> list[int]:

@@ -89,12 +89,11 @@ def test_fmu_that_is_never_freed(tmp_path: Path, temporary: Path, monkeypatch: p
     assert processes_of(path) == [] and os.listdir(temporary) == []
 
 
-def test_one_that_hangs_while_it_is_loaded_is_not_loaded_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("HANG", "load")
-    path = hanging(tmp_path)
+def test_one_that_hangs_while_it_is_loaded_is_not_loaded_again(tmp_path: Path) -> None:
+    path = hanging(tmp_path, "load")
     assert study.describe(str(path)).parameters["tau"].start == 0.5  # read without loading it
-    points = study.sweep(str(path), {"tau": np.linspace(0.1, 1.0, 200)}, timeout=3 * LIMIT)
-    assert all("while it was loaded" in str(p.failure) for p in points) and len(points) == 200
+    points = study.sweep(str(path), {"tau": np.linspace(0.1, 1.0, 200)}, timeout=LIMIT)
+    assert [p for p in points if "while it was loaded" not in str(p.failure)] == [] and len(points) == 200
 
 
 def test_slow_run_that_goes_on_is_not_ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
