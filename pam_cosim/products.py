@@ -8,6 +8,10 @@ from __future__ import annotations
 
 import io
 import json
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from functools import cache
 from pathlib import Path
 from typing import Any, get_args
 
@@ -55,11 +59,12 @@ def save(product: Product, path: Path | str) -> Path:
     kind = type(product).__name__
     if _KINDS.get(kind) is not type(product):
         raise InputError(f"a {kind} cannot be saved; only {', '.join(_KINDS)}", target)
-    arrays: dict[bytes, Any] = {}
-    content = {"kind": kind, "content": _converter(arrays).unstructure(product)}
+    arrays: dict[bytes, tuple[int, np.ndarray]] = {}
+    with _at_hand(arrays):
+        content = {"kind": kind, "content": _converter().unstructure(product)}
     text = np.frombuffer(json.dumps(content).encode(), dtype=np.uint8)
     file = io.BytesIO()
-    named: dict[str, Any] = {_TEXT: text} | {f"array_{i}": a for i, a in enumerate(arrays.values())}
+    named: dict[str, Any] = {_TEXT: text} | {f"array_{number}": array for number, array in arrays.values()}
     np.savez_compressed(file, **named)
     write_bytes(target, file.getvalue())
     return target
@@ -80,7 +85,8 @@ def load(path: Path | str) -> Any:
         arrays = arrays_in(content)
         document = json.loads(bytes(arrays.pop(_TEXT)).decode())
         check_plain(document["content"], arrays)
-        product = _converter(arrays).structure(document["content"], _KINDS[document["kind"]])
+        with _at_hand(arrays):
+            product = _converter().structure(document["content"], _KINDS[document["kind"]])
         str(product)  # what cannot say what it is holds numbers that do not belong together
         if hasattr(product, "as_dict"):
             product.as_dict()
@@ -89,23 +95,43 @@ def load(path: Path | str) -> Any:
     return product
 
 
-def _converter(arrays: dict[Any, Any]) -> Converter:
-    """Products to plain data and back; ``arrays`` by their bytes while saving, by name while loading."""
+_arrays: ContextVar[dict[Any, Any]] = ContextVar("arrays")
+"""Of the file at hand: by their bytes while it is saved, by name while it is loaded."""
+
+
+@contextmanager
+def _at_hand(arrays: dict[Any, Any]) -> Iterator[None]:
+    token = _arrays.set(arrays)
+    try:
+        yield
+    finally:
+        _arrays.reset(token)
+
+
+def _put(array: np.ndarray) -> dict[str, str]:
+    """The array among those of the file, once; what stands in the text for it."""
+    arrays = _arrays.get()
+    key = array.dtype.str.encode() + repr(array.shape).encode() + np.ascontiguousarray(array).tobytes()
+    number, _ = arrays.setdefault(key, (len(arrays), array))
+    return {"array": f"array_{number}"}
+
+
+def _taken(reference: Any) -> Any:
+    """The array of the file that the text refers to."""
+    return _arrays.get()[reference["array"]]
+
+
+@cache
+def _converter() -> Converter:
+    """Products to plain data and back: one for all, since to make it takes longer than to use it."""
     converter = Converter()
-    numbers: dict[bytes, int] = {}
-
-    def put(array: np.ndarray) -> dict[str, str]:
-        key = array.dtype.str.encode() + repr(array.shape).encode() + np.ascontiguousarray(array).tobytes()
-        arrays.setdefault(key, array)
-        return {"array": f"array_{numbers.setdefault(key, len(numbers))}"}
-
-    converter.register_unstructure_hook_func(_is_array, put)
-    converter.register_structure_hook_func(_is_array, lambda reference, _: arrays[reference["array"]])
+    converter.register_unstructure_hook_func(_is_array, _put)
+    converter.register_structure_hook_func(_is_array, lambda reference, _: _taken(reference))
     converter.register_unstructure_hook(
-        Leeway, lambda v: {"cost": v.cost, "shifts": [[*key, put(shift)] for key, shift in v.shifts.items()]}
+        Leeway, lambda v: {"cost": v.cost, "shifts": [[*key, _put(shift)] for key, shift in v.shifts.items()]}
     )
     converter.register_structure_hook(
-        Leeway, lambda v, _: Leeway({(r, s): arrays[a["array"]] for r, s, a in v["shifts"]}, float(v["cost"]))
+        Leeway, lambda v, _: Leeway({(r, s): _taken(a) for r, s, a in v["shifts"]}, float(v["cost"]))
     )
     converter.register_unstructure_hook(Path, str)
     converter.register_structure_hook(Path, lambda text, _: Path(text))

@@ -21,17 +21,17 @@ Command = Callable[..., Outcome]
 needs_proc = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="reads /proc")
 
 
-def test_run_that_hangs_is_reported(process: Command, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_run_that_hangs_is_reported(command: Command, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("HANG", "fmi2DoStep")
-    outcome = process("simulate", hanging(place), "--timeout", "1", "-o", "run.csv")
+    outcome = command("simulate", hanging(place), "--timeout", "1", "-o", "run.csv")
     assert (outcome.status, outcome.out) == (1, "")
     assert "pam-cosim: the simulation failed: Hanging.fmu was ended: no progress for 1 s, fmi2DoStep" in outcome.err
     assert "Traceback" not in outcome.err and not (place / "run.csv").exists()
 
 
-def test_sweep_goes_on(process: Command, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_sweep_goes_on(command: Command, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("HANG_ABOVE", "1")
-    outcome = process("sweep", hanging(place), "--vary", "tau=0.5,2,0.7", "--timeout", "1", "-o", "sweep.csv")
+    outcome = command("sweep", hanging(place), "--vary", "tau=0.5,2,0.7", "--timeout", "1", "-o", "sweep.csv")
     assert outcome.status == 0 and "2 of 3 runs done" in outcome.out
     assert "no progress for 1 s, fmi2SetReal" in outcome.err.replace("\n", " ")
     rows = (place / "sweep.csv").read_text().splitlines()[1:]
@@ -82,9 +82,9 @@ def _spinning(path: Path) -> int:
     raise AssertionError("the FMU was not loaded")
 
 
-def test_an_fmu_that_reads_finds_nothing(process: Command, place: Path) -> None:
+def test_an_fmu_that_reads_finds_nothing(command: Command, place: Path) -> None:
     """What it would read is not meant for it."""
     step = "c->core.phase = INSTANTIATED;"
     reading = patched(place, "pam_lifecycle.c", step, step + " char b[8]; while (fread(b, 1, 8, stdin)) {}")
-    outcome = process("simulate", reading, "--timeout", "20")
+    outcome = command("simulate", reading, "--timeout", "20")
     assert (outcome.status, outcome.err) == (0, "")
