@@ -13,7 +13,7 @@ from pam_cosim.catalogue import Composition, EffectClass, compose_on, effect_cla
 from pam_cosim.compiler import ClassTree, Ode, Structure, compile_model, read_library, read_structure
 from pam_cosim.errors import ModelError
 from pam_cosim.fmu import build_model, build_source
-from pam_cosim.interface import Interface, Variable
+from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.simulation import Inputs, Simulator
 
 BENCH = "PneumaticMuscle.Benches.Isotonic"
