@@ -42,11 +42,8 @@ def _is_effect_base(name: str) -> bool:
 def benches(tree: ClassTree) -> list[str]:
     """Full names of the benches."""
     homes = [f"{library}.{BENCHES}" for library in libraries(tree)]
-    return [
-        name
-        for name, info in tree.classes.items()
-        if names.parent(name) in homes and info.kind == "model" and not info.partial
-    ]
+    inside = [name for name in tree.classes if names.parent(name) in homes]
+    return [name for name in inside if tree.classes[name].kind == "model" and not tree.classes[name].partial]
 
 
 def qualified(tree: ClassTree, model: str) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from typing import TypeAlias
 
@@ -11,7 +12,7 @@ from pam_cosim.compiler import names
 from pam_cosim.compiler.budget import bounded
 from pam_cosim.compiler.instance import Class
 from pam_cosim.compiler.instantiation import PRIMITIVES
-from pam_cosim.compiler.library import Library
+from pam_cosim.compiler.library import Library, Signature, files_of, modelica_files, signature
 from pam_cosim.compiler.lookup import Lookup
 from pam_cosim.compiler.printing import argument_text, expression_text, modification_text
 from pam_cosim.compiler.syntax import (
@@ -348,14 +349,30 @@ def _entries(argument: Argument, name: str) -> dict[str, str]:
     return texts
 
 
-@bounded
 def read_library(root: Path | None = None, files: Sequence[Path] = ()) -> ClassTree:
     """The class tree of the library directory ``root`` (by default the project's own) and of the user's files.
+
+    Where no file has changed it is the same tree: what was found out about its classes is known already.
 
     Raises:
         ModelError: a syntax error, or a class of the user's that extends what does not exist, with its place.
     """
-    library = Library(modelica_root() if root is None else root, files)
+    base, named = modelica_root() if root is None else root, tuple(Path(file) for file in files)
+    try:
+        every = [*modelica_files(base), *(part for file in named for part in files_of(file.absolute()))]
+        return _tree(base, named, signature(every))
+    except OSError:
+        return _read(base, named)
+
+
+@lru_cache(maxsize=8)
+def _tree(root: Path, files: tuple[Path, ...], of: Signature) -> ClassTree:
+    return _read(root, files)
+
+
+@bounded
+def _read(root: Path, files: tuple[Path, ...]) -> ClassTree:
+    library = Library(root, files)
     lookup = Lookup(library)
     for definition in (node for classes in library.user_classes.values() for node in classes):
         for clause in definition.extends:

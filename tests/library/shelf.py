@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from functools import cache
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
 import numpy as np
 
 from pam_cosim.catalogue import Composition, EffectClass, compose_on, effect_classes
-from pam_cosim.compiler import ClassTree, Ode, Structure, compile_model, read_library, read_structure
+from pam_cosim.compiler import ClassTree, Ode, Structure, read_library, read_structure
 from pam_cosim.errors import ModelError
-from pam_cosim.fmu import build_model, build_source
+from pam_cosim.fmu import build_model, build_source, source_ode
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.simulation import Inputs, Simulator
 
@@ -108,15 +107,12 @@ def compiled(bench: str, effect: str) -> Ode | None:
 
 
 def _equations(composition: Composition) -> Ode | None:
-    with TemporaryDirectory() as folder:
-        file = Path(folder) / f"{composition.name}.mo"
-        file.write_text(composition.text)
-        try:
-            return compile_model(str(file))
-        except ModelError as problem:
-            if any(text in problem.message for text in ("needs the derivative of its input", "depends on the input")):
-                return None
-            raise
+    try:
+        return source_ode(composition.name, composition.text)
+    except ModelError as problem:
+        if any(text in problem.message for text in ("needs the derivative of its input", "depends on the input")):
+            return None
+        raise
 
 
 def values(effect: EffectClass, composition: Composition, own: dict[str, float]) -> dict[str, float]:
