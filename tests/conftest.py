@@ -51,5 +51,5 @@ def bench() -> Callable[[str], Path]:
 
 @pytest.fixture(scope="session")
 def workers() -> int | None:
-    """One process for each diagnosis where the tests themselves run side by side."""
-    return 1 if "PYTEST_XDIST_WORKER" in os.environ else None
+    """No further process for a diagnosis where the tests themselves run side by side."""
+    return 0 if "PYTEST_XDIST_WORKER" in os.environ else None
