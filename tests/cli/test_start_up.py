@@ -47,6 +47,7 @@ def test_the_workbench_loads_no_pictures(module: str) -> None:
     [
         (["--version"], NUMBERS, 400),  # 317 when this was written
         (["describe", "TankFilling"], MEASUREMENTS, 700),  # 551
+        (["simulate", "VesselOrifice"], PICTURES, 1500),  # 1389
     ],
     ids=lambda value: value[0] if isinstance(value, list) else None,
 )

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from pam_cosim import study
+from pam_cosim import reporting, study
 from pam_cosim.cli.arguments import parse_pairs
 from pam_cosim.cli.commands.common import (
     BeginOption,
@@ -28,7 +28,6 @@ from pam_cosim.cli.commands.common import (
 from pam_cosim.comparison import write_tables
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_json
-from pam_cosim.reporting import comparison_report, plot_tables, write_report
 from pam_cosim.study.fitted_model import read_fitted_model
 from pam_cosim.study.tables import against_lines, read_comparison
 
@@ -72,11 +71,11 @@ def compare(
     if json:
         write_json(json, comparison.as_dict() | ({"tables": [one.as_dict() for one in tables]} if tables else {}))
     if report:
-        write_report(report, comparison_report(comparison))
+        reporting.write_report(report, reporting.comparison_report(comparison))
     if table_csv:
         write_tables(table_csv, tables)
     if table_plot:
-        plot_tables(tables, table_plot)
+        reporting.plot_tables(tables, table_plot)
     for path in (json, report, table_csv, table_plot):
         say_written(path)
 

@@ -8,12 +8,12 @@ from typing import Annotated, Any
 import typer
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
+from pam_cosim import reporting
 from pam_cosim.cli.arguments import parse_settings
 from pam_cosim.cli.commands.common import FilesOption, SetOption, TimeoutOption, check_results, console, say_written
 from pam_cosim.cosimulation import Controller, ControllerError, CoupledRun, CouplingFailure
 from pam_cosim.cosimulation.python_file import controller_from
 from pam_cosim.errors import InputError
-from pam_cosim.reporting import plot_trajectory
 from pam_cosim.study import coupling
 from pam_cosim.study.input_sources import read_inputs
 from pam_cosim.units import format_quantity
@@ -84,7 +84,7 @@ def _write(run: CoupledRun, output: Path | None, plot: Path | None) -> None:
     if output:
         run.trajectory.to_csv(output)
     if plot and run.trajectory.time.size > 1:
-        plot_trajectory(run.trajectory, plot)
+        reporting.plot_trajectory(run.trajectory, plot)
     say_written(output)
     say_written(plot)
 
