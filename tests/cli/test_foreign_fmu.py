@@ -33,7 +33,8 @@ def test_run_that_hangs_is_reported(command: Command, place: Path, monkeypatch: 
 
 def test_sweep_goes_on(command: Command, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("HANG_ABOVE", "1")  # of which processes that wait for work know nothing: none is asked
-    outcome = command("sweep", hanging(place), "--vary", "tau=0.5,2,0.7", "--timeout", "2", "--workers", "1", "-o", "sweep.csv")
+    here = ("--workers", "1", "-o", "sweep.csv")
+    outcome = command("sweep", hanging(place), "--vary", "tau=0.5,2,0.7", "--timeout", "2", *here)
     assert outcome.status == 0 and "2 of 3 runs done" in outcome.out
     assert "no progress for 2 s, fmi2SetReal" in outcome.err.replace("\n", " ")
     rows = (place / "sweep.csv").read_text().splitlines()[1:]
