@@ -167,3 +167,14 @@ int pam_solver_settle_start(pam_solver *v, const double *held) {
     v->held = held;
     return settle(v);
 }
+
+void pam_solver_rest_along(pam_solver *v, const double *held, double *along) {
+    v->held = held;
+    for (int i = 0; i < v->model->nc; i++)
+        if (is_held(v, i)) along[i] = 0.0;
+    if (look(v) || factorise(v, LAST)) {
+        for (int i = 0; i < v->model->nc; i++) along[i] = NAN;
+        return;
+    }
+    lu_solve(v->model->nc, v->lu, v->pivot, along);
+}

@@ -38,6 +38,7 @@ typedef struct {
     const int *delayed_inputs;        /* nd: which input it is that is delayed; -1: 0 until the start, then 1 */
     const int *direct_inputs;         /* nu: 1 where dx depends on the input's present value */
     const int *start_of;              /* ns: the state whose start value the parameter s is; -1: a parameter of the model */
+    const int *resting;               /* nc: 1 where the state begins at rest beside the others, sought from ``init`` */
     pam_function rhs;                 /* (t, x, u, d, p) -> dx */
     pam_function out;                 /* (t, x, u, d, p) -> y */
     pam_function loc;                 /* (t, x, u, d, p) -> w */

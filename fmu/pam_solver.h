@@ -102,6 +102,11 @@ int pam_solver_settle(pam_solver *v);
  */
 int pam_solver_settle_start(pam_solver *v, const double *held);
 
+/* Turns what the rates do along a seed of all that is known (nc) into what the states do that have settled beside it; 0
+ * for those that are held. After pam_solver_settle_start.
+ */
+void pam_solver_rest_along(pam_solver *v, const double *held, double *along);
+
 /* The first nc states at a time the pending step covers. */
 void pam_solver_core_state(const pam_solver *v, double t, double *x);
 

@@ -63,6 +63,8 @@ class Ode:
         parts: the components of the model that are no variables, with the classes that they consist of.
         libraries: packages that the model is made of, with their versions.
         statements: what must hold while the model runs.
+        resting: names of the states that begin at rest, where their rates vanish beside the others' initial values
+            under the first inputs; in ``initial`` stands where that is sought from.
     """
 
     interface: Interface
@@ -82,6 +84,7 @@ class Ode:
     parts: tuple[Part, ...] = ()
     libraries: tuple[tuple[str, str], ...] = ()
     statements: tuple[Statement, ...] = ()
+    resting: tuple[str, ...] = ()
 
     @property
     def core(self) -> int:

@@ -35,6 +35,7 @@ def ode_bytes(ode: Ode) -> bytes:
         "delays": [delay.input for delay in ode.delays],
         "parts": [asdict(part) for part in ode.parts],
         "libraries": ode.libraries,
+        "resting": ode.resting,
         "statements": [
             {"texts": s.texts, "digits": [digits for _, digits in s.values], "error": s.is_error, "start": s.at_start}
             for s in ode.statements
@@ -74,6 +75,7 @@ def read_ode(content: bytes) -> Ode:
         parts=tuple(_part(part) for part in about["parts"]),
         libraries=tuple((name, version) for name, version in about["libraries"]),
         statements=tuple([_statement(s, further) for s in about["statements"]]),
+        resting=tuple(about["resting"]),
     )
 
 

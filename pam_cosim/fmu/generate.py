@@ -104,7 +104,7 @@ def model_source(ode: Ode, guid: str, lean: bool = False) -> str:
         f"    guid, {', '.join(str(numbers[name]) for name in SIZES)},",
         f"    {numbers['tolerance']!r}, {numbers['max_step']!r},",
         "    state_names, state_nominals, input_starts, parameter_starts, delayed_inputs, direct_inputs,",
-        "    start_of,",
+        "    start_of, resting,",
         f"    {', '.join(_slots({f.name() for f in functions}))},",
         "    statements,",
         "};\n",
@@ -135,6 +135,7 @@ def numbers_of(ode: Ode, functions: Sequence[ca.Function]) -> dict[str, Any]:
         "delayed_inputs": [-1 if d.input is None else d.input for d in ode.delays],
         "direct_inputs": [int(direct) for direct in _direct_inputs(ode)],
         "start_of": _start_of(ode),
+        "resting": [int(state.name in ode.resting) for state in ode.states[: ode.core]],
         "statements": [
             {"is_error": int(s.is_error), "at_start": int(s.at_start), "texts": list(s.texts),
              "digits": [digits for _, digits in s.values]}
@@ -146,7 +147,7 @@ def numbers_of(ode: Ode, functions: Sequence[ca.Function]) -> dict[str, Any]:
 # In the order of ``pam_model``.
 SIZES = ("nx", "nu", "nd", "ny", "np", "nw", "nc", "ns", "na", "nm", "size_iw", "size_w")
 _DOUBLES = ("state_nominals", "input_starts", "parameter_starts")
-_INTEGERS = ("delayed_inputs", "direct_inputs", "start_of")
+_INTEGERS = ("delayed_inputs", "direct_inputs", "start_of", "resting")
 FUNCTIONS = ("pam_rhs", "pam_out", "pam_loc", "pam_core_rhs", "pam_lin", "pam_variation", "pam_jvp", "pam_init",
               "pam_init_jvp", "pam_delay", "pam_check")  # fmt: skip
 

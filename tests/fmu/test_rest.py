@@ -1,0 +1,145 @@
+"""Models that begin at rest, through FMI: from which guess, with which slopes, and what is said where none is."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import fmpy
+import numpy as np
+import pytest
+from fmpy.fmi2 import FMU2Slave
+
+from pam_cosim.compiler.sensitivities import with_sensitivities
+from pam_cosim.fmu import build_fmu
+from pam_cosim.fmu.build import FMI_VERSIONS
+from pam_cosim.model.interface import sensitivity_name
+from pam_cosim.simulation import Inputs, RunFailure, Simulator
+from tests.compiler.run import compiled
+from tests.fmu.models import folder
+
+KINDS = ("CoSimulation", "ModelExchange")
+BY = ("tank.k", "tank.p_start", "second.p_start", "tank.p")
+
+
+@cache
+def fmu(model: str, fmi: str = "2.0", by: tuple[str, ...] = ()) -> Path:
+    path = folder() / f"{model}-{fmi}-{len(by)}.fmu"
+    return build_fmu(with_sensitivities(compiled(f"Rest.{model}"), by), path, fmi=fmi)
+
+
+def at_start(model: str, fmi: str, kind: str, **start: float) -> Any:
+    """Outputs and states when initialization has ended, as FMPy reads them."""
+    values = {name.replace("__", "."): value for name, value in start.items()}
+    names = ["tank.p", "tank.q[1]", "tank.q[2]"]
+    return fmpy.simulate_fmu(
+        str(fmu(model, fmi)), fmi_type=kind, stop_time=1.0, output_interval=0.5, start_values=values, output=names
+    )
+
+
+@pytest.mark.parametrize("fmi", FMI_VERSIONS)
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_run_begins_at_rest_under_its_first_inputs(kind: str, fmi: str) -> None:
+    for k in (1.0, 2.0):
+        result = at_start("Steady", fmi, kind, u=27.0 * k, tank__k=k)
+        for row in result.tolist():
+            assert row[1:] == pytest.approx([3.0, 3.0, 9.0], rel=1e-7)
+
+
+@pytest.mark.parametrize("fmi", FMI_VERSIONS)
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_start_value_that_is_set_is_a_guess(kind: str, fmi: str) -> None:
+    assert at_start("Steady", fmi, kind, u=27.0, tank__p=2.0).tolist()[0][1:] == pytest.approx(
+        [3.0, 3.0, 9.0], rel=1e-9
+    )
+    assert at_start("Bench", fmi, kind, u=27.0, tank__p=2.0).tolist()[0][1:] == (2.0, 0.0, 0.0)
+    assert at_start("Guess", fmi, kind, u=27.0, tank__p=2.0).tolist()[0][1:] == (2.0, 0.0, 0.0)
+
+
+def test_this_projects_own_runs_begin_where_they_are_told() -> None:
+    with Simulator(fmu("Steady")) as simulator:
+        run = simulator.run([0.0], parameters={"tank.p": 1.5}, outputs=["tank.p", "tank.q[1]"])
+        assert (run["tank.p"][0], run["tank.q[1]"][0]) == (1.5, pytest.approx(1.5))
+        other = simulator.run([0.0], outputs=["tank.p"])  # and the next run does not
+        assert other["tank.p"][0] == pytest.approx(2.0)
+
+
+def test_only_what_shall_rest_does() -> None:
+    with Simulator(fmu("Two")) as simulator:
+        run = simulator.run([0.0], outputs=["tank.p", "second.p", "second.q[1]"])
+        assert run["tank.p"][0] == pytest.approx(27 ** (1 / 3)) and run["second.p"][0] == 19.0
+        assert run["second.q[1]"][0] == 0.0
+
+
+@pytest.mark.parametrize("name", BY)
+@pytest.mark.parametrize("state", ["tank.p", "tank.q[2]", "second.p"])
+def test_slopes_of_the_start_are_those_of_finite_differences(state: str, name: str) -> None:
+    """By a parameter in the rates, by a guess, by the start of what the rest stands beside, by a start that is set."""
+    values = {"tank.k": 1.3, "tank.p_start": 2.0, "second.p_start": 19.0}
+    at = values.get(name, 2.5)
+    with Simulator(fmu("Two", by=BY)) as simulator:
+
+        def value(x: float) -> float:
+            return float(
+                simulator.run([0.0], parameters={**values, name: x}, outputs=[state], tolerance=1e-9)[state][0]
+            )
+
+        slope = sensitivity_name(state, name)
+        run = simulator.run([0.0], parameters={**values, name: at}, outputs=[slope])
+        step = 1e-5 * at
+        difference = (value(at + step) - value(at - step)) / (2 * step)
+        assert run[slope][0] == pytest.approx(difference, rel=1e-5, abs=1e-7)
+
+
+def test_slopes_along_a_seed_in_initialization_mode() -> None:
+    """Of the rest by an input, as FMI's directional derivatives; each input that is set there has its own rest."""
+    path = fmu("Steady")
+    description = fmpy.read_model_description(str(path))
+    reference = {v.name: v.valueReference for v in description.modelVariables}
+    instance = FMU2Slave(
+        guid=description.guid,
+        unzipDirectory=fmpy.extract(str(path)),
+        modelIdentifier=description.coSimulation.modelIdentifier,
+        instanceName="one",
+    )
+    instance.instantiate()
+    instance.setupExperiment(startTime=0.0)
+    instance.enterInitializationMode()
+
+    def p(u: float) -> float:
+        instance.setReal([reference["u"]], [u])
+        return float(instance.getReal([reference["tank.p"]])[0])
+
+    difference = (p(27.001) - p(26.999)) / 0.002
+    assert p(27.0) == pytest.approx(3.0)
+    (slope,) = instance.getDirectionalDerivative([reference["y"]], [reference["u"]], [1.0])
+    assert slope == pytest.approx(1 / 27) == pytest.approx(difference, rel=1e-6)
+    (none,) = instance.getDirectionalDerivative([reference["y"]], [reference["tank.p"]], [1.0])
+    assert none == 0.0  # of a guess
+    instance.exitInitializationMode()
+    assert instance.getReal([reference["tank.p"]])[0] == pytest.approx(3.0)
+    instance.terminate()
+    instance.freeInstance()
+
+
+@pytest.mark.parametrize("fmi", FMI_VERSIONS)
+@pytest.mark.parametrize("kind", KINDS)
+def test_no_rest_is_an_error(kind: str, fmi: str) -> None:
+    with pytest.raises(Exception, match="xitInitializationMode failed with status 3"):
+        fmpy.simulate_fmu(str(fmu("Nowhere", fmi)), fmi_type=kind, stop_time=1.0)
+
+
+@pytest.mark.parametrize("fmi", FMI_VERSIONS)
+def test_the_error_is_a_sentence_and_another_input_may_have_a_rest(fmi: str) -> None:
+    with Simulator(fmu("Nowhere", fmi)) as simulator:
+        with pytest.raises(RunFailure, match="does not begin at rest, as it shall: no equilibrium was found: 'x'"):
+            simulator.run([0.0, 1.0])
+        run = simulator.run([0.0, 0.01], inputs=Inputs(np.array([0.0]), {"u": np.array([-4.0])}), outputs=["x"])
+        assert run["x"][0] == pytest.approx(-2.0)
+
+
+def test_what_symbols_solve_settles_too() -> None:
+    with Simulator(fmu("Linear")) as simulator:
+        run = simulator.run([0.0, 1.0], parameters={"k": 4.0, "u": 6.0}, outputs=["x"])
+        assert run["x"].tolist() == pytest.approx([1.5, 1.5])
