@@ -247,6 +247,7 @@ class _Assembly:
                 solved=self.solved,
                 start=self._start,
                 declared=list(dict.fromkeys([*self.states, *fixed])),
+                started=[name for name, leaf in self._leaves().items() if "start" in leaf.attributes],
                 equations=[self._not_yet(r) for r in self.flat.initial],
                 defaults=(self.p, self.p_values),
                 late=symbols.late,
@@ -286,13 +287,14 @@ class _Assembly:
     def _start(self, name: str) -> Start:
         leaf = self._leaf(name)
         if leaf is None:
-            return Start(ca.SX(0), False, name)
+            return Start(ca.SX(0), False, name, given=False)
         bound = leaf.attributes.get("start")
         value = ca.SX(0) if bound is None else ca.SX(self.flat.symbols.bound(bound))
         for symbol in ca.symvar(value):
             if symbol.name() in self.system.variables or symbol.name() in self.system.inputs:
                 raise ModelError(f"the start value of '{name}' depends on the variable '{symbol.name()}'")
-        return Start(value, metadata.is_fixed(leaf, self.instantiator.constants), f"start value of '{name}'")
+        fixed = metadata.is_fixed(leaf, self.instantiator.constants)
+        return Start(value, fixed, f"start value of '{name}'", given=bound is not None)
 
 
 def _names(expression: ca.SX) -> set[str]:

@@ -23,11 +23,12 @@ _CONSISTENT = 1e-9
 
 @dataclass(frozen=True)
 class Start:
-    """The start attribute of a variable: a guess, or an equation if ``fixed``."""
+    """The start attribute of a variable: a guess, or an equation if ``fixed``; ``given``: it is not the usual zero."""
 
     value: ca.SX
     fixed: bool
     place: str
+    given: bool = True
 
 
 @dataclass(frozen=True)
@@ -55,6 +56,7 @@ class Question:
         solved: every other unknown as an expression of them.
         start: the start value of a variable.
         declared: names of the states and of all variables with a fixed start.
+        started: names of all variables that have a start value.
         equations: initial equations.
         defaults: the parameters' symbols and values, to judge superfluous equations.
         late: symbols of the parameters that are not fixed.
@@ -66,6 +68,7 @@ class Question:
     solved: Mapping[str, ca.SX]
     start: Callable[[str], Start]
     declared: Sequence[str]
+    started: Sequence[str]
     equations: Sequence[Residual]
     defaults: tuple[ca.SX, ca.SX]
     late: Mapping[str, ca.SX]
@@ -123,11 +126,18 @@ def _rest(question: Question, said: Sequence[Residual], still: Sequence[tuple[st
 
 
 def _sought(question: Question, said: Sequence[Residual], rest: AtRest, free: Sequence[Residual]) -> dict[str, ca.SX]:
-    """The values from which the states at rest are sought, and those of the others, which must not depend on them."""
+    """The values from which the states at rest are sought, and those of the others, which must not depend on them.
+
+    A state without a start value follows from the start values of other variables, a mass from a temperature.
+    """
     others = {name: symbol for name, symbol in question.unknown.items() if name not in rest.states}
     values = _solution(question, [*said, *rest.others], free, others)
     refuse_what_leans_on_rest(values, rest.states)
-    guessed = _solution(question, [*said, *rest.others, *rest.guesses], free, question.unknown)
+    own = [guess for name, guess in zip(rest.states, rest.guesses, strict=True) if question.start(name).given]
+    further = [] if len(own) == len(rest.states) else question.started
+    others_start = [_start_equation(question.system, name, question.start(name)) for name in further]
+    guesses = [*own, *others_start, *rest.guesses, *free]
+    guessed = _solution(question, [*said, *rest.others], guesses, question.unknown)
     return values | {name: guessed[name] for name in rest.states}
 
 

@@ -13,7 +13,7 @@ from tests.compiler.run import compiled, initial
 TANK = ("tank.p", "tank.q[1]", "tank.q[2]")
 
 
-@pytest.mark.parametrize(("model", "resting"), [("Bench", ()), ("Guess", ()), ("Steady", TANK)])
+@pytest.mark.parametrize(("model", "resting"), [("Plain", ()), ("Guess", ()), ("Steady", TANK)])
 def test_a_parameter_of_the_surroundings_says_how_all_begin(model: str, resting: tuple[str, ...]) -> None:
     ode = compiled(f"Rest.{model}")
     assert tuple(state.name for state in ode.states) == TANK
@@ -30,7 +30,7 @@ def test_a_component_may_begin_otherwise_than_its_surroundings() -> None:
 def test_the_start_value_of_a_state_at_rest_is_a_guess() -> None:
     starts = {entry.name: (entry.initial, entry.start) for entry in table(compiled("Rest.Steady"))}
     assert [starts[name] for name in TANK] == [("approx", 1.0), ("approx", 0.0), ("approx", 0.0)]
-    fixed = {entry.name: entry.initial for entry in table(compiled("Rest.Bench"))}
+    fixed = {entry.name: entry.initial for entry in table(compiled("Rest.Plain"))}
     assert [fixed[name] for name in TANK] == ["approx", "exact", "exact"]  # the first is a parameter's value
 
 
@@ -40,9 +40,10 @@ def test_what_symbols_solve_is_known_beforehand() -> None:
     assert ca.depends_on(ode.initial, ode.u)
 
 
-def test_a_variable_at_rest_that_is_no_state_puts_the_state_at_rest() -> None:
+@pytest.mark.parametrize("model", ["Made", "Kept"])
+def test_a_variable_at_rest_that_is_no_state_puts_the_state_at_rest(model: str) -> None:
     """T = p V/m: the mass is sought from where the start values of p and T have it."""
-    ode = compiled("Rest.Made")
+    ode = compiled(f"Rest.{model}")
     assert set(ode.resting) == {"p", "m"}
     assert initial(ode) == {"p": 5.0, "m": pytest.approx(5 * 2 / 300)}
 

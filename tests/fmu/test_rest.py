@@ -53,7 +53,7 @@ def test_a_start_value_that_is_set_is_a_guess(kind: str, fmi: str) -> None:
     assert at_start("Steady", fmi, kind, u=27.0, tank__p=2.0).tolist()[0][1:] == pytest.approx(
         [3.0, 3.0, 9.0], rel=1e-9
     )
-    assert at_start("Bench", fmi, kind, u=27.0, tank__p=2.0).tolist()[0][1:] == (2.0, 0.0, 0.0)
+    assert at_start("Plain", fmi, kind, u=27.0, tank__p=2.0).tolist()[0][1:] == (2.0, 0.0, 0.0)
     assert at_start("Guess", fmi, kind, u=27.0, tank__p=2.0).tolist()[0][1:] == (2.0, 0.0, 0.0)
 
 

@@ -23,18 +23,18 @@ package Rest "How states begin: fixed, at rest, or as nothing else says"
     der(q) = {p - q[1], q[1]^2 - q[2]};
   end Tank;
 
-  model Bench
+  model Plain
     inner Around around;
     input Real u(start=8);
     output Real y = tank.p;
     Tank tank(feed=u);
-  end Bench;
+  end Plain;
 
-  model Steady = Bench(around(dynamics=Dynamics.SteadyStateInitial));
-  model Guess = Bench(around(dynamics=Dynamics.DynamicFreeInitial));
+  model Steady = Plain(around(dynamics=Dynamics.SteadyStateInitial));
+  model Guess = Plain(around(dynamics=Dynamics.DynamicFreeInitial));
 
   model Two "One of two tanks begins at rest, fed by the other one"
-    extends Bench(tank(dynamics=Dynamics.SteadyStateInitial, feed=u + second.p));
+    extends Plain(tank(dynamics=Dynamics.SteadyStateInitial, feed=u + second.p));
     Tank second(feed=u, p_start=19);
   end Two;
 
@@ -47,7 +47,7 @@ package Rest "How states begin: fixed, at rest, or as nothing else says"
     der(z) = tank.p - z;
   end Leaning;
 
-  model Made "What is at rest is no state: the mass is chosen"
+  partial model Gas
     parameter Real V = 2;
     input Real u(start=3);
     Real p(start=5);
@@ -55,12 +55,23 @@ package Rest "How states begin: fixed, at rest, or as nothing else says"
     Real m(stateSelect=StateSelect.always);
   initial equation
     der(p) = 0;
-    der(T) = 0;
   equation
     p*V = m*T;
     der(p) = u - p;
     der(m) = u^3 - m^3;
+  end Gas;
+
+  model Made "What is at rest is no state: the mass is chosen"
+    extends Gas;
+  initial equation
+    der(T) = 0;
   end Made;
+
+  model Kept "A state without a start value: its guess follows from that of the temperature"
+    extends Gas;
+  initial equation
+    der(m) = 0;
+  end Kept;
 
   model Linear "What symbols solve"
     input Real u(start=3);
