@@ -7,6 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import fmpy
+import fmpy.cli
+import fmpy.validation
 import numpy as np
 import pytest
 from fmpy.fmi2 import FMU2Slave
@@ -55,6 +57,16 @@ def test_a_start_value_that_is_set_is_a_guess(kind: str, fmi: str) -> None:
     )
     assert at_start("Plain", fmi, kind, u=27.0, tank__p=2.0).tolist()[0][1:] == (2.0, 0.0, 0.0)
     assert at_start("Guess", fmi, kind, u=27.0, tank__p=2.0).tolist()[0][1:] == (2.0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize("fmi", FMI_VERSIONS)
+def test_the_command_of_fmpy_takes_it(fmi: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path, result = fmu("Steady", fmi), tmp_path / "result.csv"
+    assert fmpy.validation.validate_fmu(str(path)) == []
+    words = ["--start-values", "u", "27", "tank.p", "2", "--stop-time", "1", "--output-file", str(result)]
+    monkeypatch.setattr("sys.argv", ["fmpy", "simulate", str(path), *words])
+    fmpy.cli.main()
+    assert np.abs(np.loadtxt(result, delimiter=",", skiprows=1)[:, 1] - 3.0).max() < 1e-6
 
 
 def test_this_projects_own_runs_begin_where_they_are_told() -> None:
