@@ -33,7 +33,8 @@ static int look(pam_solver *v) {
     const pam_model *m = v->model;
     const double *arg[] = {&v->s->t, v->x, v->u, v->d, v->du, v->dd, v->p};
     double *res[] = {v->f, v->jac, v->ft};
-    m->lin(arg, res, v->iw, v->w, 0);
+    pam_function lin = v->starting && m->start_lin ? m->start_lin : m->lin;
+    lin(arg, res, v->iw, v->w, 0);
     v->s->statistics.rhs++;
     v->s->statistics.jacobians++;
     for (int i = 0; i < m->nc; i++)
@@ -80,7 +81,8 @@ static int slopes(pam_solver *v, double h) {
     pam_sensitivity *s = &v->sensitivity;
     const double *arg[] = {&v->s->t, v->x, v->u, v->d, v->p};
     double *res[] = {s->jac, s->forcing};
-    m->variation(arg, res, v->iw, v->w, 0);
+    pam_function variation = v->starting && m->start_variation ? m->start_variation : m->variation;
+    variation(arg, res, v->iw, v->w, 0);
     memcpy(v->jac, s->jac, sizeof(double) * (size_t)(m->nc * m->nc));
     hold(v, v->jac, 1.0 / h - 1.0); /* makes the diagonal 1 */
     for (int i = 0; i < m->nc; i++)

@@ -72,7 +72,7 @@ static void seed_delayed(pam_instance *c, double st, const double *su, const dou
     }
 }
 
-static void derive_along(pam_instance *c) {
+static void derive_along(pam_instance *c, pam_function jvp) {
     const pam_model *m = c->model;
     const double *sx = c->seed, *su = sx + m->nx, *sp = su + m->nu, *st = sp + m->np;
     double *rx = c->result, *ry = rx + m->nx, *rw = ry + m->ny;
@@ -80,11 +80,11 @@ static void derive_along(pam_instance *c) {
     seed_delayed(c, st[0], su, sp);
     const double *arg[] = {&c->core.time, c->x, c->u, c->d, c->solver.p, st, sx, su, c->seed_d, sp};
     double *res[] = {rx, ry, rw};
-    m->jvp(arg, res, c->solver.iw, c->solver.w, 0);
+    jvp(arg, res, c->solver.iw, c->solver.w, 0);
 }
 
 void pam_directional(pam_instance *c) {
     pam_initialise_states(c);
     if (c->core.phase == INITIALIZATION) pam_seed_states(c, derive_along);
-    derive_along(c);
+    derive_along(c, c->model->jvp);
 }

@@ -132,10 +132,10 @@ void pam_directional(pam_instance *c);
 /* x = x0(p) where not set explicitly; from initialization on with the states at rest that begin there. */
 void pam_initialise_states(pam_instance *c);
 
-/* In initialization: the seeds of states that follow from others', from inputs and from parameters. The function gives
- * the model's derivatives along the seed, to result.
+/* In initialization: the seeds of states that follow from others', from inputs and from parameters. ``along`` gives
+ * derivatives along the seed, to result.
  */
-void pam_seed_states(pam_instance *c, void (*along)(pam_instance *c));
+void pam_seed_states(pam_instance *c, void (*along)(pam_instance *c, pam_function jvp));
 
 /* PAM_OK, or ``status`` with a message where no rest was found. */
 pam_status pam_rest_known(const pam_instance *c, pam_status status);

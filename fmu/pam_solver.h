@@ -54,6 +54,7 @@ typedef struct pam_solver {
     double *k, *f, *ft, *stage, *u_stage, *d, *dd, *d_stage, *jac, *lu, *rhs, *w;
     int *pivot;
     long long *iw;
+    int starting;              /* what vanishes at the start is sought, not a rest of all that moves */
     const double *held;        /* nc: not 0 where a state keeps its value while the others settle; or null */
     char message[PAM_MESSAGE]; /* why pam_solver_advance failed */
     /* Asked for each time up to which the solution is about to be used, in order; 1 with a message: no further.

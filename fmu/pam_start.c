@@ -7,7 +7,8 @@
 static int mark_held(pam_instance *c) {
     int some = 0;
     for (int i = 0; i < c->model->nc; i++) {
-        int rests = c->model->resting[i] && !(c->core.keep_starts && c->x_explicit[i] != 0.0);
+        int rests = c->model->resting[i], kept = c->core.keep_starts || rests == 2;
+        rests = rests && !(kept && c->x_explicit[i] != 0.0);
         c->held[i] = rests ? 0.0 : 1.0;
         some |= rests;
     }
@@ -21,7 +22,9 @@ static void settle(pam_instance *c) {
     memcpy(v->x, c->x, sizeof(double) * (size_t)m->nx);
     c->core.unsettled = pam_solver_begin(v, c->core.time, c->u, c->du, c->core.tolerance);
     if (c->core.plain) pam_solver_leave_sensitivities(v);
+    v->starting = 1;
     if (!c->core.unsettled) c->core.unsettled = pam_solver_settle_start(v, c->held);
+    v->starting = 0;
     if (!c->core.unsettled) memcpy(c->x, v->x, sizeof(double) * (size_t)(c->core.plain ? m->nc : m->nx));
     for (int i = 0; i < m->nd; i++) v->past[i].first = v->past[i].end = 0; /* the run has not begun */
 }
@@ -42,7 +45,7 @@ void pam_initialise_states(pam_instance *c) {
     if (c->core.phase == INITIALIZATION && mark_held(c)) settle(c);
 }
 
-void pam_seed_states(pam_instance *c, void (*along)(pam_instance *c)) {
+void pam_seed_states(pam_instance *c, void (*along)(pam_instance *c, pam_function jvp)) {
     const pam_model *m = c->model;
     double *sx = c->seed, *start = c->result + m->nx + m->ny + m->nw;
     const double *su = sx + m->nx, *sp = su + m->nu;
@@ -54,8 +57,10 @@ void pam_seed_states(pam_instance *c, void (*along)(pam_instance *c)) {
     if (!mark_held(c)) return;
     for (int i = 0; i < m->nc; i++)
         if (c->held[i] == 0.0) sx[i] = 0.0;
-    along(c);
+    along(c, m->start_jvp ? m->start_jvp : m->jvp);
+    c->solver.starting = 1;
     pam_solver_rest_along(&c->solver, c->held, c->result);
+    c->solver.starting = 0;
     for (int i = 0; i < m->nc; i++)
         if (c->held[i] == 0.0) sx[i] = c->result[i];
 }

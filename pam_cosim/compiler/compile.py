@@ -151,6 +151,7 @@ class _Assembly:
             libraries=metadata.libraries(root),
             statements=statements,
             resting=initial.resting,
+            following=tuple(initial.following.items()),
         )
 
     # ---- the system of equations --------------------------------------------------------------------------

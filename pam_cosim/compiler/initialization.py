@@ -15,7 +15,7 @@ from pam_cosim.compiler.blocks import solve
 from pam_cosim.compiler.flattening import Residual
 from pam_cosim.compiler.index_reduction import System
 from pam_cosim.compiler.matching import Matching
-from pam_cosim.compiler.rest import AtRest, at_rest, refuse_what_leans_on_rest, variable_at_rest
+from pam_cosim.compiler.rest import AtRest, at_rest, leans_on, refuse_parameters, variable_at_rest
 from pam_cosim.errors import ModelError
 
 _CONSISTENT = 1e-9
@@ -39,11 +39,13 @@ class Beginnings:
         states: one expression for each state, in terms of parameters and inputs.
         parameters: by name; they may depend on time, which is then that of the start.
         resting: names of the states that begin at rest; their expressions are where the rest is sought from.
+        following: of states whose initial values depend on those at rest, by name, in terms of these besides.
     """
 
     states: list[ca.SX]
     parameters: dict[str, ca.SX]
     resting: tuple[str, ...]
+    following: dict[str, ca.SX]
 
 
 @dataclass(frozen=True)
@@ -94,18 +96,19 @@ def initial_values(question: Question) -> Beginnings:
     still = [(variable_at_rest(e, question.system.derivative_of), e) for e in question.equations]
     said = [*fixed, *(equation for name, equation in still if name is None)]
     rest = _rest(question, said, [(name, equation) for name, equation in still if name is not None])
+    time, following = question.system.time, dict[str, ca.SX]()
     try:
         values = _solution(question, [*said, *rest.others, *rest.equations], free, question.unknown)
     except ModelError:
         if not rest.states:
             raise
-        values = _sought(question, said, rest, free)
+        values, following = _sought(question, said, rest, free)
     _refuse_inputs(question, values)
-    time = question.system.time
     return Beginnings(
         [ca.substitute(values[name], time, ca.SX(0)) for name in question.states],
         {name: values[name] for name in question.late},
         tuple(name for name in question.states if name in rest.states),
+        {name: ca.substitute(value, time, ca.SX(0)) for name, value in following.items()},
     )
 
 
@@ -125,20 +128,23 @@ def _rest(question: Question, said: Sequence[Residual], still: Sequence[tuple[st
     )
 
 
-def _sought(question: Question, said: Sequence[Residual], rest: AtRest, free: Sequence[Residual]) -> dict[str, ca.SX]:
-    """The values from which the states at rest are sought, and those of the others, which must not depend on them.
+def _sought(
+    question: Question, said: Sequence[Residual], rest: AtRest, free: Sequence[Residual]
+) -> tuple[dict[str, ca.SX], dict[str, ca.SX]]:
+    """The values from which the states at rest are sought, those of the others, and what follows the states at rest.
 
     A state without a start value follows from the start values of other variables, a mass from a temperature.
     """
     others = {name: symbol for name, symbol in question.unknown.items() if name not in rest.states}
     values = _solution(question, [*said, *rest.others], free, others)
-    refuse_what_leans_on_rest(values, rest.states)
+    following = {name: value for name, value in values.items() if leans_on(value, rest.states)}
+    refuse_parameters(following, question.late)
     own = [guess for name, guess in zip(rest.states, rest.guesses, strict=True) if question.start(name).given]
     further = [] if len(own) == len(rest.states) else question.started
     others_start = [_start_equation(question.system, name, question.start(name)) for name in further]
     guesses = [*own, *others_start, *rest.guesses, *free]
     guessed = _solution(question, [*said, *rest.others], guesses, question.unknown)
-    return values | {name: guessed[name] for name in rest.states}
+    return values | {name: guessed[name] for name in (*rest.states, *following)}, following
 
 
 class _Chosen:

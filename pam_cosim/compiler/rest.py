@@ -81,14 +81,17 @@ def at_rest(
     return result
 
 
-def refuse_what_leans_on_rest(values: Mapping[str, ca.SX], resting: Sequence[str]) -> None:
+def leans_on(value: ca.SX, resting: Sequence[str]) -> bool:
+    """Whether an initial value depends on a state whose value is not known before the model has settled."""
+    return any(symbol.name() in resting for symbol in ca.symvar(value))
+
+
+def refuse_parameters(following: Mapping[str, ca.SX], late: Mapping[str, ca.SX]) -> None:
     """Raises:
-    ModelError: an initial value depends on a state whose value is not known before the model has settled.
+    ModelError: a parameter that is not fixed would have to be found with the rest.
     """
-    for name, value in values.items():
-        leans_on = [symbol.name() for symbol in ca.symvar(value) if symbol.name() in resting]
-        if leans_on:
+    for name in following:
+        if name in late:
             raise ModelError(
-                f"the initial value of '{name}' depends on '{leans_on[0]}', which begins at rest and is not known "
-                f"before; let '{name}' begin at rest too, by the initial equation der({name}) = 0"
+                f"the parameter '{name}' depends on states that begin at rest, known only when the model has settled"
             )

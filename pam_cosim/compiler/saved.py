@@ -36,6 +36,7 @@ def ode_bytes(ode: Ode) -> bytes:
         "parts": [asdict(part) for part in ode.parts],
         "libraries": ode.libraries,
         "resting": ode.resting,
+        "following": [name for name, _ in ode.following],
         "statements": [
             {"texts": s.texts, "digits": [digits for _, digits in s.values], "error": s.is_error, "start": s.at_start}
             for s in ode.statements
@@ -46,12 +47,14 @@ def ode_bytes(ode: Ode) -> bytes:
 
 
 def _further(ode: Ode) -> Iterator[ca.SX]:
-    """The expressions of delays and statements, in the order in which ``read_ode`` takes them."""
+    """The expressions of delays, statements and what follows a rest, in the order in which ``read_ode`` takes them."""
     for delay in ode.delays:
         yield ca.SX(delay.time)
     for s in ode.statements:
         yield ca.SX(s.condition)
         yield from (ca.SX(value) for value, _ in s.values)
+    for _, value in ode.following:
+        yield ca.SX(value)
 
 
 def _stated(variable: Variable) -> dict[str, Any]:
@@ -76,6 +79,7 @@ def read_ode(content: bytes) -> Ode:
         libraries=tuple((name, version) for name, version in about["libraries"]),
         statements=tuple([_statement(s, further) for s in about["statements"]]),
         resting=tuple(about["resting"]),
+        following=tuple([(name, next(further)) for name in about["following"]]),
     )
 
 

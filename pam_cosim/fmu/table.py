@@ -57,7 +57,8 @@ class Entry:
 
 def constant_starts(ode: Ode) -> list[float | None]:
     """Start values of the states that are known beforehand; None for those that depend on parameters or are sought."""
-    own = [state.name in ode.resting for state in ode.states[: ode.core]]
+    found = {*ode.resting, *(name for name, _ in ode.following)}
+    own = [state.name in found for state in ode.states[: ode.core]]
     sought = [*own, *(rests for rests in own for _ in ode.sensitivities)]
     values = ca.vertsplit(ca.SX(ode.initial))
     return [float(x0) if x0.is_constant() and not s else None for x0, s in zip(values, sought, strict=True)]

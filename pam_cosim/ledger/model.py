@@ -44,6 +44,8 @@ class Model:
         self._rates = _AtPoints("rates", arguments, [f, ca.jacobian(f, by)])
         both = ca.vertcat(f, h)
         self._all = _AtPoints("all", arguments, [both, ca.jacobian(both, by)])
+        begin = ode.start_rates
+        self._start_rates = _AtPoints("begin", arguments, [begin, ca.jacobian(begin, ode.x)])
         self._initial = ca.Function("initial", [ode.p, ode.u], [ode.initial])
         self._locals = _AtPoints("others", arguments, [ca.vertcat(ode.outputs, ode.locals)])
 
@@ -56,7 +58,8 @@ class Model:
         inputs = grid.node_inputs[nodes]
         own = [np.array(self._initial(p, u)).ravel() for p, u in zip(parameters, inputs, strict=True)]
         begin = np.where(np.isnan(grid.starts), np.array(own), grid.starts)
-        rests = np.isnan(grid.starts) & np.array([s.name in self.ode.resting for s in self.ode.states], dtype=bool)
+        found = {*self.ode.resting, *(name for name, _ in self.ode.following)}
+        rests = np.isnan(grid.starts) & np.array([s.name in found for s in self.ode.states], dtype=bool)
         size = np.array([s.nominal or 1.0 for s in self.ode.states])
         for run in np.flatnonzero(rests.any(axis=1)).tolist():
             at, p = slice(nodes[run], nodes[run] + 1), parameters[run : run + 1]
@@ -65,8 +68,8 @@ class Model:
         return begin
 
     def _rates_at(self, t: Array, u: Array, d: Array, p: Array, x: Array) -> tuple[Array, Array]:
-        slopes = self.rates(t, x[None], u, d, p)
-        return slopes.value[0], slopes.by_state[0]
+        value, by = self._start_rates(t, x[None], u, d, p)
+        return value.reshape(-1), by.reshape(self.states, self.states).T
 
     def rates(self, t: Array, x: Array, u: Array, d: Array, p: Array) -> Slopes:
         """f at K points, given by rows."""

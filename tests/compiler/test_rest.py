@@ -48,14 +48,23 @@ def test_a_variable_at_rest_that_is_no_state_puts_the_state_at_rest(model: str) 
     assert initial(ode) == {"p": 5.0, "m": pytest.approx(5 * 2 / 300)}
 
 
+def test_what_begins_where_something_at_rest_is_follows_it() -> None:
+    ode = compiled("Rest.Leaning")
+    ((name, value),) = ode.following
+    assert ode.resting == TANK and name == "z" and str(value) == "sq(tank.p)"
+    assert initial(ode)["z"] == 1.0  # beside the guess
+
+
 def test_it_is_saved() -> None:
-    assert read_ode(ode_bytes(compiled("Rest.Steady"))).resting == TANK
+    ode = compiled("Rest.Leaning")
+    back = read_ode(ode_bytes(ode))
+    assert back.resting == TANK and str(back.following) == str(ode.following)
 
 
 @pytest.mark.parametrize(
     ("model", "words"),
     [
-        ("Leaning", "the initial value of 'z' depends on 'tank.p', which begins at rest and is not known before"),
+        ("Late", "the parameter 'z' depends on states that begin at rest, known only when the model has settled"),
         ("Hard", "initial values: a nonlinear algebraic loop for 'x'"),
     ],
 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -14,11 +15,11 @@ import pytest
 from fmpy.fmi2 import FMU2Slave
 
 from pam_cosim.compiler.sensitivities import with_sensitivities
-from pam_cosim.fmu import build_fmu
+from pam_cosim.fmu import build_fmu, build_source
 from pam_cosim.fmu.build import FMI_VERSIONS
 from pam_cosim.model.interface import sensitivity_name
 from pam_cosim.simulation import Inputs, RunFailure, Simulator
-from tests.compiler.run import compiled
+from tests.compiler.run import MODELS, compiled
 from tests.fmu.models import folder
 
 KINDS = ("CoSimulation", "ModelExchange")
@@ -104,9 +105,55 @@ def test_slopes_of_the_start_are_those_of_finite_differences(state: str, name: s
         assert run[slope][0] == pytest.approx(difference, rel=1e-5, abs=1e-7)
 
 
-def test_slopes_along_a_seed_in_initialization_mode() -> None:
+def leaning(u: float) -> float:
+    """The pressure p with p^3 + p^2/10 = u."""
+    return float(next(r.real for r in np.roots([1.0, 0.1, 0.0, -u]) if abs(r.imag) < 1e-9))
+
+
+@pytest.mark.parametrize("fmi", FMI_VERSIONS)
+@pytest.mark.parametrize("kind", KINDS)
+def test_what_follows_a_rest_acts_on_it(kind: str, fmi: str) -> None:
+    """z = p^2 at the start, where der(z) does not vanish; z takes from what feeds p."""
+
+    def first(**start: float) -> dict[str, float]:
+        names = ["tank.p", "z", "der(z)"]
+        result = fmpy.simulate_fmu(
+            str(fmu("Leaning", fmi)), fmi_type=kind, stop_time=0.1, start_values={"u": 27.0, **start}, output=names
+        )
+        return {name: float(result[name][0]) for name in names}
+
+    p = leaning(27.0)
+    assert first() == pytest.approx({"tank.p": p, "z": p**2, "der(z)": p - p**2}, rel=1e-9)
+    p = 26 ** (1 / 3)
+    assert first(z=10.0) == pytest.approx({"tank.p": p, "z": 10.0, "der(z)": p - 10}, rel=1e-9)
+
+
+@pytest.mark.parametrize("name", ["tank.k", "z"])
+@pytest.mark.parametrize("state", ["tank.p", "z"])
+def test_slopes_beside_what_follows(state: str, name: str) -> None:
+    at = {"tank.k": 1.3, "z": 5.0}[name]
+    with Simulator(fmu("Leaning", by=("tank.k", "z"))) as simulator:
+
+        def value(x: float) -> float:
+            return float(simulator.run([0.0], parameters={name: x}, outputs=[state], tolerance=1e-9)[state][0])
+
+        slope = sensitivity_name(state, name)
+        run = simulator.run([0.0], parameters={name: at}, outputs=[slope])
+        difference = (value(at + 1e-4) - value(at - 1e-4)) / 2e-4
+        assert run[slope][0] == pytest.approx(difference, rel=1e-5, abs=1e-8)
+
+
+def test_a_model_as_data_begins_there_too() -> None:
+    source = (MODELS / "Rest.mo").read_text()
+    with Simulator(build_source("Rest.Leaning", source, lean=True, brief=True)) as simulator:
+        run = simulator.run([0.0], parameters={"u": 27.0}, outputs=["tank.p", "z"])
+        assert (run["tank.p"][0], run["z"][0]) == pytest.approx((leaning(27.0), leaning(27.0) ** 2))
+
+
+@pytest.mark.parametrize(("model", "wanted"), [("Steady", lambda u: u ** (1 / 3)), ("Leaning", leaning)])
+def test_slopes_along_a_seed_in_initialization_mode(model: str, wanted: Callable[[float], float]) -> None:
     """Of the rest by an input, as FMI's directional derivatives; each input that is set there has its own rest."""
-    path = fmu("Steady")
+    path = fmu(model)
     description = fmpy.read_model_description(str(path))
     reference = {v.name: v.valueReference for v in description.modelVariables}
     instance = FMU2Slave(
@@ -124,13 +171,14 @@ def test_slopes_along_a_seed_in_initialization_mode() -> None:
         return float(instance.getReal([reference["tank.p"]])[0])
 
     difference = (p(27.001) - p(26.999)) / 0.002
-    assert p(27.0) == pytest.approx(3.0)
+    assert p(27.0) == pytest.approx(wanted(27.0))
     (slope,) = instance.getDirectionalDerivative([reference["y"]], [reference["u"]], [1.0])
-    assert slope == pytest.approx(1 / 27) == pytest.approx(difference, rel=1e-6)
+    assert slope == pytest.approx((wanted(27.001) - wanted(26.999)) / 0.002, rel=1e-6)
+    assert slope == pytest.approx(difference, rel=1e-6)
     (none,) = instance.getDirectionalDerivative([reference["y"]], [reference["tank.p"]], [1.0])
     assert none == 0.0  # of a guess
     instance.exitInitializationMode()
-    assert instance.getReal([reference["tank.p"]])[0] == pytest.approx(3.0)
+    assert instance.getReal([reference["tank.p"]])[0] == pytest.approx(wanted(27.0))
     instance.terminate()
     instance.freeInstance()
 

@@ -38,14 +38,21 @@ package Rest "How states begin: fixed, at rest, or as nothing else says"
     Tank second(feed=u, p_start=19);
   end Two;
 
-  model Leaning "Something begins where another is, which begins at rest"
-    extends Steady;
+  model Leaning "Something begins where another is, which begins at rest beside it"
+    extends Steady(tank(feed=u - z/10));
     Real z;
   initial equation
-    z = tank.p;
+    z = tank.p^2;
   equation
     der(z) = tank.p - z;
   end Leaning;
+
+  model Late "A parameter would have to be found with the rest"
+    extends Steady;
+    parameter Real z(fixed=false);
+  initial equation
+    z = tank.p;
+  end Late;
 
   partial model Gas
     parameter Real V = 2;

@@ -33,4 +33,17 @@ package Resting "Benches that begin at rest under open valves"
   model Mixed "The gas begins as it is said to, the load hangs still beside it"
     extends Lift(muscle(gas(dynamics=PneumaticMuscle.Types.Dynamics.FixedInitial)));
   end Mixed;
+
+  model Followed "Gas and load begin at rest, an instrument and a creep where these are"
+    extends PneumaticMuscle.Benches.Isotonic(u_in(start=0.3), u_out(start=0.2),
+      load(s_start=0.06, dynamics=PneumaticMuscle.Types.Dynamics.SteadyStateInitial),
+      muscle(gas(p(start=280e3), dynamics=PneumaticMuscle.Types.Dynamics.SteadyStateInitial)),
+      redeclare model PressureChannel = PneumaticMuscle.Effects.PressureSensorLag.PressureLag);
+    PneumaticMuscle.Effects.Creep.PronyCreep creep(
+      L0=muscle.L0, D0=muscle.D0, turns=muscle.turns, t_wall=muscle.t_wall);
+  equation
+    connect(creep.flange_a, muscle.flange_a);
+    connect(creep.flange_b, muscle.flange_b);
+    connect(creep.port, muscle.port);
+  end Followed;
 end Resting;
