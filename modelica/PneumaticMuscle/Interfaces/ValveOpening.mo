@@ -2,9 +2,8 @@ within PneumaticMuscle.Interfaces;
 partial model ValveOpening "From the areas that the currents set to those that the gas finds"
   extends Icons.Valve;
   input Types.Area A_set[2] "Areas that the inlet and the exhaust valve have in the end, by their currents and pressures";
-  parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
+  parameter Types.Dynamics dynamics = Types.Dynamics.FixedInitial "How it begins: fixed, at rest, or as nothing else says"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
-  outer Components.Ambient ambient "Surroundings";
   Types.Area A[2] "Effective areas at this moment";
   annotation (Documentation(info="<html>
 <p>Left to the extending class: the equations of both areas. <code>Interfaces.ValveDrive</code> stands before the law of the
