@@ -47,11 +47,11 @@ model Antagonistic "Two muscles that pull a pulley against each other"
     annotation (Placement(transformation(extent={{-140,55},{-100,95}})));
   Manometer manometer_2 "Pressure transducer"
     annotation (Placement(transformation(extent={{100,55},{140,95}})));
-  PressureChannel channel_p_1(u=manometer_1.p) "Measuring channel of the pressure"
+  PressureChannel channel_p_1(u=manometer_1.p, dynamics=ambient.dynamics) "Measuring channel of the pressure"
     annotation (Placement(transformation(extent={{-230,-180},{-190,-140}})));
-  PressureChannel channel_p_2(u=manometer_2.p) "Measuring channel of the pressure"
+  PressureChannel channel_p_2(u=manometer_2.p, dynamics=ambient.dynamics) "Measuring channel of the pressure"
     annotation (Placement(transformation(extent={{-170,-180},{-130,-140}})));
-  PositionChannel channel_x(u=pulley.r*pulley.phi) "Measuring channel of the position"
+  PositionChannel channel_x(u=pulley.r*pulley.phi, dynamics=ambient.dynamics) "Measuring channel of the position"
     annotation (Placement(transformation(extent={{-110,-180},{-70,-140}})));
   Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{-50,-180},{-10,-140}})));

@@ -47,11 +47,11 @@ model Isometric "A muscle whose contraction is imposed, driven by current-driven
     annotation (Placement(transformation(extent={{-110,60},{-70,100}})));
   Sensors.Pull loadCell "Load cell"
     annotation (Placement(transformation(extent={{30,-85},{70,-45}})));
-  PressureChannel channel_p(u=manometer.p) "Measuring channel of the pressure"
+  PressureChannel channel_p(u=manometer.p, dynamics=ambient.dynamics) "Measuring channel of the pressure"
     annotation (Placement(transformation(extent={{-170,-210},{-130,-170}})));
-  ForceChannel channel_F(u=loadCell.F) "Measuring channel of the force"
+  ForceChannel channel_F(u=loadCell.F, dynamics=ambient.dynamics) "Measuring channel of the force"
     annotation (Placement(transformation(extent={{-110,-210},{-70,-170}})));
-  TemperatureChannel channel_T(u=thermometer.T) "Measuring channel of the temperature"
+  TemperatureChannel channel_T(u=thermometer.T, dynamics=ambient.dynamics) "Measuring channel of the temperature"
     annotation (Placement(transformation(extent={{-50,-210},{-10,-170}})));
   Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{10,-210},{50,-170}})));

@@ -48,11 +48,11 @@ model Isotonic "A muscle that lifts a hanging mass, driven by current-driven val
     annotation (Placement(transformation(extent={{-110,60},{-70,100}})));
   Sensors.Contraction ruler "Displacement transducer"
     annotation (Placement(transformation(extent={{95,-105},{135,-65}})));
-  PressureChannel channel_p(u=manometer.p) "Measuring channel of the pressure"
+  PressureChannel channel_p(u=manometer.p, dynamics=ambient.dynamics) "Measuring channel of the pressure"
     annotation (Placement(transformation(extent={{-170,-170},{-130,-130}})));
-  PositionChannel channel_x(u=ruler.x) "Measuring channel of the position"
+  PositionChannel channel_x(u=ruler.x, dynamics=ambient.dynamics) "Measuring channel of the position"
     annotation (Placement(transformation(extent={{-110,-170},{-70,-130}})));
-  TemperatureChannel channel_T(u=thermometer.T) "Measuring channel of the temperature"
+  TemperatureChannel channel_T(u=thermometer.T, dynamics=ambient.dynamics) "Measuring channel of the temperature"
     annotation (Placement(transformation(extent={{-50,-170},{-10,-130}})));
   Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{10,-170},{50,-130}})));

@@ -29,18 +29,26 @@ model LumpedLinear "Linear model of three states, pressure, length and its rate,
   parameter Types.Mass m(min=0.001, max=1000) = 2 "Mass" annotation (Dialog(group="Law"));
   parameter Types.Force F_0(min=0, max=1e5) = 0 "Pull at the operating point"
     annotation (Dialog(group="Operating point"));
-  Types.GaugePressure P(start=p_0, fixed=true) "Pressure";
-  Types.Velocity v(start=0, fixed=true) "Rate of the length";
-  PressureChannel channel_p(u=P) "Measuring channel of the pressure"
+  parameter Types.Dynamics dynamics = Types.Dynamics.FixedInitial "How it begins: fixed, at rest, or as nothing else says"
+    annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
+  Types.GaugePressure P(start=p_0, fixed=dynamics == Types.Dynamics.FixedInitial) "Pressure";
+  Types.Velocity v(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Rate of the length";
+  PressureChannel channel_p(u=P, dynamics=dynamics) "Measuring channel of the pressure"
     annotation (Placement(transformation(extent={{-95,-140},{-55,-100}})));
-  PositionChannel channel_L(u=l) "Measuring channel of the position"
+  PositionChannel channel_L(u=l, dynamics=dynamics) "Measuring channel of the position"
     annotation (Placement(transformation(extent={{-45,-140},{-5,-100}})));
-  ForceChannel channel_F(u=F_0 + C_1*(P - p_0) + C_2*l) "Measuring channel of the force"
+  ForceChannel channel_F(u=F_0 + C_1*(P - p_0) + C_2*l, dynamics=dynamics) "Measuring channel of the force"
     annotation (Placement(transformation(extent={{5,-140},{45,-100}})));
   Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{55,-140},{95,-100}})));
 protected
-  Types.Length l(start=0, fixed=true) "Length, from that at the operating point";
+  Types.Length l(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Length, from that at the operating point";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(P) = 0;
+    der(l) = 0;
+    der(v) = 0;
+  end if;
 equation
   tau*der(P) = p_in - P;
   der(l) = v;

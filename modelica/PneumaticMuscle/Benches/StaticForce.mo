@@ -13,7 +13,7 @@ model StaticForce "Pull of a muscle by pressure and contraction ratio, without a
     annotation (Placement(transformation(extent={{-70,-20},{-30,20}})));
   Components.HeldMuscle muscle(p_gauge=p, eps=eps) "Muscle"
     annotation (Placement(transformation(extent={{10,-20},{50,20}})));
-  ForceChannel channel_F(u=muscle.F) "Measuring channel of the force"
+  ForceChannel channel_F(u=muscle.F, dynamics=ambient.dynamics) "Measuring channel of the force"
     annotation (Placement(transformation(extent={{-80,-100},{-40,-60}})));
   Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{-20,-100},{20,-60}})));

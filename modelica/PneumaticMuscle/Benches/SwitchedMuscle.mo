@@ -41,9 +41,9 @@ model SwitchedMuscle "A muscle of imposed contraction that on-off valves fill fr
     annotation (Placement(transformation(extent={{-50,60},{-10,100}})));
   Thermometer thermometer(T_start=ambient.T, m_flow=muscle.port.m_flow) "Thermometer"
     annotation (Placement(transformation(extent={{-110,60},{-70,100}})));
-  PressureChannel channel_p(u=manometer.p) "Measuring channel of the pressure"
+  PressureChannel channel_p(u=manometer.p, dynamics=ambient.dynamics) "Measuring channel of the pressure"
     annotation (Placement(transformation(extent={{-170,-150},{-130,-110}})));
-  TemperatureChannel channel_T(u=thermometer.T) "Measuring channel of the temperature"
+  TemperatureChannel channel_T(u=thermometer.T, dynamics=ambient.dynamics) "Measuring channel of the temperature"
     annotation (Placement(transformation(extent={{-110,-150},{-70,-110}})));
   Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{-50,-150},{-10,-110}})));

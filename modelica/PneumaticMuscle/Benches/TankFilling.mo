@@ -36,9 +36,9 @@ model TankFilling "A tank that is filled and emptied through current-driven valv
     annotation (Placement(transformation(extent={{-50,60},{-10,100}})));
   Thermometer thermometer(T_start=tank.T_start, m_flow=tank.port.m_flow) "Thermometer"
     annotation (Placement(transformation(extent={{-110,60},{-70,100}})));
-  PressureChannel channel_p(u=manometer.p) "Measuring channel of the pressure"
+  PressureChannel channel_p(u=manometer.p, dynamics=ambient.dynamics) "Measuring channel of the pressure"
     annotation (Placement(transformation(extent={{-170,-120},{-130,-80}})));
-  TemperatureChannel channel_T(u=thermometer.T) "Measuring channel of the temperature"
+  TemperatureChannel channel_T(u=thermometer.T, dynamics=ambient.dynamics) "Measuring channel of the temperature"
     annotation (Placement(transformation(extent={{-110,-120},{-70,-80}})));
   Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{-50,-120},{-10,-80}})));

@@ -25,7 +25,7 @@ model VerticalLoad "The empirical muscle with a hanging load, driven by pressure
     annotation (Placement(transformation(extent={{30,-105},{70,-65}})));
   Sensors.Contraction ruler "Displacement transducer"
     annotation (Placement(transformation(extent={{95,-105},{135,-65}})));
-  PositionChannel channel_x(u=ruler.x) "Measuring channel of the position"
+  PositionChannel channel_x(u=ruler.x, dynamics=ambient.dynamics) "Measuring channel of the position"
     annotation (Placement(transformation(extent={{-80,-170},{-40,-130}})));
   Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{-20,-170},{20,-130}})));

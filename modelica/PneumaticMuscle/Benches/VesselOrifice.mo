@@ -29,9 +29,9 @@ model VesselOrifice "A vessel that empties or fills through a plain orifice"
     annotation (Placement(transformation(extent={{-30,60},{10,100}})));
   Thermometer thermometer(T_start=tank.T_start, m_flow=tank.port.m_flow) "Thermometer"
     annotation (Placement(transformation(extent={{-80,60},{-40,100}})));
-  PressureChannel channel_p(u=manometer.p) "Measuring channel of the pressure"
+  PressureChannel channel_p(u=manometer.p, dynamics=ambient.dynamics) "Measuring channel of the pressure"
     annotation (Placement(transformation(extent={{-130,-90},{-90,-50}})));
-  TemperatureChannel channel_T(u=thermometer.T) "Measuring channel of the temperature"
+  TemperatureChannel channel_T(u=thermometer.T, dynamics=ambient.dynamics) "Measuring channel of the temperature"
     annotation (Placement(transformation(extent={{-70,-90},{-30,-50}})));
   Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{-10,-90},{30,-50}})));

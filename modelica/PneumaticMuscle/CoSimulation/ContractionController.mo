@@ -9,9 +9,15 @@ model ContractionController "A proportional controller of the contraction with t
   parameter Types.Current u_max(min=0, max=1) = 0.35 "Largest current" annotation (Dialog(group="Dynamics"));
   parameter Types.Time tau(min=1e-4, max=10) = 0.02 "Time constant of the filter of the contraction"
     annotation (Dialog(group="Dynamics"));
-  Types.Length x_filtered(start=0, fixed=true) "Contraction without noise";
+  parameter Types.Dynamics dynamics = Types.Dynamics.FixedInitial "How it begins: fixed, at rest, or as nothing else says"
+    annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
+  Types.Length x_filtered(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Contraction without noise";
 protected
   Types.Current u "Demand, positive to contract";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(x_filtered) = 0;
+  end if;
 equation
   tau*der(x_filtered) = x - x_filtered;
   u = u_max*tanh(K*(x_wanted - x_filtered)/u_max);

@@ -15,14 +15,22 @@ model ServoController "A PID controller of the contraction that follows a moving
   parameter Types.Current u_open(min=0, max=1) = 0.145 "Current at which a valve begins to open, DP (62)"
     annotation (Dialog(group="Dynamics"));
   parameter Types.Current u_max(min=0, max=1) = 0.35 "Largest current" annotation (Dialog(group="Dynamics"));
-  Types.Length x_filtered(start=0, fixed=true) "Contraction behind the filter";
-  Types.Length w_filtered(start=0, fixed=true) "Contraction wanted, behind the filter";
-  Types.Length i(start=0, fixed=true) "Integral of the error by its time constant";
+  parameter Types.Dynamics dynamics = Types.Dynamics.FixedInitial "How it begins: fixed, at rest, or as nothing else says"
+    annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
+  Types.Length x_filtered(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Contraction behind the filter";
+  Types.Length w_filtered(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Contraction wanted, behind the filter";
+  Types.Length i(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Integral of the error by its time constant";
 protected
   Types.Velocity v "Speed";
   Types.Velocity v_wanted "Speed wanted";
   Types.Current u "Demand beyond the opening, positive to contract";
   Types.Current u_limited "What of it the valves can do";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(x_filtered) = 0;
+    der(w_filtered) = 0;
+    der(i) = 0;
+  end if;
 equation
   v = (x - x_filtered)/T_f;
   v_wanted = (x_wanted - w_filtered)/T_f;

@@ -6,8 +6,16 @@ model ImposedPosition "Moves a flange to where the input says, through a fast cr
   input Types.Length s_wanted "Position wanted";
   parameter Types.Time tau(min=1e-4, max=1) = 5e-3 "Time constant of the filter" annotation (Dialog(group="Dynamics"));
   parameter Types.Length s_start = 0 "Position at the start" annotation (Dialog(group="Start"));
-  Types.Length s(start=s_start, fixed=true) "Position";
-  Types.Velocity v(start=0, fixed=true) "Speed";
+  parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
+    annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
+  outer Ambient ambient "Surroundings";
+  Types.Length s(start=s_start, fixed=dynamics == Types.Dynamics.FixedInitial) "Position";
+  Types.Velocity v(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Speed";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(s) = 0;
+    der(v) = 0;
+  end if;
 equation
   flange.s = s;
   der(s) = v;

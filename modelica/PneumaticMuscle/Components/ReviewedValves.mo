@@ -11,6 +11,9 @@ model ReviewedValves "Inlet and exhaust valve with a place for the law of flow"
   input Types.Current u_out "Current of the exhaust valve";
   parameter Real C_A(unit="1", min=0.1, max=3) = 0.699 "Calibration of the effective area, both valves"
     annotation (Dialog(group="Flow"));
+  parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
+    annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
+  outer Ambient ambient "Surroundings";
   replaceable model Flow = Laws.Flows.Isentropic constrainedby Laws.Flows.Flow "Law of the flow"
     annotation (choicesAllMatching=true);
   replaceable model Area = Laws.Valves.LinearArea constrainedby Interfaces.ValveArea "Law of the effective areas"
@@ -21,7 +24,7 @@ model ReviewedValves "Inlet and exhaust valve with a place for the law of flow"
     annotation (choicesAllMatching=true);
   Feed feed "What lies before the inlet valve";
   Area area(u={u_in, u_out}, p_a={feed.port_b.p, port.p}, p_b={port.p, exhaust.p}, C_A=C_A) "From current to effective area";
-  Opening opening(A_set=area.A) "From that to the area that the gas finds";
+  Opening opening(A_set=area.A, dynamics=dynamics) "From that to the area that the gas finds";
   Flow inlet(A=opening.A[1]) "Inlet valve";
   Flow outlet(A=opening.A[2]) "Exhaust valve";
 equation

@@ -11,6 +11,9 @@ model ValvePair "An inlet and an exhaust valve, current-driven, of one make, DP 
   input Types.Current u_out "Current of the exhaust valve";
   parameter Real C_A(unit="1", min=0.1, max=3) = 0.699 "Calibration of the effective area, both valves"
     annotation (Dialog(group="Flow"));
+  parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
+    annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
+  outer Ambient ambient "Surroundings";
   replaceable model Drive = Laws.Valves.ImmediateDrive constrainedby Interfaces.ValveDrive "Dynamics of the valves"
     annotation (choicesAllMatching=true);
   replaceable model Area = Laws.Valves.LinearArea constrainedby Interfaces.ValveArea "Law of the effective areas"
@@ -20,9 +23,9 @@ model ValvePair "An inlet and an exhaust valve, current-driven, of one make, DP 
   replaceable model Feed = Laws.Lines.DirectFeed constrainedby Interfaces.Feed "What lies before the inlet valve"
     annotation (choicesAllMatching=true);
   Feed feed "What lies before the inlet valve";
-  Drive drive(u={u_in, u_out}) "From command to current";
+  Drive drive(u={u_in, u_out}, dynamics=dynamics) "From command to current";
   Area area(u=drive.y, p_a={feed.port_b.p, port.p}, p_b={port.p, exhaust.p}, C_A=C_A) "From current to effective area";
-  Opening opening(A_set=area.A) "From that to the area that the gas finds";
+  Opening opening(A_set=area.A, dynamics=dynamics) "From that to the area that the gas finds";
   Orifice inlet(A=opening.A[1]) "Inlet valve";
   Orifice outlet(A=opening.A[2]) "Exhaust valve";
 equation

@@ -10,7 +10,7 @@ model Force "A load cell between the muscle and what it pulls"
     "Measuring channel of the force"
     annotation (choicesAllMatching=true);
   Sensors.Pull loadCell "Load cell";
-  ForceChannel channel(u=loadCell.F) "Measuring channel of the force";
+  ForceChannel channel(u=loadCell.F, dynamics=dynamics) "Measuring channel of the force";
 equation
   connect(flange_a, loadCell.flange_a);
   connect(loadCell.flange_b, flange_b);

@@ -8,7 +8,7 @@ model Position "A displacement transducer at the load end"
     "Measuring channel of the position"
     annotation (choicesAllMatching=true);
   Sensors.Contraction ruler "Displacement transducer";
-  PositionChannel channel(u=ruler.x) "Measuring channel of the position";
+  PositionChannel channel(u=ruler.x, dynamics=dynamics) "Measuring channel of the position";
 equation
   connect(flange, ruler.flange);
   x = channel.y;

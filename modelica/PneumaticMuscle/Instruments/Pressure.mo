@@ -10,7 +10,7 @@ model Pressure "A pressure transducer at the muscle"
     "Measuring channel of the pressure"
     annotation (choicesAllMatching=true);
   Manometer manometer "Pressure transducer";
-  PressureChannel channel(u=manometer.p) "Measuring channel of the pressure";
+  PressureChannel channel(u=manometer.p, dynamics=dynamics) "Measuring channel of the pressure";
 equation
   connect(port, manometer.port);
   p = channel.y;

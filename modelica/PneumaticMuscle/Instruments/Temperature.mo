@@ -11,9 +11,8 @@ model Temperature "A thermometer in the gas of the muscle, at its port"
   replaceable model TemperatureChannel = Sensors.DirectTemperature constrainedby Interfaces.TemperatureChannel
     "Measuring channel of the temperature"
     annotation (choicesAllMatching=true);
-  outer Components.Ambient ambient "Surroundings";
   Thermometer thermometer(T_start=ambient.T, m_flow=port_b.m_flow) "Thermometer";
-  TemperatureChannel channel(u=thermometer.T) "Measuring channel of the temperature";
+  TemperatureChannel channel(u=thermometer.T, dynamics=dynamics) "Measuring channel of the temperature";
 equation
   connect(port_b, port_a);
   connect(port_a, thermometer.port);

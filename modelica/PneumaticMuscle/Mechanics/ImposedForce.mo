@@ -7,8 +7,13 @@ model ImposedForce "A drive that imposes the force at the load end"
   input Types.Force F_load(start=30) "Imposed force, positive in pull";
   parameter Types.Mass m(min=0.001, max=1000) = 0.5 "Mass that moves" annotation (Dialog(group="Load"));
   parameter Types.TranslationalDamping d(min=0, max=1e4) = 20 "Damping of the guide" annotation (Dialog(group="Mechanics"));
-  Types.Length s(start=x_start, fixed=true) "Position";
-  Types.Velocity v(start=0, fixed=true) "Speed";
+  Types.Length s(start=x_start, fixed=dynamics == Types.Dynamics.FixedInitial) "Position";
+  Types.Velocity v(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Speed";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(s) = 0;
+    der(v) = 0;
+  end if;
 equation
   flange.s = s;
   v = der(s);

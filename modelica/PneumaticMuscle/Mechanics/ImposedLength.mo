@@ -7,7 +7,7 @@ model ImposedLength "A drive that imposes the contraction"
   input Types.Length s(start=0.02) "Imposed contraction";
   parameter Types.Time tau(min=1e-4, max=1) = 5e-3 "Time constant of the filter" annotation (Dialog(group="Dynamics"));
   parameter Types.Length s_start(min=-1, max=1) = 0 "Contraction at the start" annotation (Dialog(group="Start"));
-  Components.ImposedPosition position(s_wanted=s, tau=tau, s_start=s_start) "Drive";
+  Components.ImposedPosition position(s_wanted=s, tau=tau, s_start=s_start, dynamics=dynamics) "Drive";
 equation
   connect(flange, position.flange);
   annotation (defaultComponentName="drive", Documentation(info="<html>

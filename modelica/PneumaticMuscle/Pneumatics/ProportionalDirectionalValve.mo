@@ -14,7 +14,7 @@ model ProportionalDirectionalValve "A proportional valve whose opening to the su
     annotation (Dialog(group="Flow"));
   replaceable model Feed = Laws.Lines.DirectFeed constrainedby Interfaces.Feed "What lies before the valve"
     annotation (choicesAllMatching=true);
-  Real y(unit="1", start=0, fixed=true) "Place of the spool, 1: open to the supply, -1: to the exhaust";
+  Real y(unit="1", start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Place of the spool, 1: open to the supply, -1: to the exhaust";
   Components.Supply supply(p_gauge=p_supply) "Air supply";
   Components.Atmosphere atmosphere "Outlet";
   Feed feed "What lies before the valve";
@@ -24,6 +24,10 @@ protected
   constant Real closed(unit="1") = 1e-3 "Part of the stroke on which corners are rounded";
   Real told(unit="1") "Place that the command asks for";
   Real wanted(unit="1") "The same within the stroke";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(y) = 0;
+  end if;
 equation
   told = (u - u_mid)/u_full;
   wanted = (sqrt((told + 1)^2 + closed^2) - sqrt((told - 1)^2 + closed^2))/2;

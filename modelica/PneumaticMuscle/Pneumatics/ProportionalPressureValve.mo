@@ -15,7 +15,7 @@ model ProportionalPressureValve "A proportional valve that holds the pressure wh
   parameter Types.GaugePressure p_start(min=-1.01e5, max=1e7) = 0 "Command at the start" annotation (Dialog(group="Start"));
   replaceable model Feed = Laws.Lines.DirectFeed constrainedby Interfaces.Feed "What lies before the valve"
     annotation (choicesAllMatching=true);
-  Types.GaugePressure p_wanted(start=p_start, fixed=true) "Pressure that the valve works towards";
+  Types.GaugePressure p_wanted(start=p_start, fixed=dynamics == Types.Dynamics.FixedInitial) "Pressure that the valve works towards";
   Real y(unit="1") "Opening, 1: to the supply, -1: to the exhaust";
   Components.Supply supply(p_gauge=p_supply) "Air supply";
   Components.Atmosphere atmosphere "Outlet";
@@ -23,8 +23,11 @@ model ProportionalPressureValve "A proportional valve that holds the pressure wh
   Components.Orifice inlet(A=A_open*(y + sqrt(y^2 + closed^2))/2) "From the supply";
   Components.Orifice outlet(A=A_open*(sqrt(y^2 + closed^2) - y)/2) "To the exhaust";
 protected
-  outer Components.Ambient ambient "Surroundings";
   constant Real closed(unit="1") = 1e-3 "Opening on which the corner of the closed valve is rounded";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(p_wanted) = 0;
+  end if;
 equation
   tau*der(p_wanted) = k_u*(u - u_0) - p_wanted;
   y = tanh((p_wanted + ambient.p - line.port_a.p)/p_band);

@@ -8,9 +8,13 @@ model Regulator "A proportional pressure regulator: its set point, its lag and i
     annotation (Dialog(group="Flow"));
   parameter Types.GaugePressure p_start(min=-1.01e5, max=1e7) = 0 "Gauge pressure at the start"
     annotation (Dialog(group="Start"));
-  Types.GaugePressure p_still(start=p_start, fixed=true) "Gauge pressure that it would hold without flow";
+  Types.GaugePressure p_still(start=p_start, fixed=dynamics == Types.Dynamics.FixedInitial) "Gauge pressure that it would hold without flow";
   Components.Supply supply(p_gauge=p_still) "Regulated pressure";
   Components.Droop resistance(R=droop) "What the flow costs";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(p_still) = 0;
+  end if;
 equation
   tau*der(p_still) = p_set - p_still;
   connect(supply.port, resistance.port_a);

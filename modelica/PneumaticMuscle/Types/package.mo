@@ -26,6 +26,11 @@ package Types "Physical quantities with their SI units"
   type SpecificHeatCapacity = Real(final quantity="SpecificHeatCapacity", final unit="J/(kg.K)") "Specific heat capacity";
   type ThermalConductivity = Real(final quantity="ThermalConductivity", final unit="W/(m.K)") "Thermal conductivity";
   type CoefficientOfHeatTransfer = Real(final quantity="CoefficientOfHeatTransfer", final unit="W/(m2.K)") "Heat transfer coefficient";
+  type Dynamics = enumeration(
+    DynamicFreeInitial "Guess: as nothing else says, from the start values",
+    FixedInitial "Fixed: with the start values",
+    SteadyStateInitial "Steady: at rest under the first inputs, sought from the start values")
+    "How what is stored begins; the names are those of Modelica.Fluid.Types.Dynamics";
   annotation (Documentation(info="<html>
 <p>Units are final; nominal values are of the size met in a muscle of DP.</p>
 </html>"));

@@ -13,6 +13,13 @@ set pressure and temperature, resistances set mass and enthalpy flow; the two al
 <code>Wall</code> and the <code>Braid</code> of a muscle, the <code>Drive</code> and the <code>Area</code> of the valves, the
 instruments of a bench with the measuring channels behind them and the clock of the record. <code>Laws</code> holds those that the papers review, <code>Effects</code> those that a
 diagnosis tries on a measurement.</p>
+<p>How what is stored begins is said by the parameter <code>dynamics</code>, of every class with states and, for all of a
+bench at once, of its <code>ambient</code>, in the words of Modelica.Fluid: <code>FixedInitial</code>, with the start values
+(usual: no pressure, shut valves, a load on its stop; what follows something begins where that is);
+<code>SteadyStateInitial</code>, at rest under the first inputs, sought from the start values, the valves as their currents have
+them; <code>DynamicFreeInitial</code>, as nothing else says, from the start values. So
+<code>Benches.Isotonic(ambient(dynamics=Types.Dynamics.SteadyStateInitial))</code> begins under the pressure that its open valves
+hold. Dry friction rests anywhere: it begins at its start values unless they are free.</p>
 <p>No model has events. Corners, signs and stops are rounded over less than an instrument resolves; where, is said
 in the class. All expressions have finite derivatives throughout the range of operation.</p>
 <p>Two laws of the base model contradict each other as printed: the energy balance DP (59) and the polytropic temperature

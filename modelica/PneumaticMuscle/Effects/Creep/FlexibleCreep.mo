@@ -15,7 +15,11 @@ model FlexibleCreep "The bladder relaxes over two and a half decades of time"
 protected
   constant Types.Length x_reference = 0.01 "Contraction to which thinning refers";
 initial equation
-  q = {x, x, x};
+  if dynamics == Types.Dynamics.FixedInitial then
+    q = {x, x, x};
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(q) = zeros(3);
+  end if;
 equation
   for i in 1:3 loop
     7^(i - 1)*tau*der(q[i]) = (x - q[i])*(1 + thinning*((x - q[i])/x_reference)^2);

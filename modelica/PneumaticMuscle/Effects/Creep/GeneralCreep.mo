@@ -35,7 +35,11 @@ protected
   Real quick(unit="1") = exp(warm*(port.T - ambient.T)/T_step) "Factor on the rates";
   Types.Length y = x*exp(s*(a + b*s) + h*log(max(1 + p_gauge/p_reference, q_least))) "Contraction that a linear spring would need for the same load";
 initial equation
-  q = {y, y, y};
+  if dynamics == Types.Dynamics.FixedInitial then
+    q = {y, y, y};
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(q) = zeros(3);
+  end if;
 equation
   for i in 1:3 loop
     by[i] = 0.5*(1 + recovery) + 0.5*(1 - recovery)*(y - q[i])/sqrt((y - q[i])^2 + y_smooth^2);

@@ -7,7 +7,11 @@ model MaxwellCreep "The bladder has a part whose stress relaxes"
     annotation (Dialog(group="Effect"));
   Types.Length q "Part of the contraction that has relaxed";
 initial equation
-  q = x;
+  if dynamics == Types.Dynamics.FixedInitial then
+    q = x;
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(q) = 0;
+  end if;
 equation
   tau*der(q) = x - q;
   f = k*(x - q);

@@ -9,7 +9,11 @@ model PronyCreep "The bladder relaxes with two time constants, a decade apart"
     annotation (Dialog(group="Effect"));
   Types.Length q[2] "Parts of the contraction that have relaxed";
 initial equation
-  q = {x, x};
+  if dynamics == Types.Dynamics.FixedInitial then
+    q = {x, x};
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(q) = zeros(2);
+  end if;
 equation
   tau*der(q[1]) = x - q[1];
   10*tau*der(q[2]) = x - q[2];

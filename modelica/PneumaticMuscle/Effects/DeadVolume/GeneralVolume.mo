@@ -15,8 +15,8 @@ model GeneralVolume "Gas that takes no part in contraction, behind an opening, i
     annotation (Dialog(group="Effect"));
   parameter Types.ThermalConductance UA(min=0, max=50, nominal=0.02) = 0.01 "Conductance from its gas to what stays at ambient temperature"
     annotation (Dialog(group="Effect"));
-  Types.AbsolutePressure p_s "Pressure in it";
-  Types.Temperature T_s "Temperature in it";
+  Types.AbsolutePressure p_s(start=ambient.p) "Pressure in it";
+  Types.Temperature T_s(start=ambient.T) "Temperature in it";
   Types.Mass m(nominal=1e-5) "Mass of the gas in it";
 protected
   constant Types.Pressure p_reference = 1e5 "Pressure to which V_p refers, and drop to which G refers";
@@ -24,8 +24,13 @@ protected
   Real u(unit="1") = (port.p^2 - p_s^2)/(2*ambient.p*p_reference) "Drop at the opening by the reference";
   Types.Volume V = V_0 + V_p*q*exp(n*log(1 + q)) "Volume";
 initial equation
-  p_s = port.p;
-  T_s = port.T;
+  if dynamics == Types.Dynamics.FixedInitial then
+    p_s = port.p;
+    T_s = port.T;
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(p_s) = 0;
+    der(m) = 0;
+  end if;
 equation
   der(m) = port.m_flow;
   p_s*V = m*Constants.R*T_s;

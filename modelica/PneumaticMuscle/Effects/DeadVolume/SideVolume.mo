@@ -6,12 +6,17 @@ model SideVolume "Gas that takes no part in contraction, behind an opening, in a
     annotation (Dialog(group="Effect"));
   parameter Types.ThermalConductance UA(min=0, max=50, nominal=0.02) = 0.02 "Conductance from its gas to what stays at ambient temperature"
     annotation (Dialog(group="Effect"));
-  Types.AbsolutePressure p_s "Pressure in it";
-  Types.Temperature T_s "Temperature in it";
+  Types.AbsolutePressure p_s(start=ambient.p) "Pressure in it";
+  Types.Temperature T_s(start=ambient.T) "Temperature in it";
   Types.Mass m(nominal=1e-5) "Mass of the gas in it";
 initial equation
-  p_s = port.p;
-  T_s = port.T;
+  if dynamics == Types.Dynamics.FixedInitial then
+    p_s = port.p;
+    T_s = port.T;
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(p_s) = 0;
+    der(m) = 0;
+  end if;
 equation
   der(m) = port.m_flow;
   p_s*V = m*Constants.R*T_s;

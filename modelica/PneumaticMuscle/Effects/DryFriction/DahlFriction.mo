@@ -5,7 +5,7 @@ model DahlFriction "Dry friction with a small elastic travel before it slips"
     annotation (Dialog(group="Effect"));
   parameter Types.Length d(min=1e-5, max=4e-3, nominal=2e-4) = 5e-4 "Elastic travel"
     annotation (Dialog(group="Effect"));
-  Real r(start=0, fixed=true, unit="1", nominal=1) "Share of the friction force";
+  Real r(start=0, fixed=dynamics <> Types.Dynamics.DynamicFreeInitial, unit="1", nominal=1) "Share of the friction force";
 protected
   constant Types.Velocity v_smooth = 1e-6 "Speed below which the size of v is rounded";
 equation

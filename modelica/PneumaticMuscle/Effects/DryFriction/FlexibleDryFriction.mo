@@ -10,7 +10,7 @@ model FlexibleDryFriction "Dry friction that grows with pressure and gives way i
     annotation (Dialog(group="Effect"));
   parameter Real rise(unit="1", min=-0.7, max=2, nominal=0.3) = 0 "What slow motion adds to it, by that of fast motion"
     annotation (Dialog(group="Effect"));
-  Real r[2](each start=0, each fixed=true, each unit="1", each nominal=1) "Shares of their forces that both parts carry";
+  Real r[2](each start=0, each fixed=dynamics <> Types.Dynamics.DynamicFreeInitial, each unit="1", each nominal=1) "Shares of their forces that both parts carry";
 protected
   constant Types.Pressure p_reference = 1e5 "Pressure at which F_p is added";
   constant Types.Velocity v_smooth = 1e-6 "Speed below which the size of v is rounded";

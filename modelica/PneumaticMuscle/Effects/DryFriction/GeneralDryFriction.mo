@@ -22,7 +22,7 @@ model GeneralDryFriction "Dry friction of any smooth dependence on pressure, con
     annotation (Dialog(group="Effect"));
   parameter Real side(unit="1", min=-1, max=1, nominal=0.3) = 0 "What contraction gains and extension loses, by it"
     annotation (Dialog(group="Effect"));
-  Real r[2](each start=0, each fixed=true, each unit="1", each nominal=1) "Shares of their forces that both parts carry";
+  Real r[2](each start=0, each fixed=dynamics <> Types.Dynamics.DynamicFreeInitial, each unit="1", each nominal=1) "Shares of their forces that both parts carry";
 protected
   constant Types.Pressure p_reference = 1e5 "Pressure at which F_p is added";
   constant Types.Velocity v_smooth = 1e-6 "Speed below which the size of v is rounded";

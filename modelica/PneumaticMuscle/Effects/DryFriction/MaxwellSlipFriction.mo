@@ -5,7 +5,7 @@ model MaxwellSlipFriction "Dry friction of four elements in parallel that slip o
     annotation (Dialog(group="Effect"));
   parameter Types.Length d(min=4e-5, max=8e-3, nominal=1e-3) = 2e-3 "Travel until the last one slips"
     annotation (Dialog(group="Effect"));
-  Real r[4](each start=0, each fixed=true, each unit="1", each nominal=1) "Share of its friction force in each element";
+  Real r[4](each start=0, each fixed=dynamics <> Types.Dynamics.DynamicFreeInitial, each unit="1", each nominal=1) "Share of its friction force in each element";
 protected
   constant Types.Velocity v_smooth = 1e-6 "Speed below which the size of v is rounded";
   Types.Velocity v_size = sqrt(v_slip^2 + v_smooth^2) "Rounded size of the speed";

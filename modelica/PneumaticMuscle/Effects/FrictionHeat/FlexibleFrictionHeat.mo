@@ -12,10 +12,14 @@ model FlexibleFrictionHeat "Shares of the work of friction heat the gas, at once
     annotation (Dialog(group="Effect"));
   parameter Types.Time tau(min=1e-3, max=20, nominal=0.1) = 0.03 "Time constant of what stores it first"
     annotation (Dialog(group="Effect"));
-  Types.Power Q(start=0, fixed=true, nominal=0.1) "Heat to the gas";
+  Types.Power Q(start=0, fixed=dynamics == Types.Dynamics.FixedInitial, nominal=0.1) "Heat to the gas";
 protected
   constant Types.Power P_smooth = 1e-4 "Power over which contraction and extension change roles";
   Real side(unit="1") = P_bladder/sqrt(P_bladder^2 + P_smooth^2) "1 in contraction, -1 in extension";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(Q) = 0;
+  end if;
 equation
   tau*der(Q) = 0.5*(share_f*P_fibre*(1 + back_f + (1 - back_f)*side)
       + share_b*P_bladder*(1 - back_b + (1 + back_b)*side)) - Q;

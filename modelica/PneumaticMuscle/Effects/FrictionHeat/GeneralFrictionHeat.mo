@@ -17,13 +17,18 @@ model GeneralFrictionHeat "Shares of the work of friction heat the gas, some at 
     annotation (Dialog(group="Effect"));
   parameter Real direct(unit="1", min=0, max=1, nominal=0.3) = 0 "Share that needs neither"
     annotation (Dialog(group="Effect"));
-  Types.Power Q(start=0, fixed=true, nominal=0.1) "Heat from the first store to the other one";
-  Types.Power Q_o(start=0, fixed=true, nominal=0.1) "Heat from that to the gas";
+  Types.Power Q(start=0, fixed=dynamics == Types.Dynamics.FixedInitial, nominal=0.1) "Heat from the first store to the other one";
+  Types.Power Q_o(start=0, fixed=dynamics == Types.Dynamics.FixedInitial, nominal=0.1) "Heat from that to the gas";
 protected
   constant Types.Power P_smooth = 1e-4 "Power over which contraction and extension change roles";
   Real side(unit="1") = P_bladder/sqrt(P_bladder^2 + P_smooth^2) "1 in contraction, -1 in extension";
   Types.Power P = 0.5*(share_f*P_fibre*(1 + back_f + (1 - back_f)*side)
     + share_b*P_bladder*(1 - back_b + (1 + back_b)*side)) "Work that becomes heat of the gas";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(Q) = 0;
+    der(Q_o) = 0;
+  end if;
 equation
   tau*der(Q) = P - Q;
   r*tau*der(Q_o) = Q - Q_o;

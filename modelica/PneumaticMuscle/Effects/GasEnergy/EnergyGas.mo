@@ -1,10 +1,14 @@
 within PneumaticMuscle.Effects.GasEnergy;
 model EnergyGas "Pressure and temperature from mass and energy, with heat exchange to the wall"
-  extends Interfaces.Gas(T(start=T_start, fixed=true));
+  extends Interfaces.Gas(T(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial));
   extends FamilyMember;
   parameter Types.CoefficientOfHeatTransfer h(min=0.01, max=500, nominal=10) = 10 "Film coefficient at the wall"
     annotation (Dialog(group="Effect"));
   Types.Mass m(nominal=1e-3) "Mass of the gas";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(m) = 0;
+  end if;
 equation
   der(m) = port.m_flow;
   p*V = m*Constants.R*T;

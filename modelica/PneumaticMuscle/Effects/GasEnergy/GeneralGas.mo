@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.GasEnergy;
 model GeneralGas "Mass and energy balance of any gas, with any smooth law of its heat exchange"
-  extends Interfaces.Gas(T(start=T_start, fixed=true));
+  extends Interfaces.Gas(T(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial));
   extends FamilyMember(final general=true);
   parameter Types.CoefficientOfHeatTransfer h_0(min=0.01, max=500, nominal=10) = 5 "Film coefficient of gas at rest"
     annotation (Dialog(group="Effect"));
@@ -23,13 +23,18 @@ model GeneralGas "Mass and energy balance of any gas, with any smooth law of its
   parameter Real e(unit="1", min=0, max=1, nominal=1) = 0.6 "Share of it that counts in the internal energy"
     annotation (Dialog(group="Effect"));
   Types.Mass m(nominal=1e-3) "Mass of the gas";
-  Types.MassFlowRate m_jet(start=0, fixed=true) "Flow that the gas still feels";
+  Types.MassFlowRate m_jet(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Flow that the gas still feels";
 protected
   constant Types.MassFlowRate m_reference = 1e-4 "Flow at which h_1 is added";
   constant Types.MassFlowRate m_smooth = 1e-7 "Flow below which its size is rounded";
   constant Types.Volume V_reference = 1e-4 "Volume at which h_0 and h_1 are meant";
   constant Real T_reference_difference(unit="K") = 10 "Temperature difference at which h_0 is meant";
   constant Real T_smooth(unit="K") = 1 "Temperature difference below which its size is rounded";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(m) = 0;
+    der(m_jet) = 0;
+  end if;
 equation
   der(m) = port.m_flow;
   p*(V - b*m) = m*Constants.R*T;

@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.GasEnergy;
 model RealGas "Mass and energy balance of a gas that is not ideal"
-  extends Interfaces.Gas(T(start=T_start, fixed=true));
+  extends Interfaces.Gas(T(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial));
   extends FamilyMember;
   parameter Types.CoefficientOfHeatTransfer h(min=0.01, max=500, nominal=10) = 10 "Film coefficient at ambient pressure"
     annotation (Dialog(group="Effect"));
@@ -11,6 +11,10 @@ model RealGas "Mass and energy balance of a gas that is not ideal"
   parameter Real e(unit="1", min=0, max=1, nominal=1) = 0.6 "Share of it that counts in the internal energy"
     annotation (Dialog(group="Effect"));
   Types.Mass m(nominal=1e-3) "Mass of the gas";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(m) = 0;
+  end if;
 equation
   der(m) = port.m_flow;
   p*(V - b*m) = m*Constants.R*T;

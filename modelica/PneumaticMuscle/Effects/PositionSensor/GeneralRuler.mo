@@ -20,8 +20,13 @@ protected
   Real w(unit="1") "Signal by the reference";
   Types.Length shown "What the reading would be without lag";
 initial equation
-  z = shown;
-  y = shown;
+  if dynamics == Types.Dynamics.FixedInitial then
+    z = shown;
+    y = shown;
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(z) = 0;
+    der(y) = 0;
+  end if;
 equation
   w = u/reference;
   shown = offset + reference*w*(gain + w*(bend + c*w));

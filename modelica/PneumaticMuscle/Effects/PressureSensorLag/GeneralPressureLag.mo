@@ -18,10 +18,17 @@ protected
   constant Types.GaugePressure d_smooth = 100 "Difference over which rising and falling change roles";
   Types.GaugePressure d "What the first lag still lacks";
 initial equation
-  z = u;
-  z_2 = u;
-  z_3 = u;
-  w = 0;
+  if dynamics == Types.Dynamics.FixedInitial then
+    z = u;
+    z_2 = u;
+    z_3 = u;
+    w = 0;
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(z) = 0;
+    der(z_2) = 0;
+    der(z_3) = 0;
+    der(w) = 0;
+  end if;
 equation
   d = u - z;
   (0.5*(1 + ratio) + 0.5*(1 - ratio)*d/sqrt(d^2 + d_smooth^2))*tau*der(z) = d;

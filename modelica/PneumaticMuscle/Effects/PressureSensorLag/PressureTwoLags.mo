@@ -8,8 +8,13 @@ model PressureTwoLags "The pressure reading lags twice"
     annotation (Dialog(group="Effect"));
   Types.GaugePressure z "Pressure behind the first lag";
 initial equation
-  z = u;
-  y = u;
+  if dynamics == Types.Dynamics.FixedInitial then
+    z = u;
+    y = u;
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(z) = 0;
+    der(y) = 0;
+  end if;
 equation
   tau*der(z) = u - z;
   r*tau*der(y) = z - y;

@@ -9,11 +9,16 @@ model FlexibleLine "A tube between valves and muscle that is laminar at small an
   parameter Types.Volume V(min=2e-7, max=5e-4, nominal=1e-5) = 2e-6 "Volume of the tube, at the valve end"
     annotation (Dialog(group="Effect"));
 protected
-  Laws.Lines.LineGas gas(V=V) "Gas in the line, at the valve end";
+  Laws.Lines.LineGas gas(V=V, p(start=ambient.p), T(start=ambient.T)) "Gas in the line, at the valve end";
   Laws.Lines.RoughTube resistance(G=G, A=A) "Tube";
 initial equation
-  gas.p = port_b.p;
-  gas.T = port_b.T;
+  if dynamics == Types.Dynamics.FixedInitial then
+    gas.p = port_b.p;
+    gas.T = port_b.T;
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(gas.p) = 0;
+    der(gas.m) = 0;
+  end if;
 equation
   connect(port_a, gas.port);
   connect(gas.port, resistance.port_a);

@@ -7,10 +7,14 @@ model FrictionLine "A long tube with wall friction and the temperature of its su
   parameter Types.Volume V(min=2e-7, max=5e-4, nominal=1e-5) = 1e-5 "Volume of the tube, at the valve end"
     annotation (Dialog(group="Effect"));
 protected
-  Laws.Lines.TubeGas gas(V=V) "Gas in the tube";
+  Laws.Lines.TubeGas gas(V=V, p(start=ambient.p)) "Gas in the tube";
   Laws.Lines.TurbulentTube resistance(A=A) "Friction of the wall";
 initial equation
-  gas.p = port_b.p;
+  if dynamics == Types.Dynamics.FixedInitial then
+    gas.p = port_b.p;
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(gas.p) = 0;
+  end if;
 equation
   connect(port_a, gas.port);
   connect(gas.port, resistance.port_a);

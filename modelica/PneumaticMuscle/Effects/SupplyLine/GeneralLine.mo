@@ -17,11 +17,16 @@ model GeneralLine "A tube between valves and muscle whose flow is any smooth law
   parameter Types.ThermalConductance UA(min=0, max=2, nominal=0.02) = 0.01 "Conductance from its gas to the surroundings"
     annotation (Dialog(group="Effect"));
 protected
-  Laws.Lines.LineGas gas(V=V, UA=UA) "Gas in the line, at the valve end";
+  Laws.Lines.LineGas gas(V=V, UA=UA, p(start=ambient.p), T(start=ambient.T)) "Gas in the line, at the valve end";
   Laws.Lines.CurvedTube resistance(G=G, a=a, b=b, c=c, side=side) "Tube";
 initial equation
-  gas.p = port_b.p;
-  gas.T = port_b.T;
+  if dynamics == Types.Dynamics.FixedInitial then
+    gas.p = port_b.p;
+    gas.T = port_b.T;
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(gas.p) = 0;
+    der(gas.m) = 0;
+  end if;
 equation
   connect(port_a, gas.port);
   connect(gas.port, resistance.port_a);

@@ -7,11 +7,16 @@ model LongLine "A tube of its own volume and resistance between valves and muscl
   parameter Types.Volume V(min=2e-7, max=5e-4, nominal=1e-5) = 1e-5 "Volume of the tube, at the valve end"
     annotation (Dialog(group="Effect"));
 protected
-  Laws.Lines.LineGas gas(V=V) "Gas in the line, at the valve end";
+  Laws.Lines.LineGas gas(V=V, p(start=ambient.p), T(start=ambient.T)) "Gas in the line, at the valve end";
   Components.Orifice resistance(A=A) "Resistance of the tube";
 initial equation
-  gas.p = port_b.p;
-  gas.T = port_b.T;
+  if dynamics == Types.Dynamics.FixedInitial then
+    gas.p = port_b.p;
+    gas.T = port_b.T;
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(gas.p) = 0;
+    der(gas.m) = 0;
+  end if;
 equation
   connect(port_a, gas.port);
   connect(gas.port, resistance.port_a);

@@ -6,11 +6,16 @@ model OrificeLine "A narrow place between valves and muscle"
     annotation (Dialog(group="Effect"));
 protected
   constant Types.Volume V_fitting = 2e-7 "Volume between valve and line, as small as a fitting can be";
-  Laws.Lines.LineGas gas(V=V_fitting) "Gas in the line, at the valve end";
+  Laws.Lines.LineGas gas(V=V_fitting, p(start=ambient.p), T(start=ambient.T)) "Gas in the line, at the valve end";
   Components.Orifice resistance(A=A) "Narrow place";
 initial equation
-  gas.p = port_b.p;
-  gas.T = port_b.T;
+  if dynamics == Types.Dynamics.FixedInitial then
+    gas.p = port_b.p;
+    gas.T = port_b.T;
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(gas.p) = 0;
+    der(gas.m) = 0;
+  end if;
 equation
   connect(port_a, gas.port);
   connect(gas.port, resistance.port_a);

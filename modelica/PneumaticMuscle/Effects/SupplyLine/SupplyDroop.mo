@@ -10,12 +10,15 @@ model SupplyDroop "A hose or a regulator before the inlet valve, behind which th
     annotation (Dialog(group="Effect"));
   parameter Types.Time tau(min=1e-3, max=2, nominal=0.02) = 0.01 "Time in which the pressure follows the flow"
     annotation (Dialog(group="Effect"));
-  Types.MassFlowRate m(start=0, fixed=true, nominal=1e-4) "Flow that the pressure follows";
+  Types.MassFlowRate m(start=0, fixed=dynamics == Types.Dynamics.FixedInitial, nominal=1e-4) "Flow that the pressure follows";
 protected
-  outer Components.Ambient ambient "Surroundings";
   constant Types.MassFlowRate m_reference = 1e-4 "Flow to which D refers";
   Types.Pressure lost = D*Functions.curvedPower(m/m_reference, n - 1, 0, 1e-3)*exp(k*log(max(port_a.p, 1.0)/ambient.p))
     "Pressure that is lost, as long as it is small";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(m) = 0;
+  end if;
 equation
   tau*der(m) = port_a.m_flow - m;
   port_b.p = port_a.p*exp(-lost/port_a.p);

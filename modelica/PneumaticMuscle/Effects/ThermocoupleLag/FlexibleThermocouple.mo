@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.ThermocoupleLag;
 model FlexibleThermocouple "The temperature reading lags, less in dense or flowing gas, and loses heat to the surroundings"
-  extends Interfaces.Thermometer(T(start=T_start, fixed=true));
+  extends Interfaces.Thermometer(T(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial));
   extends FamilyMember(final absent="tau=1e-3, n=0, b=0, loss=0");
   parameter Types.Time tau(min=1e-3, max=100, nominal=1) = 1 "Time constant in gas at rest at ambient pressure"
     annotation (Dialog(group="Effect"));
@@ -17,7 +17,10 @@ protected
   constant Types.MassFlowRate m_smooth = 1e-7 "Flow over which filling and venting change roles";
   Real r(unit="1") = m_flow/m_reference "Flow by the reference";
   Real flow_size(unit="1") = sqrt(r^2 + (m_smooth/m_reference)^2) "Its size";
-  outer Components.Ambient ambient "Surroundings";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(T) = 0;
+  end if;
 equation
   tau*der(T) = (port.T - T)*(exp(n*log(max(port.p, 1.0)/ambient.p)) + b*sqrt(flow_size)*(1 + side*r/flow_size)) - loss*(T - ambient.T);
   annotation (Documentation(info="<html>

@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.ThermocoupleLag;
 model GeneralThermocouple "The temperature reading lags by any law of pressure and flow, behind a sheath, and is drawn to a stem and to the surroundings"
-  extends Interfaces.Thermometer(T(start=T_start, fixed=true));
+  extends Interfaces.Thermometer(T(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial));
   extends FamilyMember(final general=true,
     final absent="tau=1e-3, n=0, b=0, loss=0, stem=0, r=1e-3");
   parameter Types.Time tau(min=1e-3, max=100, nominal=1) = 1 "Time constant in gas at rest at ambient pressure"
@@ -21,14 +21,19 @@ model GeneralThermocouple "The temperature reading lags by any law of pressure a
     annotation (Dialog(group="Effect"));
   parameter Real r(unit="1", min=1e-3, max=1, nominal=0.1) = 0.03 "Time constant of the junction by that of its sheath"
     annotation (Dialog(group="Effect"));
-  Types.Temperature T_s(start=T_start, fixed=true) "Temperature of the sheath";
-  Types.Temperature T_stem(start=T_start, fixed=true) "Temperature of the stem";
+  Types.Temperature T_s(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial) "Temperature of the sheath";
+  Types.Temperature T_stem(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial) "Temperature of the stem";
 protected
   constant Types.MassFlowRate m_reference = 1e-4 "Flow at which b is added";
   constant Types.MassFlowRate m_smooth = 1e-7 "Flow over which filling and venting change roles";
   Real m(unit="1") = m_flow/m_reference "Flow by the reference";
   Real flow_size(unit="1") = sqrt(m^2 + (m_smooth/m_reference)^2) "Its size";
-  outer Components.Ambient ambient "Surroundings";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(T) = 0;
+    der(T_s) = 0;
+    der(T_stem) = 0;
+  end if;
 equation
   tau*der(T_s) = (port.T - T_s)*(exp(n*log(max(port.p, 1.0)/ambient.p)) + b*exp(n_m*log(flow_size))*(1 + side*m/flow_size))
     - loss*(T_s - ambient.T) - stem*(T_s - T_stem);

@@ -1,12 +1,17 @@
 within PneumaticMuscle.Effects.ThermocoupleLag;
 model ThermocoupleSheath "The temperature reading lags behind a sheath that lags behind the gas"
-  extends Interfaces.Thermometer(T(start=T_start, fixed=true));
+  extends Interfaces.Thermometer(T(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial));
   extends FamilyMember(final absent="tau=1e-3");
   parameter Types.Time tau(min=1e-3, max=100, nominal=1) = 1 "Time constant of the sheath"
     annotation (Dialog(group="Effect"));
   parameter Real r(unit="1", min=0.02, max=1, nominal=1) = 0.3 "Time constant of the junction by that of the sheath"
     annotation (Dialog(group="Effect"));
-  Types.Temperature T_s(start=T_start, fixed=true) "Temperature of the sheath";
+  Types.Temperature T_s(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial) "Temperature of the sheath";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(T) = 0;
+    der(T_s) = 0;
+  end if;
 equation
   tau*der(T_s) = port.T - T_s;
   r*tau*der(T) = T_s - T;

@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.ThermocoupleLag;
 model ThermocoupleStem "The temperature reading lags and is drawn to the temperature of a stem that lags more"
-  extends Interfaces.Thermometer(T(start=T_start, fixed=true));
+  extends Interfaces.Thermometer(T(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial));
   extends FamilyMember(final absent="tau=1e-3, stem=0");
   parameter Types.Time tau(min=1e-3, max=100, nominal=1) = 1 "Time constant without the stem"
     annotation (Dialog(group="Effect"));
@@ -8,7 +8,12 @@ model ThermocoupleStem "The temperature reading lags and is drawn to the tempera
     annotation (Dialog(group="Effect"));
   parameter Types.Time tau_stem(min=0.01, max=1e3, nominal=1) = 5 "Time constant of the stem"
     annotation (Dialog(group="Effect"));
-  Types.Temperature T_stem(start=T_start, fixed=true) "Temperature of the stem";
+  Types.Temperature T_stem(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial) "Temperature of the stem";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(T) = 0;
+    der(T_stem) = 0;
+  end if;
 equation
   tau*der(T) = port.T - T - stem*(T - T_stem);
   tau_stem*der(T_stem) = port.T - T_stem;

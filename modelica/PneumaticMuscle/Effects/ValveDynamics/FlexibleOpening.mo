@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.ValveDynamics;
 model FlexibleOpening "The openings follow late, by a dead time, a lag and at a limited rate, up and down alike or not"
-  extends Interfaces.ValveOpening(A(each start=0, each fixed=true, each nominal=1e-7));
+  extends Interfaces.ValveOpening(A(each start=0, each fixed=dynamics == Types.Dynamics.FixedInitial, each nominal=1e-7));
   extends FamilyMember(final absent="tau=1e-4, travel=1e-4, ratio=1, dead_time=1e-3");
   parameter Types.Time tau(min=1e-4, max=2, nominal=0.05) = 0.03 "Time constant of opening"
     annotation (Dialog(group="Effect"));
@@ -16,10 +16,14 @@ protected
   Types.Area d[2](each nominal=1e-7) "What the openings still lack";
   Real by[2](each unit="1") "Factor on both times: 1 in opening, ratio in closing";
 initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(A) = zeros(2);
+  end if;
   t_0 = time;
 equation
   for i in 1:2 loop
-    d[i] = (if time > t_0 + dead_time then delay(A_set[i], dead_time) else 0) - A[i];
+    d[i] = (if dynamics == Types.Dynamics.SteadyStateInitial or
+      time > t_0 + dead_time then delay(A_set[i], dead_time) else 0) - A[i];
     by[i] = 0.5*(1 + ratio) + 0.5*(1 - ratio)*d[i]/sqrt(d[i]^2 + A_smooth^2);
     by[i]*sqrt(tau^2 + (travel*d[i]/A_reference)^2)*der(A[i]) = d[i];
   end for;

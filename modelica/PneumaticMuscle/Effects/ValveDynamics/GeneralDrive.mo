@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.ValveDynamics;
 model GeneralDrive "The valves follow by a dead time, lags, a limited rate, an oscillator, from a seat, each in its times"
-  extends Interfaces.ValveDrive(y(each start=seat, each fixed=true));
+  extends Interfaces.ValveDrive(y(each start=seat, each fixed=dynamics == Types.Dynamics.FixedInitial));
   extends FamilyMember(final general=true,
     final absent="tau=1e-4, slew=1e-4, ratio=1, tau_coil=1e-4, dead_time=1e-3, omega=1e3, zeta=0.3, seat=0, pair=1");
   parameter Types.Time tau(min=1e-4, max=2, nominal=0.05) = 0.03 "Time constant of opening"
@@ -23,9 +23,9 @@ model GeneralDrive "The valves follow by a dead time, lags, a limited rate, an o
     annotation (Dialog(group="Effect"));
   parameter Real pair(unit="1", min=0.05, max=20, nominal=1) = 1 "All times of the exhaust valve, by those of the inlet valve"
     annotation (Dialog(group="Effect"));
-  Types.Current c[2](each start=0, each fixed=true) "Currents of the coils";
-  Types.Current z[2](each start=seat, each fixed=true) "What follows them in its time";
-  Real w[2](each unit="A/s", each start=0, each fixed=true, each nominal=1) "Rates of the currents that are felt";
+  Types.Current c[2](each start=0, each fixed=dynamics == Types.Dynamics.FixedInitial) "Currents of the coils";
+  Types.Current z[2](each start=seat, each fixed=dynamics == Types.Dynamics.FixedInitial) "What follows them in its time";
+  Real w[2](each unit="A/s", each start=0, each fixed=dynamics == Types.Dynamics.FixedInitial, each nominal=1) "Rates of the currents that are felt";
 protected
   parameter Types.Time t_0(fixed=false) "Start time";
   constant Types.Current u_reference = 0.35 "Current to which slew refers";
@@ -36,10 +36,17 @@ protected
   Types.Current d[2] "What the currents that follow still lack";
   Real by[2](each unit="1") "Factor on both times: 1 in opening, ratio in closing";
 initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(c) = zeros(2);
+    der(z) = zeros(2);
+    der(y) = zeros(2);
+    der(w) = zeros(2);
+  end if;
   t_0 = time;
 equation
   for i in 1:2 loop
-    late[i]*tau_coil*der(c[i]) = (if time > t_0 + late[i]*dead_time then delay(u[i], late[i]*dead_time) else 0) - c[i];
+    late[i]*tau_coil*der(c[i]) = (if dynamics == Types.Dynamics.SteadyStateInitial or
+      time > t_0 + late[i]*dead_time then delay(u[i], late[i]*dead_time) else 0) - c[i];
     e[i] = 0.5*(c[i] + seat + sqrt((c[i] - seat)^2 + (0.03*seat)^2 + e_smooth^2));
     d[i] = e[i] - z[i];
     by[i] = late[i]*(0.5*(1 + ratio) + 0.5*(1 - ratio)*d[i]/sqrt(d[i]^2 + u_smooth^2));

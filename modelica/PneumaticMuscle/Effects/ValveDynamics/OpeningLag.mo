@@ -1,8 +1,12 @@
 within PneumaticMuscle.Effects.ValveDynamics;
 model OpeningLag "The openings of the valves follow with a first-order lag"
-  extends Interfaces.ValveOpening(A(each start=0, each fixed=true, each nominal=1e-7));
+  extends Interfaces.ValveOpening(A(each start=0, each fixed=dynamics == Types.Dynamics.FixedInitial, each nominal=1e-7));
   extends FamilyMember(final absent="tau=1e-4");
   parameter Types.Time tau(min=1e-4, max=2, nominal=0.05) = 0.05 "Time constant" annotation (Dialog(group="Effect"));
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(A) = zeros(2);
+  end if;
 equation
   for i in 1:2 loop
     tau*der(A[i]) = A_set[i] - A[i];

@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.ValveDynamics;
 model OpeningRateLimit "The openings of the valves change at a limited rate, another in closing"
-  extends Interfaces.ValveOpening(A(each start=0, each fixed=true, each nominal=1e-7));
+  extends Interfaces.ValveOpening(A(each start=0, each fixed=dynamics == Types.Dynamics.FixedInitial, each nominal=1e-7));
   extends FamilyMember(final absent="travel=1e-4, ratio=1");
   parameter Types.Time travel(min=1e-4, max=4, nominal=0.1) = 0.1 "Time that opening takes, from shut to the area at 0.35 A"
     annotation (Dialog(group="Effect"));
@@ -10,6 +10,10 @@ protected
   constant Types.Area A_reference = 3.69e-7 "Area of DP (62) at 0.35 A";
   constant Types.Area A_smooth = 4e-9 "Difference of areas over which opening, rest and closing change roles";
   Real side[2](each unit="1") "1 in opening, -1 in closing";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(A) = zeros(2);
+  end if;
 equation
   for i in 1:2 loop
     side[i] = (A_set[i] - A[i])/sqrt((A_set[i] - A[i])^2 + A_smooth^2);

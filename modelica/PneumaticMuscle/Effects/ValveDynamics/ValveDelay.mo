@@ -9,7 +9,7 @@ initial equation
   t_0 = time;
 equation
   for i in 1:2 loop
-    y[i] = if time > t_0 + dead_time then delay(u[i], dead_time) else 0;
+    y[i] = if dynamics == Types.Dynamics.SteadyStateInitial or time > t_0 + dead_time then delay(u[i], dead_time) else 0;
   end for;
   annotation (Documentation(info="<html>
 <p>y(t) = u(t - dead_time) for either valve, exactly. Source: the dead time of a solenoid until its plunger moves, and

@@ -12,11 +12,16 @@ model FlexibleWall "The wall warms up in two layers and gives its heat to the ai
     annotation (Dialog(group="Effect"));
   parameter Types.ThermalConductance K(min=1e-4, max=100, nominal=0.1) = 0.3 "Conductance between the layers"
     annotation (Dialog(group="Effect"));
-  Types.Temperature T_w(start=ambient.T, fixed=true) "Temperature of the inner layer";
-  Types.Temperature T_o(start=ambient.T, fixed=true) "Temperature of the outer layer";
+  Types.Temperature T_w(start=ambient.T, fixed=dynamics == Types.Dynamics.FixedInitial) "Temperature of the inner layer";
+  Types.Temperature T_o(start=ambient.T, fixed=dynamics == Types.Dynamics.FixedInitial) "Temperature of the outer layer";
 protected
   constant Real T_reference_difference(unit="K") = 10 "Temperature difference at which G is meant";
   constant Real T_smooth(unit="K") = 0.05 "Temperature difference below which its size is rounded";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(T_w) = 0;
+    der(T_o) = 0;
+  end if;
 equation
   heatPort.T = T_w;
   C*der(T_w) = heatPort.Q_flow - K*(T_w - T_o);

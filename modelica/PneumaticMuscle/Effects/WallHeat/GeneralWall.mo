@@ -16,15 +16,20 @@ model GeneralWall "The wall stores heat in two layers behind any part of its res
     annotation (Dialog(group="Effect"));
   parameter Real s(unit="1", min=0, max=1, nominal=0.3) = 0.5 "Share of the wall's conduction and outer film that stands before the inner layer"
     annotation (Dialog(group="Effect"));
-  Types.Temperature T_w "Temperature of the inner layer";
-  Types.Temperature T_o "Temperature of the outer layer";
+  Types.Temperature T_w(start=ambient.T) "Temperature of the inner layer";
+  Types.Temperature T_o(start=ambient.T) "Temperature of the outer layer";
 protected
   constant Real T_reference_difference(unit="K") = 10 "Temperature difference at which G is meant";
   constant Real T_smooth(unit="K") = 0.05 "Temperature difference below which its size is rounded";
   constant Types.Area A_reference = 0.015 "Area at which K is meant";
 initial equation
-  T_w = outside.T;
-  T_o = outside.T;
+  if dynamics == Types.Dynamics.FixedInitial then
+    T_w = outside.T;
+    T_o = outside.T;
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(T_w) = 0;
+    der(T_o) = 0;
+  end if;
 equation
   heatPort.Q_flow*(1 + s*(1 + h_film*t/k)) = h_film*A*(heatPort.T - T_w);
   C*der(T_w) = heatPort.Q_flow - K*exp(grip*log(A/A_reference))*(T_w - T_o);

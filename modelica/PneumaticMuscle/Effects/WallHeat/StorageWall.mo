@@ -6,9 +6,13 @@ model StorageWall "A wall that stores heat between a film inside and a film outs
     annotation (Dialog(group="Effect"));
   parameter Real r(unit="1", min=0.01, max=50, nominal=1) = 1 "Film coefficient outside by that inside"
     annotation (Dialog(group="Effect"));
-  Types.Temperature T_w "Temperature of the wall";
+  Types.Temperature T_w(start=ambient.T) "Temperature of the wall";
 initial equation
-  T_w = outside.T;
+  if dynamics == Types.Dynamics.FixedInitial then
+    T_w = outside.T;
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(T_w) = 0;
+  end if;
 equation
   heatPort.Q_flow*(1 + h_film*t/(2*k)) = h_film*A*(heatPort.T - T_w);
   outside.Q_flow*(1 + r*h_film*t/(2*k)) = r*h_film*A*(outside.T - T_w);

@@ -6,7 +6,11 @@ model WarmWall "The wall warms up as a whole"
     annotation (Dialog(group="Effect"));
   parameter Types.ThermalConductance G(min=0, max=50, nominal=0.02) = 0.02 "Conductance from the wall to the surroundings"
     annotation (Dialog(group="Effect"));
-  Types.Temperature T_w(start=ambient.T, fixed=true) "Temperature of the wall";
+  Types.Temperature T_w(start=ambient.T, fixed=dynamics == Types.Dynamics.FixedInitial) "Temperature of the wall";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(T_w) = 0;
+  end if;
 equation
   heatPort.T = T_w;
   C*der(T_w) = heatPort.Q_flow - G*(T_w - ambient.T);
