@@ -7,8 +7,10 @@ model ControlledIsotonic "The isotonic bench with the controller, in one piece"
   output Types.Temperature T = bench.T "Temperature in the muscle";
   output Types.Current u_in = controller.u_in "Current of the inlet valve";
   output Types.Current u_out = controller.u_out "Current of the exhaust valve";
-  ContractionController controller(x=bench.x, x_wanted=x_wanted) "Controller";
-  Benches.Isotonic bench(u_in=controller.u_in, u_out=controller.u_out, p_supply=207e3) "Muscle that lifts a mass";
+  ContractionController controller(x=bench.x, x_wanted=x_wanted) "Controller"
+    annotation (Placement(transformation(extent={{-70,-20},{-30,20}})));
+  Benches.Isotonic bench(u_in=controller.u_in, u_out=controller.u_out, p_supply=207e3) "Muscle that lifts a mass"
+    annotation (Placement(transformation(extent={{30,-20},{70,20}})));
   annotation (experiment(StopTime=1, Interval=0.01, Tolerance=1e-8), Documentation(info="<html>
 <p>What a coupling of <code>ValveAndGas</code>, <code>MuscleAndLoad</code> and <code>ContractionController</code> comes
 to as its steps become small.</p>

@@ -10,15 +10,22 @@ model HeldMuscle "A sleeve under a given pressure at a given contraction ratio, 
   Types.Force F "Pull";
   replaceable model Braid = Laws.Forces.Kang constrainedby Interfaces.Braid "Law of force without terms of speed"
     annotation (choicesAllMatching=true);
-  Braid braid(L0=L0, D0=D0, turns=L0*tan(alpha_0)/(Constants.pi*D0), t_wall=1e-3) "Sleeve";
+  Braid braid(L0=L0, D0=D0, turns=L0*tan(alpha_0)/(Constants.pi*D0), t_wall=1e-3) "Sleeve"
+    annotation (Placement(transformation(extent={{-20,-20},{20,20}})));
 protected
-  Supply supply(p_gauge=p_gauge) "What sets the pressure";
-  Held held(s=L0*eps) "What holds the load end";
-  Fixed fixed(s0=L0) "What holds the other end";
+  Supply supply(p_gauge=p_gauge) "What sets the pressure"
+    annotation (Placement(transformation(extent={{-80,-20},{-40,20}})));
+  Held held(s=L0*eps) "What holds the load end"
+    annotation (Placement(transformation(extent={{-20,-80},{20,-40}})));
+  Fixed fixed(s0=L0) "What holds the other end"
+    annotation (Placement(transformation(extent={{-20,40},{20,80}})));
 equation
-  connect(supply.port, braid.port);
-  connect(held.flange, braid.flange_a);
-  connect(fixed.flange, braid.flange_b);
+  connect(supply.port, braid.port)
+    annotation (Line(points={{-40,0}, {-20,0}}, color={0,90,160}));
+  connect(held.flange, braid.flange_a)
+    annotation (Line(points={{0,-40}, {0,-20}}, color={0,110,60}));
+  connect(fixed.flange, braid.flange_b)
+    annotation (Line(points={{0,40}, {0,20}}, color={0,110,60}));
   F = braid.F;
   annotation (Documentation(info="<html>
 <p>Statics: the contraction may jump from one value to the next, so nothing here may depend on its speed, and forces in

@@ -9,11 +9,15 @@ model Force "A load cell between the muscle and what it pulls"
   replaceable model ForceChannel = Sensors.DirectForce constrainedby Interfaces.ForceChannel
     "Measuring channel of the force"
     annotation (choicesAllMatching=true);
-  Sensors.Pull loadCell "Load cell";
-  ForceChannel channel(u=loadCell.F) "Measuring channel of the force";
+  Sensors.Pull loadCell "Load cell"
+    annotation (Placement(transformation(extent={{-20,-20},{20,20}})));
+  ForceChannel channel(u=loadCell.F) "Measuring channel of the force"
+    annotation (Placement(transformation(extent={{40,-20},{80,20}})));
 equation
-  connect(flange_a, loadCell.flange_a);
-  connect(loadCell.flange_b, flange_b);
+  connect(flange_a, loadCell.flange_a)
+    annotation (Line(points={{0,100}, {0,20}}, color={0,110,60}));
+  connect(loadCell.flange_b, flange_b)
+    annotation (Line(points={{0,-20}, {0,-100}}, color={0,110,60}));
   F = channel.y;
   annotation (Documentation(info="<html>
 <p>The force between the two flanges, positive in pull, as the channel passes it on.</p>

@@ -7,10 +7,13 @@ model Position "A displacement transducer at the load end"
   replaceable model PositionChannel = Sensors.DirectPosition constrainedby Interfaces.PositionChannel
     "Measuring channel of the position"
     annotation (choicesAllMatching=true);
-  Sensors.Contraction ruler "Displacement transducer";
-  PositionChannel channel(u=ruler.x) "Measuring channel of the position";
+  Sensors.Contraction ruler "Displacement transducer"
+    annotation (Placement(transformation(extent={{-50,-20},{-10,20}})));
+  PositionChannel channel(u=ruler.x) "Measuring channel of the position"
+    annotation (Placement(transformation(extent={{30,-20},{70,20}})));
 equation
-  connect(flange, ruler.flange);
+  connect(flange, ruler.flange)
+    annotation (Line(points={{-100,0}, {-50,0}}, color={0,110,60}));
   x = channel.y;
   annotation (Documentation(info="<html>
 <p>x = flange.s, as the channel passes it on: zero at the length at rest.</p>

@@ -9,10 +9,13 @@ model Pressure "A pressure transducer at the muscle"
   replaceable model PressureChannel = Sensors.DirectPressure constrainedby Interfaces.PressureChannel
     "Measuring channel of the pressure"
     annotation (choicesAllMatching=true);
-  Manometer manometer "Pressure transducer";
-  PressureChannel channel(u=manometer.p) "Measuring channel of the pressure";
+  Manometer manometer "Pressure transducer"
+    annotation (Placement(transformation(extent={{-50,-20},{-10,20}})));
+  PressureChannel channel(u=manometer.p) "Measuring channel of the pressure"
+    annotation (Placement(transformation(extent={{30,-20},{70,20}})));
 equation
-  connect(port, manometer.port);
+  connect(port, manometer.port)
+    annotation (Line(points={{0,100}, {0,-25}, {-30,-25}, {-30,-20}}, color={0,90,160}));
   p = channel.y;
   annotation (Documentation(info="<html>
 <p>p = port.p - p_atm, as the channel passes it on.</p>

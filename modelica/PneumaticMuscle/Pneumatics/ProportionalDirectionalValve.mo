@@ -15,11 +15,16 @@ model ProportionalDirectionalValve "A proportional valve whose opening to the su
   replaceable model Feed = Laws.Lines.DirectFeed constrainedby Interfaces.Feed "What lies before the valve"
     annotation (choicesAllMatching=true);
   Real y(unit="1", start=0, fixed=true) "Place of the spool, 1: open to the supply, -1: to the exhaust";
-  Components.Supply supply(p_gauge=p_supply) "Air supply";
-  Components.Atmosphere atmosphere "Outlet";
-  Feed feed "What lies before the valve";
-  Components.Orifice inlet(A=A_open*(y - overlap + sqrt((y - overlap)^2 + closed^2))/(2*(1 - overlap))) "From the supply";
-  Components.Orifice outlet(A=A_open*(sqrt((y + overlap)^2 + closed^2) - y - overlap)/(2*(1 - overlap))) "To the exhaust";
+  Components.Supply supply(p_gauge=p_supply) "Air supply"
+    annotation (Placement(transformation(extent={{-90,45},{-60,75}})));
+  Components.Atmosphere atmosphere "Outlet"
+    annotation (Placement(transformation(extent={{-90,-75},{-60,-45}})));
+  Feed feed "What lies before the valve"
+    annotation (Placement(transformation(extent={{-50,45},{-20,75}})));
+  Components.Orifice inlet(A=A_open*(y - overlap + sqrt((y - overlap)^2 + closed^2))/(2*(1 - overlap))) "From the supply"
+    annotation (Placement(transformation(extent={{-10,45},{20,75}})));
+  Components.Orifice outlet(A=A_open*(sqrt((y + overlap)^2 + closed^2) - y - overlap)/(2*(1 - overlap))) "To the exhaust"
+    annotation (Placement(transformation(extent={{5,-75},{-25,-45}})));
 protected
   constant Real closed(unit="1") = 1e-3 "Part of the stroke on which corners are rounded";
   Real told(unit="1") "Place that the command asks for";
@@ -28,11 +33,16 @@ equation
   told = (u - u_mid)/u_full;
   wanted = (sqrt((told + 1)^2 + closed^2) - sqrt((told - 1)^2 + closed^2))/2;
   tau*der(y) = wanted - y;
-  connect(supply.port, feed.port_a);
-  connect(feed.port_b, inlet.port_a);
-  connect(inlet.port_b, line.port_a);
-  connect(line.port_a, outlet.port_a);
-  connect(outlet.port_b, atmosphere.port);
+  connect(supply.port, feed.port_a)
+    annotation (Line(points={{-60,60}, {-50,60}}, color={0,90,160}));
+  connect(feed.port_b, inlet.port_a)
+    annotation (Line(points={{-20,60}, {-10,60}}, color={0,90,160}));
+  connect(inlet.port_b, line.port_a)
+    annotation (Line(points={{20,60}, {25,60}, {25,0}, {30,0}}, color={0,90,160}));
+  connect(line.port_a, outlet.port_a)
+    annotation (Line(points={{30,0}, {10,0}, {10,-60}, {5,-60}}, color={0,90,160}));
+  connect(outlet.port_b, atmosphere.port)
+    annotation (Line(points={{-25,-60}, {-60,-60}}, color={0,90,160}));
   annotation (defaultComponentName="valve", Documentation(info="<html>
 <p>A spool valve with its own position control (the function of an electro-pneumatic continuous flow control valve, ISO
 10041-1): y = (u - u_mid)/u_full within the stroke, behind a lag tau, and effective areas in proportion to what y is beyond the

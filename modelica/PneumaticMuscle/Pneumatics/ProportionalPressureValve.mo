@@ -17,22 +17,33 @@ model ProportionalPressureValve "A proportional valve that holds the pressure wh
     annotation (choicesAllMatching=true);
   Types.GaugePressure p_wanted(start=p_start, fixed=true) "Pressure that the valve works towards";
   Real y(unit="1") "Opening, 1: to the supply, -1: to the exhaust";
-  Components.Supply supply(p_gauge=p_supply) "Air supply";
-  Components.Atmosphere atmosphere "Outlet";
-  Feed feed "What lies before the valve";
-  Components.Orifice inlet(A=A_open*(y + sqrt(y^2 + closed^2))/2) "From the supply";
-  Components.Orifice outlet(A=A_open*(sqrt(y^2 + closed^2) - y)/2) "To the exhaust";
+  Components.Supply supply(p_gauge=p_supply) "Air supply"
+    annotation (Placement(transformation(extent={{-90,45},{-60,75}})));
+  Components.Atmosphere atmosphere "Outlet"
+    annotation (Placement(transformation(extent={{-90,-75},{-60,-45}})));
+  Feed feed "What lies before the valve"
+    annotation (Placement(transformation(extent={{-50,45},{-20,75}})));
+  Components.Orifice inlet(A=A_open*(y + sqrt(y^2 + closed^2))/2) "From the supply"
+    annotation (Placement(transformation(extent={{-10,45},{20,75}})));
+  Components.Orifice outlet(A=A_open*(sqrt(y^2 + closed^2) - y)/2) "To the exhaust"
+    annotation (Placement(transformation(extent={{5,-75},{-25,-45}})));
 protected
-  outer Components.Ambient ambient "Surroundings";
+  outer Components.Ambient ambient "Surroundings"
+    annotation (Placement(transformation(extent={{60,60},{90,90}})));
   constant Real closed(unit="1") = 1e-3 "Opening on which the corner of the closed valve is rounded";
 equation
   tau*der(p_wanted) = k_u*(u - u_0) - p_wanted;
   y = tanh((p_wanted + ambient.p - line.port_a.p)/p_band);
-  connect(supply.port, feed.port_a);
-  connect(feed.port_b, inlet.port_a);
-  connect(inlet.port_b, line.port_a);
-  connect(line.port_a, outlet.port_a);
-  connect(outlet.port_b, atmosphere.port);
+  connect(supply.port, feed.port_a)
+    annotation (Line(points={{-60,60}, {-50,60}}, color={0,90,160}));
+  connect(feed.port_b, inlet.port_a)
+    annotation (Line(points={{-20,60}, {-10,60}}, color={0,90,160}));
+  connect(inlet.port_b, line.port_a)
+    annotation (Line(points={{20,60}, {25,60}, {25,0}, {30,0}}, color={0,90,160}));
+  connect(line.port_a, outlet.port_a)
+    annotation (Line(points={{30,0}, {10,0}, {10,-60}, {5,-60}}, color={0,90,160}));
+  connect(outlet.port_b, atmosphere.port)
+    annotation (Line(points={{-25,-60}, {-60,-60}}, color={0,90,160}));
   annotation (defaultComponentName="valve", Documentation(info="<html>
 <p>The valve measures the pressure at its outlet and opens to the supply or to the exhaust by what that lacks of the command
 (the function of an electro-pneumatic pressure control valve, ISO 10094-1): tau p_wanted_dot = k_u (u - u_0) - p_wanted,

@@ -9,12 +9,16 @@ model Regulator "A proportional pressure regulator: its set point, its lag and i
   parameter Types.GaugePressure p_start(min=-1.01e5, max=1e7) = 0 "Gauge pressure at the start"
     annotation (Dialog(group="Start"));
   Types.GaugePressure p_still(start=p_start, fixed=true) "Gauge pressure that it would hold without flow";
-  Components.Supply supply(p_gauge=p_still) "Regulated pressure";
-  Components.Droop resistance(R=droop) "What the flow costs";
+  Components.Supply supply(p_gauge=p_still) "Regulated pressure"
+    annotation (Placement(transformation(extent={{-90,-15},{-60,15}})));
+  Components.Droop resistance(R=droop) "What the flow costs"
+    annotation (Placement(transformation(extent={{-25,-15},{5,15}})));
 equation
   tau*der(p_still) = p_set - p_still;
-  connect(supply.port, resistance.port_a);
-  connect(resistance.port_b, line.port_a);
+  connect(supply.port, resistance.port_a)
+    annotation (Line(points={{-60,0}, {-25,0}}, color={0,90,160}));
+  connect(resistance.port_b, line.port_a)
+    annotation (Line(points={{5,0}, {30,0}}, color={0,90,160}));
   annotation (Documentation(info="<html>
 <p>tau p_dot = p_set - p, the regulator of AM (dynamic model), and behind it p - p_out = droop m_flow, the flow
 characteristic of ISO 6953 as a straight line, the same in relief. The droop at 10 MPa s/kg is 10 kPa per gram a

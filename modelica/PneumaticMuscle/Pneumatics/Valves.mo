@@ -7,13 +7,19 @@ model Valves "An inlet and an exhaust valve driven by currents, from a supply wh
   input Types.GaugePressure p_supply(start=207e3, min=-101e3) "Gauge pressure of the supply";
   parameter Real C_A(unit="1", min=0.1, max=3) = 0.699 "Calibration of the effective area, both valves"
     annotation (Dialog(group="Flow"));
-  Components.Supply supply(p_gauge=p_supply) "Air supply";
-  Components.Atmosphere atmosphere "Outlet";
-  Components.ValvePair pair(u_in=u_in, u_out=u_out, C_A=C_A) "Inlet and exhaust valve";
+  Components.Supply supply(p_gauge=p_supply) "Air supply"
+    annotation (Placement(transformation(extent={{-90,35},{-60,65}})));
+  Components.Atmosphere atmosphere "Outlet"
+    annotation (Placement(transformation(extent={{-90,-65},{-60,-35}})));
+  Components.ValvePair pair(u_in=u_in, u_out=u_out, C_A=C_A) "Inlet and exhaust valve"
+    annotation (Placement(transformation(extent={{-40,-20},{0,20}})));
 equation
-  connect(supply.port, pair.supply);
-  connect(pair.exhaust, atmosphere.port);
-  connect(pair.port, line.port_a);
+  connect(supply.port, pair.supply)
+    annotation (Line(points={{-60,50}, {-45,50}, {-45,12}, {-40,12}}, color={0,90,160}));
+  connect(pair.exhaust, atmosphere.port)
+    annotation (Line(points={{-40,-12}, {-55,-12}, {-55,-50}, {-60,-50}}, color={0,90,160}));
+  connect(pair.port, line.port_a)
+    annotation (Line(points={{0,0}, {30,0}}, color={0,90,160}));
   annotation (defaultComponentName="valve", Documentation(info="<html>
 <p>DP (40)-(42) and (62), <code>Components.ValvePair</code>. The supply is as measured before the valves.</p>
 </html>"));

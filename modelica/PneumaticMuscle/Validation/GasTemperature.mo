@@ -10,12 +10,16 @@ model GasTemperature "Temperature of the latex muscle with DP (45) as printed: b
   output Types.Length x_energy[2] = energy.x "Contractions, balance of energy";
   output Types.Temperature T_energy[2] = energy.T "Gas temperatures, balance of energy";
   output Types.Temperature T_slow "What the balance of energy comes to where the pressure varies slowly";
-  Sources.Pulse inlet(start=-1, stop=5) "Current of the inlet valve";
-  Sources.Pulse outlet(start=5, stop=100) "Current of the exhaust valve";
+  Sources.Pulse inlet(start=-1, stop=5) "Current of the inlet valve"
+    annotation (Placement(transformation(extent={{-70,20},{-30,60}})));
+  Sources.Pulse outlet(start=5, stop=100) "Current of the exhaust valve"
+    annotation (Placement(transformation(extent={{-70,-60},{-30,-20}})));
   Examples.PrintedWallIsotonic power[2](each u_in=inlet.y, each u_out=outlet.y, each p_supply=207e3, muscle(n_g=n_g))
-    "Temperature by the power law";
+    "Temperature by the power law"
+    annotation (Placement(transformation(extent={{30,20},{70,60}})));
   Examples.PrintedWallEnergyGas energy[2](each u_in=inlet.y, each u_out=outlet.y, each p_supply=207e3, muscle(mu_fb=mu_fb))
-    "Temperature by the balance of energy";
+    "Temperature by the balance of energy"
+    annotation (Placement(transformation(extent={{30,-60},{70,-20}})));
 equation
   T_slow = energy[1].ambient.T + energy[1].muscle.gas.V*der(energy[1].muscle.gas.p)
     *energy[1].muscle.wall.t/(energy[1].muscle.wall.k*energy[1].muscle.wall.A);

@@ -6,7 +6,8 @@ model TwoLengths "Hysteresis of muscles of two lengths at two frequencies, AM Fi
   output Types.GaugePressure p[4] = {3e5 - 2e5*cos(2*Constants.pi*frequency[i]*time) for i in 1:4} "Gauge pressures";
   output Types.Length x[4] = bench.x "Contractions";
   output Real eps[4](each unit="1") = bench.eps "Contraction ratios";
-  Kang bench[4](p=p, muscle(L0=L0), each load(m=3)) "Muscles with hanging load";
+  Kang bench[4](p=p, muscle(L0=L0), each load(m=3)) "Muscles with hanging load"
+    annotation (Placement(transformation(extent={{-20,-20},{20,20}})));
 protected
   model Kang "The muscle of the slides with the friction of its source"
     extends Benches.VerticalLoad(muscle(D0=0.01, braid(c_3=0, c_5=1), redeclare model Friction = Laws.Frictions.CoulombViscous));

@@ -10,18 +10,24 @@ model ValveCalibration "Flow and effective area of the valve by current at fifte
   output Types.Area A[15] "Effective areas that (41) finds in the flows";
   output Types.Area A_choked[15] "The same if the flow is taken to be choked, N = 1";
   output Types.Area A_gauge[15] "The same if besides the gauge pressure is taken for the absolute one";
-  inner Components.Ambient ambient "Surroundings";
-  Components.Supply supply[15](p_gauge=p_supply) "Air supplies";
-  Components.Orifice valve[15](each A=C_A*Functions.openingArea(u)) "The valve at each supply";
-  Components.Atmosphere atmosphere[15] "Open air";
+  inner Components.Ambient ambient "Surroundings"
+    annotation (Placement(transformation(extent={{-80,40},{-40,80}})));
+  Components.Supply supply[15](p_gauge=p_supply) "Air supplies"
+    annotation (Placement(transformation(extent={{-80,-20},{-40,20}})));
+  Components.Orifice valve[15](each A=C_A*Functions.openingArea(u)) "The valve at each supply"
+    annotation (Placement(transformation(extent={{-20,-20},{20,20}})));
+  Components.Atmosphere atmosphere[15] "Open air"
+    annotation (Placement(transformation(extent={{80,-20},{40,20}})));
 protected
   constant Real C_A(unit="1") = 0.699 "Calibration of DP section 4.4, as in Components.ValvePair";
   constant Types.Area A_unit = 1 "Area for which (41) is evaluated";
   constant Real K = sqrt(Constants.gamma/Constants.R*(2/(Constants.gamma + 1))^((Constants.gamma + 1)/(Constants.gamma - 1))) "DP (42)";
 equation
   for i in 1:15 loop
-    connect(supply[i].port, valve[i].port_a);
-    connect(valve[i].port_b, atmosphere[i].port);
+    connect(supply[i].port, valve[i].port_a)
+      annotation (Line(points={{-40,0}, {-20,0}}, color={0,90,160}));
+    connect(valve[i].port_b, atmosphere[i].port)
+      annotation (Line(points={{20,0}, {40,0}}, color={0,90,160}));
     V_flow[i] = m_flow[i]*Constants.R*ambient.T/ambient.p;
     A[i] = A_unit*m_flow[i]/Functions.isentropicFlow(supply[i].port.p, ambient.p, ambient.T, A_unit);
     A_choked[i] = m_flow[i]*sqrt(ambient.T)/(K*supply[i].port.p);

@@ -9,15 +9,20 @@ model FlexibleLine "A tube between valves and muscle that is laminar at small an
   parameter Types.Volume V(min=2e-7, max=5e-4, nominal=1e-5) = 2e-6 "Volume of the tube, at the valve end"
     annotation (Dialog(group="Effect"));
 protected
-  Laws.Lines.LineGas gas(V=V) "Gas in the line, at the valve end";
-  Laws.Lines.RoughTube resistance(G=G, A=A) "Tube";
+  Laws.Lines.LineGas gas(V=V) "Gas in the line, at the valve end"
+    annotation (Placement(transformation(extent={{-40,30},{0,70}})));
+  Laws.Lines.RoughTube resistance(G=G, A=A) "Tube"
+    annotation (Placement(transformation(extent={{10,-20},{50,20}})));
 initial equation
   gas.p = port_b.p;
   gas.T = port_b.T;
 equation
-  connect(port_a, gas.port);
-  connect(gas.port, resistance.port_a);
-  connect(resistance.port_b, port_b);
+  connect(port_a, gas.port)
+    annotation (Line(points={{-100,0}, {-45,0}, {-45,50}, {-40,50}}, color={0,90,160}));
+  connect(gas.port, resistance.port_a)
+    annotation (Line(points={{-40,50}, {-45,50}, {-45,0}, {10,0}}, color={0,90,160}));
+  connect(resistance.port_b, port_b)
+    annotation (Line(points={{50,0}, {100,0}}, color={0,90,160}));
   annotation (Documentation(info="<html>
 <p>p_a^2 - p_b^2 = 2 p_atm/G m_flow + R T/A^2 m_flow |m_flow|, <code>Laws.Lines.RoughTube</code>. Source:
 Forchheimer 1901, for isothermal flow of an ideal gas. With a large A it is LaminarLine, with a large G the

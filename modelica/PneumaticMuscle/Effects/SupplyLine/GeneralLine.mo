@@ -17,15 +17,20 @@ model GeneralLine "A tube between valves and muscle whose flow is any smooth law
   parameter Types.ThermalConductance UA(min=0, max=2, nominal=0.02) = 0.01 "Conductance from its gas to the surroundings"
     annotation (Dialog(group="Effect"));
 protected
-  Laws.Lines.LineGas gas(V=V, UA=UA) "Gas in the line, at the valve end";
-  Laws.Lines.CurvedTube resistance(G=G, a=a, b=b, c=c, side=side) "Tube";
+  Laws.Lines.LineGas gas(V=V, UA=UA) "Gas in the line, at the valve end"
+    annotation (Placement(transformation(extent={{-40,30},{0,70}})));
+  Laws.Lines.CurvedTube resistance(G=G, a=a, b=b, c=c, side=side) "Tube"
+    annotation (Placement(transformation(extent={{10,-20},{50,20}})));
 initial equation
   gas.p = port_b.p;
   gas.T = port_b.T;
 equation
-  connect(port_a, gas.port);
-  connect(gas.port, resistance.port_a);
-  connect(resistance.port_b, port_b);
+  connect(port_a, gas.port)
+    annotation (Line(points={{-100,0}, {-45,0}, {-45,50}, {-40,50}}, color={0,90,160}));
+  connect(gas.port, resistance.port_a)
+    annotation (Line(points={{-40,50}, {-45,50}, {-45,0}, {10,0}}, color={0,90,160}));
+  connect(resistance.port_b, port_b)
+    annotation (Line(points={{50,0}, {100,0}}, color={0,90,160}));
   annotation (Documentation(info="<html>
 <p>m_flow = G 100 kPa u |u|^(a + b ln|u|) (p_up/p_atm)^c exp(side sgn u), u = (p_a^2 - p_b^2)/(2 p_atm 100 kPa),
 <code>Laws.Lines.CurvedTube</code>. Source: the power laws of tubes (a = 0 laminar, Hagen and Poiseuille; -3/7 Blasius; -1/2

@@ -6,15 +6,20 @@ model LaminarLine "A thin tube between valves and muscle"
     annotation (Dialog(group="Effect"));
 protected
   constant Types.Volume V_fitting = 2e-7 "Volume between valve and line, as small as a fitting can be";
-  Laws.Lines.LineGas gas(V=V_fitting) "Gas in the line, at the valve end";
-  Laws.Lines.LaminarTube resistance(G=G) "Tube";
+  Laws.Lines.LineGas gas(V=V_fitting) "Gas in the line, at the valve end"
+    annotation (Placement(transformation(extent={{-40,30},{0,70}})));
+  Laws.Lines.LaminarTube resistance(G=G) "Tube"
+    annotation (Placement(transformation(extent={{10,-20},{50,20}})));
 initial equation
   gas.p = port_b.p;
   gas.T = port_b.T;
 equation
-  connect(port_a, gas.port);
-  connect(gas.port, resistance.port_a);
-  connect(resistance.port_b, port_b);
+  connect(port_a, gas.port)
+    annotation (Line(points={{-100,0}, {-45,0}, {-45,50}, {-40,50}}, color={0,90,160}));
+  connect(gas.port, resistance.port_a)
+    annotation (Line(points={{-40,50}, {-45,50}, {-45,0}, {10,0}}, color={0,90,160}));
+  connect(resistance.port_b, port_b)
+    annotation (Line(points={{50,0}, {100,0}}, color={0,90,160}));
   annotation (Documentation(info="<html>
 <p>m_flow = G (p_a^2 - p_b^2)/(2 p_atm): isothermal laminar flow of a gas through a tube, G = pi d^4
 rho_atm/(128 mu l). Source: Hagen and Poiseuille with the density of an ideal gas. A fitting's volume of 0.2 mL
