@@ -37,7 +37,7 @@ from pam_cosim.compiler.syntax import (
     Reference,
     Unary,
 )
-from pam_cosim.names import is_modelica
+from pam_cosim.model.references import is_modelica
 from pam_cosim.resources import modelica_root
 
 Shape = tuple[str, dict[str, Any]]

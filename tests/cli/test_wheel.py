@@ -59,7 +59,7 @@ def test_works_from_elsewhere(wheel: Path, tmp_path: Path) -> None:
 
     def run(*words: str) -> str:
         start = (
-            "import sys, pam_cosim; from pam_cosim.command import run; "
+            "import sys, pam_cosim; from pam_cosim.cli.process import run; "
             "print(pam_cosim.__file__, file=sys.stderr); run()"
         )
         completed = subprocess.run(
