@@ -17,6 +17,7 @@ from pam_cosim.compiler.printing import argument_text, expression_text, modifica
 from pam_cosim.compiler.syntax import (
     Argument,
     Array,
+    Binary,
     ClassDefinition,
     ComponentDeclaration,
     Constraint,
@@ -297,9 +298,12 @@ class ClassTree:
 
 
 def _literal(value: Expression | None) -> Constant | None:
-    """The value of a literal, or of an array of them."""
+    """The value of a literal, of texts joined with ``+``, or of an array of them."""
     if isinstance(value, Literal):
         return value.value
+    if isinstance(value, Binary) and value.operator == "+":
+        first, second = _literal(value.left), _literal(value.right)
+        return first + second if isinstance(first, str) and isinstance(second, str) else None
     if not isinstance(value, Array) or value.iterators:
         return None
     items = [_literal(item) for item in value.items]

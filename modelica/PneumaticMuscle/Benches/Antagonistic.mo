@@ -93,8 +93,8 @@ equation
   x = channel_x.y;
   annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-250,-190},{250,140}})),
     experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
-<p>Two muscles of DP on a pulley, each with its valves; both are contracted by <code>pulley.x_0</code> in the middle
-position, so that each has room to extend. They fill alike in volume and pressure until the one that is filled faster turns
-the pulley; the angle is x/<code>pulley.r</code>.</p>
+<p>Two muscles of <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> on a pulley, each with its valves;
+both are contracted by <code>pulley.x_0</code> in the middle position, so that each has room to extend. They fill alike
+in volume and pressure until the one that is filled faster turns the pulley; the angle is x/<code>pulley.r</code>.</p>
 </html>"));
 end Antagonistic;

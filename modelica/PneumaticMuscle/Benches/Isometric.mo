@@ -79,9 +79,11 @@ equation
   T = channel_T.y;
   annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-220},{110,120}})),
     experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
-<p>The muscle of <code>Isotonic</code> between a ceiling and a drive. The imposed contraction reaches the muscle through
-a critically damped filter of 5 ms, <code>Components.ImposedPosition</code>, because the speed of the end enters the
-pressure, DP (59). It starts from zero contraction whatever the input says. The braid carries no push: a negative pull
-does not occur in a sleeve, but the base model allows it beyond full contraction, 3 L^2 &lt; b^2.</p>
+<p>The muscle of <a href=\"modelica://PneumaticMuscle.Benches.Isotonic\">Isotonic</a> between a ceiling and a drive. The
+imposed contraction reaches the muscle through a critically damped filter of 5 ms,
+<a href=\"modelica://PneumaticMuscle.Components.ImposedPosition\">Components.ImposedPosition</a>, because the speed of
+the end enters the pressure, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (59). It starts from
+zero contraction whatever the input says. The braid carries no push: a negative pull does not occur in a sleeve, but the
+base model allows it beyond full contraction, 3 L^2 &lt; b^2.</p>
 </html>"));
 end Isometric;

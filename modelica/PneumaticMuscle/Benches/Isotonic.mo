@@ -84,8 +84,9 @@ equation
   T = channel_T.y;
   annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-180},{150,120}})),
     experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
-<p>DP section 3 and Fig. 2, equations DP (17)-(18), (40)-(42), (44)-(49), (59)-(60), (62), (68)-(71): the base model
-whose parts are in <code>Components</code>. The mass rests on the stop of the full length at the start. By default it
-is filled from 207 kPa at 0.35 A.</p>
+<p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> section 3 and Fig. 2, equations DP (17)-(18),
+(40)-(42), (44)-(49), (59)-(60), (62), (68)-(71): the base model whose parts are in
+<a href=\"modelica://PneumaticMuscle.Components\">Components</a>. The mass rests on the stop of the full length at the
+start. By default it is filled from 207 kPa at 0.35 A.</p>
 </html>"));
 end Isotonic;

@@ -56,17 +56,19 @@ equation
     Line(points={{-20,45}, {-20,5}, {20,5}, {20,45}}, color={0,110,60}),
     Line(points={{0,5}, {0,-40}}, color={0,110,60}),
     Line(points={{50,80}, {50,-40}}, color={0,90,160}, thickness=1, arrow={Arrow.Filled, Arrow.None}, arrowSize=12),
-    Rectangle(extent={{-65,-90}, {65,-40}}, lineColor={60,60,60}, fillColor={190,190,190}, fillPattern=FillPattern.Solid),
+    Rectangle(extent={{-65,-90}, {65,-40}}, lineColor={60,60,60}, fillColor={190,190,190},
+    fillPattern=FillPattern.Solid),
     Text(extent={{-40,-85}, {40,-45}}, textString="m", textColor={60,60,60}),
     Text(extent={{-98,-34}, {-54,-24}}, textString="C_2 + k", textColor={60,60,60}),
     Text(extent={{22,18}, {42,30}}, textString="b", textColor={60,60,60}),
     Text(extent={{55,12}, {95,24}}, textString="C_1 P", textColor={60,60,60})}),
     experiment(StopTime=2, Interval=0.002, Tolerance=1e-6), Documentation(info="<html>
 <p>d/dt [P, L, L_dot] = [-1/tau, 0, 0; 0, 0, 1; -C_1/m, -(C_2 + k)/m, -b/m] [P, L, L_dot] + [1/tau, 0, 0] P_in and
-F = F_0 + C_1 dP + C_2 dL, AM, dynamic model; L counts from the operating point p_0. The default is the step from 2.5
-to 4.5 bar. tau, k, b and m are not given; these are for illustration.</p>
-<p>C_1 and C_2 are those of AM Fig. 7 about 6 bar and 10 % strain, but C_1 is printed as 5.7238e-5: the force equation with
-the stated parameters gives 5.7239e-4 m2 and 8061.8 N/m, so a power of ten was lost. The step lies below the
+F = F_0 + C_1 dP + C_2 dL, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">AM</a>, dynamic model; L counts
+from the operating point p_0. The default is the step from 2.5 to 4.5 bar. tau, k, b and m are not given; these are for
+illustration.</p>
+<p>C_1 and C_2 are those of AM Fig. 7 about 6 bar and 10 % strain, but C_1 is printed as 5.7238e-5: the force equation
+with the stated parameters gives 5.7239e-4 m2 and 8061.8 N/m, so a power of ten was lost. The step lies below the
 operating point: at 3.5 bar and 10 % the same equation gives 4.28e-4 m2 and 5706 N/m.</p>
 </html>"));
 end LumpedLinear;

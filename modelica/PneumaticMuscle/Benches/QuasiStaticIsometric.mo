@@ -23,7 +23,8 @@ equation
   annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-180},{160,120}})),
     experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
 <p>Maps of force over pressure and contraction, data sheets, isometric and isobaric curves: each row is a point at rest,
-data sets say <code>kind = &quot;static&quot;</code>. Equilibria of DP (17), (68)-(71) with der = 0; the fibre friction DP (69) vanishes with the
-speed. <code>branch</code> gives dry friction its sign.</p>
+data sets say <code>kind = &quot;static&quot;</code>. Equilibria of
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (17), (68)-(71) with der = 0; the fibre friction DP
+(69) vanishes with the speed. <code>branch</code> gives dry friction its sign.</p>
 </html>"));
 end QuasiStaticIsometric;

@@ -22,8 +22,10 @@ equation
   x = position.x;
   annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-180},{160,120}})),
     experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
-<p>Isotonic curves and loops: each row is a point at rest, data sets say <code>kind = &quot;static&quot;</code>. The contraction at which the
-pull carries the load is solved for, with der = 0 in DP (17), (68)-(71); the fibre friction DP (69) vanishes with the speed.
-<code>branch</code> gives dry friction its sign, so that an up branch and a down branch differ by twice the friction.</p>
+<p>Isotonic curves and loops: each row is a point at rest, data sets say <code>kind = &quot;static&quot;</code>. The
+contraction at which the pull carries the load is solved for, with der = 0 in
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (17), (68)-(71); the fibre friction DP (69) vanishes
+with the speed. <code>branch</code> gives dry friction its sign, so that an up branch and a down branch differ by twice
+the friction.</p>
 </html>"));
 end QuasiStaticIsotonic;

@@ -70,9 +70,10 @@ equation
   T = channel_T.y;
   annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-160},{110,120}})),
     experiment(StopTime=0.5, Interval=0.001, Tolerance=1e-6), Documentation(info="<html>
-<p>As <code>Isometric</code> with valves that are open or shut: a command of 1 opens 10 <code>valve.C_A</code> mm2, so that
-<code>valve.C_A</code> is the effective area of the open valve. A finite tank needs no model of its own where the
-pressure before the valve is measured: it is the input <code>p_supply</code>, with its droop. The contraction passes a
-critically damped filter of 1 ms, <code>Components.ImposedPosition</code>.</p>
+<p>As <a href=\"modelica://PneumaticMuscle.Benches.Isometric\">Isometric</a> with valves that are open or shut: a
+command of 1 opens 10 <code>valve.C_A</code> mm2, so that <code>valve.C_A</code> is the effective area of the open
+valve. A finite tank needs no model of its own where the pressure before the valve is measured: it is the input
+<code>p_supply</code>, with its droop. The contraction passes a critically damped filter of 1 ms,
+<a href=\"modelica://PneumaticMuscle.Components.ImposedPosition\">Components.ImposedPosition</a>.</p>
 </html>"));
 end SwitchedMuscle;

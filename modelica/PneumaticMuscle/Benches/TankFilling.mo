@@ -59,7 +59,7 @@ equation
   T = channel_T.y;
   annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-130},{110,120}})),
     experiment(StopTime=60, Interval=0.06, Tolerance=1e-6), Documentation(info="<html>
-<p>DP (60), (62)-(66), Figs. 4 and 5: eight volumes, two supplies, 0.35 A. The library's tests hold the times against
-quadrature.</p>
+<p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (60), (62)-(66), Figs. 4 and 5: eight volumes,
+two supplies, 0.35 A. The library's tests hold the times against quadrature.</p>
 </html>"));
 end TankFilling;

@@ -42,10 +42,14 @@ equation
   eps = x/muscle.L0;
   annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-100,-180},{150,120}})),
     experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
-<p>M L eps_ddot = F_s(P, eps) - F_elastic - F_hys - M g, DY (13)-(16), with x = L eps. Load (5 to 30 kg) and frequency
-(0.5 to 2 Hz) are constants of a run. The sign of the speed is rounded (<code>Laws.Frictions.CoulombViscous</code>).
-Only the product of <code>muscle.friction.a</code> and <code>muscle.friction.b_f</code> can be found from
-measurements: keep one fixed. <code>Examples.PrintedSleeveLoad</code> has DY (12) as printed, <code>Examples.ConstantFrictionLoad</code> friction of
-constant coefficients, <code>Examples.LongMuscle</code> the longer of DY's muscles.</p>
+<p>M L eps_ddot = F_s(P, eps) - F_elastic - F_hys - M g,
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DY</a> (13)-(16), with x = L eps. Load (5 to 30 kg) and
+frequency (0.5 to 2 Hz) are constants of a run. The sign of the speed is rounded
+(<a href=\"modelica://PneumaticMuscle.Laws.Frictions.CoulombViscous\">Laws.Frictions.CoulombViscous</a>). Only the
+product of <code>muscle.friction.a</code> and <code>muscle.friction.b_f</code> can be found from measurements: keep one
+fixed. <a href=\"modelica://PneumaticMuscle.Examples.PrintedSleeveLoad\">Examples.PrintedSleeveLoad</a> has DY (12) as
+printed, <a href=\"modelica://PneumaticMuscle.Examples.ConstantFrictionLoad\">Examples.ConstantFrictionLoad</a> friction
+of constant coefficients, <a href=\"modelica://PneumaticMuscle.Examples.LongMuscle\">Examples.LongMuscle</a> the longer
+of DY's muscles.</p>
 </html>"));
 end VerticalLoad;

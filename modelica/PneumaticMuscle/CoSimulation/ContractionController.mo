@@ -18,8 +18,9 @@ equation
   u_in = max(0, u);
   u_out = max(0, -u);
   annotation (experiment(StopTime=1, Interval=0.01, Tolerance=1e-8), Documentation(info="<html>
-<p>tau x_f_dot + x_f = x and u = u_max tanh(K (x_w - x_f)/u_max), which goes to the inlet valve where it is positive and to the
-exhaust valve where it is negative. The valves open at 0.145 A, DP (62), so the load comes to rest within 0.145 A/K of what is
-wanted. The wanted contraction acts at once on the currents, the contraction through a filter.</p>
+<p>tau x_f_dot + x_f = x and u = u_max tanh(K (x_w - x_f)/u_max), which goes to the inlet valve where it is positive and
+to the exhaust valve where it is negative. The valves open at 0.145 A,
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (62), so the load comes to rest within 0.145 A/K of
+what is wanted. The wanted contraction acts at once on the currents, the contraction through a filter.</p>
 </html>"));
 end ContractionController;

@@ -12,7 +12,9 @@ model ControlledIsotonic "The isotonic bench with the controller, in one piece"
   Benches.Isotonic bench(u_in=controller.u_in, u_out=controller.u_out, p_supply=207e3) "Muscle that lifts a mass"
     annotation (Placement(transformation(extent={{30,-20},{70,20}})));
   annotation (experiment(StopTime=1, Interval=0.01, Tolerance=1e-8), Documentation(info="<html>
-<p>What a coupling of <code>ValveAndGas</code>, <code>MuscleAndLoad</code> and <code>ContractionController</code> comes
-to as its steps become small.</p>
+<p>What a coupling of <a href=\"modelica://PneumaticMuscle.CoSimulation.ValveAndGas\">ValveAndGas</a>,
+<a href=\"modelica://PneumaticMuscle.CoSimulation.MuscleAndLoad\">MuscleAndLoad</a> and
+<a href=\"modelica://PneumaticMuscle.CoSimulation.ContractionController\">ContractionController</a> comes to as its
+steps become small.</p>
 </html>"));
 end ControlledIsotonic;

@@ -7,7 +7,7 @@ equation
   T = T_reference*(p/p_reference)^((n - 1)/n);
   h_wall = h_film;
   annotation (Documentation(info="<html>
-<p><code>Laws.Gases.PolytropicMuscleGas</code> with V_flow in place of der(V): an input is known only while a step is made, so
-a tool cannot differentiate it.</p>
+<p><a href=\"modelica://PneumaticMuscle.Laws.Gases.PolytropicMuscleGas\">Laws.Gases.PolytropicMuscleGas</a> with V_flow
+in place of der(V): an input is known only while a step is made, so a tool cannot differentiate it.</p>
 </html>"));
 end RatedGas;

@@ -7,7 +7,8 @@ model ServoController "A PID controller of the contraction that follows a moving
   output Types.Current u_out "Current of the exhaust valve";
   parameter Real K(unit="A/m", min=0, max=1e5) = 60 "Gain" annotation (Dialog(group="Dynamics"));
   parameter Types.Time T_i(min=1e-3, max=1e6) = 1 "Time constant of the integral" annotation (Dialog(group="Dynamics"));
-  parameter Types.Time T_d(min=0, max=10) = 0.09 "Time constant of the derivative" annotation (Dialog(group="Dynamics"));
+  parameter Types.Time T_d(min=0, max=10) = 0.09 "Time constant of the derivative"
+    annotation (Dialog(group="Dynamics"));
   parameter Types.Time T_f(min=1e-4, max=10) = 0.03 "Time constant of the filter of the derivative"
     annotation (Dialog(group="Dynamics"));
   parameter Real K_v(unit="A.s/m", min=0, max=1e5) = 0 "Current by the speed wanted, ahead of any error"
@@ -34,8 +35,10 @@ equation
   u_in = u_open + max(0, u_limited);
   u_out = u_open + max(0, -u_limited);
   annotation (experiment(StopTime=1, Interval=0.01, Tolerance=1e-8), Documentation(info="<html>
-<p>u = K (e + integral of e/T_i + T_d e_dot) + K_v x_w_dot with e = x_w - x and speeds behind a filter T_f; what is beyond the
-valves is taken from the integral (back calculation, Astrom and Hagglund 1995, section 3.5). Both valves stand where they
-begin to open, 0.145 A, DP (62); a positive u opens the inlet, a negative one the exhaust.</p>
+<p>u = K (e + integral of e/T_i + T_d e_dot) + K_v x_w_dot with e = x_w - x and speeds behind a filter T_f; what is
+beyond the valves is taken from the integral (back calculation,
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Astrom and Hagglund 1995</a>, section 3.5). Both valves
+stand where they begin to open, 0.145 A, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (62); a
+positive u opens the inlet, a negative one the exhaust.</p>
 </html>"));
 end ServoController;

@@ -23,7 +23,8 @@ protected
 public
   Braid braid(L0=L0, D0=D0, turns=turns, t_wall=t_wall) "Sleeve"
     annotation (Placement(transformation(extent={{-15,-15},{15,15}})));
-  Laws.Frictions.FibreFriction fibreFriction(L0=L0, D0=D0, turns=turns, t_wall=t_wall, A_ff=crossings*w*z, mu_d=mu_d, K_f=K_f)
+  Laws.Frictions.FibreFriction fibreFriction(L0=L0, D0=D0, turns=turns, t_wall=t_wall, A_ff=crossings*w*z, mu_d=mu_d,
+    K_f=K_f)
     "Friction of fibre on fibre"
     annotation (Placement(transformation(extent={{25,-15},{55,15}})));
   Laws.Frictions.BladderFriction bladderFriction(L0=L0, D0=D0, turns=turns, t_wall=t_wall, A_fb=A_fibre, mu_fb=mu_fb)
@@ -50,7 +51,8 @@ equation
   connect(flange_b, bladderFriction.flange_b)
     annotation (Line(points={{0,100}, {0,24}, {80,24}, {80,15}}, color={0,110,60}));
   annotation (Documentation(info="<html>
-<p>Force DP (1), friction DP (68)-(71), area of the wall DP (48), as in <code>Components.Muscle</code>. The port is a pressure
-tap: the gas is in another model.</p>
+<p>Force <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (1), friction DP (68)-(71), area of the
+wall DP (48), as in <a href=\"modelica://PneumaticMuscle.Components.Muscle\">Components.Muscle</a>. The port is a
+pressure tap: the gas is in another model.</p>
 </html>"));
 end Sleeve;

@@ -10,10 +10,12 @@ model ValveAndGas "Valves and the gas behind them; the volume comes from outside
   output Types.GaugePressure p "Gauge pressure of the gas";
   output Types.Temperature T "Temperature of the gas";
   parameter Real n_g(unit="1", min=1, max=1.4) = 1.2 "Polytropic exponent of the gas" annotation (Dialog(group="Gas"));
-  parameter Types.Length t_wall(min=1e-5, max=0.02) = 0.254e-3 "Thickness of the bladder" annotation (Dialog(group="Heat"));
+  parameter Types.Length t_wall(min=1e-5, max=0.02) = 0.254e-3 "Thickness of the bladder"
+    annotation (Dialog(group="Heat"));
   parameter Types.ThermalConductivity k_wall(min=0.01, max=10) = 0.14 "Thermal conductivity of the bladder"
     annotation (Dialog(group="Heat"));
-  parameter Types.CoefficientOfHeatTransfer h_film(min=0.1, max=1000) = 20 "Film coefficient on both sides of the bladder"
+  parameter Types.CoefficientOfHeatTransfer h_film(min=0.1, max=1000) = 20
+    "Film coefficient on both sides of the bladder"
     annotation (Dialog(group="Heat"));
   inner Components.Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-90,65},{-60,95}})));
@@ -44,7 +46,8 @@ equation
   p = gas.p - ambient.p;
   T = gas.T;
   annotation (experiment(StopTime=1, Interval=0.01, Tolerance=1e-8), Documentation(info="<html>
-<p>DP (59)-(60), (62), (44). Of the outputs none depends at once on an input: pressure is a state, and temperature follows
-from it. Alone, with the volume held, it fills a vessel of the volume of a muscle at rest.</p>
+<p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (59)-(60), (62), (44). Of the outputs none
+depends at once on an input: pressure is a state, and temperature follows from it. Alone, with the volume held, it fills
+a vessel of the volume of a muscle at rest.</p>
 </html>"));
 end ValveAndGas;

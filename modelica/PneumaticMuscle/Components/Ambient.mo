@@ -12,6 +12,7 @@ model Ambient "The surroundings of a bench"
 <p>Pressure and temperature of the air around a bench; declared <code>inner</code> in the bench and <code>outer</code>
 in what needs it. 101 325 Pa and 293.15 K unless known better.</p>
 <p>Quasi-static measurements have no speed but may have a direction, that of their branch: dry friction takes its sign
-from it, <code>Interfaces.ForceElement</code>. In time it is zero.</p>
+from it, <a href=\"modelica://PneumaticMuscle.Interfaces.ForceElement\">Interfaces.ForceElement</a>. In time it is
+zero.</p>
 </html>"));
 end Ambient;

@@ -8,7 +8,8 @@ model EmpiricalMuscle "The empirical muscle of Dzahir and Yamamoto, DY (5)-(16)"
     annotation (choicesAllMatching=true);
   replaceable model Friction = Laws.Frictions.LoadAndRate constrainedby Interfaces.ForceElement "Law of friction"
     annotation (choicesAllMatching=true);
-  replaceable model Elasticity = Laws.Elasticities.StretchedSleeve constrainedby Interfaces.SleeveElasticity "Law of the stretched sleeve"
+  replaceable model Elasticity = Laws.Elasticities.StretchedSleeve constrainedby Interfaces.SleeveElasticity
+    "Law of the stretched sleeve"
     annotation (choicesAllMatching=true);
   Braid braid(L0=L0, D0=D0, turns=turns, t_wall=t_wall) "Static force"
     annotation (Placement(transformation(extent={{-10,-10},{10,10}})));
@@ -36,9 +37,10 @@ equation
   connect(flange_b, elasticity.flange_b)
     annotation (Line(points={{0,100}, {0,19}, {70,19}, {70,10}}, color={0,110,60}));
   annotation (Documentation(info="<html>
-<p>F_dyn = F_s(P, eps) - F_elastic - F_hys, DY (13), (15), (16); eps = (L0 - length)/L0. Pressure is an input of the
-model: it stores no gas. DY identify the coefficients by a swarm and tabulate none; the defaults are for illustration.
-Of a and b in the friction only the product can be found. It needs a bench with an <code>Excitation</code>, which says
-load and frequency of the run.</p>
+<p>F_dyn = F_s(P, eps) - F_elastic - F_hys, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DY</a> (13),
+(15), (16); eps = (L0 - length)/L0. Pressure is an input of the model: it stores no gas. DY identify the coefficients by
+a swarm and tabulate none; the defaults are for illustration. Of a and b in the friction only the product can be found.
+It needs a bench with an <a href=\"modelica://PneumaticMuscle.Components.Excitation\">Excitation</a>, which says load
+and frequency of the run.</p>
 </html>"));
 end EmpiricalMuscle;

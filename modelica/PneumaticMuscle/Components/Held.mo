@@ -7,6 +7,7 @@ model Held "Holds a flange where the input says, at once"
 equation
   flange.s = s;
   annotation (Documentation(info="<html>
-<p>For statics: whatever is attached must not depend on its speed. <code>ImposedPosition</code> is for motion.</p>
+<p>For statics: whatever is attached must not depend on its speed.
+<a href=\"modelica://PneumaticMuscle.Components.ImposedPosition\">ImposedPosition</a> is for motion.</p>
 </html>"));
 end Held;

@@ -29,6 +29,7 @@ equation
   F = braid.F;
   annotation (Documentation(info="<html>
 <p>Statics: the contraction may jump from one value to the next, so nothing here may depend on its speed, and forces in
-parallel with the sleeve, which know their speed, find no terminals. Numbers of AM, theoretical force equation 1.</p>
+parallel with the sleeve, which know their speed, find no terminals. Numbers of
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">AM</a>, theoretical force equation 1.</p>
 </html>"));
 end HeldMuscle;

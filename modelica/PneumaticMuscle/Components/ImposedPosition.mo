@@ -14,7 +14,7 @@ equation
   tau^2*der(v) = s_wanted - s - 2*tau*v;
   annotation (Documentation(info="<html>
 <p>tau^2 s_ddot + 2 tau s_dot + s = s_wanted. The volume of a muscle changes with the speed of its end, so an imposed
-position would have to be differentiated; the filter has the derivatives. A step is followed to 1 % within 6.6 tau, and a ramp
-with a delay of 2 tau, 10 ms; keep tau below the sampling interval.</p>
+position would have to be differentiated; the filter has the derivatives. A step is followed to 1 % within 6.6 tau, and
+a ramp with a delay of 2 tau, 10 ms; keep tau below the sampling interval.</p>
 </html>"));
 end ImposedPosition;

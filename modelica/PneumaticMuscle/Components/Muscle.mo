@@ -13,7 +13,8 @@ model Muscle "McKibben muscle of Doumit and Pardoel; default parameters: latex b
     annotation (Dialog(group="Friction"));
   parameter Types.ThermalConductivity k_wall(min=0.01, max=10) = 0.14 "Thermal conductivity of the bladder"
     annotation (Dialog(group="Heat"));
-  parameter Types.CoefficientOfHeatTransfer h_film(min=0.1, max=1000) = 20 "Film coefficient on both sides of the bladder"
+  parameter Types.CoefficientOfHeatTransfer h_film(min=0.1, max=1000) = 20
+    "Film coefficient on both sides of the bladder"
     annotation (Dialog(group="Heat"));
   parameter Types.Length w(min=1e-5, max=0.01) = 0.254e-3 "Width of a fibre" annotation (Dialog(group="Geometry"));
   parameter Types.Length z(min=1e-5, max=0.01) = 0.254e-3 "Length of a crossing along a fibre"
@@ -24,7 +25,8 @@ model Muscle "McKibben muscle of Doumit and Pardoel; default parameters: latex b
     annotation (choicesAllMatching=true);
   replaceable model Wall = Laws.Heat.FilmWall constrainedby Interfaces.Wall "Law of the wall"
     annotation (choicesAllMatching=true);
-  replaceable model Surroundings = Laws.Heat.StillAir constrainedby Interfaces.Surroundings "What the wall gives its heat to"
+  replaceable model Surroundings = Laws.Heat.StillAir constrainedby Interfaces.Surroundings
+    "What the wall gives its heat to"
     annotation (choicesAllMatching=true);
   replaceable model FrictionHeat = Laws.Heat.LostFrictionHeat constrainedby Interfaces.FrictionHeat "Heat of friction"
     annotation (choicesAllMatching=true);
@@ -39,14 +41,15 @@ protected
 public
   Braid braid(L0=L0, D0=D0, turns=turns, t_wall=t_wall) "Sleeve"
     annotation (Placement(transformation(extent={{-10,-10},{10,10}})));
-  Gas gas(V=braid.V - V_solid, n=n_g, p_start=ambient.p, T_start=ambient.T, p_reference=ambient.p, T_reference=ambient.T,
-    h_film=h_film) "Gas in the bladder"
+  Gas gas(V=braid.V - V_solid, n=n_g, p_start=ambient.p, T_start=ambient.T, p_reference=ambient.p,
+    T_reference=ambient.T, h_film=h_film) "Gas in the bladder"
     annotation (Placement(transformation(extent={{-60,30},{-40,50}})));
   Wall wall(A=max(0, Constants.pi*braid.D*braid.L - A_fibre), h_film=gas.h_wall, k=k_wall, t=t_wall) "Bladder as a wall"
     annotation (Placement(transformation(extent={{-70,-50},{-50,-30}})));
   Surroundings surroundings "What the wall gives its heat to"
     annotation (Placement(transformation(extent={{-35,-50},{-15,-30}})));
-  Laws.Frictions.FibreFriction fibreFriction(L0=L0, D0=D0, turns=turns, t_wall=t_wall, A_ff=crossings*w*z, mu_d=mu_d, K_f=K_f)
+  Laws.Frictions.FibreFriction fibreFriction(L0=L0, D0=D0, turns=turns, t_wall=t_wall, A_ff=crossings*w*z, mu_d=mu_d,
+    K_f=K_f)
     "Friction of fibre on fibre"
     annotation (Placement(transformation(extent={{20,-10},{40,10}})));
   Laws.Frictions.BladderFriction bladderFriction(L0=L0, D0=D0, turns=turns, t_wall=t_wall, A_fb=A_fibre, mu_fb=mu_fb)
@@ -83,9 +86,10 @@ equation
   connect(flange_b, bladderFriction.flange_b)
     annotation (Line(points={{0,100}, {0,19}, {60,19}, {60,10}}, color={0,110,60}));
   annotation (Documentation(info="<html>
-<p>Motion DP (17), pressure and temperature DP (59)-(60), heat DP (44)-(49), friction DP (68)-(71), geometry as in
-<code>Interfaces.Braid</code>. The area that exchanges heat is what the fibres leave free,
-A_q = max(0, pi D L - w (b N - z q/2)), q = 2 n (N/2)^2 - N/2; w and z are not tabulated, the fibre thickness is
-taken for both. DP enclose gas in all of the volume, V_solid = 0.</p>
+<p>Motion <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (17), pressure and temperature DP
+(59)-(60), heat DP (44)-(49), friction DP (68)-(71), geometry as in
+<a href=\"modelica://PneumaticMuscle.Interfaces.Braid\">Interfaces.Braid</a>. The area that exchanges heat is what the
+fibres leave free, A_q = max(0, pi D L - w (b N - z q/2)), q = 2 n (N/2)^2 - N/2; w and z are not tabulated, the fibre
+thickness is taken for both. DP enclose gas in all of the volume, V_solid = 0.</p>
 </html>"));
 end Muscle;

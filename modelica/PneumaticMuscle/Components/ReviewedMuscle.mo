@@ -44,7 +44,7 @@ equation
   connect(flange_b, bladder.flange_b)
     annotation (Line(points={{0,100}, {0,19}, {70,19}, {70,10}}, color={0,110,60}));
   annotation (Documentation(info="<html>
-<p>See <code>Laws</code> for what stands where. Volume and pressure are coupled as DP (11) does; no heat is
-exchanged with a wall.</p>
+<p>See <a href=\"modelica://PneumaticMuscle.Laws\">Laws</a> for what stands where. Volume and pressure are coupled as
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (11) does; no heat is exchanged with a wall.</p>
 </html>"));
 end ReviewedMuscle;

@@ -21,7 +21,8 @@ model ReviewedValves "Inlet and exhaust valve with a place for the law of flow"
     annotation (choicesAllMatching=true);
   Feed feed "What lies before the inlet valve"
     annotation (Placement(transformation(extent={{-75,45},{-45,75}})));
-  Area area(u={u_in, u_out}, p_a={feed.port_b.p, port.p}, p_b={port.p, exhaust.p}, C_A=C_A) "From current to effective area"
+  Area area(u={u_in, u_out}, p_a={feed.port_b.p, port.p}, p_b={port.p, exhaust.p}, C_A=C_A)
+    "From current to effective area"
     annotation (Placement(transformation(extent={{-50,-15},{-20,15}})));
   Opening opening(A_set=area.A) "From that to the area that the gas finds"
     annotation (Placement(transformation(extent={{10,-15},{40,15}})));
@@ -41,6 +42,8 @@ equation
   connect(outlet.port_b, exhaust)
     annotation (Line(points={{-15,-60}, {-100,-60}}, color={0,90,160}));
   annotation (Documentation(info="<html>
-<p>As <code>ValvePair</code>, DP (62); the laws of flow are in <code>Laws.Flows</code>.</p>
+<p>As <a href=\"modelica://PneumaticMuscle.Components.ValvePair\">ValvePair</a>,
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (62); the laws of flow are in
+<a href=\"modelica://PneumaticMuscle.Laws.Flows\">Laws.Flows</a>.</p>
 </html>"));
 end ReviewedValves;

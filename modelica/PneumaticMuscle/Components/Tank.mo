@@ -15,11 +15,13 @@ model Tank "A rigid vessel"
     annotation (choicesAllMatching=true);
   replaceable model Wall = Laws.Heat.MetalWall constrainedby Interfaces.Wall "Law of the wall"
     annotation (choicesAllMatching=true);
-  replaceable model Surroundings = Laws.Heat.StillAir constrainedby Interfaces.Surroundings "What the wall gives its heat to"
+  replaceable model Surroundings = Laws.Heat.StillAir constrainedby Interfaces.Surroundings
+    "What the wall gives its heat to"
     annotation (choicesAllMatching=true);
   outer Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{50,50},{90,90}})));
-  final parameter Types.Area A = 2.5*Constants.pi*(2*V/Constants.pi)^(2/3) "Inner surface of a cylinder twice as long as wide";
+  final parameter Types.Area A = 2.5*Constants.pi*(2*V/Constants.pi)^(2/3)
+    "Inner surface of a cylinder twice as long as wide";
   Gas gas(V=V, n=n, p_start=ambient.p + p_start, T_start=T_start,
     p_reference=if startIsReference then ambient.p + p_start else ambient.p,
     T_reference=if startIsReference then T_start else ambient.T, h_film=0) "Gas in the vessel"
@@ -36,6 +38,7 @@ equation
   connect(wall.outside, surroundings.heatPort)
     annotation (Line(points={{40,-50}, {55,-50}}, color={190,30,0}));
   annotation (Documentation(info="<html>
-<p>DP (63)-(66). The base gas takes no heat from the wall: its polytropic exponent stands for the heat.</p>
+<p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (63)-(66). The base gas takes no heat from the
+wall: its polytropic exponent stands for the heat.</p>
 </html>"));
 end Tank;

@@ -43,10 +43,12 @@ equation
   connect(outlet.port_b, exhaust)
     annotation (Line(points={{-15,-60}, {-100,-60}}, color={0,90,160}));
   annotation (Documentation(info="<html>
-<p>Effective area A(u) = C_A max(0, 1.80e-6 u - 2.61e-7) m2, u in A, DP (62). The paper measured 2.580e-7 m2 at
-0.35 A and calls that about 32 % below (62); (62) gives 3.69e-7 m2 there, so the calibration is
-C_A = 0.699 (30 %). Most of it may be a conversion: DP (61), at 344.7 kPa taken as absolute, gives (62) within 0.2 %; taken as
-gauge the area is 23 % smaller, and 10 % are left (<code>Validation.ValveCalibration</code>). C_A stands for the measured area
-in either case.</p>
+<p>Effective area A(u) = C_A max(0, 1.80e-6 u - 2.61e-7) m2, u in A,
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (62). The paper measured 2.580e-7 m2 at 0.35 A and
+calls that about 32 % below (62); (62) gives 3.69e-7 m2 there, so the calibration is C_A = 0.699 (30 %). Most of it may
+be a conversion: DP (61), at 344.7 kPa taken as absolute, gives (62) within 0.2 %; taken as gauge the area is 23 %
+smaller, and 10 % are left
+(<a href=\"modelica://PneumaticMuscle.Validation.ValveCalibration\">Validation.ValveCalibration</a>). C_A stands for the
+measured area in either case.</p>
 </html>"));
 end ValvePair;

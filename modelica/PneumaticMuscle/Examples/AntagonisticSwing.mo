@@ -6,7 +6,8 @@ model AntagonisticSwing "Two muscles swing a pulley"
     annotation (Placement(transformation(extent={{-70,20},{-30,60}})));
   Sources.Pulse second(start=4, stop=100) "Current of the second inlet and the first exhaust valve"
     annotation (Placement(transformation(extent={{-70,-60},{-30,-20}})));
-  Benches.Antagonistic bench(u_in_1=first.y, u_out_1=second.y, u_in_2=second.y, u_out_2=first.y, p_supply=207e3) "Pair of muscles"
+  Benches.Antagonistic bench(u_in_1=first.y, u_out_1=second.y, u_in_2=second.y, u_out_2=first.y, p_supply=207e3)
+    "Pair of muscles"
     annotation (Placement(transformation(extent={{30,-20},{70,20}})));
   annotation (experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
 <p>One muscle is filled while the other is vented, then the other way round.</p>

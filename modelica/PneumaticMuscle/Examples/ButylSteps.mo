@@ -11,6 +11,8 @@ model ButylSteps "The butyl muscle is inflated and deflated, DP Figs. 7, 9 and 1
   ButylIsotonic bench(u_in=inlet.y, u_out=outlet.y, p_supply=207e3) "Muscle with hanging mass"
     annotation (Placement(transformation(extent={{30,-20},{70,20}})));
   annotation (experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
-<p>As <code>LatexSteps</code> with DP Table 2. The model contracts at once; DP measure a gradual contraction.</p>
+<p>As <a href=\"modelica://PneumaticMuscle.Examples.LatexSteps\">LatexSteps</a> with
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> Table 2. The model contracts at once; DP measure a
+gradual contraction.</p>
 </html>"));
 end ButylSteps;

@@ -11,6 +11,7 @@ model LatexSteps "The latex muscle is inflated and deflated, DP Figs. 8, 10 and 
   Benches.Isotonic bench(u_in=inlet.y, u_out=outlet.y, p_supply=207e3) "Muscle with hanging mass"
     annotation (Placement(transformation(extent={{30,-20},{70,20}})));
   annotation (experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
-<p>Inflation from 207 kPa at 0.35 A for 5 s, then deflation, 2.27 kg, DP section 6.</p>
+<p>Inflation from 207 kPa at 0.35 A for 5 s, then deflation, 2.27 kg,
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> section 6.</p>
 </html>"));
 end LatexSteps;

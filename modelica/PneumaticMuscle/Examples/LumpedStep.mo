@@ -9,6 +9,7 @@ model LumpedStep "The linear model's step from 2.5 to 4.5 bar, AM dynamic step r
   Benches.LumpedLinear bench(p_in=step.y) "Linear model"
     annotation (Placement(transformation(extent={{30,-20},{70,20}})));
   annotation (experiment(StopTime=2, Interval=0.002, Tolerance=1e-6), Documentation(info="<html>
-<p>The slides sample at 10 Hz and suspect the force response; compare 10 Hz with 80 Hz by the interval of the output.</p>
+<p>The slides sample at 10 Hz and suspect the force response; compare 10 Hz with 80 Hz by the interval of the
+output.</p>
 </html>"));
 end LumpedStep;

@@ -49,7 +49,8 @@ equation
   x = ruler.x;
   annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-130},{150,120}})),
     Documentation(info="<html>
-<p><code>Benches.Isotonic</code> with a <code>Components.ReviewedMuscle</code>. The law of force must be chosen:
-<code>extends ReviewedBench(muscle(redeclare model Force = Laws.Forces.Gaylord))</code>.</p>
+<p><a href=\"modelica://PneumaticMuscle.Benches.Isotonic\">Benches.Isotonic</a> with a
+<a href=\"modelica://PneumaticMuscle.Components.ReviewedMuscle\">Components.ReviewedMuscle</a>. The law of force must be
+chosen: <code>extends ReviewedBench(muscle(redeclare model Force = Laws.Forces.Gaylord))</code>.</p>
 </html>"));
 end ReviewedBench;

@@ -20,7 +20,8 @@ equation
   connect(flange_2, wheel.flange_2)
     annotation (Line(points={{60,100}, {60,45}, {24,45}, {24,40}}, color={0,110,60}));
   annotation (defaultComponentName="pulley", Documentation(info="<html>
-<p>J phi_ddot = r (F_1 - F_2) - d phi_dot, <code>Components.Pulley</code>. The contractions are x_0 + r phi and x_0 - r phi, so
-that one of them says the angle.</p>
+<p>J phi_ddot = r (F_1 - F_2) - d phi_dot,
+<a href=\"modelica://PneumaticMuscle.Components.Pulley\">Components.Pulley</a>. The contractions are x_0 + r phi and x_0
+- r phi, so that one of them says the angle.</p>
 </html>"));
 end AntagonisticPair;

@@ -6,7 +6,8 @@ model ImposedForce "A drive that imposes the force at the load end"
     annotation (Placement(transformation(extent={{-10,90},{10,110}})));
   input Types.Force F_load(start=30) "Imposed force, positive in pull";
   parameter Types.Mass m(min=0.001, max=1000) = 0.5 "Mass that moves" annotation (Dialog(group="Load"));
-  parameter Types.TranslationalDamping d(min=0, max=1e4) = 20 "Damping of the guide" annotation (Dialog(group="Mechanics"));
+  parameter Types.TranslationalDamping d(min=0, max=1e4) = 20 "Damping of the guide"
+    annotation (Dialog(group="Mechanics"));
   Types.Length s(start=x_start, fixed=true) "Position";
   Types.Velocity v(start=0, fixed=true) "Speed";
 equation
@@ -14,7 +15,7 @@ equation
   v = der(s);
   m*der(v) = flange.f - F_load - d*v;
   annotation (defaultComponentName="drive", Documentation(info="<html>
-<p>m x_ddot = F - F_load - d x_dot, Newton's law of the end of the muscle with what is fixed to it. F_start is the force at
-the start, at which the muscle hangs without pressure. Values are for illustration.</p>
+<p>m x_ddot = F - F_load - d x_dot, Newton's law of the end of the muscle with what is fixed to it. F_start is the force
+at the start, at which the muscle hangs without pressure. Values are for illustration.</p>
 </html>"));
 end ImposedForce;

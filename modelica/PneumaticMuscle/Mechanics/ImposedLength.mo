@@ -13,7 +13,9 @@ equation
   connect(flange, position.flange)
     annotation (Line(points={{0,100}, {0,30}}, color={0,110,60}));
   annotation (defaultComponentName="drive", Documentation(info="<html>
-<p>tau^2 x_ddot + 2 tau x_dot + x = s, <code>Components.ImposedPosition</code>: the speed of the end enters the pressure, DP (59),
-so an imposed contraction must have a rate. It begins at s_start, whatever the input says.</p>
+<p>tau^2 x_ddot + 2 tau x_dot + x = s,
+<a href=\"modelica://PneumaticMuscle.Components.ImposedPosition\">Components.ImposedPosition</a>: the speed of the end
+enters the pressure, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (59), so an imposed contraction
+must have a rate. It begins at s_start, whatever the input says.</p>
 </html>"));
 end ImposedLength;

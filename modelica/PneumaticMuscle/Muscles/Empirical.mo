@@ -18,9 +18,11 @@ equation
   connect(flange_b, frame.flange)
     annotation (Line(points={{0,100}, {0,60}, {40,60}, {40,65}}, color={0,110,60}));
   annotation (defaultComponentName="muscle", Documentation(info="<html>
-<p><code>Components.EmpiricalMuscle</code>, DY (5)-(16). DY impose the pressure; that a valve or a regulator can feed the
-muscle, it encloses a gas, DP (11), in the volume of its sleeve, without heat to a wall. The stretched sleeve carries the
-load at the start, DY (12). Load and frequency of DY (10)-(11) are those of the rig; where the length is imposed
-the load is taken as zero, and the friction that goes with it.</p>
+<p><a href=\"modelica://PneumaticMuscle.Components.EmpiricalMuscle\">Components.EmpiricalMuscle</a>,
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DY</a> (5)-(16). DY impose the pressure; that a valve or a
+regulator can feed the muscle, it encloses a gas, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a>
+(11), in the volume of its sleeve, without heat to a wall. The stretched sleeve carries the load at the start, DY (12).
+Load and frequency of DY (10)-(11) are those of the rig; where the length is imposed the load is taken as zero, and the
+friction that goes with it.</p>
 </html>"));
 end Empirical;

@@ -11,7 +11,8 @@ equation
   connect(flange_b, membrane.flange_b)
     annotation (Line(points={{0,100}, {0,15}, {15,15}, {15,-24}, {30,-24}, {30,-40}}, color={0,110,60}));
   annotation (defaultComponentName="muscle", Documentation(info="<html>
-<p><code>FluidicSleeve</code> with a wall that takes a part of its pull, <code>Laws.Elasticities.StiffWall</code>, and of the
+<p><a href=\"modelica://PneumaticMuscle.Muscles.FluidicSleeve\">FluidicSleeve</a> with a wall that takes a part of its
+pull, <a href=\"modelica://PneumaticMuscle.Laws.Elasticities.StiffWall\">Laws.Elasticities.StiffWall</a>, and of the
 volume in it.</p>
 </html>"));
 end Fluidic;

@@ -14,7 +14,9 @@ equation
   connect(flange_b, stop.flange_b)
     annotation (Line(points={{0,100}, {0,60}, {85,60}, {85,10}}, color={0,110,60}));
   annotation (defaultComponentName="muscle", Documentation(info="<html>
-<p><code>Components.Muscle</code>, DP (17), (59)-(60), (68)-(71). At zero gauge pressure nothing in DP (17) carries a load: the braid
-does, as the stop of <code>Benches.Isotonic</code>, on which the load rests at the start.</p>
+<p><a href=\"modelica://PneumaticMuscle.Components.Muscle\">Components.Muscle</a>,
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (17), (59)-(60), (68)-(71). At zero gauge pressure
+nothing in DP (17) carries a load: the braid does, as the stop of
+<a href=\"modelica://PneumaticMuscle.Benches.Isotonic\">Benches.Isotonic</a>, on which the load rests at the start.</p>
 </html>"));
 end Physical;

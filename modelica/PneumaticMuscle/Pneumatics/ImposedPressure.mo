@@ -14,8 +14,8 @@ equation
     annotation (Line(points={{40,0}, {100,0}}, color={0,90,160}));
   annotation (defaultComponentName="source", Documentation(info="<html>
 <p>The muscle takes whatever gas its pressure needs. A pressure that is imposed outright would have to be
-differentiated for that; it is imposed through a resistance of 10 Pa per gram a second, which a muscle of 0.1 litre follows
-within 10 microseconds, V R/(n R_gas T). Nothing is said of what is before the muscle: neither valves nor line,
+differentiated for that; it is imposed through a resistance of 10 Pa per gram a second, which a muscle of 0.1 litre
+follows within 10 microseconds, V R/(n R_gas T). Nothing is said of what is before the muscle: neither valves nor line,
 leak nor gas can be told from such a recording.</p>
 </html>"));
 end ImposedPressure;

@@ -1,5 +1,6 @@
 within PneumaticMuscle.Pneumatics;
-model ProportionalDirectionalValve "A proportional valve whose opening to the supply or to the exhaust a voltage commands"
+model ProportionalDirectionalValve
+  "A proportional valve whose opening to the supply or to the exhaust a voltage commands"
   extends Interfaces.PneumaticsWithLine(shows="p");
   extends Icons.Valve;
   input Types.Voltage u(start=6) "Command of the valve";
@@ -21,9 +22,11 @@ model ProportionalDirectionalValve "A proportional valve whose opening to the su
     annotation (Placement(transformation(extent={{-90,-75},{-60,-45}})));
   Feed feed "What lies before the valve"
     annotation (Placement(transformation(extent={{-50,45},{-20,75}})));
-  Components.Orifice inlet(A=A_open*(y - overlap + sqrt((y - overlap)^2 + closed^2))/(2*(1 - overlap))) "From the supply"
+  Components.Orifice inlet(A=A_open*(y - overlap + sqrt((y - overlap)^2 + closed^2))/(2*(1 - overlap)))
+    "From the supply"
     annotation (Placement(transformation(extent={{-10,45},{20,75}})));
-  Components.Orifice outlet(A=A_open*(sqrt((y + overlap)^2 + closed^2) - y - overlap)/(2*(1 - overlap))) "To the exhaust"
+  Components.Orifice outlet(A=A_open*(sqrt((y + overlap)^2 + closed^2) - y - overlap)/(2*(1 - overlap)))
+    "To the exhaust"
     annotation (Placement(transformation(extent={{5,-75},{-25,-45}})));
 protected
   constant Real closed(unit="1") = 1e-3 "Part of the stroke on which corners are rounded";
@@ -44,10 +47,11 @@ equation
   connect(outlet.port_b, atmosphere.port)
     annotation (Line(points={{-25,-60}, {-60,-60}}, color={0,90,160}));
   annotation (defaultComponentName="valve", Documentation(info="<html>
-<p>A spool valve with its own position control (the function of an electro-pneumatic continuous flow control valve, ISO
-10041-1): y = (u - u_mid)/u_full within the stroke, behind a lag tau, and effective areas in proportion to what y is beyond the
-overlap, with the flow of DP (40)-(42). An overlap below zero, a valve that bleeds in the middle, is left out. All
-sizes are for illustration: take them from the data sheet, or fit them. A closed valve bleeds what a thousandth of its stroke
-opens.</p>
+<p>A spool valve with its own position control (the function of an electro-pneumatic continuous flow control valve,
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">ISO 10041</a>-1): y = (u - u_mid)/u_full within the stroke,
+behind a lag tau, and effective areas in proportion to what y is beyond the overlap, with the flow of
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (40)-(42). An overlap below zero, a valve that
+bleeds in the middle, is left out. All sizes are for illustration: take them from the data sheet, or fit them. A closed
+valve bleeds what a thousandth of its stroke opens.</p>
 </html>"));
 end ProportionalDirectionalValve;

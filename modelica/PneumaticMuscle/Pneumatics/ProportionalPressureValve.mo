@@ -7,12 +7,15 @@ model ProportionalPressureValve "A proportional valve that holds the pressure wh
   parameter Real k_u(unit="Pa/V", min=1e3, max=1e6, nominal=1e5) = 60e3 "Pressure commanded by a volt"
     annotation (Dialog(group="Signal"));
   parameter Types.Voltage u_0(min=-10, max=10) = 0 "Command of no pressure" annotation (Dialog(group="Signal"));
-  parameter Types.Time tau(min=1e-4, max=10) = 0.02 "Time constant of the command" annotation (Dialog(group="Dynamics"));
-  parameter Types.Pressure p_band(min=100, max=1e6, nominal=1e4) = 10e3 "Deviation that opens three quarters of the valve"
+  parameter Types.Time tau(min=1e-4, max=10) = 0.02 "Time constant of the command"
+    annotation (Dialog(group="Dynamics"));
+  parameter Types.Pressure p_band(min=100, max=1e6, nominal=1e4) = 10e3
+    "Deviation that opens three quarters of the valve"
     annotation (Dialog(group="Flow"));
   parameter Types.Area A_open(min=1e-9, max=1e-4, nominal=1e-6) = 2e-6 "Effective area of the open valve, either way"
     annotation (Dialog(group="Flow"));
-  parameter Types.GaugePressure p_start(min=-1.01e5, max=1e7) = 0 "Command at the start" annotation (Dialog(group="Start"));
+  parameter Types.GaugePressure p_start(min=-1.01e5, max=1e7) = 0 "Command at the start"
+    annotation (Dialog(group="Start"));
   replaceable model Feed = Laws.Lines.DirectFeed constrainedby Interfaces.Feed "What lies before the valve"
     annotation (choicesAllMatching=true);
   Types.GaugePressure p_wanted(start=p_start, fixed=true) "Pressure that the valve works towards";
@@ -45,11 +48,13 @@ equation
   connect(outlet.port_b, atmosphere.port)
     annotation (Line(points={{-25,-60}, {-60,-60}}, color={0,90,160}));
   annotation (defaultComponentName="valve", Documentation(info="<html>
-<p>The valve measures the pressure at its outlet and opens to the supply or to the exhaust by what that lacks of the command
-(the function of an electro-pneumatic pressure control valve, ISO 10094-1): tau p_wanted_dot = k_u (u - u_0) - p_wanted,
-y = tanh((p_wanted - p)/p_band), and the flow through either opening is DP (40)-(42). So a small deviation is made up for
-in proportion, and a large one as fast as the open valve lets the gas through. What it cannot deliver is the
-pressure above the supply. The tanh is no maker's curve, and all sizes are for illustration: take them from the data sheet, or
-fit them. A closed valve bleeds a two-thousandth of its open area from the supply to the exhaust.</p>
+<p>The valve measures the pressure at its outlet and opens to the supply or to the exhaust by what that lacks of the
+command (the function of an electro-pneumatic pressure control valve,
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">ISO 10094</a>-1): tau p_wanted_dot = k_u (u - u_0) -
+p_wanted, y = tanh((p_wanted - p)/p_band), and the flow through either opening is
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (40)-(42). So a small deviation is made up for in
+proportion, and a large one as fast as the open valve lets the gas through. What it cannot deliver is the pressure above
+the supply. The tanh is no maker's curve, and all sizes are for illustration: take them from the data sheet, or fit
+them. A closed valve bleeds a two-thousandth of its open area from the supply to the exhaust.</p>
 </html>"));
 end ProportionalPressureValve;

@@ -20,9 +20,10 @@ equation
   connect(resistance.port_b, line.port_a)
     annotation (Line(points={{5,0}, {30,0}}, color={0,90,160}));
   annotation (Documentation(info="<html>
-<p>tau p_dot = p_set - p, the regulator of AM (dynamic model), and behind it p - p_out = droop m_flow, the flow
-characteristic of ISO 6953 as a straight line, the same in relief. The droop at 10 MPa s/kg is 10 kPa per gram a
-second (some 50 litres a minute); lag and droop are for illustration, the maker's curves say them. The flow that it
-can give is not limited.</p>
+<p>tau p_dot = p_set - p, the regulator of <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">AM</a> (dynamic
+model), and behind it p - p_out = droop m_flow, the flow characteristic of
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">ISO 6953</a> as a straight line, the same in relief. The
+droop at 10 MPa s/kg is 10 kPa per gram a second (some 50 litres a minute); lag and droop are for illustration, the
+maker's curves say them. The flow that it can give is not limited.</p>
 </html>"));
 end Regulator;

@@ -23,8 +23,9 @@ equation
   connect(pair.port, line.port_a)
     annotation (Line(points={{0,0}, {30,0}}, color={0,90,160}));
   annotation (defaultComponentName="valve", Documentation(info="<html>
-<p>DP (40)-(42): a command of 1 opens 10 C_A mm2, as in <code>Benches.SwitchedMuscle</code>. Pulse width modulation is
-the command itself where it was recorded, 0 and 1; a duty cycle in its place is the mean area but for the
-threshold of DP (62), 2.5 % of the command.</p>
+<p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (40)-(42): a command of 1 opens 10 C_A mm2, as in
+<a href=\"modelica://PneumaticMuscle.Benches.SwitchedMuscle\">Benches.SwitchedMuscle</a>. Pulse width modulation is the
+command itself where it was recorded, 0 and 1; a duty cycle in its place is the mean area but for the threshold of DP
+(62), 2.5 % of the command.</p>
 </html>"));
 end SwitchedValves;

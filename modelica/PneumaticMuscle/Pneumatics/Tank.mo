@@ -34,8 +34,10 @@ equation
   connect(pair.port, line.port_a)
     annotation (Line(points={{0,0}, {30,0}}, color={0,90,160}));
   annotation (defaultComponentName="valve", Documentation(info="<html>
-<p>DP (40)-(42), (62) and, for the tank, (63)-(66): its pressure falls with what the muscle takes, V p_dot = n R T
-(m_in - m_out). A throttle of the least diameter is a tank that nothing refills. Where the pressure before the valves was
-recorded, <code>Valves</code> needs no model of the tank. Size and throttle are for illustration.</p>
+<p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (40)-(42), (62) and, for the tank, (63)-(66): its
+pressure falls with what the muscle takes, V p_dot = n R T (m_in - m_out). A throttle of the least diameter is a tank
+that nothing refills. Where the pressure before the valves was recorded,
+<a href=\"modelica://PneumaticMuscle.Pneumatics.Valves\">Valves</a> needs no model of the tank. Size and throttle are
+for illustration.</p>
 </html>"));
 end Tank;

@@ -21,6 +21,8 @@ equation
   connect(pair.port, line.port_a)
     annotation (Line(points={{0,0}, {30,0}}, color={0,90,160}));
   annotation (defaultComponentName="valve", Documentation(info="<html>
-<p>DP (40)-(42) and (62), <code>Components.ValvePair</code>. The supply is as measured before the valves.</p>
+<p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (40)-(42) and (62),
+<a href=\"modelica://PneumaticMuscle.Components.ValvePair\">Components.ValvePair</a>. The supply is as measured before
+the valves.</p>
 </html>"));
 end Valves;

@@ -10,6 +10,7 @@ block Pulse "One pulse with a short rise and fall"
 equation
   y = rest + (height - rest)*0.5*(tanh((time - start)/rise) - tanh((time - stop)/rise));
   annotation (Documentation(info="<html>
-<p>Two steps, see <code>Step</code>. A start well before zero makes a pulse that is on from the beginning.</p>
+<p>Two steps, see <a href=\"modelica://PneumaticMuscle.Sources.Step\">Step</a>. A start well before zero makes a pulse
+that is on from the beginning.</p>
 </html>"));
 end Pulse;

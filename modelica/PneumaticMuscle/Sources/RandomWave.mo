@@ -10,10 +10,11 @@ protected
   constant Real weight[6](each unit="1") = {0.8, 1, 0.9, 0.7, 0.8, 1} "Amplitudes";
   constant Real phase[6](each unit="rad") = {1.7989, 1.4636, 0.0987, 4.6282, 3.7445, 2.7889} "Phases, drawn once";
 equation
-  y = (low + high)/2 + (high - low)/2*sum(weight[i]*sin(2*Constants.pi*part[i]*frequency*time + phase[i]) for i in 1:6)/5.2;
+  y = (low + high)/2
+    + (high - low)/2*sum(weight[i]*sin(2*Constants.pi*part[i]*frequency*time + phase[i]) for i in 1:6)/5.2;
   annotation (Documentation(info="<html>
-<p>DY section 2 drive the muscle with a random wave of pressure whose frequency they vary from 0.5 to 2 Hz; the course is
-not given. This one is the same in every run, has no short period, and reverses at many levels, so that there are
-small loops inside the large one.</p>
+<p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DY</a> section 2 drive the muscle with a random wave of
+pressure whose frequency they vary from 0.5 to 2 Hz; the course is not given. This one is the same in every run, has no
+short period, and reverses at many levels, so that there are small loops inside the large one.</p>
 </html>"));
 end RandomWave;

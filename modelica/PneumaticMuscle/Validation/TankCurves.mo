@@ -9,9 +9,11 @@ model TankCurves "The sixteen curves of tank filling and emptying, DP section 4.
     annotation (Placement(transformation(extent={{-70,20},{-30,60}})));
   Sources.Pulse outlet(start=40, stop=1000) "Current of the exhaust valve"
     annotation (Placement(transformation(extent={{-70,-60},{-30,-20}})));
-  Benches.TankFilling high[8](each u_in=inlet.y, each u_out=outlet.y, each p_supply=207e3, tank(V=V, each n=n)) "Supply of 207 kPa"
+  Benches.TankFilling high[8](each u_in=inlet.y, each u_out=outlet.y, each p_supply=207e3, tank(V=V, each n=n))
+    "Supply of 207 kPa"
     annotation (Placement(transformation(extent={{30,20},{70,60}})));
-  Benches.TankFilling low[8](each u_in=inlet.y, each u_out=outlet.y, each p_supply=138e3, tank(V=V, each n=n)) "Supply of 138 kPa"
+  Benches.TankFilling low[8](each u_in=inlet.y, each u_out=outlet.y, each p_supply=138e3, tank(V=V, each n=n))
+    "Supply of 138 kPa"
     annotation (Placement(transformation(extent={{30,-60},{70,-20}})));
   annotation (experiment(StopTime=100, Interval=0.1, Tolerance=1e-6), Documentation(info="<html>
 <p>Inflation for 40 s, then deflation, both at 0.35 A. The test of the library checks the times against quadrature.</p>

@@ -21,7 +21,8 @@ model ValveCalibration "Flow and effective area of the valve by current at fifte
 protected
   constant Real C_A(unit="1") = 0.699 "Calibration of DP section 4.4, as in Components.ValvePair";
   constant Types.Area A_unit = 1 "Area for which (41) is evaluated";
-  constant Real K = sqrt(Constants.gamma/Constants.R*(2/(Constants.gamma + 1))^((Constants.gamma + 1)/(Constants.gamma - 1))) "DP (42)";
+  constant Real K =
+    sqrt(Constants.gamma/Constants.R*(2/(Constants.gamma + 1))^((Constants.gamma + 1)/(Constants.gamma - 1))) "DP (42)";
 equation
   for i in 1:15 loop
     connect(supply[i].port, valve[i].port_a)
@@ -34,10 +35,10 @@ equation
     A_gauge[i] = m_flow[i]*sqrt(ambient.T)/(K*p_supply[i]);
   end for;
   annotation (experiment(StopTime=10, Interval=0.05, Tolerance=1e-6), Documentation(info="<html>
-<p>DP calibrate the valve at fifteen supplies from 30 to 280 kPa (which, they do not say: evenly spaced here) against the
-open air, and find an effective area from each flow by (41). Neither flows nor areas are printed. These are the model's
-own: the area by (41) is the one that went in, whatever the supply. The other two show what a conversion does to the same
-flows: below 90.5 kPa the valve does not choke, and a gauge pressure in the place of an absolute one makes the
-area larger by p_atm/p_gauge.</p>
+<p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> calibrate the valve at fifteen supplies from 30
+to 280 kPa (which, they do not say: evenly spaced here) against the open air, and find an effective area from each flow
+by (41). Neither flows nor areas are printed. These are the model's own: the area by (41) is the one that went in,
+whatever the supply. The other two show what a conversion does to the same flows: below 90.5 kPa the valve does not
+choke, and a gauge pressure in the place of an absolute one makes the area larger by p_atm/p_gauge.</p>
 </html>"));
 end ValveCalibration;

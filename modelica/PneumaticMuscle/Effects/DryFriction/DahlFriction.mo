@@ -12,8 +12,10 @@ equation
   d*der(r) = v_slip - sqrt(v_slip^2 + v_smooth^2)*r;
   f = F_c*r;
   annotation (defaultComponentName="dryFriction", Documentation(info="<html>
-<p>f = F_c r, d r_dot = v - |v| r. Source: Dahl 1968. Before it slips, its stiffness is F_c/d. Typical F_c 1 to 30 N,
-d 0.1 to 2 mm; more than 4 mm of travel is a spring, not friction.</p>
-<p>Fingerprint: as CoulombFriction; after a reversal the contraction answers at first as against a spring.</p>
+<p>f = F_c r, d r_dot = v - |v| r. Source: <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Dahl 1968</a>.
+Before it slips, its stiffness is F_c/d. Typical F_c 1 to 30 N, d 0.1 to 2 mm; more than 4 mm of travel is a spring, not
+friction.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.DryFriction.CoulombFriction\">CoulombFriction</a>; after
+a reversal the contraction answers at first as against a spring.</p>
 </html>"));
 end DahlFriction;

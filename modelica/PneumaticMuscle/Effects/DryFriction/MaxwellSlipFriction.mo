@@ -15,10 +15,13 @@ equation
   end for;
   f = F_c*sum(r)/4;
   annotation (defaultComponentName="dryFriction", Documentation(info="<html>
-<p>f = sum F_i, four elements that carry F_c/4 each and slip after d/8, d/4, d/2 and d. Source: DP (12),
-after Vo-Minh and others 2011, where four elements give the hysteresis of one muscle; each is a smooth one
-(Dahl 1968), so that slip has no corner.</p>
-<p>Fingerprint: as DahlFriction; the loop is rounded over a longer travel and small loops inside the large one
-are narrower. Typical F_c 1 to 30 N, d 0.5 to 5 mm; more than 8 mm of travel is a spring, not friction.</p>
+<p>f = sum F_i, four elements that carry F_c/4 each and slip after d/8, d/4, d/2 and d. Source:
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (12), after
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Vo-Minh and others 2011</a>, where four elements give the
+hysteresis of one muscle; each is a smooth one (<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Dahl
+1968</a>), so that slip has no corner.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.DryFriction.DahlFriction\">DahlFriction</a>; the loop is
+rounded over a longer travel and small loops inside the large one are narrower. Typical F_c 1 to 30 N, d 0.5 to 5 mm;
+more than 8 mm of travel is a spring, not friction.</p>
 </html>"));
 end MaxwellSlipFriction;

@@ -25,6 +25,7 @@ equation
 rho_atm/(128 mu l). Source: Hagen and Poiseuille with the density of an ideal gas. A fitting's volume of 0.2 mL
 keeps the pressure at the valve a state. Typical: 1 m of 1.5 mm tube 8e-9, of 1 mm tube 1.6e-9 kg/(s.Pa); at
 1e-6 it is not felt.</p>
-<p>Fingerprint: as OrificeLine; it throttles least at high pressure and most near ambient pressure.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.SupplyLine.OrificeLine\">OrificeLine</a>; it throttles
+least at high pressure and most near ambient pressure.</p>
 </html>"));
 end LaminarLine;

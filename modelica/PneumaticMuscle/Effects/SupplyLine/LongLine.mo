@@ -22,10 +22,13 @@ equation
   connect(resistance.port_b, port_b)
     annotation (Line(points={{50,0}, {100,0}}, color={0,90,160}));
   annotation (Documentation(info="<html>
-<p>As OrificeLine, with the volume of the tube. Source: Woods and others 2014, discussed after DP
-(12), for losses along supply lines; one lump as in ISO 6358. Typical: 1 m of 4 mm tube 12 mL. The volume at the
-muscle's end is DeadVolume.</p>
-<p>Fingerprint: as OrificeLine; the pressure in the muscle goes on rising a little after the inlet valve has
-shut, and goes on falling after the exhaust valve has shut.</p>
+<p>As <a href=\"modelica://PneumaticMuscle.Effects.SupplyLine.OrificeLine\">OrificeLine</a>, with the volume of the
+tube. Source: <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Woods and others 2014</a>, discussed after
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (12), for losses along supply lines; one lump as in
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">ISO 6358</a>. Typical: 1 m of 4 mm tube 12 mL. The volume
+at the muscle's end is <a href=\"modelica://PneumaticMuscle.Effects.DeadVolume\">DeadVolume</a>.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.SupplyLine.OrificeLine\">OrificeLine</a>; the pressure
+in the muscle goes on rising a little after the inlet valve has shut, and goes on falling after the exhaust valve has
+shut.</p>
 </html>"));
 end LongLine;

@@ -21,9 +21,11 @@ equation
   connect(resistance.port_b, port_b)
     annotation (Line(points={{50,0}, {100,0}}, color={0,90,160}));
   annotation (Documentation(info="<html>
-<p>Isentropic flow through a second orifice in series with the valve. Source: DP (40)-(42); fittings and short
-tubes by their sonic conductance as in ISO 6358. A fitting's volume of 0.2 mL between the two keeps the pressure
-there a state. Typical 1e-7 to 2e-6 m2 (an open valve of DP: 2.6e-7); at 5e-6 it is not felt.</p>
+<p>Isentropic flow through a second orifice in series with the valve. Source:
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (40)-(42); fittings and short tubes by their sonic
+conductance as in <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">ISO 6358</a>. A fitting's volume of 0.2
+mL between the two keeps the pressure there a state. Typical 1e-7 to 2e-6 m2 (an open valve of DP: 2.6e-7); at 5e-6 it
+is not felt.</p>
 <p>Fingerprint: filling and venting are slower when the valve is wide open and right when it is nearly shut; the
 holds are right.</p>
 </html>"));

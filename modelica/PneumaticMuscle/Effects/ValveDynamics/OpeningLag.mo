@@ -8,11 +8,15 @@ equation
     tau*der(A[i]) = A_set[i] - A[i];
   end for;
   annotation (Documentation(info="<html>
-<p>tau A_dot = A_set - A for either valve, A_set the area that DP (62) gives. Source: the plunger or spool moves against the
-damping of the fluid, tau = damping by stiffness of its spring (Merritt 1967, chapter 5), once the magnet has overcome
-the preload that holds it on its seat. ValveLag lets the current lag, which also has to climb to the threshold of (62) before
-anything opens, 0.4 of the way to 0.35 A, and to fall below it before all is shut. Typical 5 to 100 ms. Both valves are shut before the start.</p>
-<p>Fingerprint: as ValveLag, but the flow begins at the moment of the command, and after the end of the command it dies
-away with a tail.</p>
+<p>tau A_dot = A_set - A for either valve, A_set the area that
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (62) gives. Source: the plunger or spool moves
+against the damping of the fluid, tau = damping by stiffness of its spring
+(<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Merritt 1967</a>, chapter 5), once the magnet has overcome
+the preload that holds it on its seat.
+<a href=\"modelica://PneumaticMuscle.Effects.ValveDynamics.ValveLag\">ValveLag</a> lets the current lag, which also has
+to climb to the threshold of (62) before anything opens, 0.4 of the way to 0.35 A, and to fall below it before all is
+shut. Typical 5 to 100 ms. Both valves are shut before the start.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.ValveDynamics.ValveLag\">ValveLag</a>, but the flow
+begins at the moment of the command, and after the end of the command it dies away with a tail.</p>
 </html>"));
 end OpeningLag;

@@ -15,6 +15,7 @@ equation
 <p>y_ddot + 2 zeta omega y_dot + omega^2 y = omega^2 u for either valve. Source: the mass of plunger and spring
 behind the magnet, as data sheets of servo valves state it; typical 30 to 600 rad/s, 0.5 to 1. Both valves are
 shut before the start.</p>
-<p>Fingerprint: as ValveLag, with a soft beginning, and an overshoot of the flow where zeta is small.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.ValveDynamics.ValveLag\">ValveLag</a>, with a soft
+beginning, and an overshoot of the flow where zeta is small.</p>
 </html>"));
 end ValveSecondOrder;
