@@ -97,6 +97,11 @@ def test_law_that_must_be_chosen_refuses_with_what_to_do(tmp_path: Path) -> None
         compile_model(str(file))
 
 
+def test_piece_of_a_coupled_system_is_translated_alone() -> None:
+    interface = compile_model("PneumaticMuscle.CoSimulation.RatedGas").interface
+    assert {name: interface.parameters[name].start for name in ("n", "h_film")} == {"n": 1.2, "h_film": 20}
+
+
 def test_all_models_compile_soon() -> None:
     """Without the C compiler, which takes 0.3 to 1 s more for each; far below the two minutes for the whole."""
     before = time.process_time()
