@@ -25,6 +25,7 @@ from pam_cosim.compiler.library import Library
 from pam_cosim.compiler.lookup import Lookup
 from pam_cosim.compiler.source import Source
 from pam_cosim.compiler.syntax import (
+    EMPTY,
     Array,
     Call,
     ComponentDeclaration,
@@ -103,19 +104,17 @@ class Pictures:
         inherited = (self._stated_extent(base) for base in self.lookup.bases(of))
         return written or next((extent for extent in inherited if extent is not None), None)
 
-    def parts(self, of: Class, unplaced: list[str] | None = None) -> list[Placed]:
-        """Components with a Placement, inherited ones first.
+    def parts(self, of: Class, unplaced: list[str] | None = None, layer: str = "Diagram") -> list[Placed]:
+        """Components with a Placement, inherited ones first, where they stand in the diagram or in the icon.
 
         Names of models, blocks and connectors without one go to a list; not those of ``outer`` ones, which refer to a
         component of an enclosing class.
         """
-        parts = [part for base in self.lookup.bases(of) for part in self.parts(base, unplaced)]
+        parts = [part for base in self.lookup.bases(of) for part in self.parts(base, unplaced, layer)]
         for component in of.definition.components.values():
             kind = self.lookup.find(self.lookup.inside(of), component.type.names)
-            extent, origin, rotation = (
-                _argument(component.annotation, "Placement", "transformation", key)
-                for key in ("extent", "origin", "rotation")
-            )
+            where = _transformation(component, layer)
+            extent, origin, rotation = (_argument(where, key) for key in ("extent", "origin", "rotation"))
             if kind is not None and extent is not None:
                 start = np.array(value(origin) if origin else (0, 0), dtype=float)
                 angle = float(value(rotation)) if rotation else 0.0
@@ -146,6 +145,16 @@ def _connections(equations: Sequence[Equation]) -> Iterator[Connect]:
 
 def _must_be_placed(kind: Class, component: ComponentDeclaration) -> bool:
     return kind.definition.kind in DRAWN and "outer" not in component.prefixes
+
+
+def _transformation(component: ComponentDeclaration, layer: str) -> Modification:
+    """Where a component stands in a layer; the icon has a place of its own only where one is stated."""
+    placement = component.annotation.argument("Placement")
+    if placement is None:
+        return EMPTY
+    keys = ("iconTransformation", "transformation") if layer == "Icon" else ("transformation",)
+    stated = (placement.modification.argument(key) for key in keys)
+    return next((argument.modification for argument in stated if argument is not None), EMPTY)
 
 
 def _argument(modification: Modification, *path: str) -> Expression | None:
@@ -247,7 +256,7 @@ def _arrow(axes: Axes, ends: Points, colour: tuple[float, ...], width: float, sc
 def draw_icon(axes: Axes, pictures: Pictures, of: Class, at: Map, name: str, scale: float) -> None:
     """The icon of a class and those of its connectors on it."""
     draw(axes, pictures.shapes(of), at, name, scale)
-    for part in pictures.parts(of):
+    for part in pictures.parts(of, layer="Icon"):
         if part.of.definition.kind == "connector":
             draw(axes, pictures.shapes(part.of), lambda p, part=part: at(part.at(p)), part.name, scale)
 

@@ -51,7 +51,8 @@ class ComponentInfo:
     Attributes:
         name: as declared.
         type: full name of its class, or a built-in type; as written if it cannot be found.
-        prefixes: ``parameter``, ``input``, ``inner``, ``replaceable``, ``protected``, ...
+        prefixes: ``parameter``, ``input``, ``inner``, ``replaceable``, ``protected``, ..., with those of a short class
+            that is its type.
         modifications: text by (dotted) name; ``value`` is the binding.
         text: the whole modification as text.
         dimensions: sizes as text.
@@ -95,6 +96,7 @@ class ClassInfo:
     Attributes:
         name: full name.
         kind: ``model``, ``package``, ``function``, ``connector``, ``record``, ``type`` or ``block``.
+        prefixes: of a short class, ``input`` in ``connector RealInput = input Real``.
         annotations: top-level annotations as text, by name, but for graphics.
         documentation: the ``info`` string of the Documentation annotation.
     """
@@ -106,6 +108,7 @@ class ClassInfo:
     extends: tuple[BaseInfo, ...]
     components: tuple[ComponentInfo, ...]
     replaceables: tuple[ReplaceableInfo, ...]
+    prefixes: frozenset[str]
     annotations: dict[str, str]
     documentation: str
     file: Path | str
@@ -246,6 +249,7 @@ class ClassTree:
             replaceables=tuple(
                 self._replaceable(node, nested) for nested in node.classes.values() if "replaceable" in nested.prefixes
             ),
+            prefixes=node.alias_prefixes,
             annotations={a.name: argument_text(a) for a in node.annotation.arguments if a.name not in _GRAPHICAL},
             documentation=value.value if isinstance(value, Literal) and isinstance(value.value, str) else "",
             file=node.source.file,
@@ -264,7 +268,7 @@ class ClassTree:
         return ComponentInfo(
             name=component.name,
             type=type_,
-            prefixes=component.prefixes,
+            prefixes=component.prefixes | self._alias_prefixes(type_),
             modifications=_modifications(component.modification),
             value="" if value is None else expression_text(value),
             text=modification_text(component.modification),
@@ -278,6 +282,13 @@ class ClassTree:
             line=line,
             position=_position(component.annotation),
         )
+
+    def _alias_prefixes(self, type_: str) -> frozenset[str]:
+        """Prefixes that the short classes behind a type add to its variables (Modelica 3.6, section 4.5.1)."""
+        node = self._definitions.get(type_)
+        if node is None or node.alias is None:
+            return frozenset()
+        return node.alias_prefixes | self._alias_prefixes(self._resolved(node.parent, node.alias.type))
 
     def _replaceable(self, node: ClassDefinition, nested: ClassDefinition) -> ReplaceableInfo:
         default = nested.qualified_name

@@ -54,7 +54,7 @@ def test_connectors_stand_on_the_edge_of_the_icon() -> None:
 def _has_connectors_on_the_edge(name: str) -> None:
     of = PICTURES.of(name)
     unplaced: list[str] = []
-    places = [part for part in PICTURES.parts(of, unplaced) if part.of.definition.kind == "connector"]
+    places = [part for part in PICTURES.parts(of, unplaced, "Icon") if part.of.definition.kind == "connector"]
     for part in places:
         assert np.abs(part.corners.mean(axis=0)).max() == 100, part.name
     connectors = {c.name for c in tree().components(name) if _kind(c.type) == "connector"}
@@ -102,7 +102,7 @@ def _place(parts: dict[str, Placed], of: Reference) -> np.ndarray:
     first, *inside = (name for name, _ in of.parts)
     middle = np.zeros((1, 2))
     for connector in inside:
-        inner = {part.name: part for part in PICTURES.parts(parts[first].of)}
+        inner = {part.name: part for part in PICTURES.parts(parts[first].of, layer="Icon")}
         middle = inner[connector].corners.mean(axis=0, keepdims=True)
     place: np.ndarray = parts[first].at(middle)[0]
     return place
@@ -113,7 +113,8 @@ def test_pictures_are_drawn() -> None:
     assert len(figure.axes) == 22 and all(axes.patches for axes in figure.axes)
     (axes,) = diagram(PICTURES, benches()[0]).axes
     names = {text.get_text() for text in axes.texts}
-    assert {part.name for part in PICTURES.parts(PICTURES.of(benches()[0]))} <= names
+    parts = PICTURES.parts(PICTURES.of(benches()[0]))
+    assert {part.name for part in parts if part.of.definition.kind != "connector"} <= names
 
 
 def test_a_component_that_is_turned_is_drawn_turned() -> None:

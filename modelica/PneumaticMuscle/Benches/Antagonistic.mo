@@ -1,14 +1,30 @@
 within PneumaticMuscle.Benches;
 model Antagonistic "Two muscles that pull a pulley against each other"
   extends Icons.Bench;
-  input Types.Current u_in_1(start=0.35) "Current of the first inlet valve";
-  input Types.Current u_out_1(start=0) "Current of the first exhaust valve";
-  input Types.Current u_in_2(start=0.25) "Current of the second inlet valve";
-  input Types.Current u_out_2(start=0.25) "Current of the second exhaust valve";
-  input Types.GaugePressure p_supply(start=207e3, min=-101e3) "Gauge pressure of the supply";
-  output Types.GaugePressure p_1 "Gauge pressure in the first muscle";
-  output Types.GaugePressure p_2 "Gauge pressure in the second muscle";
-  output Types.Length x "Travel of the rim, towards the first muscle";
+  Interfaces.Signals.CurrentInput u_in_1(start=0.35) "Current of the first inlet valve"
+    annotation (Placement(transformation(extent={{-260,95},{-240,115}}),
+      iconTransformation(extent={{-110,70},{-90,90}})));
+  Interfaces.Signals.CurrentInput u_out_1(start=0) "Current of the first exhaust valve"
+    annotation (Placement(transformation(extent={{-260,30},{-240,50}}),
+      iconTransformation(extent={{-110,30},{-90,50}})));
+  Interfaces.Signals.CurrentInput u_in_2(start=0.25) "Current of the second inlet valve"
+    annotation (Placement(transformation(extent={{-260,-35},{-240,-15}}),
+      iconTransformation(extent={{-110,-10},{-90,10}})));
+  Interfaces.Signals.CurrentInput u_out_2(start=0.25) "Current of the second exhaust valve"
+    annotation (Placement(transformation(extent={{-260,-100},{-240,-80}}),
+      iconTransformation(extent={{-110,-50},{-90,-30}})));
+  Interfaces.Signals.GaugePressureInput p_supply(start=207e3, min=-101e3) "Gauge pressure of the supply"
+    annotation (Placement(transformation(extent={{-260,-165},{-240,-145}}),
+      iconTransformation(extent={{-110,-90},{-90,-70}})));
+  Interfaces.Signals.GaugePressureOutput p_1 "Gauge pressure in the first muscle"
+    annotation (Placement(transformation(extent={{240,65},{260,85}}),
+      iconTransformation(extent={{90,50},{110,70}})));
+  Interfaces.Signals.GaugePressureOutput p_2 "Gauge pressure in the second muscle"
+    annotation (Placement(transformation(extent={{240,-35},{260,-15}}),
+      iconTransformation(extent={{90,-10},{110,10}})));
+  Interfaces.Signals.LengthOutput x "Travel of the rim, towards the first muscle"
+    annotation (Placement(transformation(extent={{240,-135},{260,-115}}),
+      iconTransformation(extent={{90,-70},{110,-50}})));
   replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducers"
     annotation (choicesAllMatching=true);
   replaceable model PressureChannel = Sensors.DirectPressure constrainedby Interfaces.PressureChannel

@@ -1,8 +1,12 @@
 within PneumaticMuscle.Benches;
 model ClosedVessel "A vessel under pressure with everything shut"
   extends Icons.Bench;
-  output Types.GaugePressure p "Gauge pressure in the vessel";
-  output Types.Temperature T "Temperature reading in the vessel";
+  Interfaces.Signals.GaugePressureOutput p "Gauge pressure in the vessel"
+    annotation (Placement(transformation(extent={{100,45},{120,65}}),
+      iconTransformation(extent={{90,30},{110,50}})));
+  Interfaces.Signals.TemperatureOutput T "Temperature reading in the vessel"
+    annotation (Placement(transformation(extent={{100,-45},{120,-25}}),
+      iconTransformation(extent={{90,-50},{110,-30}})));
   replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"
     annotation (choicesAllMatching=true);
   replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"

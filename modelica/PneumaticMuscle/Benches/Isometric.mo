@@ -1,13 +1,27 @@
 within PneumaticMuscle.Benches;
 model Isometric "A muscle whose contraction is imposed, driven by current-driven valves; its pull is measured"
   extends Icons.Bench;
-  input Types.Current u_in(start=0.35) "Current of the inlet valve";
-  input Types.Current u_out(start=0) "Current of the exhaust valve";
-  input Types.GaugePressure p_supply(start=207e3, min=-101e3) "Gauge pressure of the supply";
-  input Types.Length s(start=0.02) "Imposed contraction";
-  output Types.GaugePressure p "Gauge pressure in the muscle";
-  output Types.Force F "Pull of the muscle";
-  output Types.Temperature T "Temperature reading in the muscle";
+  Interfaces.Signals.CurrentInput u_in(start=0.35) "Current of the inlet valve"
+    annotation (Placement(transformation(extent={{-200,70},{-180,90}}),
+      iconTransformation(extent={{-110,65},{-90,85}})));
+  Interfaces.Signals.CurrentInput u_out(start=0) "Current of the exhaust valve"
+    annotation (Placement(transformation(extent={{-200,-20},{-180,0}}),
+      iconTransformation(extent={{-110,15},{-90,35}})));
+  Interfaces.Signals.GaugePressureInput p_supply(start=207e3, min=-101e3) "Gauge pressure of the supply"
+    annotation (Placement(transformation(extent={{-200,-100},{-180,-80}}),
+      iconTransformation(extent={{-110,-35},{-90,-15}})));
+  Interfaces.Signals.LengthInput s(start=0.02) "Imposed contraction"
+    annotation (Placement(transformation(extent={{-200,-190},{-180,-170}}),
+      iconTransformation(extent={{-110,-85},{-90,-65}})));
+  Interfaces.Signals.GaugePressureOutput p "Gauge pressure in the muscle"
+    annotation (Placement(transformation(extent={{100,40},{120,60}}),
+      iconTransformation(extent={{90,50},{110,70}})));
+  Interfaces.Signals.ForceOutput F "Pull of the muscle"
+    annotation (Placement(transformation(extent={{100,-60},{120,-40}}),
+      iconTransformation(extent={{90,-10},{110,10}})));
+  Interfaces.Signals.TemperatureOutput T "Temperature reading in the muscle"
+    annotation (Placement(transformation(extent={{100,-160},{120,-140}}),
+      iconTransformation(extent={{90,-70},{110,-50}})));
   replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"
     annotation (choicesAllMatching=true);
   replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"

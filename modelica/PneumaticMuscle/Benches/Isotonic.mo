@@ -1,12 +1,24 @@
 within PneumaticMuscle.Benches;
 model Isotonic "A muscle that lifts a hanging mass, driven by current-driven valves, DP Fig. 2"
   extends Icons.Bench;
-  input Types.Current u_in(start=0.35) "Current of the inlet valve";
-  input Types.Current u_out(start=0) "Current of the exhaust valve";
-  input Types.GaugePressure p_supply(start=207e3, min=-101e3) "Gauge pressure of the supply";
-  output Types.GaugePressure p "Gauge pressure in the muscle";
-  output Types.Length x "Contraction";
-  output Types.Temperature T "Temperature reading in the muscle";
+  Interfaces.Signals.CurrentInput u_in(start=0.35) "Current of the inlet valve"
+    annotation (Placement(transformation(extent={{-200,50},{-180,70}}),
+      iconTransformation(extent={{-110,50},{-90,70}})));
+  Interfaces.Signals.CurrentInput u_out(start=0) "Current of the exhaust valve"
+    annotation (Placement(transformation(extent={{-200,-40},{-180,-20}}),
+      iconTransformation(extent={{-110,-10},{-90,10}})));
+  Interfaces.Signals.GaugePressureInput p_supply(start=207e3, min=-101e3) "Gauge pressure of the supply"
+    annotation (Placement(transformation(extent={{-200,-130},{-180,-110}}),
+      iconTransformation(extent={{-110,-70},{-90,-50}})));
+  Interfaces.Signals.GaugePressureOutput p "Gauge pressure in the muscle"
+    annotation (Placement(transformation(extent={{140,50},{160,70}}),
+      iconTransformation(extent={{90,50},{110,70}})));
+  Interfaces.Signals.LengthOutput x "Contraction"
+    annotation (Placement(transformation(extent={{140,-40},{160,-20}}),
+      iconTransformation(extent={{90,-10},{110,10}})));
+  Interfaces.Signals.TemperatureOutput T "Temperature reading in the muscle"
+    annotation (Placement(transformation(extent={{140,-130},{160,-110}}),
+      iconTransformation(extent={{90,-70},{110,-50}})));
   replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"
     annotation (choicesAllMatching=true);
   replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"

@@ -1,10 +1,18 @@
 within PneumaticMuscle.Benches;
 model LumpedLinear "Linear model of three states, pressure, length and its rate, AM Fig. 9"
   extends Icons.Bench;
-  input Types.GaugePressure p_in(start=4.5e5) "Pressure that the regulator is told";
-  output Types.GaugePressure p "Gauge pressure in the muscle";
-  output Types.Length L "Length, from that at the operating point";
-  output Types.Force F "Pull of the muscle";
+  Interfaces.Signals.GaugePressureInput p_in(start=4.5e5) "Pressure that the regulator is told"
+    annotation (Placement(transformation(extent={{-110,-35},{-90,-15}}),
+      iconTransformation(extent={{-110,-10},{-90,10}})));
+  Interfaces.Signals.GaugePressureOutput p "Gauge pressure in the muscle"
+    annotation (Placement(transformation(extent={{90,40},{110,60}}),
+      iconTransformation(extent={{90,50},{110,70}})));
+  Interfaces.Signals.LengthOutput L "Length, from that at the operating point"
+    annotation (Placement(transformation(extent={{90,-35},{110,-15}}),
+      iconTransformation(extent={{90,-10},{110,10}})));
+  Interfaces.Signals.ForceOutput F "Pull of the muscle"
+    annotation (Placement(transformation(extent={{90,-110},{110,-90}}),
+      iconTransformation(extent={{90,-70},{110,-50}})));
   replaceable model PressureChannel = Sensors.DirectPressure constrainedby Interfaces.PressureChannel
     "Measuring channel of the pressure"
     annotation (choicesAllMatching=true);

@@ -1,9 +1,15 @@
 within PneumaticMuscle.Benches;
 model QuasiStaticIsometric "Pull of a muscle at rest under an imposed pressure, at an imposed contraction"
   extends Interfaces.QuasiStaticRig;
-  input Types.GaugePressure p(start=200e3, min=-101e3) "Gauge pressure in the muscle";
-  input Types.Length x(start=0.02) "Imposed contraction";
-  output Types.Force F "Pull of the muscle";
+  Interfaces.Signals.GaugePressureInput p(start=200e3, min=-101e3) "Gauge pressure in the muscle"
+    annotation (Placement(transformation(extent={{-200,20},{-180,40}}),
+      iconTransformation(extent={{-110,30},{-90,50}})));
+  Interfaces.Signals.LengthInput x(start=0.02) "Imposed contraction"
+    annotation (Placement(transformation(extent={{-200,-100},{-180,-80}}),
+      iconTransformation(extent={{-110,-50},{-90,-30}})));
+  Interfaces.Signals.ForceOutput F "Pull of the muscle"
+    annotation (Placement(transformation(extent={{150,-40},{170,-20}}),
+      iconTransformation(extent={{90,-10},{110,10}})));
   Pneumatics.ImposedPressure source(p=p, resistance(R(min=1) = 1)) "The measured pressure"
     annotation (Placement(transformation(extent={{-110,-20},{-70,20}})));
   Muscles.Physical muscle(F_start=drive.F_start) "Muscle"

@@ -1,9 +1,15 @@
 within PneumaticMuscle.Benches;
 model QuasiStaticIsotonic "Contraction of a muscle at rest under an imposed pressure and an imposed load"
   extends Interfaces.QuasiStaticRig;
-  input Types.GaugePressure p(start=200e3, min=-101e3) "Gauge pressure in the muscle";
-  input Types.Force F(start=30) "Imposed load";
-  output Types.Length x "Contraction";
+  Interfaces.Signals.GaugePressureInput p(start=200e3, min=-101e3) "Gauge pressure in the muscle"
+    annotation (Placement(transformation(extent={{-200,20},{-180,40}}),
+      iconTransformation(extent={{-110,30},{-90,50}})));
+  Interfaces.Signals.ForceInput F(start=30) "Imposed load"
+    annotation (Placement(transformation(extent={{-200,-100},{-180,-80}}),
+      iconTransformation(extent={{-110,-50},{-90,-30}})));
+  Interfaces.Signals.LengthOutput x "Contraction"
+    annotation (Placement(transformation(extent={{150,-40},{170,-20}}),
+      iconTransformation(extent={{90,-10},{110,10}})));
   Pneumatics.ImposedPressure source(p=p, resistance(R(min=1) = 1)) "The measured pressure"
     annotation (Placement(transformation(extent={{-110,-20},{-70,20}})));
   Muscles.Physical muscle(F_start=drive.F_start) "Muscle"

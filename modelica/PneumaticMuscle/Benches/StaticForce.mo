@@ -1,9 +1,15 @@
 within PneumaticMuscle.Benches;
 model StaticForce "Pull of a muscle by pressure and contraction ratio, without any motion, AM Figs. 4-6"
   extends Icons.Bench;
-  input Types.GaugePressure p(start=6e5) "Gauge pressure in the muscle";
-  input Real eps(start=0.1, unit="1") "Contraction ratio";
-  output Types.Force F "Pull of the muscle";
+  Interfaces.Signals.GaugePressureInput p(start=6e5) "Gauge pressure in the muscle"
+    annotation (Placement(transformation(extent={{-110,0},{-90,20}}),
+      iconTransformation(extent={{-110,30},{-90,50}})));
+  Interfaces.Signals.RealInput eps(start=0.1, unit="1") "Contraction ratio"
+    annotation (Placement(transformation(extent={{-110,-70},{-90,-50}}),
+      iconTransformation(extent={{-110,-50},{-90,-30}})));
+  Interfaces.Signals.ForceOutput F "Pull of the muscle"
+    annotation (Placement(transformation(extent={{90,-35},{110,-15}}),
+      iconTransformation(extent={{90,-10},{110,10}})));
   replaceable model ForceChannel = Sensors.DirectForce constrainedby Interfaces.ForceChannel
     "Measuring channel of the force"
     annotation (choicesAllMatching=true);

@@ -1,12 +1,24 @@
 within PneumaticMuscle.Benches;
 model SwitchedMuscle "A muscle of imposed contraction that on-off valves fill from a source whose pressure is measured"
   extends Icons.Bench;
-  input Real u_in(start=1, unit="1") "Command of the inlet valve: 0 shut, 1 open";
-  input Real u_out(start=0, unit="1") "Command of the exhaust valve: 0 shut, 1 open";
-  input Types.GaugePressure p_supply(start=500e3, min=-101e3) "Gauge pressure of the source, as it droops";
-  input Types.Length s(start=0.02) "Imposed contraction";
-  output Types.GaugePressure p "Gauge pressure in the muscle";
-  output Types.Temperature T "Temperature reading in the muscle";
+  Interfaces.Signals.RealInput u_in(start=1, unit="1") "Command of the inlet valve: 0 shut, 1 open"
+    annotation (Placement(transformation(extent={{-200,75},{-180,95}}),
+      iconTransformation(extent={{-110,65},{-90,85}})));
+  Interfaces.Signals.RealInput u_out(start=0, unit="1") "Command of the exhaust valve: 0 shut, 1 open"
+    annotation (Placement(transformation(extent={{-200,5},{-180,25}}),
+      iconTransformation(extent={{-110,15},{-90,35}})));
+  Interfaces.Signals.GaugePressureInput p_supply(start=500e3, min=-101e3) "Gauge pressure of the source, as it droops"
+    annotation (Placement(transformation(extent={{-200,-65},{-180,-45}}),
+      iconTransformation(extent={{-110,-35},{-90,-15}})));
+  Interfaces.Signals.LengthInput s(start=0.02) "Imposed contraction"
+    annotation (Placement(transformation(extent={{-200,-135},{-180,-115}}),
+      iconTransformation(extent={{-110,-85},{-90,-65}})));
+  Interfaces.Signals.GaugePressureOutput p "Gauge pressure in the muscle"
+    annotation (Placement(transformation(extent={{100,25},{120,45}}),
+      iconTransformation(extent={{90,30},{110,50}})));
+  Interfaces.Signals.TemperatureOutput T "Temperature reading in the muscle"
+    annotation (Placement(transformation(extent={{100,-85},{120,-65}}),
+      iconTransformation(extent={{90,-50},{110,-30}})));
   replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"
     annotation (choicesAllMatching=true);
   replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"

@@ -1,11 +1,21 @@
 within PneumaticMuscle.Benches;
 model TankFilling "A tank that is filled and emptied through current-driven valves, DP section 4.4"
   extends Icons.Bench;
-  input Types.Current u_in(start=0.35) "Current of the inlet valve";
-  input Types.Current u_out(start=0) "Current of the exhaust valve";
-  input Types.GaugePressure p_supply(start=207e3, min=-101e3) "Gauge pressure of the supply";
-  output Types.GaugePressure p "Gauge pressure in the tank";
-  output Types.Temperature T(displayUnit="degC") "Temperature reading in the tank";
+  Interfaces.Signals.CurrentInput u_in(start=0.35) "Current of the inlet valve"
+    annotation (Placement(transformation(extent={{-200,60},{-180,80}}),
+      iconTransformation(extent={{-110,50},{-90,70}})));
+  Interfaces.Signals.CurrentInput u_out(start=0) "Current of the exhaust valve"
+    annotation (Placement(transformation(extent={{-200,-15},{-180,5}}),
+      iconTransformation(extent={{-110,-10},{-90,10}})));
+  Interfaces.Signals.GaugePressureInput p_supply(start=207e3, min=-101e3) "Gauge pressure of the supply"
+    annotation (Placement(transformation(extent={{-200,-90},{-180,-70}}),
+      iconTransformation(extent={{-110,-70},{-90,-50}})));
+  Interfaces.Signals.GaugePressureOutput p "Gauge pressure in the tank"
+    annotation (Placement(transformation(extent={{100,35},{120,55}}),
+      iconTransformation(extent={{90,30},{110,50}})));
+  Interfaces.Signals.TemperatureOutput T(displayUnit="degC") "Temperature reading in the tank"
+    annotation (Placement(transformation(extent={{100,-65},{120,-45}}),
+      iconTransformation(extent={{90,-50},{110,-30}})));
   replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"
     annotation (choicesAllMatching=true);
   replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"

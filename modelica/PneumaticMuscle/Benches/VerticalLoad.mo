@@ -1,9 +1,15 @@
 within PneumaticMuscle.Benches;
 model VerticalLoad "The empirical muscle with a hanging load, driven by pressure, DY Fig. 1"
   extends Icons.Bench;
-  input Types.GaugePressure p(start=200e3) "Gauge pressure in the muscle";
-  output Types.Length x "Contraction";
-  output Real eps(unit="1") "Contraction ratio";
+  Interfaces.Signals.GaugePressureInput p(start=200e3) "Gauge pressure in the muscle"
+    annotation (Placement(transformation(extent={{-110,-40},{-90,-20}}),
+      iconTransformation(extent={{-110,-10},{-90,10}})));
+  Interfaces.Signals.LengthOutput x "Contraction"
+    annotation (Placement(transformation(extent={{140,20},{160,40}}),
+      iconTransformation(extent={{90,30},{110,50}})));
+  Interfaces.Signals.RealOutput eps(unit="1") "Contraction ratio"
+    annotation (Placement(transformation(extent={{140,-100},{160,-80}}),
+      iconTransformation(extent={{90,-50},{110,-30}})));
   replaceable model PositionChannel = Sensors.DirectPosition constrainedby Interfaces.PositionChannel
     "Measuring channel of the position"
     annotation (choicesAllMatching=true);

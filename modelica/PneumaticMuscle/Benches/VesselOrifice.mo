@@ -1,8 +1,12 @@
 within PneumaticMuscle.Benches;
 model VesselOrifice "A vessel that empties or fills through a plain orifice"
   extends Icons.Bench;
-  output Types.GaugePressure p "Gauge pressure in the vessel";
-  output Types.Temperature T "Temperature reading in the vessel";
+  Interfaces.Signals.GaugePressureOutput p "Gauge pressure in the vessel"
+    annotation (Placement(transformation(extent={{100,45},{120,65}}),
+      iconTransformation(extent={{90,30},{110,50}})));
+  Interfaces.Signals.TemperatureOutput T "Temperature reading in the vessel"
+    annotation (Placement(transformation(extent={{100,-45},{120,-25}}),
+      iconTransformation(extent={{90,-50},{110,-30}})));
   parameter Types.GaugePressure p_outside(min=-1.01e5, max=1e8) = 0 "Gauge pressure outside"
     annotation (Dialog(group="Surroundings"));
   replaceable model PressureChannel = Sensors.DirectPressure constrainedby Interfaces.PressureChannel

@@ -1,12 +1,18 @@
 within PneumaticMuscle.CoSimulation;
 model ControlledIsotonic "The isotonic bench with the controller, in one piece"
   extends Icons.Bench;
-  input Types.Length x_wanted(start=0.02) "Contraction wanted";
-  output Types.GaugePressure p = bench.p "Gauge pressure in the muscle";
-  output Types.Length x = bench.x "Contraction";
-  output Types.Temperature T = bench.T "Temperature in the muscle";
-  output Types.Current u_in = controller.u_in "Current of the inlet valve";
-  output Types.Current u_out = controller.u_out "Current of the exhaust valve";
+  Interfaces.Signals.LengthInput x_wanted(start=0.02) "Contraction wanted"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
+  Interfaces.Signals.GaugePressureOutput p = bench.p "Gauge pressure in the muscle"
+    annotation (Placement(transformation(extent={{90,70},{110,90}})));
+  Interfaces.Signals.LengthOutput x = bench.x "Contraction"
+    annotation (Placement(transformation(extent={{90,30},{110,50}})));
+  Interfaces.Signals.TemperatureOutput T = bench.T "Temperature in the muscle"
+    annotation (Placement(transformation(extent={{90,-10},{110,10}})));
+  Interfaces.Signals.CurrentOutput u_in = controller.u_in "Current of the inlet valve"
+    annotation (Placement(transformation(extent={{90,-50},{110,-30}})));
+  Interfaces.Signals.CurrentOutput u_out = controller.u_out "Current of the exhaust valve"
+    annotation (Placement(transformation(extent={{90,-90},{110,-70}})));
   ContractionController controller(x=bench.x, x_wanted=x_wanted) "Controller"
     annotation (Placement(transformation(extent={{-70,-20},{-30,20}})));
   Benches.Isotonic bench(u_in=controller.u_in, u_out=controller.u_out, p_supply=207e3) "Muscle that lifts a mass"

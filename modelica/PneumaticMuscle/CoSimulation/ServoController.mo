@@ -1,10 +1,14 @@
 within PneumaticMuscle.CoSimulation;
 model ServoController "A PID controller of the contraction that follows a moving target with two valves"
   extends Icons.Signal;
-  input Types.Length x(start=0) "Contraction";
-  input Types.Length x_wanted(start=0.02) "Contraction wanted";
-  output Types.Current u_in "Current of the inlet valve";
-  output Types.Current u_out "Current of the exhaust valve";
+  Interfaces.Signals.LengthInput x(start=0) "Contraction"
+    annotation (Placement(transformation(extent={{-110,30},{-90,50}})));
+  Interfaces.Signals.LengthInput x_wanted(start=0.02) "Contraction wanted"
+    annotation (Placement(transformation(extent={{-110,-50},{-90,-30}})));
+  Interfaces.Signals.CurrentOutput u_in "Current of the inlet valve"
+    annotation (Placement(transformation(extent={{90,30},{110,50}})));
+  Interfaces.Signals.CurrentOutput u_out "Current of the exhaust valve"
+    annotation (Placement(transformation(extent={{90,-50},{110,-30}})));
   parameter Real K(unit="A/m", min=0, max=1e5) = 60 "Gain" annotation (Dialog(group="Dynamics"));
   parameter Types.Time T_i(min=1e-3, max=1e6) = 1 "Time constant of the integral" annotation (Dialog(group="Dynamics"));
   parameter Types.Time T_d(min=0, max=10) = 0.09 "Time constant of the derivative"

@@ -3,7 +3,8 @@ model Held "Holds a flange where the input says, at once"
   extends Icons.Motion;
   Interfaces.Flange flange "Held flange"
     annotation (Placement(transformation(extent={{-10,90},{10,110}})));
-  input Types.Length s "Position";
+  Interfaces.Signals.LengthInput s "Position"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
 equation
   flange.s = s;
   annotation (Documentation(info="<html>

@@ -1,8 +1,10 @@
 within PneumaticMuscle.Components;
 model HeldMuscle "A sleeve under a given pressure at a given contraction ratio, without any motion"
   extends Icons.Muscle;
-  input Types.GaugePressure p_gauge "Gauge pressure";
-  input Real eps(unit="1") "Contraction ratio";
+  Interfaces.Signals.GaugePressureInput p_gauge "Gauge pressure"
+    annotation (Placement(transformation(extent={{-110,30},{-90,50}})));
+  Interfaces.Signals.RealInput eps(unit="1") "Contraction ratio"
+    annotation (Placement(transformation(extent={{-110,-50},{-90,-30}})));
   parameter Types.Length L0(min=0.01, max=2) = 0.3 "Length at rest" annotation (Dialog(group="Geometry"));
   parameter Types.Length D0(min=0.001, max=0.2) = 0.01 "Diameter at rest" annotation (Dialog(group="Geometry"));
   parameter Real alpha_0(unit="rad", displayUnit="deg", min=0.1, max=0.9) = 23*Constants.pi/180 "Braid angle at rest"

@@ -3,7 +3,8 @@ model ImposedPosition "Moves a flange to where the input says, through a fast cr
   extends Icons.Motion;
   Interfaces.Flange flange "Moved flange"
     annotation (Placement(transformation(extent={{-10,90},{10,110}})));
-  input Types.Length s_wanted "Position wanted";
+  Interfaces.Signals.LengthInput s_wanted "Position wanted"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
   parameter Types.Time tau(min=1e-4, max=1) = 5e-3 "Time constant of the filter" annotation (Dialog(group="Dynamics"));
   parameter Types.Length s_start = 0 "Position at the start" annotation (Dialog(group="Start"));
   Types.Length s(start=s_start, fixed=true) "Position";

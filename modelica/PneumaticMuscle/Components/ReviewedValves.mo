@@ -7,8 +7,10 @@ model ReviewedValves "Inlet and exhaust valve with a place for the law of flow"
     annotation (Placement(transformation(extent={{90,-10},{110,10}})));
   Interfaces.GasPort exhaust "Outlet of the exhaust valve"
     annotation (Placement(transformation(extent={{-110,-70},{-90,-50}})));
-  input Types.Current u_in "Current of the inlet valve";
-  input Types.Current u_out "Current of the exhaust valve";
+  Interfaces.Signals.CurrentInput u_in "Current of the inlet valve"
+    annotation (Placement(transformation(extent={{-50,90},{-30,110}})));
+  Interfaces.Signals.CurrentInput u_out "Current of the exhaust valve"
+    annotation (Placement(transformation(extent={{30,90},{50,110}})));
   parameter Real C_A(unit="1", min=0.1, max=3) = 0.699 "Calibration of the effective area, both valves"
     annotation (Dialog(group="Flow"));
   replaceable model Flow = Laws.Flows.Isentropic constrainedby Laws.Flows.Flow "Law of the flow"

@@ -1,11 +1,21 @@
 within PneumaticMuscle.Examples;
 partial model ReviewedBench "A bench for the laws that the papers review"
   extends Icons.Example;
-  input Types.Current u_in(start=0.35) "Current of the inlet valve";
-  input Types.Current u_out(start=0) "Current of the exhaust valve";
-  input Types.GaugePressure p_supply(start=207e3, min=-101e3) "Gauge pressure of the supply";
-  output Types.GaugePressure p "Gauge pressure in the muscle";
-  output Types.Length x "Contraction";
+  Interfaces.Signals.CurrentInput u_in(start=0.35) "Current of the inlet valve"
+    annotation (Placement(transformation(extent={{-200,60},{-180,80}}),
+      iconTransformation(extent={{-110,50},{-90,70}})));
+  Interfaces.Signals.CurrentInput u_out(start=0) "Current of the exhaust valve"
+    annotation (Placement(transformation(extent={{-200,-15},{-180,5}}),
+      iconTransformation(extent={{-110,-10},{-90,10}})));
+  Interfaces.Signals.GaugePressureInput p_supply(start=207e3, min=-101e3) "Gauge pressure of the supply"
+    annotation (Placement(transformation(extent={{-200,-90},{-180,-70}}),
+      iconTransformation(extent={{-110,-70},{-90,-50}})));
+  Interfaces.Signals.GaugePressureOutput p "Gauge pressure in the muscle"
+    annotation (Placement(transformation(extent={{140,35},{160,55}}),
+      iconTransformation(extent={{90,30},{110,50}})));
+  Interfaces.Signals.LengthOutput x "Contraction"
+    annotation (Placement(transformation(extent={{140,-65},{160,-45}}),
+      iconTransformation(extent={{90,-50},{110,-30}})));
   inner Components.Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
   Components.Supply supply(p_gauge=p_supply) "Air supply"

@@ -5,7 +5,8 @@ model Force "A load cell between the muscle and what it pulls"
     annotation (Placement(transformation(extent={{-10,90},{10,110}})));
   Interfaces.Flange flange_b "Side of what it pulls"
     annotation (Placement(transformation(extent={{-10,-110},{10,-90}})));
-  output Types.Force F "Pull of the muscle";
+  Interfaces.Signals.ForceOutput F "Pull of the muscle"
+    annotation (Placement(transformation(extent={{90,-10},{110,10}})));
   replaceable model ForceChannel = Sensors.DirectForce constrainedby Interfaces.ForceChannel
     "Measuring channel of the force"
     annotation (choicesAllMatching=true);

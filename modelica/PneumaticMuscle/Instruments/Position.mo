@@ -3,7 +3,8 @@ model Position "A displacement transducer at the load end"
   extends Interfaces.Instrument;
   Interfaces.Flange flange "Load end"
     annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
-  output Types.Length x "Contraction";
+  Interfaces.Signals.LengthOutput x "Contraction"
+    annotation (Placement(transformation(extent={{90,-10},{110,10}})));
   replaceable model PositionChannel = Sensors.DirectPosition constrainedby Interfaces.PositionChannel
     "Measuring channel of the position"
     annotation (choicesAllMatching=true);

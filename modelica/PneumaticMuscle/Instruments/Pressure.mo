@@ -3,7 +3,8 @@ model Pressure "A pressure transducer at the muscle"
   extends Interfaces.Instrument;
   Interfaces.GasPort port "Pressure tap"
     annotation (Placement(transformation(extent={{-10,90},{10,110}})));
-  output Types.GaugePressure p "Gauge pressure in the muscle";
+  Interfaces.Signals.GaugePressureOutput p "Gauge pressure in the muscle"
+    annotation (Placement(transformation(extent={{90,-10},{110,10}})));
   replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"
     annotation (choicesAllMatching=true);
   replaceable model PressureChannel = Sensors.DirectPressure constrainedby Interfaces.PressureChannel

@@ -5,7 +5,8 @@ model Temperature "A thermometer in the gas of the muscle, at its port"
     annotation (Placement(transformation(extent={{90,-10},{110,10}})));
   Interfaces.GasPort port_b "Side of what feeds it"
     annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
-  output Types.Temperature T "Temperature reading in the muscle";
+  Interfaces.Signals.TemperatureOutput T "Temperature reading in the muscle"
+    annotation (Placement(transformation(extent={{-10,90},{10,110}})));
   replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"
     annotation (choicesAllMatching=true);
   replaceable model TemperatureChannel = Sensors.DirectTemperature constrainedby Interfaces.TemperatureChannel

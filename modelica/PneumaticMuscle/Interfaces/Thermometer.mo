@@ -5,7 +5,8 @@ partial model Thermometer "What the instrument makes of the gas temperature"
     annotation (Placement(transformation(extent={{-10,-110},{10,-90}})));
   input Types.MassFlowRate m_flow = 0 "Gas that flows past it";
   parameter Types.Temperature T_start "Reading at the start" annotation (Dialog(group="Start"));
-  Types.Temperature T "Reading";
+  Interfaces.Signals.TemperatureOutput T "Reading"
+    annotation (Placement(transformation(extent={{90,-10},{110,10}})));
 equation
   port.m_flow = 0;
   port.H_flow = 0;

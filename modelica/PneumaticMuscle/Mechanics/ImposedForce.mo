@@ -4,7 +4,8 @@ model ImposedForce "A drive that imposes the force at the load end"
   extends Icons.Motion;
   Interfaces.Flange flange "Load end of the muscle"
     annotation (Placement(transformation(extent={{-10,90},{10,110}})));
-  input Types.Force F_load(start=30) "Imposed force, positive in pull";
+  Interfaces.Signals.ForceInput F_load(start=30) "Imposed force, positive in pull"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
   parameter Types.Mass m(min=0.001, max=1000) = 0.5 "Mass that moves" annotation (Dialog(group="Load"));
   parameter Types.TranslationalDamping d(min=0, max=1e4) = 20 "Damping of the guide"
     annotation (Dialog(group="Mechanics"));

@@ -4,7 +4,8 @@ model ImposedLength "A drive that imposes the contraction"
   extends Icons.Motion;
   Interfaces.Flange flange "Load end of the muscle"
     annotation (Placement(transformation(extent={{-10,90},{10,110}})));
-  input Types.Length s(start=0.02) "Imposed contraction";
+  Interfaces.Signals.LengthInput s(start=0.02) "Imposed contraction"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
   parameter Types.Time tau(min=1e-4, max=1) = 5e-3 "Time constant of the filter" annotation (Dialog(group="Dynamics"));
   parameter Types.Length s_start(min=-1, max=1) = 0 "Contraction at the start" annotation (Dialog(group="Start"));
   Components.ImposedPosition position(s_wanted=s, tau=tau, s_start=s_start) "Drive"

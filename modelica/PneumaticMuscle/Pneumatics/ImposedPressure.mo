@@ -2,7 +2,8 @@ within PneumaticMuscle.Pneumatics;
 model ImposedPressure "The pressure in the muscle as it was measured"
   extends Interfaces.Pneumatics;
   extends Icons.GasSource;
-  input Types.GaugePressure p(start=200e3, min=-101e3) "Gauge pressure in the muscle";
+  Interfaces.Signals.GaugePressureInput p(start=200e3, min=-101e3) "Gauge pressure in the muscle"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
   Components.Supply supply(p_gauge=p) "The measured pressure"
     annotation (Placement(transformation(extent={{-80,-20},{-40,20}})));
   Components.Droop resistance(R=1e4) "So little that the rate of the pressure is not needed"

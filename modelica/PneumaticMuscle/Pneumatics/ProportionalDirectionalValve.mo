@@ -3,8 +3,10 @@ model ProportionalDirectionalValve
   "A proportional valve whose opening to the supply or to the exhaust a voltage commands"
   extends Interfaces.PneumaticsWithLine(shows="p");
   extends Icons.Valve;
-  input Types.Voltage u(start=6) "Command of the valve";
-  input Types.GaugePressure p_supply(start=600e3, min=-101e3) "Gauge pressure of the supply";
+  Interfaces.Signals.VoltageInput u(start=6) "Command of the valve"
+    annotation (Placement(transformation(extent={{-110,30},{-90,50}})));
+  Interfaces.Signals.GaugePressureInput p_supply(start=600e3, min=-101e3) "Gauge pressure of the supply"
+    annotation (Placement(transformation(extent={{-110,-50},{-90,-30}})));
   parameter Types.Voltage u_mid(min=-10, max=10) = 5 "Command of the closed valve" annotation (Dialog(group="Signal"));
   parameter Types.Voltage u_full(min=0.1, max=20) = 5 "Command beyond that which opens it fully"
     annotation (Dialog(group="Signal"));

@@ -2,8 +2,10 @@ within PneumaticMuscle.Pneumatics;
 model ProportionalPressureValve "A proportional valve that holds the pressure which a voltage commands"
   extends Interfaces.PneumaticsWithLine(shows="p");
   extends Icons.Valve;
-  input Types.Voltage u(start=3) "Command of the valve";
-  input Types.GaugePressure p_supply(start=600e3, min=-101e3) "Gauge pressure of the supply";
+  Interfaces.Signals.VoltageInput u(start=3) "Command of the valve"
+    annotation (Placement(transformation(extent={{-110,30},{-90,50}})));
+  Interfaces.Signals.GaugePressureInput p_supply(start=600e3, min=-101e3) "Gauge pressure of the supply"
+    annotation (Placement(transformation(extent={{-110,-50},{-90,-30}})));
   parameter Real k_u(unit="Pa/V", min=1e3, max=1e6, nominal=1e5) = 60e3 "Pressure commanded by a volt"
     annotation (Dialog(group="Signal"));
   parameter Types.Voltage u_0(min=-10, max=10) = 0 "Command of no pressure" annotation (Dialog(group="Signal"));

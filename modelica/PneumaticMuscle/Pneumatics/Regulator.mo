@@ -2,7 +2,8 @@ within PneumaticMuscle.Pneumatics;
 model Regulator "A proportional pressure regulator: its set point, its lag and its droop"
   extends Interfaces.PneumaticsWithLine(shows="p");
   extends Icons.GasSource;
-  input Types.GaugePressure p_set(start=200e3, min=-101e3) "Set point of the regulator, gauge";
+  Interfaces.Signals.GaugePressureInput p_set(start=200e3, min=-101e3) "Set point of the regulator, gauge"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
   parameter Types.Time tau(min=1e-4, max=10) = 0.05 "Time constant" annotation (Dialog(group="Dynamics"));
   parameter Real droop(unit="Pa.s/kg", min=1e3, max=1e10, nominal=1e7) = 1e7 "Pressure lost per mass flow delivered"
     annotation (Dialog(group="Flow"));

@@ -2,9 +2,12 @@ within PneumaticMuscle.Pneumatics;
 model SwitchedValves "An inlet and an exhaust valve that are open or shut, from a supply whose pressure is known"
   extends Interfaces.PneumaticsWithLine(shows="p, T");
   extends Icons.Valve;
-  input Real u_in(unit="1", start=1) "Command of the inlet valve, 0 shut, 1 open";
-  input Real u_out(unit="1", start=0) "Command of the exhaust valve, 0 shut, 1 open";
-  input Types.GaugePressure p_supply(start=500e3, min=-101e3) "Gauge pressure of the supply";
+  Interfaces.Signals.RealInput u_in(unit="1", start=1) "Command of the inlet valve, 0 shut, 1 open"
+    annotation (Placement(transformation(extent={{-110,50},{-90,70}})));
+  Interfaces.Signals.RealInput u_out(unit="1", start=0) "Command of the exhaust valve, 0 shut, 1 open"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
+  Interfaces.Signals.GaugePressureInput p_supply(start=500e3, min=-101e3) "Gauge pressure of the supply"
+    annotation (Placement(transformation(extent={{-110,-70},{-90,-50}})));
   parameter Real C_A(unit="1", min=0.01, max=3) = 0.2 "Effective area of an open valve by 10 mm2, both valves"
     annotation (Dialog(group="Flow"));
   Components.Supply supply(p_gauge=p_supply) "Air supply"

@@ -2,9 +2,12 @@ within PneumaticMuscle.Pneumatics;
 model Tank "Valves driven by currents, from a tank that droops and is refilled through a throttle"
   extends Interfaces.PneumaticsWithLine(shows="p, T");
   extends Icons.Valve;
-  input Types.Current u_in(start=0.35) "Current of the inlet valve";
-  input Types.Current u_out(start=0) "Current of the exhaust valve";
-  input Types.GaugePressure p_supply(start=207e3, min=-101e3) "Gauge pressure of what refills the tank";
+  Interfaces.Signals.CurrentInput u_in(start=0.35) "Current of the inlet valve"
+    annotation (Placement(transformation(extent={{-110,50},{-90,70}})));
+  Interfaces.Signals.CurrentInput u_out(start=0) "Current of the exhaust valve"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
+  Interfaces.Signals.GaugePressureInput p_supply(start=207e3, min=-101e3) "Gauge pressure of what refills the tank"
+    annotation (Placement(transformation(extent={{-110,-70},{-90,-50}})));
   parameter Real C_A(unit="1", min=0.1, max=3) = 0.699 "Calibration of the effective area, both valves"
     annotation (Dialog(group="Flow"));
   parameter Types.Volume V(min=1e-5, max=10) = 0.5e-3 "Volume of the tank" annotation (Dialog(group="Geometry"));

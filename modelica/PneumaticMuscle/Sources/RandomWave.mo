@@ -4,7 +4,8 @@ block RandomWave "A wave of random look: a sum of sines with fixed phases, up to
   parameter Real frequency(unit="Hz", min=0.01, max=100) = 1 "Highest frequency" annotation (Dialog(group="Signal"));
   parameter Real low = 0 "Least value that the wave can take" annotation (Dialog(group="Signal"));
   parameter Real high = 1 "Largest value that the wave can take" annotation (Dialog(group="Signal"));
-  output Real y "Signal";
+  Interfaces.Signals.RealOutput y "Signal"
+    annotation (Placement(transformation(extent={{90,-10},{110,10}})));
 protected
   constant Real part[6](each unit="1") = {0.173, 0.294, 0.427, 0.581, 0.769, 1} "Frequencies by the highest one";
   constant Real weight[6](each unit="1") = {0.8, 1, 0.9, 0.7, 0.8, 1} "Amplitudes";

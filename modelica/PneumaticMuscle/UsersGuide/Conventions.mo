@@ -20,6 +20,9 @@ H_flow. Volumes and sources set p and T, resistances set the flows; the two alte
 to Modelica.Mechanics.Translational.</li>
 <li><a href=\"modelica://PneumaticMuscle.Interfaces.HeatPort\">Interfaces.HeatPort</a> (red, square): T; Q_flow. It
 connects to Modelica.Thermal.HeatTransfer.</li>
+<li><a href=\"modelica://PneumaticMuscle.Interfaces.Signals\">Interfaces.Signals</a> (triangles, dark blue): inputs and
+outputs of benches and parts, readings of sensors. They connect to Modelica.Blocks. An input that a law takes from its
+owner, such as the volume of a gas, is a variable with the prefix <code>input</code> and is bound.</li>
 </ul>
 <p><b>Diagrams</b></p>
 <ul>

@@ -2,9 +2,10 @@ within PneumaticMuscle.UsersGuide;
 class Overview "What is where"
   extends Icons.Information;
   annotation (Documentation(info="<html>
-<p>A <b>bench</b> (<a href=\"modelica://PneumaticMuscle.Benches\">Benches</a>) is a test rig: plain inputs are what is
-driven, plain outputs what instruments read. Pressures are absolute inside the components and gauge pressures in the
-signals of a bench.</p>
+<p>A <b>bench</b> (<a href=\"modelica://PneumaticMuscle.Benches\">Benches</a>) is a test rig: its inputs are what is
+driven, its outputs what instruments read. Both are connectors of
+<a href=\"modelica://PneumaticMuscle.Interfaces.Signals\">Interfaces.Signals</a>, to which blocks connect. Pressures are
+absolute inside the components and gauge pressures in the signals of a bench.</p>
 <p>A bench of one's own is put together from parts by <code>pam-cosim bench</code>: one of
 <a href=\"modelica://PneumaticMuscle.Pneumatics\">Pneumatics</a> that feeds the muscle, one of
 <a href=\"modelica://PneumaticMuscle.Muscles\">Muscles</a>, one of

@@ -8,6 +8,9 @@ class ReleaseNotes "What changed in the library from version to version"
 <li>Every connection is drawn and every component has its place, also in muscles, valves, vessels and the parts of a
 rig. Names of classes and the first mention of a work are links. New pages
 <a href=\"modelica://PneumaticMuscle.UsersGuide.Conventions\">Conventions</a> and ReleaseNotes.</li>
+<li>Inputs and outputs of benches and parts and readings of sensors are connectors,
+<a href=\"modelica://PneumaticMuscle.Interfaces.Signals\">Interfaces.Signals</a>, to which blocks of Modelica.Blocks
+connect. Names, equations and results are what they were.</li>
 <li>Parts of rigs: <a href=\"modelica://PneumaticMuscle.Pneumatics\">Pneumatics</a>,
 <a href=\"modelica://PneumaticMuscle.Mechanics\">Mechanics</a>,
 <a href=\"modelica://PneumaticMuscle.Muscles\">Muscles</a> and
