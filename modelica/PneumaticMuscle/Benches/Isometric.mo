@@ -41,11 +41,11 @@ model Isometric "A muscle whose contraction is imposed, driven by current-driven
     annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
-  Components.Supply supply(p_gauge=p_supply) "Air supply"
+  Components.Supply supply "Air supply"
     annotation (Placement(transformation(extent={{-170,20},{-130,60}})));
   Components.Atmosphere atmosphere "Outlet"
     annotation (Placement(transformation(extent={{-170,-60},{-130,-20}})));
-  Components.ValvePair valve(u_in=u_in, u_out=u_out) "Inlet and exhaust valve"
+  Components.ValvePair valve "Inlet and exhaust valve"
     annotation (Placement(transformation(extent={{-110,-20},{-70,20}})));
   Line line "Line between valves and muscle"
     annotation (Placement(transformation(extent={{-50,-20},{-10,20}})));
@@ -53,7 +53,7 @@ model Isometric "A muscle whose contraction is imposed, driven by current-driven
     annotation (Placement(transformation(extent={{30,-20},{70,20}})));
   Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs"
     annotation (Placement(transformation(extent={{30,60},{70,100}})));
-  Components.ImposedPosition drive(s_wanted=s) "What moves the load end"
+  Components.ImposedPosition drive "What moves the load end"
     annotation (Placement(transformation(extent={{30,-150},{70,-110}})));
   Manometer manometer "Pressure transducer"
     annotation (Placement(transformation(extent={{-50,60},{-10,100}})));
@@ -61,11 +61,11 @@ model Isometric "A muscle whose contraction is imposed, driven by current-driven
     annotation (Placement(transformation(extent={{-110,60},{-70,100}})));
   Sensors.Pull loadCell "Load cell"
     annotation (Placement(transformation(extent={{30,-85},{70,-45}})));
-  PressureChannel channel_p(u=manometer.p) "Measuring channel of the pressure"
+  PressureChannel channel_p "Measuring channel of the pressure"
     annotation (Placement(transformation(extent={{-170,-210},{-130,-170}})));
-  ForceChannel channel_F(u=loadCell.F) "Measuring channel of the force"
+  ForceChannel channel_F "Measuring channel of the force"
     annotation (Placement(transformation(extent={{-110,-210},{-70,-170}})));
-  TemperatureChannel channel_T(u=thermometer.T) "Measuring channel of the temperature"
+  TemperatureChannel channel_T "Measuring channel of the temperature"
     annotation (Placement(transformation(extent={{-50,-210},{-10,-170}})));
   Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{10,-210},{50,-170}})));
@@ -88,9 +88,27 @@ equation
     annotation (Line(points={{50,-85}, {50,-110}}, color={0,110,60}));
   connect(muscle.flange_b, ceiling.flange)
     annotation (Line(points={{50,20}, {50,60}}, color={0,110,60}));
-  p = channel_p.y;
-  F = channel_F.y;
-  T = channel_T.y;
+  connect(p_supply, supply.p_gauge)
+    annotation (Line(points={{-190,-90}, {-175,-90}, {-175,40}, {-170,40}}, color={0,0,127}));
+  connect(u_in, valve.u_in)
+    annotation (Line(points={{-190,80}, {-175,80}, {-175,65}, {-115,65}, {-115,29}, {-98,29},
+      {-98,20}}, color={0,0,127}));
+  connect(u_out, valve.u_out)
+    annotation (Line(points={{-190,-10}, {-124,-10}, {-124,25}, {-82,25}, {-82,20}}, color={0,0,127}));
+  connect(s, drive.s_wanted)
+    annotation (Line(points={{-190,-180}, {-175,-180}, {-175,-130}, {30,-130}}, color={0,0,127}));
+  connect(manometer.p, channel_p.u)
+    annotation (Line(points={{-10,80}, {-5,80}, {-5,-126}, {-179,-126}, {-179,-190}, {-170,-190}}, color={0,0,127}));
+  connect(loadCell.F, channel_F.u)
+    annotation (Line(points={{70,-65}, {75,-65}, {75,-165}, {-115,-165}, {-115,-190}, {-110,-190}}, color={0,0,127}));
+  connect(thermometer.T, channel_T.u)
+    annotation (Line(points={{-70,80}, {-55,80}, {-55,-190}, {-50,-190}}, color={0,0,127}));
+  connect(channel_p.y, p)
+    annotation (Line(points={{-130,-190}, {-119,-190}, {-119,-40}, {105,-40}, {105,50}, {110,50}}, color={0,0,127}));
+  connect(channel_F.y, F)
+    annotation (Line(points={{-70,-190}, {-59,-190}, {-59,-90}, {105,-90}, {105,-50}, {110,-50}}, color={0,0,127}));
+  connect(channel_T.y, T)
+    annotation (Line(points={{-10,-190}, {5,-190}, {5,-155}, {105,-155}, {105,-150}, {110,-150}}, color={0,0,127}));
   annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-220},{110,120}})),
     experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
 <p>The muscle of <a href=\"modelica://PneumaticMuscle.Benches.Isotonic\">Isotonic</a> between a ceiling and a drive. The

@@ -53,9 +53,12 @@ equation
   tau*der(P) = p_in - P;
   der(l) = v;
   m*der(v) = -C_1*(P - p_0) - (C_2 + k)*l - b*v;
-  p = channel_p.y;
-  L = channel_L.y;
-  F = channel_F.y;
+  connect(channel_p.y, p)
+    annotation (Line(points={{-55,-120}, {-50,-120}, {-50,50}, {100,50}}, color={0,0,127}));
+  connect(channel_L.y, L)
+    annotation (Line(points={{-5,-120}, {0,-120}, {0,-25}, {100,-25}}, color={0,0,127}));
+  connect(channel_F.y, F)
+    annotation (Line(points={{45,-120}, {50,-120}, {50,-95}, {99,-95}, {99,-100}, {100,-100}}, color={0,0,127}));
   annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-100,-150},{100,100}}), graphics={
     Line(points={{-70,80}, {70,80}}, color={60,60,60}, thickness=1),
     Line(points={{-50,80}, {-50,50}, {-65,42}, {-35,26}, {-65,10}, {-35,-6}, {-50,-14}, {-50,-40}}, color={0,110,60}),

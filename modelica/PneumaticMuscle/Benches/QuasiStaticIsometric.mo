@@ -10,11 +10,11 @@ model QuasiStaticIsometric "Pull of a muscle at rest under an imposed pressure, 
   Interfaces.Signals.ForceOutput F "Pull of the muscle"
     annotation (Placement(transformation(extent={{150,-40},{170,-20}}),
       iconTransformation(extent={{90,-10},{110,10}})));
-  Pneumatics.ImposedPressure source(p=p, resistance(R(min=1) = 1)) "The measured pressure"
+  Pneumatics.ImposedPressure source(resistance(R(min=1) = 1)) "The measured pressure"
     annotation (Placement(transformation(extent={{-110,-20},{-70,20}})));
   Muscles.Physical muscle(F_start=drive.F_start) "Muscle"
     annotation (Placement(transformation(extent={{30,-20},{70,20}})));
-  Mechanics.ImposedLength drive(s=x, x_start=muscle.x_start) "What holds the load end"
+  Mechanics.ImposedLength drive(x_start=muscle.x_start) "What holds the load end"
     annotation (Placement(transformation(extent={{30,-160},{70,-120}})));
   Instruments.Force force "Load cell"
     annotation (Placement(transformation(extent={{30,-90},{70,-50}})));
@@ -25,7 +25,12 @@ equation
     annotation (Line(points={{50,-20}, {50,-50}}, color={0,110,60}));
   connect(force.flange_b, drive.flange)
     annotation (Line(points={{50,-90}, {50,-120}}, color={0,110,60}));
-  F = force.F;
+  connect(p, source.p)
+    annotation (Line(points={{-190,30}, {-115,30}, {-115,0}, {-110,0}}, color={0,0,127}));
+  connect(x, drive.s)
+    annotation (Line(points={{-190,-90}, {25,-90}, {25,-140}, {30,-140}}, color={0,0,127}));
+  connect(force.F, F)
+    annotation (Line(points={{70,-70}, {155,-70}, {155,-30}, {160,-30}}, color={0,0,127}));
   annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-180},{160,120}})),
     experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
 <p>Maps of force over pressure and contraction, data sheets, isometric and isobaric curves: each row is a point at rest,

@@ -17,14 +17,19 @@ model StaticForce "Pull of a muscle by pressure and contraction ratio, without a
     annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-70,-20},{-30,20}})));
-  Components.HeldMuscle muscle(p_gauge=p, eps=eps) "Muscle"
+  Components.HeldMuscle muscle "Muscle"
     annotation (Placement(transformation(extent={{10,-20},{50,20}})));
   ForceChannel channel_F(u=muscle.F) "Measuring channel of the force"
     annotation (Placement(transformation(extent={{-80,-100},{-40,-60}})));
   Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{-20,-100},{20,-60}})));
 equation
-  F = channel_F.y;
+  connect(p, muscle.p_gauge)
+    annotation (Line(points={{-100,10}, {-75,10}, {-75,25}, {5,25}, {5,8}, {10,8}}, color={0,0,127}));
+  connect(eps, muscle.eps)
+    annotation (Line(points={{-100,-60}, {-85,-60}, {-85,-25}, {5,-25}, {5,-8}, {10,-8}}, color={0,0,127}));
+  connect(channel_F.y, F)
+    annotation (Line(points={{-40,-80}, {-25,-80}, {-25,-29}, {95,-29}, {95,-25}, {100,-25}}, color={0,0,127}));
   annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-100,-110},{100,60}})),
     experiment(StopTime=1, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
 <p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">AM</a>, theoretical force equations 1 to 3: Kang's force

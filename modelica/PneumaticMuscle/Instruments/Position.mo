@@ -10,12 +10,15 @@ model Position "A displacement transducer at the load end"
     annotation (choicesAllMatching=true);
   Sensors.Contraction ruler "Displacement transducer"
     annotation (Placement(transformation(extent={{-50,-20},{-10,20}})));
-  PositionChannel channel(u=ruler.x) "Measuring channel of the position"
+  PositionChannel channel "Measuring channel of the position"
     annotation (Placement(transformation(extent={{30,-20},{70,20}})));
 equation
   connect(flange, ruler.flange)
     annotation (Line(points={{-100,0}, {-50,0}}, color={0,110,60}));
-  x = channel.y;
+  connect(ruler.x, channel.u)
+    annotation (Line(points={{-10,0}, {30,0}}, color={0,0,127}));
+  connect(channel.y, x)
+    annotation (Line(points={{70,0}, {100,0}}, color={0,0,127}));
   annotation (Documentation(info="<html>
 <p>x = flange.s, as the channel passes it on: zero at the length at rest.</p>
 </html>"));

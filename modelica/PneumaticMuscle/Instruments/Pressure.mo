@@ -12,12 +12,15 @@ model Pressure "A pressure transducer at the muscle"
     annotation (choicesAllMatching=true);
   Manometer manometer "Pressure transducer"
     annotation (Placement(transformation(extent={{-50,-20},{-10,20}})));
-  PressureChannel channel(u=manometer.p) "Measuring channel of the pressure"
+  PressureChannel channel "Measuring channel of the pressure"
     annotation (Placement(transformation(extent={{30,-20},{70,20}})));
 equation
   connect(port, manometer.port)
     annotation (Line(points={{0,100}, {0,-25}, {-30,-25}, {-30,-20}}, color={0,90,160}));
-  p = channel.y;
+  connect(manometer.p, channel.u)
+    annotation (Line(points={{-10,0}, {30,0}}, color={0,0,127}));
+  connect(channel.y, p)
+    annotation (Line(points={{70,0}, {100,0}}, color={0,0,127}));
   annotation (Documentation(info="<html>
 <p>p = port.p - p_atm, as the channel passes it on.</p>
 </html>"));

@@ -16,14 +16,17 @@ model Temperature "A thermometer in the gas of the muscle, at its port"
     annotation (Placement(transformation(extent={{-90,50},{-50,90}})));
   Thermometer thermometer(T_start=ambient.T, m_flow=port_b.m_flow) "Thermometer"
     annotation (Placement(transformation(extent={{-20,30},{20,70}})));
-  TemperatureChannel channel(u=thermometer.T) "Measuring channel of the temperature"
+  TemperatureChannel channel "Measuring channel of the temperature"
     annotation (Placement(transformation(extent={{50,30},{90,70}})));
 equation
   connect(port_b, port_a)
     annotation (Line(points={{-100,0}, {100,0}}, color={0,90,160}));
   connect(port_a, thermometer.port)
     annotation (Line(points={{100,0}, {0,0}, {0,30}}, color={0,90,160}));
-  T = channel.y;
+  connect(thermometer.T, channel.u)
+    annotation (Line(points={{20,50}, {50,50}}, color={0,0,127}));
+  connect(channel.y, T)
+    annotation (Line(points={{90,50}, {95,50}, {95,95}, {0,95}, {0,100}}, color={0,0,127}));
   annotation (Documentation(info="<html>
 <p>T = port_a.T, as the channel passes it on. What flows into the muscle flows past it.</p>
 </html>"));

@@ -18,7 +18,7 @@ model ProportionalDirectionalValve
   replaceable model Feed = Laws.Lines.DirectFeed constrainedby Interfaces.Feed "What lies before the valve"
     annotation (choicesAllMatching=true);
   Real y(unit="1", start=0, fixed=true) "Place of the spool, 1: open to the supply, -1: to the exhaust";
-  Components.Supply supply(p_gauge=p_supply) "Air supply"
+  Components.Supply supply "Air supply"
     annotation (Placement(transformation(extent={{-90,45},{-60,75}})));
   Components.Atmosphere atmosphere "Outlet"
     annotation (Placement(transformation(extent={{-90,-75},{-60,-45}})));
@@ -48,6 +48,8 @@ equation
     annotation (Line(points={{30,0}, {10,0}, {10,-60}, {5,-60}}, color={0,90,160}));
   connect(outlet.port_b, atmosphere.port)
     annotation (Line(points={{-25,-60}, {-60,-60}}, color={0,90,160}));
+  connect(p_supply, supply.p_gauge)
+    annotation (Line(points={{-100,-40}, {-95,-40}, {-95,60}, {-90,60}}, color={0,0,127}));
   annotation (defaultComponentName="valve", Documentation(info="<html>
 <p>A spool valve with its own position control (the function of an electro-pneumatic continuous flow control valve,
 <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">ISO 10041</a>-1): y = (u - u_mid)/u_full within the stroke,

@@ -22,7 +22,7 @@ model ProportionalPressureValve "A proportional valve that holds the pressure wh
     annotation (choicesAllMatching=true);
   Types.GaugePressure p_wanted(start=p_start, fixed=true) "Pressure that the valve works towards";
   Real y(unit="1") "Opening, 1: to the supply, -1: to the exhaust";
-  Components.Supply supply(p_gauge=p_supply) "Air supply"
+  Components.Supply supply "Air supply"
     annotation (Placement(transformation(extent={{-90,45},{-60,75}})));
   Components.Atmosphere atmosphere "Outlet"
     annotation (Placement(transformation(extent={{-90,-75},{-60,-45}})));
@@ -49,6 +49,8 @@ equation
     annotation (Line(points={{30,0}, {10,0}, {10,-60}, {5,-60}}, color={0,90,160}));
   connect(outlet.port_b, atmosphere.port)
     annotation (Line(points={{-25,-60}, {-60,-60}}, color={0,90,160}));
+  connect(p_supply, supply.p_gauge)
+    annotation (Line(points={{-100,-40}, {-95,-40}, {-95,60}, {-90,60}}, color={0,0,127}));
   annotation (defaultComponentName="valve", Documentation(info="<html>
 <p>The valve measures the pressure at its outlet and opens to the supply or to the exhaust by what that lacks of the
 command (the function of an electro-pneumatic pressure control valve,

@@ -10,7 +10,7 @@ model SwitchedValves "An inlet and an exhaust valve that are open or shut, from 
     annotation (Placement(transformation(extent={{-110,-70},{-90,-50}})));
   parameter Real C_A(unit="1", min=0.01, max=3) = 0.2 "Effective area of an open valve by 10 mm2, both valves"
     annotation (Dialog(group="Flow"));
-  Components.Supply supply(p_gauge=p_supply) "Air supply"
+  Components.Supply supply "Air supply"
     annotation (Placement(transformation(extent={{-90,35},{-60,65}})));
   Components.Atmosphere atmosphere "Outlet"
     annotation (Placement(transformation(extent={{-90,-65},{-60,-35}})));
@@ -25,6 +25,8 @@ equation
     annotation (Line(points={{-40,-12}, {-55,-12}, {-55,-50}, {-60,-50}}, color={0,90,160}));
   connect(pair.port, line.port_a)
     annotation (Line(points={{0,0}, {30,0}}, color={0,90,160}));
+  connect(p_supply, supply.p_gauge)
+    annotation (Line(points={{-100,-60}, {-95,-60}, {-95,50}, {-90,50}}, color={0,0,127}));
   annotation (defaultComponentName="valve", Documentation(info="<html>
 <p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (40)-(42): a command of 1 opens 10 C_A mm2, as in
 <a href=\"modelica://PneumaticMuscle.Benches.SwitchedMuscle\">Benches.SwitchedMuscle</a>. Pulse width modulation is the

@@ -15,7 +15,7 @@ model Tank "Valves driven by currents, from a tank that droops and is refilled t
     annotation (Dialog(group="Start"));
   parameter Types.Length d(min=1e-6, max=0.1) = 0.3e-3 "Diameter of the throttle before the tank"
     annotation (Dialog(group="Geometry"));
-  Components.Supply supply(p_gauge=p_supply) "What refills the tank"
+  Components.Supply supply "What refills the tank"
     annotation (Placement(transformation(extent={{-90,45},{-60,75}})));
   Components.PlainOrifice throttle(d=d) "Throttle before the tank"
     annotation (Placement(transformation(extent={{-45,45},{-15,75}})));
@@ -23,7 +23,7 @@ model Tank "Valves driven by currents, from a tank that droops and is refilled t
     annotation (Placement(transformation(extent={{10,45},{40,75}})));
   Components.Atmosphere atmosphere "Outlet"
     annotation (Placement(transformation(extent={{-90,-65},{-60,-35}})));
-  Components.ValvePair pair(u_in=u_in, u_out=u_out, C_A=C_A) "Inlet and exhaust valve"
+  Components.ValvePair pair(C_A=C_A) "Inlet and exhaust valve"
     annotation (Placement(transformation(extent={{-40,-20},{0,20}})));
 equation
   connect(supply.port, throttle.port_a)
@@ -36,6 +36,12 @@ equation
     annotation (Line(points={{-40,-12}, {-55,-12}, {-55,-50}, {-60,-50}}, color={0,90,160}));
   connect(pair.port, line.port_a)
     annotation (Line(points={{0,0}, {30,0}}, color={0,90,160}));
+  connect(p_supply, supply.p_gauge)
+    annotation (Line(points={{-100,-60}, {-95,-60}, {-95,29}, {-91,29}, {-91,60}, {-90,60}}, color={0,0,127}));
+  connect(u_in, pair.u_in)
+    annotation (Line(points={{-100,60}, {-95,60}, {-95,33}, {-28,33}, {-28,20}}, color={0,0,127}));
+  connect(u_out, pair.u_out)
+    annotation (Line(points={{-100,0}, {-49,0}, {-49,29}, {-12,29}, {-12,20}}, color={0,0,127}));
   annotation (defaultComponentName="valve", Documentation(info="<html>
 <p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (40)-(42), (62) and, for the tank, (63)-(66): its
 pressure falls with what the muscle takes, V p_dot = n R T (m_in - m_out). A throttle of the least diameter is a tank
