@@ -18,6 +18,7 @@ from pam_cosim.compiler.printing import argument_text, expression_text, modifica
 from pam_cosim.compiler.syntax import (
     Argument,
     Array,
+    Binary,
     ClassDefinition,
     ComponentDeclaration,
     Constraint,
@@ -51,7 +52,8 @@ class ComponentInfo:
     Attributes:
         name: as declared.
         type: full name of its class, or a built-in type; as written if it cannot be found.
-        prefixes: ``parameter``, ``input``, ``inner``, ``replaceable``, ``protected``, ...
+        prefixes: ``parameter``, ``input``, ``inner``, ``replaceable``, ``protected``, ..., with those of a short class
+            that is its type.
         modifications: text by (dotted) name; ``value`` is the binding.
         text: the whole modification as text.
         dimensions: sizes as text.
@@ -95,6 +97,7 @@ class ClassInfo:
     Attributes:
         name: full name.
         kind: ``model``, ``package``, ``function``, ``connector``, ``record``, ``type`` or ``block``.
+        prefixes: of a short class, ``input`` in ``connector RealInput = input Real``.
         annotations: top-level annotations as text, by name, but for graphics.
         documentation: the ``info`` string of the Documentation annotation.
     """
@@ -106,6 +109,7 @@ class ClassInfo:
     extends: tuple[BaseInfo, ...]
     components: tuple[ComponentInfo, ...]
     replaceables: tuple[ReplaceableInfo, ...]
+    prefixes: frozenset[str]
     annotations: dict[str, str]
     documentation: str
     file: Path | str
@@ -246,6 +250,7 @@ class ClassTree:
             replaceables=tuple(
                 self._replaceable(node, nested) for nested in node.classes.values() if "replaceable" in nested.prefixes
             ),
+            prefixes=node.alias_prefixes,
             annotations={a.name: argument_text(a) for a in node.annotation.arguments if a.name not in _GRAPHICAL},
             documentation=value.value if isinstance(value, Literal) and isinstance(value.value, str) else "",
             file=node.source.file,
@@ -264,7 +269,7 @@ class ClassTree:
         return ComponentInfo(
             name=component.name,
             type=type_,
-            prefixes=component.prefixes,
+            prefixes=component.prefixes | self._alias_prefixes(type_),
             modifications=_modifications(component.modification),
             value="" if value is None else expression_text(value),
             text=modification_text(component.modification),
@@ -278,6 +283,13 @@ class ClassTree:
             line=line,
             position=_position(component.annotation),
         )
+
+    def _alias_prefixes(self, type_: str) -> frozenset[str]:
+        """Prefixes that the short classes behind a type add to its variables (Modelica 3.6, section 4.5.1)."""
+        node = self._definitions.get(type_)
+        if node is None or node.alias is None:
+            return frozenset()
+        return node.alias_prefixes | self._alias_prefixes(self._resolved(node.parent, node.alias.type))
 
     def _replaceable(self, node: ClassDefinition, nested: ClassDefinition) -> ReplaceableInfo:
         default = nested.qualified_name
@@ -298,9 +310,12 @@ class ClassTree:
 
 
 def _literal(value: Expression | None) -> Constant | None:
-    """The value of a literal, or of an array of them."""
+    """The value of a literal, of texts joined with ``+``, or of an array of them."""
     if isinstance(value, Literal):
         return value.value
+    if isinstance(value, Binary) and value.operator == "+":
+        first, second = _literal(value.left), _literal(value.right)
+        return first + second if isinstance(first, str) and isinstance(second, str) else None
     if not isinstance(value, Array) or value.iterators:
         return None
     items = [_literal(item) for item in value.items]

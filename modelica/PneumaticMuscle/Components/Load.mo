@@ -20,6 +20,7 @@ equation
   v = der(s);
   m*der(v) = flange.f - m*Constants.g;
   annotation (Documentation(info="<html>
-<p>m x_ddot = F - m g, DP (16)-(18), positive upwards.</p>
+<p>m x_ddot = F - m g, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (16)-(18), positive
+upwards.</p>
 </html>"));
 end Load;

@@ -27,7 +27,8 @@ equation
   w = der(phi);
   J*der(w) = r*(flange_1.f - flange_2.f) - d*w;
   annotation (Documentation(info="<html>
-<p>J phi_ddot = r (F_1 - F_2) - d phi_dot, with contractions x_0 + r phi and x_0 - r phi: the antagonistic pair that DP
-(Pitel and Tothova) and Kang describe. Without pressure nothing holds the angle but the stops at full extension.</p>
+<p>J phi_ddot = r (F_1 - F_2) - d phi_dot, with contractions x_0 + r phi and x_0 - r phi: the antagonistic pair that
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (Pitel and Tothova) and Kang describe. Without
+pressure nothing holds the angle but the stops at full extension.</p>
 </html>"));
 end Pulley;

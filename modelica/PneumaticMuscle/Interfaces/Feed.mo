@@ -10,6 +10,7 @@ partial model Feed "What lies between the supply and the inlet valve"
   outer Components.Ambient ambient "Surroundings";
   annotation (Documentation(info="<html>
 <p>Left to the extending class: four equations between the two ends, for pressure, temperature, mass and enthalpy
-flow. <code>Interfaces.Line</code> lies behind the valves, where what is vented passes too.</p>
+flow. <a href=\"modelica://PneumaticMuscle.Interfaces.Line\">Interfaces.Line</a> lies behind the valves, where what is
+vented passes too.</p>
 </html>"));
 end Feed;

@@ -8,7 +8,8 @@ partial model Thermometer "What the instrument makes of the gas temperature"
   parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   outer Components.Ambient ambient "Surroundings";
-  Types.Temperature T "Reading";
+  Interfaces.Signals.TemperatureOutput T "Reading"
+    annotation (Placement(transformation(extent={{90,-10},{110,10}})));
 equation
   port.m_flow = 0;
   port.H_flow = 0;

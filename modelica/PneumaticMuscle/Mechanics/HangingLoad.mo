@@ -17,6 +17,7 @@ equation
   v = der(s);
   m*der(v) = flange.f - m*Constants.g;
   annotation (defaultComponentName="load", Documentation(info="<html>
-<p>m x_ddot = F - m g, DP (16)-(18). It begins where the muscle carries it without pressure.</p>
+<p>m x_ddot = F - m g, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (16)-(18). It begins where
+the muscle carries it without pressure.</p>
 </html>"));
 end HangingLoad;

@@ -9,14 +9,17 @@ model Platform "A platform that three muscles carry"
   Interfaces.Flange flange_3 "Third muscle"
     annotation (Placement(transformation(extent={{50,90},{70,110}})));
   parameter Types.Mass m(min=0.001, max=1000) = 6 "Mass" annotation (Dialog(group="Load"));
-  parameter Types.Length r(min=1e-3, max=10) = 0.1 "From the middle to each muscle" annotation (Dialog(group="Geometry"));
+  parameter Types.Length r(min=1e-3, max=10) = 0.1 "From the middle to each muscle"
+    annotation (Dialog(group="Geometry"));
   parameter Real J(unit="kg.m2", min=1e-6, max=100) = 0.03 "Moment of inertia about each level axis"
     annotation (Dialog(group="Load"));
   parameter Real d(unit="N.m.s/rad", min=0, max=100) = 0.1 "Damping of a tilt" annotation (Dialog(group="Mechanics"));
   Types.Length s(start=x_start, fixed=dynamics == Types.Dynamics.FixedInitial) "Height of the middle";
   Types.Velocity v(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Its speed";
-  Real a(unit="rad", displayUnit="deg", start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Tilt towards the first muscle";
-  Real b(unit="rad", displayUnit="deg", start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Tilt towards the second and away from the third";
+  Real a(unit="rad", displayUnit="deg", start=0, fixed=dynamics == Types.Dynamics.FixedInitial)
+    "Tilt towards the first muscle";
+  Real b(unit="rad", displayUnit="deg", start=0, fixed=dynamics == Types.Dynamics.FixedInitial)
+    "Tilt towards the second and away from the third";
   Real w_a(unit="rad/s", start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Rate of the first tilt";
   Real w_b(unit="rad/s", start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Rate of the second tilt";
 protected

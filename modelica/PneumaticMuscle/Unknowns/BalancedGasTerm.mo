@@ -20,8 +20,9 @@ equation
   p_gauge = p - ambient.p;
   T_excess = T - ambient.T;
   annotation (Documentation(info="<html>
-<p>Ideal gas with mass and energy balance, DP (43), (53), (54), (59), in the place of a law that fixes the temperature by
-the pressure. Left to the extending class: the equation of <code>missing</code>, the heat that must come through
-the wall beyond the film coefficient that the owner assumes. It is not zero where the polytropic law was right.</p>
+<p>Ideal gas with mass and energy balance, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (43),
+(53), (54), (59), in the place of a law that fixes the temperature by the pressure. Left to the extending class: the
+equation of <code>missing</code>, the heat that must come through the wall beyond the film coefficient that the owner
+assumes. It is not zero where the polytropic law was right.</p>
 </html>"));
 end BalancedGasTerm;

@@ -34,8 +34,9 @@ equation
   r*tau*der(y) = z - y;
   annotation (Documentation(info="<html>
 <p>Y = offset + 100 N (gain w + bend w^2 + c w^3), w = u/100 N, tau z_dot = Y - z, r tau y_dot = z - y. Source:
-FlexibleLoadCell and ForceLag in one, see there, with a third power and a second pole of the filter. Typical as
-there.</p>
+<a href=\"modelica://PneumaticMuscle.Effects.ForceSensor.FlexibleLoadCell\">FlexibleLoadCell</a> and
+<a href=\"modelica://PneumaticMuscle.Effects.ForceSensor.ForceLag\">ForceLag</a> in one, see there, with a third power
+and a second pole of the filter. Typical as there.</p>
 <p>Fingerprint: as those.</p>
 </html>"));
 end GeneralLoadCell;

@@ -24,11 +24,12 @@ equation
   tau_jet*der(m_jet) = port.m_flow - m_jet;
   h_wall = h_0 + h_1*((m_jet^2 + m_smooth^2)/m_reference^2)^0.4;
   annotation (Documentation(info="<html>
-<p>As EnergyGas with h = h_0 + h_1 (|m_flow|/0.1 g/s)^0.8. Source: DP (43), (53), (54), (59); exponent: Dittus
-and Boelter 1930 for turbulent flow, Nu ~ Re^0.8; a jet stirs the gas while it is filled and for 0.05 s after, free
-convection is left in a hold. DP (60) falls away, so that no value of h_0 and h_1 gives the base law back.
-Typical h_0 3 to 10, h_1 5 to 200 W/(m2.K).</p>
-<p>Fingerprint: as EnergyGas, with less heating while gas flows than the slow return to ambient in the hold lets
-expect.</p>
+<p>As <a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.EnergyGas\">EnergyGas</a> with h = h_0 + h_1 (|m_flow|/0.1
+g/s)^0.8. Source: <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (43), (53), (54), (59); exponent:
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Dittus and Boelter 1930</a> for turbulent flow, Nu ~
+Re^0.8; a jet stirs the gas while it is filled and for 0.05 s after, free convection is left in a hold. DP (60) falls
+away, so that no value of h_0 and h_1 gives the base law back. Typical h_0 3 to 10, h_1 5 to 200 W/(m2.K).</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.EnergyGas\">EnergyGas</a>, with less heating
+while gas flows than the slow return to ambient in the hold lets expect.</p>
 </html>"));
 end ConvectiveGas;

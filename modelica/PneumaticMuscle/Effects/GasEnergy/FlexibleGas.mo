@@ -33,12 +33,15 @@ equation
       + 0.5*n_T*log(((T - T_reference)^2 + T_smooth^2)/T_reference_difference^2))
     + h_1*((m_jet^2 + m_smooth^2)/m_reference^2)^0.4;
   annotation (Documentation(info="<html>
-<p>As ConvectiveGas with h = h_0 (p/p_atm)^n_p (|T - T_atm|/10 K)^n_T + h_1 (|m_jet|/0.1 g/s)^0.8, tau_jet m_jet_dot =
-m_flow - m_jet. Source: DP (43), (53), (54), (59); free convection has Nu ~ (Gr Pr)^n with Gr in proportion to density
-squared and temperature difference, n = 1/4 laminar and 1/3 turbulent (McAdams 1954), so
-n_p = 2 n, n_T = n; conduction alone has neither. DP (60) falls away, so that no value of the parameters gives the
-base law back. Where the flow counts by an exponent of 0.6 the readings keep 1 % of what the balance changes. Typical
-h_0 2 to 10, h_1 5 to 200 W/(m2.K), n_p 0 to 0.67, n_T 0 to 0.33, tau_jet 0.02 to 0.5 s.</p>
-<p>Fingerprint: as ConvectiveGas; after filling the temperature returns to ambient fast at first and then slowly.</p>
+<p>As <a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.ConvectiveGas\">ConvectiveGas</a> with h = h_0
+(p/p_atm)^n_p (|T - T_atm|/10 K)^n_T + h_1 (|m_jet|/0.1 g/s)^0.8, tau_jet m_jet_dot = m_flow - m_jet. Source:
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (43), (53), (54), (59); free convection has Nu ~ (Gr
+Pr)^n with Gr in proportion to density squared and temperature difference, n = 1/4 laminar and 1/3 turbulent
+(<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">McAdams 1954</a>), so n_p = 2 n, n_T = n; conduction alone
+has neither. DP (60) falls away, so that no value of the parameters gives the base law back. Where the flow counts by an
+exponent of 0.6 the readings keep 1 % of what the balance changes. Typical h_0 2 to 10, h_1 5 to 200 W/(m2.K), n_p 0 to
+0.67, n_T 0 to 0.33, tau_jet 0.02 to 0.5 s.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.ConvectiveGas\">ConvectiveGas</a>; after
+filling the temperature returns to ambient fast at first and then slowly.</p>
 </html>"));
 end FlexibleGas;

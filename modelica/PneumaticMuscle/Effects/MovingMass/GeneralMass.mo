@@ -31,12 +31,15 @@ initial equation
   end if;
 equation
   tau*der(w) = v - w;
-  f = m*exp(s*(a + b*s))*(der(v) + 0.5*(a + 2*b*s)*s/x_size*v^2) + m_weight*Constants.g*exp(s*(c + d*s)) + m_slip*(v - w)/tau;
+  f = m*exp(s*(a + b*s))*(der(v) + 0.5*(a + 2*b*s)*s/x_size*v^2) + m_weight*Constants.g*exp(s*(c + d*s))
+    + m_slip*(v - w)/tau;
   annotation (defaultComponentName="movingMass", Documentation(info="<html>
-<p>f = m(x) v_dot + m'(x) v^2/2 + w(x) + m_slip (v - w)/tau, tau w_dot = v - w, m(x) = m exp(a s + b s^2), w(x) = m_weight
-g exp(c s + d s^2), s = 8 x/L0. Source: Lagrange's equation as in FlexibleMass, see there, with one more term of the
-inertia; a body that a fluid, a belt or a cord drags along with a slip in proportion to the force is a Maxwell
+<p>f = m(x) v_dot + m'(x) v^2/2 + w(x) + m_slip (v - w)/tau, tau w_dot = v - w, m(x) = m exp(a s + b s^2), w(x) =
+m_weight g exp(c s + d s^2), s = 8 x/L0. Source: Lagrange's equation as in
+<a href=\"modelica://PneumaticMuscle.Effects.MovingMass.FlexibleMass\">FlexibleMass</a>, see there, with one more term
+of the inertia; a body that a fluid, a belt or a cord drags along with a slip in proportion to the force is a Maxwell
 element whose spring is replaced by its inertia. Typical as there, m_slip 0.1 to 20 kg, tau 0.02 to 1 s.</p>
-<p>Fingerprint: as FlexibleMass; slow motion feels all of the inertia, a jerk only a part.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.MovingMass.FlexibleMass\">FlexibleMass</a>; slow motion
+feels all of the inertia, a jerk only a part.</p>
 </html>"));
 end GeneralMass;

@@ -34,8 +34,9 @@ equation
   r*tau*der(y) = z - y;
   annotation (Documentation(info="<html>
 <p>Y = offset + 50 mm (gain w + bend w^2 + c w^3), w = u/50 mm, tau z_dot = Y - z, r tau y_dot = z - y. Source:
-FlexibleRuler and PositionLag in one, see there, with a third power and a second pole of the filter. Typical as
-there.</p>
+<a href=\"modelica://PneumaticMuscle.Effects.PositionSensor.FlexibleRuler\">FlexibleRuler</a> and
+<a href=\"modelica://PneumaticMuscle.Effects.PositionSensor.PositionLag\">PositionLag</a> in one, see there, with a
+third power and a second pole of the filter. Typical as there.</p>
 <p>Fingerprint: as those.</p>
 </html>"));
 end GeneralRuler;

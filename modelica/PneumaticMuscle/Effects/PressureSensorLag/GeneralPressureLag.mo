@@ -38,8 +38,9 @@ equation
   y = z_2 - dead_time*w;
   annotation (Documentation(info="<html>
 <p>tau z_dot = u - z, with ratio tau where the pressure falls; r tau z_2_dot = z - z_2; then the dead time of
-PressureDelay. Source: those of the family in one; a snubber with a check ball, or whose resistance depends on the
-density, is slower one way. Typical as there.</p>
+<a href=\"modelica://PneumaticMuscle.Effects.PressureSensorLag.PressureDelay\">PressureDelay</a>. Source: those of the
+family in one; a snubber with a check ball, or whose resistance depends on the density, is slower one way. Typical as
+there.</p>
 <p>Fingerprint: as those.</p>
 </html>"));
 end GeneralPressureLag;

@@ -21,6 +21,7 @@ equation
   annotation (Documentation(info="<html>
 <p>tau z_dot = u - z, r tau y_dot = z - y. Source: a snubber in front of the diaphragm and a filter behind it. Typical 1
 to 200 ms, 0.05 to 1.</p>
-<p>Fingerprint: as PressureLag, with a soft beginning.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.PressureSensorLag.PressureLag\">PressureLag</a>, with a
+soft beginning.</p>
 </html>"));
 end PressureTwoLags;

@@ -17,8 +17,10 @@ equation
   r*tau*der(T) = T_s - T;
   annotation (Documentation(info="<html>
 <p>tau T_s_dot = T_gas - T_s, r tau T_dot = T_s - T. Source: sheath and junction as two stores of heat in series
-(thermowell; sensors of two poles, Kerlin, Miller and Hashemian 1978). Only the slower one may be the sheath: exchanging the two
-changes nothing. Typical 0.5 to 20 s, 0.05 to 0.5.</p>
-<p>Fingerprint: as ThermocoupleLag, with a soft beginning after each step.</p>
+(thermowell; sensors of two poles, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Kerlin, Miller and
+Hashemian 1978</a>). Only the slower one may be the sheath: exchanging the two changes nothing. Typical 0.5 to 20 s,
+0.05 to 0.5.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.ThermocoupleLag.ThermocoupleLag\">ThermocoupleLag</a>,
+with a soft beginning after each step.</p>
 </html>"));
 end ThermocoupleSheath;

@@ -19,10 +19,13 @@ equation
   tau_stem*der(T_stem) = port.T - T_stem;
   annotation (Documentation(info="<html>
 <p>tau T_dot = T_gas - T - stem (T - T_stem), tau_stem T_stem_dot = T_gas - T_stem. Source: heat balance of a bead
-between gas and the wires or the sheath that hold it (Scadron and Warshawsky 1952): any two
-time constants, and any quick share of the reading from 1/11 on; a stem that never follows keeps a share of the
-reading at the start. Two shares of the reading that follow in their own time are met exactly, a sheath and a junction
-in series within 1 %. Typical tau as for ThermocoupleLag, stem 0.02 to 1, tau_stem 1 to 100 s.</p>
-<p>Fingerprint: as ThermocoupleLag, but the reading comes near fast and then creeps.</p>
+between gas and the wires or the sheath that hold it
+(<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Scadron and Warshawsky 1952</a>): any two time constants,
+and any quick share of the reading from 1/11 on; a stem that never follows keeps a share of the reading at the start.
+Two shares of the reading that follow in their own time are met exactly, a sheath and a junction in series within 1 %.
+Typical tau as for <a href=\"modelica://PneumaticMuscle.Effects.ThermocoupleLag.ThermocoupleLag\">ThermocoupleLag</a>,
+stem 0.02 to 1, tau_stem 1 to 100 s.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.ThermocoupleLag.ThermocoupleLag\">ThermocoupleLag</a>,
+but the reading comes near fast and then creeps.</p>
 </html>"));
 end ThermocoupleStem;

@@ -4,7 +4,8 @@ model FlexibleDrive "The valves follow late, by a dead time, by lags and at a li
   extends FamilyMember(final absent="tau=1e-4, slew=1e-4, ratio=1, tau_coil=1e-4, dead_time=1e-3");
   parameter Types.Time tau(min=1e-4, max=2, nominal=0.05) = 0.03 "Time constant of opening"
     annotation (Dialog(group="Effect"));
-  parameter Types.Time slew(min=1e-4, max=2, nominal=0.05) = 0.01 "Time that 0.35 A take at the greatest rate of opening"
+  parameter Types.Time slew(min=1e-4, max=2, nominal=0.05) = 0.01
+    "Time that 0.35 A take at the greatest rate of opening"
     annotation (Dialog(group="Effect"));
   parameter Real ratio(unit="1", min=0.05, max=20, nominal=1) = 1 "Both times of closing, by those of opening"
     annotation (Dialog(group="Effect"));
@@ -39,9 +40,11 @@ tau is a time constant. Source: data sheets of solenoid and proportional valves 
 and slew rate; the inductance of the coil comes before the plunger, whose greatest speed is that of its force against
 the damping of the fluid. One lag, two, a limited rate (also one that is another downwards) and what rounds it are met
 within 1 % of what they change in the readings, second-order lags with a damping ratio above 0.7 within 5 % of a
-step; what overshoots is ValveSecondOrder. Typical 5 to 100 ms each, ratio 0.5 to 2. Both valves are shut before the
-start.</p>
-<p>Fingerprint: as ValveLag and ValveDelay; opening is late by another time than closing, or the later the larger the
-step.</p>
+step; what overshoots is
+<a href=\"modelica://PneumaticMuscle.Effects.ValveDynamics.ValveSecondOrder\">ValveSecondOrder</a>. Typical 5 to 100 ms
+each, ratio 0.5 to 2. Both valves are shut before the start.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.ValveDynamics.ValveLag\">ValveLag</a> and
+<a href=\"modelica://PneumaticMuscle.Effects.ValveDynamics.ValveDelay\">ValveDelay</a>; opening is late by another time
+than closing, or the later the larger the step.</p>
 </html>"));
 end FlexibleDrive;
