@@ -17,11 +17,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation, OperatingPoint, Tracking
     from pam_cosim.cosimulation import Controller, CoupledRun, Rig, System, controller
-    from pam_cosim.coupling import couple, read_system, start, write_system
     from pam_cosim.diagnosis import Check, Diagnosis
-    from pam_cosim.dynamics import frequency_response, linearise, linearise_along, observe
     from pam_cosim.errors import InputError, ModelError, SimulationFailure
-    from pam_cosim.products import load, save
     from pam_cosim.simulation import Inputs, Trajectory
     from pam_cosim.study import (
         add,
@@ -30,21 +27,31 @@ if TYPE_CHECKING:
         build,
         check,
         compare,
+        couple,
         describe,
         diagnose,
         draw,
         effects,
         fit,
+        frequency_response,
+        linearise,
+        linearise_along,
         live,
+        load,
         new,
+        observe,
         profile,
         read,
+        read_system,
         rig_parts,
+        save,
         simulate,
+        start,
         sweep,
+        track,
+        write_system,
     )
     from pam_cosim.sweeps import Sweep, SweepPoint
-    from pam_cosim.tracking import track
 
 __all__ = [
     "Check",
@@ -98,15 +105,15 @@ __all__ = [
     "track",
 ]
 
+# Where a name is looked for; the functions of a study load what they need when they are asked for.
+_ROOMS = ("study", "errors", "simulation", "sweeps", "analysis", "cosimulation", "diagnosis")
+
 if not TYPE_CHECKING:
 
     def __getattr__(name: str) -> object:
-        """Loads what is asked for first: the command can be interrupted while it loads (``command``)."""
+        """Loads what is asked for first: the command can be interrupted while it loads (``cli.process``)."""
         if name in __all__:
-            rooms = (
-                "study", "sweeps", "dynamics", "coupling", "tracking", "products", "errors", "analysis", "cosimulation",
-            )  # fmt: skip
-            for room in rooms:
+            for room in _ROOMS:
                 module = import_module(f"pam_cosim.{room}")
                 if hasattr(module, name):
                     return getattr(module, name)

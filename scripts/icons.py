@@ -25,7 +25,7 @@ from pam_cosim.compiler.library import Library
 from pam_cosim.compiler.lookup import Lookup
 from pam_cosim.compiler.source import Source
 from pam_cosim.compiler.syntax import Array, Call, Connect, Expression, Literal, Modification, Reference, Unary
-from pam_cosim.names import is_modelica
+from pam_cosim.model.references import is_modelica
 from pam_cosim.resources import modelica_root
 
 Shape = tuple[str, dict[str, Any]]

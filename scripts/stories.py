@@ -4,7 +4,7 @@ import time
 from pathlib import Path
 
 import pam_cosim as pam
-from pam_cosim.demonstration import demonstrate
+from pam_cosim.study.demonstration import demonstrate
 
 ROOT = Path(__file__).resolve().parent.parent
 OUTPUT = ROOT / "demo"

@@ -44,8 +44,7 @@ def main(data: str, cache: str) -> None:
     """Diagnoses and prints."""
     os.environ["PAM_COSIM_CACHE"] = cache
     import pam_cosim as pam
-    from pam_cosim import study
-    from pam_cosim.diagnosis import explanation, finding, subject, trial
+    from pam_cosim.diagnosis import diagnose, explanation, finding, subject, trial
 
     spent["start"] = processor_time()
     trial.build_source = timed("building", trial.build_source)
@@ -55,7 +54,7 @@ def main(data: str, cache: str) -> None:
     finding.fit = timed("fitting", finding.fit)
     explanation.keep_ledger = timed("ledger", explanation.keep_ledger)
     read = timed("building", pam.read)(data)
-    found = timed("choosing and judging", study._diagnose)(read, workers=0)
+    found = timed("choosing and judging", diagnose)(read, workers=0)
     print(json.dumps({"parts": dict(spent), "total": processor_time(), "verdict": found.verdict.as_dict()}))
 
 

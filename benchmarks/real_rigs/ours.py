@@ -25,9 +25,9 @@ from benchmarks.real_rigs.rows import Course, Rows, read_rows
 from pam_cosim.comparison import Comparison
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.files import write_text
-from pam_cosim.fitted_model import fitted_model
 from pam_cosim.fitting import Fit
-from pam_cosim.names import is_ratio
+from pam_cosim.model.references import is_ratio
+from pam_cosim.study.fitted_model import fitted_model
 
 VERSION = f"pam-cosim {version('pam-cosim')}"
 

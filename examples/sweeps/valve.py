@@ -25,7 +25,7 @@ def calibration(folder: Path) -> pam.Sweep:
         output=folder / "valve.nc",
     )
     swept.save(folder / "valve.csv")
-    swept.draw(folder / "valve.png")
+    pam.draw(swept, folder / "valve.png")
     return swept
 
 

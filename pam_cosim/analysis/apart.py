@@ -10,7 +10,7 @@ from typing import Any, Concatenate, ParamSpec, TypeVar
 
 from pam_cosim.analysis.exchange import ExchangeModel
 from pam_cosim.errors import InputError
-from pam_cosim.simulation import keeper
+from pam_cosim.processes import keeper
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.fmu_process import cause_of_end, start_kept
 from pam_cosim.simulation.isolated import TIME_LIMIT

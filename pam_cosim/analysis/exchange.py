@@ -19,7 +19,7 @@ from fmpy.model_description import ModelDescription
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import exchange_description, fmi_version, interface_of, real_variables
-from pam_cosim.interface import Interface, Variable
+from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.simulation.driver import Callbacks
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.instance import instantiate, load_instance

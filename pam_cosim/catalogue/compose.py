@@ -20,7 +20,7 @@ from pam_cosim.catalogue.place import is_connector, is_effect, origins, qualifie
 from pam_cosim.compiler import ClassTree, Part, Slot, Structure, names, read_structure
 from pam_cosim.compiler.printing import string_text
 from pam_cosim.errors import InputError
-from pam_cosim.names import is_ratio, parameter_of
+from pam_cosim.model.references import is_ratio, parameter_of
 
 
 @dataclass(frozen=True)

@@ -8,9 +8,9 @@ from typing import Any
 from pam_cosim.catalogue.place import libraries, library_of, qualified
 from pam_cosim.compiler import ClassTree
 from pam_cosim.compiler.class_tree import Constant
-from pam_cosim.domain import Domain
 from pam_cosim.errors import ModelError
-from pam_cosim.names import is_modelica
+from pam_cosim.model.domain import Domain
+from pam_cosim.model.references import is_modelica
 
 RECORD = "Domain"
 

@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from pam_cosim.catalogue.compose import Composition
 from pam_cosim.compiler import ClassTree, names
 from pam_cosim.compiler.printing import string_text
-from pam_cosim.input_map import InputMap, constant_of, gain_of, offset_of, raw_of
-from pam_cosim.interface import Interface
+from pam_cosim.model.input_map import InputMap, constant_of, gain_of, offset_of, raw_of
+from pam_cosim.model.interface import Interface
 from pam_cosim.units import quotient
 
 

@@ -9,7 +9,7 @@ from pam_cosim.catalogue.rig_parts import RigPart, chosen, connectors, read, rig
 from pam_cosim.compiler import ClassTree
 from pam_cosim.compiler.class_tree import ComponentInfo
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Variable
+from pam_cosim.model.interface import Variable
 
 _LAST = 1000
 

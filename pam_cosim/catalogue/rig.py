@@ -30,7 +30,7 @@ from pam_cosim.compiler import ClassTree, names
 from pam_cosim.compiler.class_tree import ComponentInfo
 from pam_cosim.compiler.printing import string_text
 from pam_cosim.errors import InputError, ModelError
-from pam_cosim.names import BRANCH
+from pam_cosim.model.references import BRANCH
 from pam_cosim.wording import did_you_mean
 
 

@@ -12,8 +12,8 @@ from pam_cosim.comparison.residuals import RunComparison, simulate_run
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.comparison.where import Rule, where
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Interface
 from pam_cosim.measurement import ROLES, DataSet
+from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import AnySimulator
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, did_you_mean

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from pam_cosim.arrays import Array
 from pam_cosim.comparison.residuals import RunComparison
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.domain import Domain
-from pam_cosim.interface import Variable
 from pam_cosim.measurement import Signal
-from pam_cosim.names import BRANCH
+from pam_cosim.model.domain import Domain
+from pam_cosim.model.interface import Variable
+from pam_cosim.model.references import BRANCH
 from pam_cosim.units import readable_factor, readable_unit
 
 Mask = NDArray[np.bool_]

@@ -29,8 +29,8 @@ from pam_cosim.compiler.ode import Ode, Statement
 from pam_cosim.compiler.part import parts_of
 from pam_cosim.compiler.start import beginning
 from pam_cosim.errors import ModelError
-from pam_cosim.interface import Interface, Variable
-from pam_cosim.names import is_modelica
+from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.model.references import is_modelica
 from pam_cosim.resources import modelica_root
 from pam_cosim.wording import shown
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from pam_cosim.compiler.library import modelica_files, package_folder, source_bytes
 from pam_cosim.errors import ModelError
-from pam_cosim.names import is_modelica
+from pam_cosim.model.references import is_modelica
 from pam_cosim.resources import modelica_root
 
 

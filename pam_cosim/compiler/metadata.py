@@ -9,7 +9,7 @@ from pam_cosim.compiler.evaluation import EnumerationLiteral, Evaluator
 from pam_cosim.compiler.instance import Instance
 from pam_cosim.compiler.syntax import Literal, Modification, Unary
 from pam_cosim.errors import ModelError
-from pam_cosim.interface import Variable
+from pam_cosim.model.interface import Variable
 
 EXPERIMENT = {"StopTime": "stop_time", "Interval": "interval", "Tolerance": "tolerance"}
 _INTERVALS = 500

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import casadi as ca
 
 from pam_cosim.compiler.part import Part
-from pam_cosim.interface import Interface, Variable
+from pam_cosim.model.interface import Interface, Variable
 
 
 @dataclass(frozen=True)

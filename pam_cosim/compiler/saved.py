@@ -11,7 +11,7 @@ import casadi as ca
 
 from pam_cosim.compiler.ode import Delay, Ode, Statement
 from pam_cosim.compiler.part import Part
-from pam_cosim.interface import Interface, Variable
+from pam_cosim.model.interface import Interface, Variable
 
 _EXPRESSIONS = ("t", "x", "u", "p", "d", "derivatives", "outputs", "locals", "initial")
 _GROUPS = ("inputs", "outputs", "parameters", "locals")

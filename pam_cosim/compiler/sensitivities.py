@@ -9,7 +9,7 @@ import casadi as ca
 
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Variable, sensitivity_name
+from pam_cosim.model.interface import Variable, sensitivity_name
 from pam_cosim.units import quotient
 
 

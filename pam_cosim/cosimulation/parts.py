@@ -13,7 +13,7 @@ import numpy as np
 
 from pam_cosim.cosimulation.rig import input_of
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Interface, Variable
+from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import UnitError, convert, is_dimensionless, seconds
 from pam_cosim.wording import did_you_mean, listed, shown
 

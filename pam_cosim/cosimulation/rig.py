@@ -10,8 +10,8 @@ from types import TracebackType
 
 from pam_cosim.cosimulation.recorder import Recorder
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.interface import Interface, Variable
-from pam_cosim.settings import Setting, resolve, value_of
+from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.model.settings import Setting, resolve, value_of
 from pam_cosim.simulation import AnySimulator, AnyStepper, Trajectory
 from pam_cosim.units import UnitError, convert, format_quantity, seconds
 from pam_cosim.wording import Printed, did_you_mean

@@ -21,8 +21,8 @@ from lxml import etree
 from pam_cosim.cosimulation.parts import Connection, Part, Port, joined
 from pam_cosim.cosimulation.ssp_names import DESCRIPTION, FMU_TYPE, NAMESPACES
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Interface
-from pam_cosim.settings import Setting
+from pam_cosim.model.interface import Interface
+from pam_cosim.model.settings import Setting
 from pam_cosim.wording import shown
 
 _MOST_BYTES = 2 << 30  # of one entry of an archive, unpacked

@@ -13,7 +13,7 @@ from pam_cosim.cosimulation.ssp_names import DESCRIPTION, FMU_TYPE, NAMESPACES, 
 from pam_cosim.cosimulation.system import System
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, write_bytes
-from pam_cosim.interface import Variable
+from pam_cosim.model.interface import Variable
 from pam_cosim.units import UnitError, base_unit
 
 _FIXED = (1980, 1, 1, 0, 0, 0)  # so that the same system gives the same bytes

@@ -31,8 +31,8 @@ from pam_cosim.cosimulation.parts import (
 from pam_cosim.cosimulation.recorder import Recorder
 from pam_cosim.cosimulation.sampling import ControllerError
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.interface import Interface, Variable
-from pam_cosim.settings import Setting, settable, value_of
+from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.model.settings import Setting, settable, value_of
 from pam_cosim.simulation import AnySimulator, AnyStepper, Inputs, IsolatedSimulator, Simulator, Trajectory
 from pam_cosim.units import UnitError, seconds
 from pam_cosim.wording import Printed, did_you_mean, shown

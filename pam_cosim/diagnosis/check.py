@@ -22,9 +22,9 @@ from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import base_parameters, linearised, rows_of_series
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.measurement import DataSet
+from pam_cosim.processes.workers import on_one_thread
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, listed
-from pam_cosim.workers import on_one_thread
 
 
 @dataclass(frozen=True)

@@ -7,8 +7,8 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 
 from pam_cosim.catalogue import EffectClass
-from pam_cosim.domain import WRONG_PARAMETER
 from pam_cosim.errors import InputError
+from pam_cosim.model.domain import WRONG_PARAMETER
 from pam_cosim.wording import did_you_mean, shown
 
 

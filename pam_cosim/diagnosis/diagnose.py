@@ -33,9 +33,9 @@ from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger
 from pam_cosim.measurement import ROLES, DataSet, error_in
+from pam_cosim.processes.workers import on_one_thread
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, listed
-from pam_cosim.workers import on_one_thread
 
 
 @dataclass(frozen=True)

@@ -20,7 +20,7 @@ from pam_cosim.diagnosis.verdict import Verdict
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Fit, FitOptions, fit
 from pam_cosim.measurement import DataSet, Signal
-from pam_cosim.names import is_ratio
+from pam_cosim.model.references import is_ratio
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import listed
 

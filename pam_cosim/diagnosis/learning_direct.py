@@ -33,9 +33,9 @@ from pam_cosim.fitting import Fit, linearised
 from pam_cosim.fitting.linear import rows_of_series
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_source
-from pam_cosim.interface import Variable
 from pam_cosim.ledger import Entry
 from pam_cosim.ledger.augmented import TERM
+from pam_cosim.model.interface import Variable
 from pam_cosim.simulation import Simulator
 
 RESIDUALS = "the model's mean square error"

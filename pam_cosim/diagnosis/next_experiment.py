@@ -13,7 +13,7 @@ from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.prediction import Hypothesis
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.measurement import DataSet, Run
-from pam_cosim.names import BRANCH
+from pam_cosim.model.references import BRANCH
 from pam_cosim.simulation.inputs import Interpolation
 
 

@@ -12,9 +12,9 @@ from pam_cosim.arrays import Array
 from pam_cosim.comparison import simulate_run
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.fmu import build_source
-from pam_cosim.interface import Interface, sensitivity_name
 from pam_cosim.measurement import DataSet, Run
-from pam_cosim.names import is_ratio, parameter_of
+from pam_cosim.model.interface import Interface, sensitivity_name
+from pam_cosim.model.references import is_ratio, parameter_of
 from pam_cosim.simulation import Simulator
 
 

@@ -22,7 +22,7 @@ from pam_cosim.diagnosis.step_times import Retimed, Retiming, nothing_found, run
 from pam_cosim.diagnosis.trial import Trial, crashed, run_afar, run_probe, run_stated
 from pam_cosim.fitting import Fit, Linear
 from pam_cosim.measurement import DataSet
-from pam_cosim.workers import run_tasks
+from pam_cosim.processes.workers import run_tasks
 
 Look = TypeVar("Look")
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from pam_cosim.catalogue import EffectClass
-from pam_cosim.domain import WRONG_PARAMETER
-from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet
-from pam_cosim.names import ratio_to_stated
+from pam_cosim.model.domain import WRONG_PARAMETER
+from pam_cosim.model.interface import Interface
+from pam_cosim.model.references import ratio_to_stated
 
 _BALANCE = "sensor"
 

@@ -25,7 +25,7 @@ from pam_cosim.fitting import Fit, FitOptions, Free, fit
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_source
 from pam_cosim.measurement import DataSet, Run, between_samples, with_step_times
-from pam_cosim.names import parameter_of
+from pam_cosim.model.references import parameter_of
 from pam_cosim.simulation import Simulator
 
 _ROUNDS = 2  # the second from where the first one ended

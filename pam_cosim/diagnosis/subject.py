@@ -15,11 +15,11 @@ from pam_cosim.diagnosis.trial import run_trial
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import starts_are_open, with_starts
 from pam_cosim.fmu import build_model
-from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet, complete_noise, condensed
-from pam_cosim.names import is_fmu, sources_of
+from pam_cosim.model.interface import Interface
+from pam_cosim.model.references import is_fmu, sources_of
+from pam_cosim.processes.workers import wake
 from pam_cosim.simulation import Simulator
-from pam_cosim.workers import wake
 
 
 @dataclass(frozen=True)

@@ -29,9 +29,9 @@ from pam_cosim.fitting import (
 )
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_source
-from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet
-from pam_cosim.names import parameter_of
+from pam_cosim.model.interface import Interface
+from pam_cosim.model.references import parameter_of
 from pam_cosim.simulation import Simulator
 
 Result = TypeVar("Result")

@@ -16,8 +16,8 @@ from pam_cosim.drafting.file_names import Muscle, muscle_in
 from pam_cosim.drafting.folder import copy_files
 from pam_cosim.drafting.wishes import Known, Wishes
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Interface, Variable
-from pam_cosim.names import BRANCH, is_file
+from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.model.references import BRANCH, is_file
 from pam_cosim.wording import listed
 
 _SUFFIX = "Rig"

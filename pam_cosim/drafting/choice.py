@@ -13,8 +13,8 @@ from pam_cosim.drafting.columns import Found
 from pam_cosim.drafting.rest import correlation, span
 from pam_cosim.drafting.words import AT_REST, Meaning, read_variable
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Variable
-from pam_cosim.names import BRANCH
+from pam_cosim.model.interface import Variable
+from pam_cosim.model.references import BRANCH
 from pam_cosim.wording import did_you_mean, listed, shown
 
 # What a column costs that is used nowhere, an input that nothing feeds, a column that looks imposed and is read or the

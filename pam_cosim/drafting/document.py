@@ -11,9 +11,9 @@ from pam_cosim.drafting.noise import Sigma
 from pam_cosim.drafting.points import PointsDraft
 from pam_cosim.drafting.roles import Role
 from pam_cosim.drafting.values import Told, text_of
-from pam_cosim.interface import Interface, Variable
 from pam_cosim.measurement.experiment import RecordingTable
 from pam_cosim.measurement.toml_text import toml_key, toml_string
+from pam_cosim.model.interface import Interface, Variable
 
 _WIDTH = 110
 

@@ -10,9 +10,9 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet, read_data_set
 from pam_cosim.measurement.experiment import FILE_NAME
+from pam_cosim.model.interface import Interface
 from pam_cosim.wording import shown
 
 

@@ -19,8 +19,8 @@ from pam_cosim.drafting.sources import Source
 from pam_cosim.drafting.wishes import Known
 from pam_cosim.drafting.words import fits
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Interface, Variable
 from pam_cosim.measurement.experiment import RecordingTable
+from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import convert, format_quantity, parse_quantity
 
 _C = CRITERIA.recognition

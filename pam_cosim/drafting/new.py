@@ -27,8 +27,8 @@ from pam_cosim.drafting.wide import tidied
 from pam_cosim.drafting.wishes import Known, Wishes, known, recording_table
 from pam_cosim.drafting.words import AT_REST
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Interface, Variable
 from pam_cosim.measurement.experiment import FILE_NAME
+from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import UnitError, convert, parse_quantity
 
 _NAME = re.compile(r"'([^']*)'|([A-Za-z_]\w*)", re.ASCII)

@@ -15,9 +15,9 @@ from pam_cosim.drafting.mapping import Course
 from pam_cosim.drafting.rest import span
 from pam_cosim.drafting.values import text_of
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Interface
 from pam_cosim.measurement.curves import curves, levels
-from pam_cosim.names import BRANCH
+from pam_cosim.model.interface import Interface
+from pam_cosim.model.references import BRANCH
 from pam_cosim.units import readable_unit
 
 _C = CRITERIA.recognition

@@ -12,8 +12,8 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.mapping import Course
 from pam_cosim.drafting.rest import is_constant, span
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Interface
 from pam_cosim.measurement import ROLES
+from pam_cosim.model.interface import Interface
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import did_you_mean, shown
 

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 from pam_cosim.errors import InputError
 from pam_cosim.fitting.free import Free, base_parameters, model_parameter
-from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet, FreeParameter, Run
+from pam_cosim.model.interface import Interface
 from pam_cosim.wording import did_you_mean
 
 

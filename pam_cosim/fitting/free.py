@@ -7,9 +7,9 @@ from math import exp, log
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Interface, Variable
 from pam_cosim.measurement import DataSet, Prior, Run, Transform
-from pam_cosim.names import is_ratio, parameter_of
+from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.model.references import is_ratio, parameter_of
 from pam_cosim.wording import did_you_mean
 
 

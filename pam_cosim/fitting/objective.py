@@ -14,9 +14,9 @@ from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.free import Free
 from pam_cosim.fitting.start_values import StartValues, eliminate, start_values
 from pam_cosim.fitting.tracker import Tracker
-from pam_cosim.interface import sensitivity_name
 from pam_cosim.measurement import DataSet, Run
-from pam_cosim.names import is_ratio
+from pam_cosim.model.interface import sensitivity_name
+from pam_cosim.model.references import is_ratio
 from pam_cosim.simulation import AnySimulator
 
 Outputs = Sequence[Sequence[str]] | Mapping[int, Sequence[str]]  # by number of the run

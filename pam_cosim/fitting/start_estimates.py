@@ -11,8 +11,8 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.estimate import Estimate
 from pam_cosim.fitting.objective import Objective
-from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet, Run
+from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import AnySimulator
 
 

@@ -23,7 +23,7 @@ import ziglang
 from pam_cosim.compiler.budget import LIMITS
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.cache import CAN_BE_MADE_AGAIN, cache_dir, cached, digest
-from pam_cosim.processes import run_tool
+from pam_cosim.processes.interrupts import run_tool
 from pam_cosim.resources import fmu_runtime
 
 # To look for vectors in a model's long straight equations takes a fifth of the compiler's time and finds next to none.

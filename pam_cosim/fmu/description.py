@@ -14,7 +14,7 @@ from pam_cosim.errors import ModelError
 from pam_cosim.fmu.cache import digest
 from pam_cosim.fmu.structure import Dependencies, continuous_dependencies, initial_dependencies
 from pam_cosim.fmu.table import Entry, Kind
-from pam_cosim.interface import Variable
+from pam_cosim.model.interface import Variable
 from pam_cosim.units import BaseUnit, UnitError, base_unit
 
 _FOLLOWING = ("calculated", "approx")  # values of ``initial`` of what initialization finds

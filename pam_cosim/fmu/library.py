@@ -12,7 +12,7 @@ from pam_cosim.files import check_regular
 from pam_cosim.fmu.build import cached_fmu, cached_lean_model, cached_taped_model
 from pam_cosim.fmu.cache import cached, digest
 from pam_cosim.fmu.odes import cached_ode
-from pam_cosim.names import START_VALUES, is_fmu
+from pam_cosim.model.references import START_VALUES, is_fmu
 
 
 def build_model(

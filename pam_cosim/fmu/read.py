@@ -15,7 +15,7 @@ from fmpy.model_description import ModelDescription, ValidationError
 
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_regular
-from pam_cosim.interface import Interface, Variable, is_sensitivity, sensitivity_name
+from pam_cosim.model.interface import Interface, Variable, is_sensitivity, sensitivity_name
 from pam_cosim.wording import shown
 
 MOST_BYTES = 2_000_000_000  # of all files of an archive, unpacked

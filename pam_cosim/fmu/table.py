@@ -10,7 +10,7 @@ import casadi as ca
 
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import ModelError
-from pam_cosim.interface import Variable
+from pam_cosim.model.interface import Variable
 from pam_cosim.units import quotient
 
 

@@ -30,7 +30,6 @@ from pam_cosim.arrays import Array
 from pam_cosim.catalogue import domain_of
 from pam_cosim.compiler import ClassTree, read_library
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.domain import Domain
 from pam_cosim.errors import InputError
 from pam_cosim.ledger.augmented import TERM, AugmentedModel, UnknownInput, augmented_models
 from pam_cosim.ledger.grid import Grid, make_grid
@@ -40,7 +39,8 @@ from pam_cosim.ledger.radau import further_nodes, integrate
 from pam_cosim.ledger.sensor import SensorFault, Unaugmented, fault_beside, try_sensors
 from pam_cosim.ledger.smoother import Point, Problem, Smoothed, smooth, unknown_sizes, with_some
 from pam_cosim.measurement import DataSet
-from pam_cosim.names import is_fmu, sources_of
+from pam_cosim.model.domain import Domain
+from pam_cosim.model.references import is_fmu, sources_of
 
 
 def keep_ledger(

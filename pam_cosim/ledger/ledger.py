@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.domain import Domain
+from pam_cosim.model.domain import Domain
 from pam_cosim.wording import Printed
 
 

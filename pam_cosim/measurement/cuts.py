@@ -8,10 +8,10 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Variable
 from pam_cosim.measurement.data_set import Run
 from pam_cosim.measurement.start import START_MODES, StartMode
-from pam_cosim.settings import value_of
+from pam_cosim.model.interface import Variable
+from pam_cosim.model.settings import value_of
 from pam_cosim.wording import did_you_mean, shown
 
 _NEAR = 1e-9  # of a run, by which a time may miss a row that it is written like

@@ -12,12 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.domain import Domain
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import FILE_NAME
 from pam_cosim.measurement.recording import Averaged
 from pam_cosim.measurement.start import Start
-from pam_cosim.names import START_VALUES, is_ratio, parameter_of
+from pam_cosim.model.domain import Domain
+from pam_cosim.model.references import START_VALUES, is_ratio, parameter_of
 from pam_cosim.simulation.inputs import Interpolation
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, did_you_mean, shown

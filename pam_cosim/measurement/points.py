@@ -10,12 +10,12 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Interface
 from pam_cosim.measurement.curves import Curve, Indices, curves, directions
 from pam_cosim.measurement.experiment import ExperimentFile
 from pam_cosim.measurement.recording import Recording, converted, locked, only_whole_rows, unknown_column, without_gaps
 from pam_cosim.measurement.table import TIME, Table
-from pam_cosim.names import BRANCH
+from pam_cosim.model.interface import Interface
+from pam_cosim.model.references import BRANCH
 from pam_cosim.units import UnitError, format_quantity, parse_quantity
 from pam_cosim.wording import listed, shown
 

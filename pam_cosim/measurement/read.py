@@ -7,8 +7,6 @@ from dataclasses import replace
 from pathlib import Path
 
 from pam_cosim.errors import InputError, ModelError
-from pam_cosim.input_map import InputMap
-from pam_cosim.interface import Interface
 from pam_cosim.measurement.cuts import Cut, Overrides, cut_run
 from pam_cosim.measurement.data_set import Along, DataSet, FreeParameter, Run, Signal
 from pam_cosim.measurement.experiment import FILE_NAME, ExperimentFile, RunTable, Value, read_experiment
@@ -20,7 +18,9 @@ from pam_cosim.measurement.points import Points
 from pam_cosim.measurement.read_run import read_points, read_run
 from pam_cosim.measurement.read_start import with_start
 from pam_cosim.measurement.resampling import with_noise_of_means
-from pam_cosim.names import BRANCH, is_file, is_fmu
+from pam_cosim.model.input_map import InputMap
+from pam_cosim.model.interface import Interface
+from pam_cosim.model.references import BRANCH, is_file, is_fmu
 from pam_cosim.units import LARGEST, UnitError, parse_quantity
 from pam_cosim.wording import did_you_mean, shown
 

@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Interface
 from pam_cosim.measurement.clocks import ClockError, Offset, estimate_offset, together
 from pam_cosim.measurement.columns import Renaming, with_columns
 from pam_cosim.measurement.experiment import ExperimentFile, KeyPath, LoggerTable, RecordingTable, RunTable
@@ -20,7 +19,8 @@ from pam_cosim.measurement.points import WORDS, Points, points_of
 from pam_cosim.measurement.recording import Recording, recording_of
 from pam_cosim.measurement.resampling import resampled
 from pam_cosim.measurement.table import TIME, Column, Layout, Table
-from pam_cosim.names import BRANCH
+from pam_cosim.model.interface import Interface
+from pam_cosim.model.references import BRANCH
 from pam_cosim.units import UnitError, parse_quantity
 from pam_cosim.wording import did_you_mean, shown
 

@@ -6,11 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from pam_cosim.interface import Interface
 from pam_cosim.measurement.data_set import Run
 from pam_cosim.measurement.experiment import Experiment, ExperimentFile, KeyPath, RunTable
 from pam_cosim.measurement.parameters import known_values
 from pam_cosim.measurement.start import Start, StartMode
+from pam_cosim.model.interface import Interface
 from pam_cosim.units import UnitError, parse_quantity
 from pam_cosim.wording import shown
 

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Interface
 from pam_cosim.measurement.formats import read_table
 from pam_cosim.measurement.table import TIME, Table
+from pam_cosim.model.interface import Interface
 from pam_cosim.units import LARGEST, UnitError, convert
 from pam_cosim.wording import did_you_mean, listed, shown
 

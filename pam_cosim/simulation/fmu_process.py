@@ -12,10 +12,10 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from pam_cosim.simulation import keeper
+from pam_cosim.processes import keeper
+from pam_cosim.processes.memory import MOST_MEMORY
 from pam_cosim.simulation.driver import Progress, prepare_driver
 from pam_cosim.simulation.failure import RunFailure
-from pam_cosim.simulation.memory import MOST_MEMORY
 
 CO_SIMULATION, MODEL_EXCHANGE = "pam_cosim.simulation.worker", "pam_cosim.simulation.exchange_worker"
 _TICKS = 4  # looks at the progress within the limit, at least

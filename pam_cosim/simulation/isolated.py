@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from pam_cosim.counts import checked_time
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import has_co_simulation, has_exchange, read_interface
-from pam_cosim.interface import Interface
+from pam_cosim.model.interface import Interface
 from pam_cosim.simulation.driver import Settle
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.fmu_process import MODEL_EXCHANGE, FmuProcess, ProcessFailure

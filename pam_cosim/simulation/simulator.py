@@ -19,7 +19,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import interface_of, read_description, real_variables
-from pam_cosim.interface import Interface
+from pam_cosim.model.interface import Interface
 from pam_cosim.simulation.driver import TOO_SLOW, AnyDriver, Callbacks, Driver, Outcome, Progress, Request, Settle
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs, with_held

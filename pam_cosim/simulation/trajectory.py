@@ -15,7 +15,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 from pam_cosim.files import read_file, write_text, written_whole
-from pam_cosim.netcdf import with_netcdf_names
+from pam_cosim.simulation.netcdf import with_netcdf_names
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed
 
@@ -62,16 +62,6 @@ class Trajectory(Printed):
         variables = {name: ("time", v, {"units": self.units.get(name) or "1"}) for name, v in self.values.items()}
         said = {"solver": self.solver} if self.solver else {}
         return xarray.Dataset(variables, {"time": ("time", self.time, {"units": "s"})}, said)
-
-    def draw(self, path: Path | str) -> None:
-        """Draws every signal, one panel each, as PNG.
-
-        Raises:
-            InputError: there is nothing to draw, or the file cannot be written.
-        """
-        from pam_cosim.reporting import draw
-
-        draw(self, path)
 
     def __repr__(self) -> str:
         count = len(self.time)

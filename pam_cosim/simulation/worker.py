@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.processes.keeper import ANSWER, PROGRESS, read_frame, write_frame
+from pam_cosim.processes.memory import limit_memory
 from pam_cosim.simulation.driver import Progress
 from pam_cosim.simulation.failure import RunFailure
-from pam_cosim.simulation.keeper import ANSWER, PROGRESS, read_frame, write_frame
-from pam_cosim.simulation.memory import limit_memory
 from pam_cosim.simulation.simulator import Simulator
 from pam_cosim.simulation.stepper import Stepper
 

@@ -12,8 +12,8 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Interface
-from pam_cosim.settings import Setting, resolve, settable, value_of
+from pam_cosim.model.interface import Interface
+from pam_cosim.model.settings import Setting, resolve, settable, value_of
 from pam_cosim.sweeps.patterns import INPUTS, Pattern
 
 MOST_RUNS = 1_000_000

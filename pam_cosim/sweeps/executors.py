@@ -10,10 +10,10 @@ from typing import Any
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.processes import deaf
+from pam_cosim.processes.interrupts import deaf
+from pam_cosim.processes.workers import local_pool, processors, running_tasks
 from pam_cosim.sweeps.records import Row
 from pam_cosim.sweeps.task import Batch, Job, forget_foreign, make_runs
-from pam_cosim.workers import local_pool, processors, running_tasks
 
 _BATCH = 0.3  # [s] of work that is handed out at once, and lost at most where the program is killed
 _OPENINGS = 5  # as much work as opening a model takes, at least

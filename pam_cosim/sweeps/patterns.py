@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Interface
+from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import Inputs
 
 INPUTS = "inputs"  # what stands for all inputs over time among the names that are varied

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.interface import Interface
+from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import Trajectory
 from pam_cosim.sweeps.design import Design
 from pam_cosim.sweeps.patterns import INPUTS
@@ -144,16 +144,6 @@ class Sweep:
             self.partial.unlink(missing_ok=True)
             self.partial = None
         return Path(path)
-
-    def draw(self, path: Path | str) -> None:
-        """Draws every scalar over what was varied, as PNG; trajectories where there are no scalars.
-
-        Raises:
-            InputError: the file cannot be written.
-        """
-        from pam_cosim.reporting import draw
-
-        draw(self, path)
 
     def __repr__(self) -> str:
         names = [f"{name} {self._span(i)}" for i, name in enumerate(self.design.names)]

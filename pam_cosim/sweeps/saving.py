@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pam_cosim.files import written_whole
-from pam_cosim.netcdf import with_netcdf_names
+from pam_cosim.simulation.netcdf import with_netcdf_names
 from pam_cosim.sweeps.labelled import axis_name, frame, output, skeleton
 from pam_cosim.sweeps.names import FAILURE
 

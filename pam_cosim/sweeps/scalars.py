@@ -12,7 +12,7 @@ from scipy.integrate import trapezoid
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Interface
+from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import Trajectory
 from pam_cosim.units import UnitError, parse_quantity, product
 from pam_cosim.wording import did_you_mean, shown

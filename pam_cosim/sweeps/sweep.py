@@ -15,7 +15,7 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Interface
+from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import Inputs
 from pam_cosim.sweeps.design import Design
 from pam_cosim.sweeps.executors import run_all

@@ -14,8 +14,8 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.models import limited
 from pam_cosim.simulation import AnySimulator, Inputs, IsolatedSimulator, Simulator, Trajectory
+from pam_cosim.simulation.models import limited
 from pam_cosim.sweeps.patterns import INPUTS
 from pam_cosim.sweeps.records import Row
 from pam_cosim.sweeps.scalars import Scalar

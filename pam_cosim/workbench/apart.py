@@ -15,13 +15,14 @@ import time
 from collections.abc import Callable
 from typing import Any
 
-from pam_cosim import models, study
+from pam_cosim import study
 from pam_cosim.diagnosis import Event
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fitting import Standing
-from pam_cosim.simulation.keeper import ANSWER, PROGRESS, read_frame, write_frame
+from pam_cosim.processes.keeper import ANSWER, PROGRESS, read_frame, write_frame
+from pam_cosim.processes.workers import stop_workers
+from pam_cosim.simulation import models
 from pam_cosim.simulation.worker import private_input, private_output
-from pam_cosim.workers import stop_workers
 
 _LOOK = 0.5  # [s] between two looks whether the server is still there
 _PACE = 0.05  # [s] between two standings of a fit that are told

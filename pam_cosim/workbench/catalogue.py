@@ -22,8 +22,8 @@ from pam_cosim.compiler import ClassTree, read_library, read_structure
 from pam_cosim.compiler.names import last
 from pam_cosim.errors import InputError
 from pam_cosim.files import identity
-from pam_cosim.fitted_model import FittedModel, compose_fitted
-from pam_cosim.names import is_fmu, sources_of
+from pam_cosim.model.references import is_fmu, sources_of
+from pam_cosim.study.fitted_model import FittedModel, compose_fitted
 from pam_cosim.workbench.protocol import ShownEffect
 
 _EQUATIONS = re.compile(

@@ -6,7 +6,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from pam_cosim.errors import InputError
-from pam_cosim.tables import write_next_run
+from pam_cosim.study.tables import write_next_run
 from pam_cosim.workbench.script import commands_of, python_of
 from pam_cosim.workbench.session import Session
 

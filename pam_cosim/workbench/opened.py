@@ -6,12 +6,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from pam_cosim import models
 from pam_cosim.files import write_text
 from pam_cosim.fitting import Free, base_parameters, model_parameter
 from pam_cosim.measurement import DataSet, FreeParameter
-from pam_cosim.names import START_VALUES, is_ratio
-from pam_cosim.simulation import AnySimulator
+from pam_cosim.model.references import START_VALUES, is_ratio
+from pam_cosim.simulation import AnySimulator, models
 from pam_cosim.workbench.catalogue import Catalogue
 from pam_cosim.workbench.simulators import Simulators
 

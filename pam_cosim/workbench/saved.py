@@ -26,7 +26,7 @@ from pydantic_core import ErrorDetails
 
 from pam_cosim.fitting import METHODS
 from pam_cosim.measurement import StartMode
-from pam_cosim.names import is_file, is_ratio
+from pam_cosim.model.references import is_file, is_ratio
 from pam_cosim.wording import did_you_mean, shown
 from pam_cosim.workbench.inside import is_name_here
 

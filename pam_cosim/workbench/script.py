@@ -9,7 +9,7 @@ from shlex import quote
 from types import MappingProxyType
 from typing import Any
 
-from pam_cosim.names import is_modelica
+from pam_cosim.model.references import is_modelica
 from pam_cosim.workbench.catalogue import Catalogue
 from pam_cosim.workbench.opened import without_ratios
 from pam_cosim.workbench.state import State

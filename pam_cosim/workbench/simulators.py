@@ -8,8 +8,8 @@ from concurrent.futures import ThreadPoolExecutor, wait
 from pam_cosim.comparison import RunComparison
 from pam_cosim.fitting import Estimate, simulated
 from pam_cosim.measurement import DataSet
+from pam_cosim.processes.workers import processors
 from pam_cosim.simulation import AnySimulator, Simulator
-from pam_cosim.workers import processors
 
 MOST = 4  # instances, each of which takes time to load and memory
 

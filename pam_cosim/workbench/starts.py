@@ -11,8 +11,8 @@ from pam_cosim.arrays import Array
 from pam_cosim.comparison import state_course
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Estimate
-from pam_cosim.interface import Variable
 from pam_cosim.measurement import START_MODES, Run
+from pam_cosim.model.interface import Variable
 from pam_cosim.reporting.account import unit_text
 from pam_cosim.units import format_quantity, readable_factor
 from pam_cosim.workbench.opened import Opened

@@ -13,11 +13,11 @@ from pam_cosim import diagnosis as rooms
 from pam_cosim.diagnosis import BaseFitted, BegunAnew, CandidateTried, Diagnosis, FailedTrial, Judged, LedgerKept
 from pam_cosim.diagnosis.evidence import rank
 from pam_cosim.diagnosis.verdict import explained
-from pam_cosim.domain import Domain
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Entry, binned
 from pam_cosim.ledger import Ledger as KeptLedger
 from pam_cosim.measurement import DataSet
+from pam_cosim.model.domain import Domain
 from pam_cosim.reporting.account import (
     against_of,
     candidate_row,

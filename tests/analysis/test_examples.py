@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
-from pam_cosim.cli import main
+from pam_cosim.cli.app import main
 from tests.documentation.pages import absent, other_pictures
 
 ROOT = Path(__file__).parents[2]

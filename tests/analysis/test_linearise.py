@@ -145,9 +145,9 @@ def test_along_a_run() -> None:
 
 
 def test_at_a_time_of_a_trajectory() -> None:
-    import pam_cosim.study as study
+    from pam_cosim.simulation.models import opened
 
-    with study.opened("Isotonic") as simulator:
+    with opened("Isotonic") as simulator:
         run = simulator.run([0.0, 1.0], outputs=["muscle.gas.p", "load.s", "load.v", "u_in"])
     linear = pam.linearise("Isotonic", at=(run, 1.0))
     assert linear.point.states["load.s"] == run["load.s"][1]

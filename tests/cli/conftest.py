@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from pam_cosim.cli import main
+from pam_cosim.cli.app import main
 from tests.fitting.models import discharge
 
 ROOT = Path(__file__).parents[2]

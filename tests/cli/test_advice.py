@@ -12,7 +12,7 @@ import pytest
 from pam_cosim import study
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.measurement import read_recording
-from pam_cosim.sources import read_inputs
+from pam_cosim.study.input_sources import read_inputs
 from tests.cli.conftest import Outcome, everything
 from tests.reporting.synthetic import make_data, make_diagnosis
 from tests.reporting.test_ledger_learned_next import PLAN, make_learned

@@ -13,7 +13,7 @@ from tests.cli.conftest import ROOT
 
 SCRIPT = """
 import os, signal, time
-import pam_cosim.cli, pam_cosim.command
+import pam_cosim.cli.app, pam_cosim.cli.process
 
 class Late:
     def __del__(self):
@@ -26,8 +26,8 @@ def main():
     del late
     time.sleep(30)
 
-pam_cosim.cli.main = main
-pam_cosim.command.run()
+pam_cosim.cli.app.main = main
+pam_cosim.cli.process.run()
 """
 
 

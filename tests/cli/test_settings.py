@@ -13,7 +13,7 @@ import typer
 
 import pam_cosim as pam
 from pam_cosim import study
-from pam_cosim.cli import app
+from pam_cosim.cli.app import app
 from pam_cosim.simulation import IsolatedSimulator, Simulator
 from tests.cli.conftest import Outcome, everything
 from tests.cli.test_bad_input import refused
@@ -234,7 +234,7 @@ def test_help_speaks_of_units() -> None:
 
 
 def test_every_exported_name_is_there() -> None:
-    assert all(hasattr(pam, name) for name in pam.__all__) and study.Inputs is pam.Inputs
+    assert all(hasattr(pam, name) for name in pam.__all__) and study.read is pam.read
 
 
 @pytest.mark.parametrize(

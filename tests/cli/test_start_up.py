@@ -13,7 +13,7 @@ from tests.cli.conftest import ROOT
 
 SCRIPT = """
 import json, sys
-from pam_cosim.command import run
+from pam_cosim.cli.process import run
 try:
     run()
 finally:

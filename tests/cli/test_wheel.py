@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from hatchling.builders.wheel import WheelBuilder
 
-from pam_cosim.cli import main
+from pam_cosim.cli.app import main
 from rig import measurement
 from rig.named import effect_of
 from rig.plan import default_plan
@@ -68,7 +68,7 @@ def test_works_from_elsewhere(wheel: Path, tmp_path: Path) -> None:
 
     def run(*words: str) -> str:
         start = (
-            "import sys, pam_cosim; from pam_cosim.command import run; "
+            "import sys, pam_cosim; from pam_cosim.cli.process import run; "
             "print(pam_cosim.__file__, file=sys.stderr); run()"
         )
         completed = subprocess.run(

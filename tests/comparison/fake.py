@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pam_cosim.interface import Interface, Variable
 from pam_cosim.measurement import DataSet, Run, Signal
+from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.simulation import Inputs, Settle, Trajectory
 
 Array = NDArray[np.float64]

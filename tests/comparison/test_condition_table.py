@@ -15,7 +15,7 @@ import pam_cosim as pam
 from pam_cosim import InputError
 from pam_cosim.comparison import Comparison, Condition, ConditionTable, compare
 from pam_cosim.files import write_json
-from pam_cosim.interface import Variable
+from pam_cosim.model.interface import Variable
 from tests.comparison.fake import FakeSimulator, data_set, run
 from tests.documentation.pages import text_of
 

@@ -5,8 +5,6 @@ from __future__ import annotations
 import ast
 from pathlib import Path
 
-import pytest
-
 from pam_cosim.resources import modelica_root
 
 PACKAGE = Path(__file__).parents[2] / "pam_cosim"
@@ -46,16 +44,6 @@ def test_no_library_has_a_name_in_python() -> None:
         if package.name in file.read_text(encoding="utf-8")
     ]
     assert not told
-
-
-@pytest.mark.parametrize(
-    "room, before", [("units", ()), ("compiler", ("units",)), ("catalogue", ("compiler", "units"))]
-)
-def test_a_room_imports_only_from_the_rooms_before(room: str, before: tuple[str, ...]) -> None:
-    shared = {p.stem for p in PACKAGE.glob("*.py")} - {"study", "cli"}
-    allowed = {room, *before, *shared}
-    strangers = {(f.name, name) for f in modules(room) for name in imported(f) if name.split(".")[1] not in allowed}
-    assert not strangers
 
 
 def test_no_circle_of_imports_in_the_compiler() -> None:

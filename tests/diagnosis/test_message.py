@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import pam_cosim as pam
-from pam_cosim.commands.common import follower, teller
+from pam_cosim.cli.commands.common import follower, teller
 from pam_cosim.diagnosis import BaseFitted, EffectLookedAt, EffectsLookedAt, Event, FailedTrial, Judged, Message
 from pam_cosim.diagnosis.events import listened
 from pam_cosim.diagnosis.search import told

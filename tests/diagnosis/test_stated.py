@@ -10,13 +10,13 @@ import pytest
 
 from pam_cosim import study
 from pam_cosim.diagnosis.stated import stated_parameters
-from pam_cosim.domain import WRONG_PARAMETER
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_model
 from pam_cosim.measurement import DataSet
-from pam_cosim.names import ratio_to_stated
+from pam_cosim.model.domain import WRONG_PARAMETER
+from pam_cosim.model.references import ratio_to_stated
 from pam_cosim.reporting import diagnosis_text
 from pam_cosim.simulation import Simulator
 from rig.measurement import TRUTH

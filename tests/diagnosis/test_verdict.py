@@ -10,9 +10,9 @@ from pam_cosim.comparison import ResidualStatistics
 from pam_cosim.diagnosis.choice import Choice
 from pam_cosim.diagnosis.evidence import rank
 from pam_cosim.diagnosis.verdict import confidence, explained, judge, rivals, with_facts
-from pam_cosim.domain import Domain
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import Signal
+from pam_cosim.model.domain import Domain
 from pam_cosim.reporting.account.meaning import meaning, probability_sentence
 from tests.diagnosis.synthetic import LOST, candidate, fitted, statistics
 

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from threadpoolctl import threadpool_info, threadpool_limits
 
-from pam_cosim.workers import on_one_thread, run_tasks
+from pam_cosim.processes.workers import on_one_thread, run_tasks
 from tests.diagnosis.tasks import process_beside_another, slow_square, square_or_die
 
 
@@ -51,7 +51,7 @@ def test_tasks_run_in_other_processes_and_side_by_side(tmp_path: Path) -> None:
 
 _STUDY = """
 import sys
-from pam_cosim.workers import run_tasks
+from pam_cosim.processes.workers import run_tasks
 from tests.diagnosis.tasks import tell_and_sleep
 run_tasks(tell_and_sleep, [sys.argv[1]], str, print, 1)
 """
@@ -84,7 +84,7 @@ def _lives(process: int) -> bool:
 
 _LARGE = """
 import sys
-from pam_cosim.workers import run_tasks, stop_workers
+from pam_cosim.processes.workers import run_tasks, stop_workers
 from tests.diagnosis.tasks import sleep_on
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ import pytest
 
 from pam_cosim.drafting.mapping import Course
 from pam_cosim.drafting.roles import roles
-from pam_cosim.interface import Interface, Variable
+from pam_cosim.model.interface import Interface, Variable
 
 BENCH = Interface("Bench", {"p": Variable("p", "Pa")}, {"x": Variable("x", "m")})
 

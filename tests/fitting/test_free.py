@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from pam_cosim import study
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free, base_parameters, fit
-from pam_cosim.interface import Interface, Variable
 from pam_cosim.measurement import FreeParameter
+from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.simulation import Simulator
 from tests.fitting.models import data_set, recording, vessel_data
 

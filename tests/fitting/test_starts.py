@@ -17,7 +17,7 @@ from pam_cosim.fitting import Free, with_starts
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_model
 from pam_cosim.measurement import DataSet
-from pam_cosim.names import START_VALUES
+from pam_cosim.model.references import START_VALUES
 from pam_cosim.simulation import Simulator
 from rig.measurement import measure, write_data_set
 from rig.plan import default_plan

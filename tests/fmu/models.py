@@ -11,7 +11,7 @@ import casadi as ca
 
 from pam_cosim.compiler.ode import Delay, Ode
 from pam_cosim.fmu import build_fmu
-from pam_cosim.interface import Interface, Variable
+from pam_cosim.model.interface import Interface, Variable
 
 
 def named(*variables: Variable) -> dict[str, Variable]:

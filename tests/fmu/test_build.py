@@ -18,7 +18,7 @@ from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import InputError, ModelError
 from pam_cosim.fmu import build_fmu, build_model, build_source, cached_fmu, read_interface
 from pam_cosim.fmu.compile import universal_binary
-from pam_cosim.interface import Variable
+from pam_cosim.model.interface import Variable
 from tests.fmu import models
 
 ALL = [models.van_der_pol, models.lag, models.ramp_driven, models.algebraic, models.forced, models.oscillator]

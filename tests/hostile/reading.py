@@ -18,7 +18,7 @@ import traceback
 from pathlib import Path
 from types import FrameType
 
-from pam_cosim.cli import main as command
+from pam_cosim.cli.app import main as command
 from tests.hostile.corpora.data_sets import GOOD, Content, E, R, experiment
 
 MEMORY = 2_000_000_000  # bytes of address space beyond what is loaded

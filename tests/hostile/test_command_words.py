@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from pam_cosim.cli import main
+from pam_cosim.cli.app import main
 from tests.hostile.reading import make
 
 RUN = ["simulate", "TankFilling", "--stop-time", "1"]

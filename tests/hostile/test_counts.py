@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from pam_cosim.cli import main
+from pam_cosim.cli.app import main
 from pam_cosim.counts import LONGEST, checked_time, checked_workers
 from pam_cosim.errors import InputError
 from tests.hostile.reading import make

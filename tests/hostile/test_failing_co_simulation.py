@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from pam_cosim import study
-from pam_cosim.cli import main
+from pam_cosim.cli.app import main
 from pam_cosim.errors import InputError
 from pam_cosim.resources import modelica_root
 from pam_cosim.simulation import Inputs, IsolatedSimulator, RunFailure, Simulator

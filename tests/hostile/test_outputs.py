@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from pam_cosim.cli import main
+from pam_cosim.cli.app import main
 from tests.hostile.reading import make
 from tests.hostile.small_disk import disks_can_be_made, on_disk
 
@@ -86,7 +86,7 @@ ON_DISK = {
 }
 MAIN = """
 import json, sys
-from pam_cosim.cli import main
+from pam_cosim.cli.app import main
 for words in json.loads(sys.argv[1]):
     print("status", main(words), flush=True)
     print("said", file=sys.stderr, flush=True)

@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 
 from pam_cosim import study
-from pam_cosim.cli import main
+from pam_cosim.cli.app import main
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
-from pam_cosim.models import opened
+from pam_cosim.simulation.models import opened
 
 CHATTERING = """model Chatter "Changes its mind k times a second"
   parameter Real k = 1e7;

@@ -24,8 +24,8 @@ import numpy as np
 from pam_cosim import study
 from pam_cosim.fitting import Fit, FitOptions, Free, base_parameters, fit
 from pam_cosim.fmu import build_model, build_source
-from pam_cosim.interface import Interface
 from pam_cosim.measurement import DataSet, read_data_set
+from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import Simulator
 from rig.effect import Effect
 from rig.family_members import FAMILIES, PLACES, draw

@@ -13,7 +13,7 @@ from pam_cosim.catalogue import Composition, EffectClass, compose, effect_classe
 from pam_cosim.compiler import ClassTree, compile_model, read_library
 from pam_cosim.errors import ModelError
 from pam_cosim.fmu import build_model, build_source
-from pam_cosim.interface import Interface, Variable
+from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.simulation import Inputs, Simulator
 
 BENCH = "PneumaticMuscle.Benches.Isotonic"

@@ -11,7 +11,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from pam_cosim.fmu import build_source
-from pam_cosim.interface import Interface
+from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import Inputs, Simulator
 from tests.library.ode import Model
 from tests.library.shelf import BENCH, on_bench, qualified

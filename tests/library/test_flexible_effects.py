@@ -11,7 +11,7 @@ import pytest
 from scipy.signal import lsim
 
 from pam_cosim.catalogue import EffectClass
-from pam_cosim.interface import Interface
+from pam_cosim.model.interface import Interface
 from rig.effect import Effect
 from rig.seen.creep import EyringCreep
 from rig.seen.dead_volume import Chamber

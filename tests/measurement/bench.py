@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pam_cosim.errors import ModelError
-from pam_cosim.interface import Interface, Variable
+from pam_cosim.model.interface import Interface, Variable
 
 MODEL = "Rig.Benches.Isotonic"
 

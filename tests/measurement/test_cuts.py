@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Interface, Variable
 from pam_cosim.measurement import DataSet, overrides_of, read_data_set
+from pam_cosim.model.interface import Interface, Variable
 
 BENCH = Interface("Bench", {"u": Variable("u", "A", start=0.0)}, {"p": Variable("p", "Pa")}, {})
 TIMES = np.arange(20) / 10

@@ -12,8 +12,8 @@ import pytest
 from pam_cosim import study
 from pam_cosim.errors import InputError
 from pam_cosim.fmu import build_model
-from pam_cosim.interface import sensitivity_name
 from pam_cosim.measurement import complete_noise, read_data_set
+from pam_cosim.model.interface import sensitivity_name
 from pam_cosim.simulation import Simulator
 from rig.effect import Effect
 from rig.measurement import TRUTH

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from pam_cosim.errors import InputError
-from pam_cosim.interface import Interface, Variable
 from pam_cosim.measurement import DataSet, complete_noise, read_data_set, write_data_set
+from pam_cosim.model.interface import Interface, Variable
 from tests.measurement.bench import variables
 
 BENCH = Interface(

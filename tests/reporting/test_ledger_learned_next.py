@@ -14,7 +14,7 @@ from pam_cosim.reporting import diagnosis_report, diagnosis_text
 from pam_cosim.reporting.account.next_run import expectation, next_run
 from pam_cosim.reporting.figures.layer import Layer
 from pam_cosim.reporting.figures.residual_map import binned_residual, residual_map
-from pam_cosim.tables import write_next_run
+from pam_cosim.study.tables import write_next_run
 from tests.reporting.html_checks import checked
 from tests.reporting.synthetic import SIGNALS, make_candidate, make_comparison, make_data, make_diagnosis
 

@@ -11,7 +11,7 @@ import pytest
 from pam_cosim.compiler import smooth_parameters, with_sensitivities
 from pam_cosim.errors import InputError
 from pam_cosim.fmu import build_fmu
-from pam_cosim.interface import RECORD_DELAY, Variable
+from pam_cosim.model.interface import RECORD_DELAY, Variable
 from pam_cosim.simulation import Inputs, Simulator
 from tests.fmu import models
 

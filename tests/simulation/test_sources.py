@@ -120,7 +120,7 @@ def test_a_run_goes_elsewhere(reference: pam.Trajectory, tmp_path: Path) -> None
         assert np.array_equal(read["p"], reference["p"])
     assert np.array_equal(pandas.read_parquet(reference.save(tmp_path / "r.parquet"))["p [Pa]"], reference["p"])
     assert np.array_equal(pam.Trajectory.from_csv(reference.save(tmp_path / "r.csv"))["p"], reference["p"])
-    reference.draw(tmp_path / "r.png")
+    pam.draw(reference, tmp_path / "r.png")
     assert repr(reference).startswith("2 signals at ") and "<pre>2 signals" in reference._repr_html_()
 
 

@@ -9,8 +9,8 @@ import pytest
 
 from pam_cosim.errors import InputError
 from pam_cosim.fmu import build_model
-from pam_cosim.interface import sensitivity_name
-from pam_cosim.names import START_VALUES
+from pam_cosim.model.interface import sensitivity_name
+from pam_cosim.model.references import START_VALUES
 from pam_cosim.simulation import Inputs, Settle, Simulator
 
 TIMES = np.linspace(0.0, 2.0, 41)

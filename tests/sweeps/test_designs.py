@@ -7,7 +7,7 @@ import pandas
 import pytest
 
 import pam_cosim as pam
-from pam_cosim.interface import Interface, Variable
+from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.sweeps import design_of
 
 FACE = Interface(

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
-from pam_cosim.interface import Interface, Variable
+from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.sweeps import FUNCTIONS, read_scalars
 
 FACE = Interface(

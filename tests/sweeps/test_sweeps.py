@@ -199,12 +199,11 @@ def test_a_file_that_no_sweep_left_is_not_touched(tmp_path: Path) -> None:
 
 
 def test_pictures(reference: pam.Sweep, tmp_path: Path) -> None:
-    reference.draw(tmp_path / "lines.png")
-    swept().draw(tmp_path / "courses.png")
+    pam.draw(reference, tmp_path / "lines.png")
+    pam.draw(swept(), tmp_path / "courses.png")
     ranges = {"u_in": (0.25, 0.35), "p_supply": ("1 bar", "2 bar"), "tank.V": ("1 l", "2 l")}
-    pam.sweep(MODEL, ranges, design="latin-hypercube", runs=5, scalars=SCALARS, stop_time=1.0, workers=1).draw(
-        tmp_path / "points.png"
-    )
+    made = pam.sweep(MODEL, ranges, design="latin-hypercube", runs=5, scalars=SCALARS, stop_time=1.0, workers=1)
+    pam.draw(made, tmp_path / "points.png")
     assert all(path.stat().st_size > 10_000 for path in tmp_path.iterdir())
 
 

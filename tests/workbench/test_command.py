@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from pam_cosim.cli import main
+from pam_cosim.cli.app import main
 
 
 def test_a_folder_that_is_no_data_set(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

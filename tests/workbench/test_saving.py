@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
-from pam_cosim.cli import main
+from pam_cosim.cli.app import main
 from pam_cosim.errors import InputError
 from pam_cosim.workbench import Session
 from pam_cosim.workbench.doing.keeping import save

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from pam_cosim.comparison import Comparison
-from pam_cosim.names import is_file
+from pam_cosim.model.references import is_file
 
 
 def short_model(name: str) -> str:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from pam_cosim.domain import Domain
 from pam_cosim.ledger import Entry, Ledger, Reading
+from pam_cosim.model.domain import Domain
 from pam_cosim.reporting.account.wording import NOTHING, listed, number, percent, quantity_text, words
 
 _SHOWN = 0.005  # share that is worth a word

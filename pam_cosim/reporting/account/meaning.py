@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pam_cosim.diagnosis import Diagnosis, Verdict
-from pam_cosim.domain import Domain
+from pam_cosim.model.domain import Domain
 from pam_cosim.reporting.account.wording import listed, quantity_text, words
 
 _NAMES = {

@@ -6,8 +6,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from pam_cosim.domain import Domain
 from pam_cosim.ledger import Entry, Ledger, binned, mapped
+from pam_cosim.model.domain import Domain
 from pam_cosim.reporting.account.ledger_words import against_of, telling_entries
 from pam_cosim.reporting.style import BAND, INK, SOFT, balance_colours, message, new_figure
 from pam_cosim.units import readable_factor, readable_unit

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_text
-from pam_cosim.fitted_model import FittedModel
+from pam_cosim.study.fitted_model import FittedModel
 from pam_cosim.wording import shown
 from pam_cosim.workbench.doing.models import candidate_of, switch, take_candidate
 from pam_cosim.workbench.doing.words import names_of, text_of

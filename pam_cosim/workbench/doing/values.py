@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free
-from pam_cosim.interface import Variable
-from pam_cosim.settings import value_of
+from pam_cosim.model.interface import Variable
+from pam_cosim.model.settings import value_of
 from pam_cosim.units import readable_factor
 from pam_cosim.wording import did_you_mean, shown
 from pam_cosim.workbench.doing.words import names_of

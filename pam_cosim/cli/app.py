@@ -1,0 +1,103 @@
+"""Words to calls: the command ``pam-cosim``. No logic of its own.
+
+A command's module, and what that needs, is loaded when the command is called.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
+from importlib import import_module
+from importlib.metadata import version as installed
+from typing import Annotated, Any
+
+import typer
+
+from pam_cosim.cli.commands.common import INTERRUPTED, interrupted, remarks, results
+from pam_cosim.errors import InputError, SimulationFailure
+
+_RUN = ("build", "describe", "simulate", "sweep", "couple", "linearise", "bode", "observe", "track")
+_STUDY = ("new", "check", "compare", "fit", "diagnose", "add", "effects", "bench", "workbench", "demo")
+COMMANDS = _RUN + _STUDY
+_STYLE: dict[str, Any] = {"add_completion": False, "pretty_exceptions_enable": False, "rich_markup_mode": None}
+
+
+class _Commands(Mapping[str, Any]):
+    """The commands by name, in the order in which help lists them; each is the function of its name, in its module."""
+
+    def __getitem__(self, name: str) -> Any:
+        if name not in COMMANDS:
+            raise KeyError(name)
+        return _command(name)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(COMMANDS)
+
+    def __len__(self) -> int:
+        return len(COMMANDS)
+
+
+@cache
+def _command(name: str) -> Any:
+    alone = typer.Typer(**_STYLE)
+    alone.command(name)(getattr(import_module(f"pam_cosim.cli.commands.{name}"), name))
+    return typer.main.get_command(alone)
+
+
+_COMMANDS = _Commands()
+
+
+class _Group(typer.core.TyperGroup):
+    """All commands under one name."""
+
+    def __init__(self, **options: Any) -> None:
+        super().__init__(**options | {"commands": _COMMANDS})
+
+
+def load(arguments: Sequence[str]) -> None:
+    """Loads what the words of a command line call, if that can be seen from the first of them."""
+    if arguments and arguments[0] in COMMANDS:
+        _command(arguments[0])
+
+
+app = typer.Typer(
+    cls=_Group,
+    no_args_is_help=True,
+    help="Compare models with measurements and find the physical effect they lack.",
+    **_STYLE,
+)
+
+
+@app.callback(invoke_without_command=True)
+def version(
+    shown: Annotated[bool, typer.Option("--version", help="Say which version this is.", is_eager=True)] = False,
+) -> None:
+    """Compare models with measurements and find the physical effect they lack."""
+    if shown:
+        typer.echo(f"pam-cosim {installed('pam-cosim')}")
+        raise typer.Exit
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Runs the command; 0 when done, 2 when the input cannot be used, 1 when a simulation failed, 130 on Ctrl-C."""
+    results.clear()
+    remarks.clear()
+    try:
+        app(args=arguments)
+    except KeyboardInterrupt:
+        return interrupted()
+    except SystemExit as end:  # typer has printed its own message for words it does not know
+        code = end.code if isinstance(end.code, int) else 1
+        return interrupted() if code == INTERRUPTED else code
+    except InputError as problem:
+        print(f"pam-cosim: {problem}", file=sys.stderr)
+        return 2
+    except SimulationFailure as failure:
+        print(f"pam-cosim: the simulation failed: {failure}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,206 @@
+"""Words of the command line that stand for settings and inputs."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+
+from pam_cosim.compiler import names
+from pam_cosim.errors import InputError
+from pam_cosim.fmu.description import model_identifier
+from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.model.references import is_file
+from pam_cosim.model.settings import settable, value_of
+from pam_cosim.study.dynamics import conditions_of
+from pam_cosim.sweeps import MOST_RUNS
+from pam_cosim.sweeps.patterns import varies_inputs
+
+
+def fmu_files(models: Sequence[str], output: Path) -> list[tuple[str, Path]]:
+    """Each model and the file for its FMU: ``output`` itself if its name ends in ``.fmu``, one in that folder if not.
+
+    Raises:
+        InputError: several models for one file.
+    """
+    if output.suffix.lower() == ".fmu":
+        if len(models) != 1:
+            raise InputError(f"this is one file, for {len(models)} models; name one model, or a folder", output)
+        return [(models[0], output)]
+    files: dict[Path, str] = {}
+    for model in models:
+        name = Path(model).stem if is_file(model) else model_identifier(names.last(model))
+        if files.setdefault(output / f"{name}.fmu", model) != model:
+            raise InputError(f"two models would be written to '{name}.fmu'; build them into two folders", output)
+    return [(model, file) for file, model in files.items()]
+
+
+def parse_settings(settings: Sequence[str], interface: Interface) -> dict[str, float]:
+    """``NAME=VALUE`` words to values [SI]; one without a unit is in the model's own unit.
+
+    Raises:
+        InputError: not of that form, a name twice, and as ``settings.resolve``.
+    """
+    values: dict[str, float] = {}
+    for word in settings:
+        name, text = _split(word, "NAME=VALUE, such as NAME='5 kg'")
+        if name in values:
+            raise InputError(f"'{name}' is set twice")
+        values[name] = value_of(text, settable(name, interface))
+    return values
+
+
+def parse_named(words: Sequence[str]) -> dict[str, str]:
+    """``NAME=TEXT`` words by name; a word without a name is its own.
+
+    Raises:
+        InputError: a name twice.
+    """
+    named: dict[str, str] = {}
+    for word in words:
+        name, equals, text = (part.strip() for part in word.partition("="))
+        if name in named:
+            raise InputError(f"'{name}' is asked for twice")
+        named[name] = text if equals else name
+    return named
+
+
+def parse_variations(
+    words: Sequence[str], interface: Interface, *, ranges: bool = False
+) -> dict[str, list[float] | list[str]]:
+    """``NAME=FROM:TO:N`` or ``NAME=A,B,C`` words to lists of values [SI]; with ``ranges``, ``NAME=FROM:TO`` words.
+
+    ``inputs=A.csv,B.csv`` stays a list of texts, of files or of formulas.
+
+    Raises:
+        InputError: as ``parse_settings``.
+    """
+    variations: dict[str, list[float] | list[str]] = {}
+    for word in words:
+        name, text = _split(word, "NAME=FROM:TO" if ranges else "NAME=FROM:TO:N or NAME=A,B,C")
+        if name in variations:
+            raise InputError(f"'{name}' is varied twice")
+        if varies_inputs({name: text}, interface):
+            variations[name] = [one.strip() for one in text.split(",")]
+            continue
+        variable = settable(name, interface)
+        if ranges:
+            if text.count(":") != 1:
+                raise InputError(f"'{word}': write FROM:TO, such as 1:10; --runs says how many")
+            variations[name] = [value_of(p, variable) for p in _alike(text.split(":"), word)]
+        elif ":" in text:
+            parts = text.split(":")
+            if len(parts) != 3 or not parts[2].strip().isdecimal() or int(parts[2]) < 1:
+                raise InputError(f"'{word}': write FROM:TO:N, such as 1:10:5")
+            if int(parts[2]) > MOST_RUNS:
+                raise InputError(f"'{word}': a sweep has {MOST_RUNS} runs at most")
+            low, high = (value_of(p, variable) for p in _alike(parts[:2], word))
+            if not math.isfinite(high - low):
+                raise InputError(f"'{word}': its ends are too far apart")
+            variations[name] = [float(v) for v in np.linspace(low, high, int(parts[2]))]
+        else:
+            variations[name] = [value_of(p, variable) for p in _alike(text.split(","), word)]
+    return variations
+
+
+def parse_point(words: Sequence[str], interface: Interface) -> Literal["rest"] | dict[str, float] | list[float]:
+    """What ``--at`` says: "rest", values by name [SI] of one state, or times [s] of a run.
+
+    Raises:
+        InputError: not of that form, or several of these.
+    """
+    if list(words) == ["rest"]:
+        return "rest"
+    pairs = [_split(part, 'NAME=VALUE, such as "p=6 bar", or rest') for word in words for part in _parts(word)]
+    names = [name for name, _ in pairs]
+    if set(names) == {"time"}:
+        return [value_of(text, Variable("time", "s")) for _, text in pairs]
+    twice = next((name for name in names if names.count(name) > 1), None)
+    if twice is not None:
+        raise InputError(f"'{twice}' is given twice")
+    if "time" in names:
+        raise InputError("a time is of a run and has its state; give either times or values of a state")
+    return conditions_of(dict(pairs), interface)
+
+
+def parse_pairs(words: Sequence[str]) -> dict[str, str]:
+    """``NAME=VALUE`` words to texts by name.
+
+    Raises:
+        InputError: not of that form, or a name twice.
+    """
+    pairs: dict[str, str] = {}
+    for word in words:
+        name, text = _split(word, "NAME=VALUE, such as p='0.5 kPa'")
+        if name in pairs:
+            raise InputError(f"'{name}' is given twice")
+        pairs[name] = text
+    return pairs
+
+
+def parse_cuts(words: Sequence[str]) -> dict[str, tuple[str | None, str | None]]:
+    """``RUN=FROM:TO`` words to first and last times by run; one that is left out is None.
+
+    Raises:
+        InputError: not of that form, or a run twice.
+    """
+    cuts: dict[str, tuple[str | None, str | None]] = {}
+    for word in words:
+        run, text = _split(word, "RUN=FROM:TO, such as run-03=2.5:10")
+        begin, colon, end = (part.strip() for part in text.partition(":"))
+        if not colon or ":" in end:
+            raise InputError(f"'{word}': write RUN=FROM:TO; one of the times may be left out, such as run-03=2.5:")
+        if run in cuts:
+            raise InputError(f"'{run}' is cut twice")
+        cuts[run] = (begin or None, end or None)
+    return cuts
+
+
+def parse_frequencies(text: str) -> list[float]:
+    """``FROM:TO:N``, evenly in the logarithm, or ``A,B,C`` [Hz].
+
+    Raises:
+        InputError: not of that form.
+    """
+    frequency, parts = Variable("frequencies", "Hz"), text.split(":")
+    if len(parts) == 1:
+        return [value_of(part, frequency) for part in text.split(",")]
+    if len(parts) != 3 or not parts[2].strip().isdecimal() or not 1 <= int(parts[2]) <= MOST_RUNS:
+        raise InputError(f"'{text}': write FROM:TO:N, such as 0.1:20:16")
+    low, high = (value_of(part, frequency) for part in _alike(parts[:2], text))
+    if not 0 < low <= high:
+        raise InputError(f"'{text}': frequencies must be above zero, the lower one first")
+    return [float(v) for v in np.geomspace(low, high, int(parts[2]))]
+
+
+def _parts(word: str) -> list[str]:
+    """The parts between commas, but for those in brackets."""
+    return [part for part in re.split(r",(?![^\[]*\])", word) if part.strip()]
+
+
+def _alike(texts: list[str], word: str) -> list[str]:
+    """The same texts; "138, 207 kPa" would be 138 Pa and 207 kPa."""
+    if not all(text.strip() for text in texts):
+        raise InputError(f"'{word}': a value is missing")
+    if len({_is_number(text) for text in texts}) > 1:
+        raise InputError(f"'{word}': some of the values have a unit and some have none; write it with each of them")
+    return texts
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
+def _split(word: str, form: str) -> tuple[str, str]:
+    name, equals, text = word.partition("=")
+    if not equals or not name.strip() or not text.strip():
+        raise InputError(f"'{word}': write {form}")
+    return name.strip(), text.strip()

@@ -1,0 +1,57 @@
+"""The command ``bode``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+from pam_cosim.cli.arguments import parse_frequencies, parse_point, parse_settings
+from pam_cosim.cli.commands.common import (
+    FilesOption,
+    JsonOption,
+    SetOption,
+    TimeoutOption,
+    check_results,
+    console,
+    tell_and_write,
+)
+from pam_cosim.errors import InputError
+from pam_cosim.study import dynamics
+
+
+def bode(
+    model: Annotated[str, typer.Argument(help="A bench, a Modelica class, a .mo or an .fmu file.")],
+    by: Annotated[str, typer.Option("--by", help="The input that swings.")],
+    amplitude: Annotated[str, typer.Option(help='Of the input, such as "20 mA".')],
+    of: Annotated[list[str] | None, typer.Option("--of", help="An output, or any variable; default: outputs.")] = None,
+    frequencies: Annotated[str, typer.Option(help="FROM:TO:N [Hz], evenly in the logarithm, or A,B,C.")] = "0.1:20:16",
+    at: Annotated[str, typer.Option(help='"rest", or values of a rest that --free inputs make possible.')] = "rest",
+    free: Annotated[list[str] | None, typer.Option(help="An input that is found along with the rest.")] = None,
+    settings: SetOption = None,
+    most_periods: Annotated[int, typer.Option(help="At each frequency, after which it counts as not settled.")] = 200,
+    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the response as CSV.")] = None,
+    json: JsonOption = None,
+    plot: Annotated[Path | None, typer.Option(help="Draw it over the linear model as PNG.")] = None,
+    files: FilesOption = None,
+    timeout: TimeoutOption = None,
+) -> None:
+    """Frequency response of a model by sines, beside that of its linear model."""
+    check_results(output, json, plot, sources=[model, *(files or [])])
+    interface = dynamics.interface(model, files or [])
+    parameters = parse_settings(settings or [], interface)
+    point = parse_point([at], interface)
+    if isinstance(point, list):
+        raise InputError("a sine swings about a rest, not about a time of a run")
+    chosen = parse_frequencies(frequencies)
+    columns = (TextColumn("sines"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=console, disable=not console.is_terminal) as progress:
+        task = progress.add_task("sines", total=len(chosen))
+        response = dynamics.frequency_response(
+            model, parameters, input=by, outputs=of, amplitude=amplitude, frequencies=chosen, at=point,
+            free=free or [], most_periods=most_periods, files=files or [], timeout=timeout,
+            progress=lambda done, total: progress.update(task, completed=done, total=total),
+        )  # fmt: skip
+    tell_and_write(response, output, json, plot)

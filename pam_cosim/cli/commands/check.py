@@ -1,0 +1,39 @@
+"""The command ``check``."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from pam_cosim import study
+from pam_cosim.cli.commands.common import (
+    Data,
+    FilesOption,
+    JsonOption,
+    ModelOption,
+    check_results,
+    console,
+    read_data,
+    say_written,
+    teller,
+)
+from pam_cosim.files import write_json
+
+
+def check(
+    data: Data,
+    model: ModelOption = None,
+    json: JsonOption = None,
+    files: FilesOption = None,
+    workers: Annotated[int | None, typer.Option(help="Processes; default: all processors.")] = None,
+) -> None:
+    """What a measurement can and cannot tell, before any fit, and what to measure next."""
+    check_results(json, sources=[model, *(files or [])])
+    read = read_data(data, model, files)
+    with console.status("simulating what could be measured") as status:
+        checked = study.check(read, model, files=files or [], say=teller(status), workers=workers)
+    typer.echo(str(checked))
+    if json:
+        write_json(json, checked.as_dict())
+    say_written(json)

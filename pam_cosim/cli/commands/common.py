@@ -1,0 +1,192 @@
+"""What the commands share: options, where results go, and what an interrupted command says.
+
+Every command loads it, so that it loads no room of the package by itself.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from shlex import quote
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+from rich.console import Console
+from rich.markup import escape
+
+from pam_cosim.errors import InputError
+from pam_cosim.files import check_distinct, check_spared, check_writable, identity
+
+if TYPE_CHECKING:
+    from pam_cosim.analysis import FrequencyResponse, LinearModel, Observation, Tracking
+    from pam_cosim.diagnosis import Event, Message
+    from pam_cosim.measurement import DataSet
+
+INTERRUPTED = 130  # as shells have it for a command that Ctrl-C ended
+results: dict[Path, object] = {}  # files that the command is to write, and what was there before
+remarks: list[Callable[[], str]] = []  # what else an interrupted command has to say
+console = Console(stderr=True, highlight=False)
+
+ModelOption = Annotated[str | None, typer.Option("--model", help="A bench, a Modelica class, a .mo or an .fmu file.")]
+InputOption = Annotated[
+    str | None,
+    typer.Option(
+        "--input",
+        help="CSV with input columns: name [unit]; or formulas in time [s], 'u_in = 0.25 + 0.1*sin(6.28*time)'.",
+    ),
+]
+FilesOption = Annotated[
+    list[Path] | None, typer.Option("--file", help="A .mo file or the folder of a package: own effects, rigs, library.")
+]
+JsonOption = Annotated[Path | None, typer.Option("--json", help="Write the result as JSON, SI units.")]
+ReportOption = Annotated[Path | None, typer.Option("--report", help="Write a self-contained HTML report.")]
+SetOption = Annotated[
+    list[str] | None,
+    typer.Option("--set", help='NAME=VALUE, with a unit such as "5 kg": a parameter, or an input held constant.'),
+]
+RoleOption = Annotated[
+    list[str] | None,
+    typer.Option("--role", help="RUN=fit or RUN=holdout, other than the data set says; may be repeated."),
+]
+CutOption = Annotated[
+    list[str] | None,
+    typer.Option("--cut", help='RUN=FROM:TO, such as run-03="2.5 s:": what is kept of it; may be repeated.'),
+]
+BeginOption = Annotated[
+    list[str] | None,
+    typer.Option("--begin", help="RUN=rest, steady, measured or estimated: in which state it begins; may be repeated."),
+]
+FreeOption = Annotated[
+    list[str] | None,
+    typer.Option("--free", help="Fit this parameter, and only those named so: of the data set, or with bounds."),
+]
+StartOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--start", help="NAME=VALUE: where a parameter starts, or is held; with a unit. STATE@RUN: where a run begins."
+    ),
+]
+TimeoutOption = Annotated[
+    float | None,
+    typer.Option(
+        help="End a run that takes so many seconds of processor time (default: 30 and 0.01 for each row), or an .fmu "
+        "that makes no progress for so long (default: 60); inf: never.",
+        min=0.0,
+    ),
+]
+VariablesOption = Annotated[
+    list[str] | None, typer.Option("--output", help="A variable to keep beside the model's outputs; can be repeated.")
+]
+Data = Annotated[Path, typer.Argument(help="Folder of a data set, or what 'diagnose --save' wrote.")]
+
+
+def check_results(*outputs: Path | None, sources: Iterable[Path | str | None] = (), new_folder: bool = False) -> None:
+    """Finds out before long work that the results can be written, and that nothing else is lost by that."""
+    named = [path for path in outputs if path is not None]
+    for path in named:
+        check_writable(path, new_folder=new_folder)
+        results[path] = identity(path)
+    check_distinct(named)
+    check_spared(named, [source for source in sources if source is not None])
+
+
+def check_model_file(path: Path) -> None:
+    """A model is written as Modelica."""
+    if path.suffix != ".mo":
+        raise InputError("the model is written as Modelica: name a file that ends in .mo", path)
+
+
+def say_used_with(files: Iterable[Path]) -> None:
+    """Says what a written model is to be used together with."""
+    words = " ".join(f"--file {quote(str(file))}" for file in files)
+    if words:
+        console.print(f"it is used together with what it is made from: {words}", markup=False, soft_wrap=True)
+
+
+def read_data(
+    data: Path,
+    model: str | None,
+    files: list[Path] | None,
+    roles: list[str] | None = None,
+    cuts: list[str] | None = None,
+    begins: list[str] | None = None,
+) -> DataSet:
+    """The data set; no result may replace one of its files."""
+    from pam_cosim import study
+    from pam_cosim.cli.arguments import parse_cuts, parse_pairs
+
+    read = study.read(
+        data,
+        model=model,
+        files=files or [],
+        roles=parse_pairs(roles or []),
+        cuts=parse_cuts(cuts or []),
+        starts=parse_pairs(begins or []),
+    )
+    check_spared(results, [read.model, *read.files])
+    return read
+
+
+def say_written(path: Path | None) -> None:
+    """Names a result on standard error, where one was asked for."""
+    if path is not None:
+        console.print(f"written: {path}", style="dim", markup=False, soft_wrap=True)
+
+
+def tell_and_write(
+    product: LinearModel | FrequencyResponse | Observation | Tracking,
+    output: Path | None,
+    json: Path | None,
+    plot: Path | None,
+) -> None:
+    """Prints a product and writes it where that was asked for: as CSV, as JSON and as a picture."""
+    from pam_cosim import study
+
+    typer.echo(str(product))
+    if output:
+        product.to_csv(output)
+    if json:
+        product.to_json(json)
+    if plot:
+        study.draw(product, plot)
+    for path in (output, json, plot):
+        say_written(path)
+
+
+def interrupted() -> int:
+    """Ends what the command has started and says what it has written; the status for it."""
+    if "pam_cosim.processes.workers" in sys.modules:  # who has not loaded it has started nothing
+        from pam_cosim.processes.workers import stop_workers
+
+        stop_workers()
+    saved = [str(path) for path, before in results.items() if identity(path) not in (None, before)]
+    what = f"written: {', '.join(saved)}" if saved else "nothing was written"
+    more = "".join(f"; {text}" for text in (remark() for remark in remarks) if text)
+    print(f"pam-cosim: interrupted; {what}{more}", file=sys.stderr)
+    return INTERRUPTED
+
+
+def follower(status: Any) -> Callable[[Event], None]:
+    """Shows in the status line how many of how many are done, of what no line is printed."""
+
+    from pam_cosim.diagnosis import EffectLookedAt
+
+    def follow(event: Event) -> None:
+        if isinstance(event, EffectLookedAt):
+            status.update(event.status)
+
+    return follow
+
+
+def teller(status: Any) -> Callable[[Message], None]:
+    """Prints what happens; the status line shows the last headline, and how many results came since."""
+    headline, count = "", 0
+
+    def say(message: Message) -> None:
+        nonlocal headline, count
+        console.print(message, markup=False, soft_wrap=True)
+        headline, count = (headline, count + 1) if message.detail else (escape(message), 0)
+        status.update(f"{headline}: {count} done" if count else headline)
+
+    return say

@@ -1,0 +1,94 @@
+"""The command ``compare``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from shlex import quote
+from typing import Annotated
+
+import typer
+
+from pam_cosim import study
+from pam_cosim.cli.arguments import parse_pairs
+from pam_cosim.cli.commands.common import (
+    BeginOption,
+    CutOption,
+    Data,
+    FilesOption,
+    JsonOption,
+    ModelOption,
+    ReportOption,
+    RoleOption,
+    SetOption,
+    TimeoutOption,
+    check_results,
+    read_data,
+    say_written,
+)
+from pam_cosim.comparison import write_tables
+from pam_cosim.errors import InputError
+from pam_cosim.files import write_json
+from pam_cosim.reporting import comparison_report, plot_tables, write_report
+from pam_cosim.study.fitted_model import read_fitted_model
+from pam_cosim.study.tables import against_lines, read_comparison
+
+
+def compare(
+    data: Data,
+    model: ModelOption = None,
+    params: Annotated[
+        Path | None, typer.Option(help="Fitted parameters: of 'fit -o', 'diagnose --json', or a saved product.")
+    ] = None,
+    against: Annotated[list[Path] | None, typer.Option(help="Earlier 'compare --json' results.")] = None,
+    table: Annotated[
+        tuple[str, str] | None,
+        typer.Option(help="Scores by two parameters of the runs, such as load.m frequency.", metavar="ROWS COLUMNS"),
+    ] = None,
+    table_csv: Annotated[Path | None, typer.Option(help="Write that table as CSV, SI units.")] = None,
+    table_plot: Annotated[Path | None, typer.Option(help="Draw that table as PNG.")] = None,
+    json: JsonOption = None,
+    report: ReportOption = None,
+    settings: SetOption = None,
+    roles: RoleOption = None,
+    cuts: CutOption = None,
+    begins: BeginOption = None,
+    files: FilesOption = None,
+    timeout: TimeoutOption = None,
+) -> None:
+    """How far a model is from a measurement, and where."""
+    if table is None and (table_csv or table_plot):
+        raise InputError("--table-csv and --table-plot need --table ROWS COLUMNS, two parameters of the runs")
+    check_results(json, report, table_csv, table_plot, sources=[model, params, *(against or []), *(files or [])])
+    values: dict[str, float | str] = {**(_values_of(params, model) if params else {}), **parse_pairs(settings or [])}
+    earlier = [(path.stem, read_comparison(path)) for path in against or []]
+    read = read_data(data, model, files, roles, cuts, begins)
+    comparison = study.compare(read, model, values, files=files or [], timeout=timeout)
+    typer.echo(str(comparison))
+    for line in against_lines(comparison, earlier):
+        typer.echo(line)
+    tables = [comparison.table(*table, signal) for signal in comparison.scores["all"]] if table else []
+    for one in tables:
+        typer.echo(f"\n{one}")
+    if json:
+        write_json(json, comparison.as_dict() | ({"tables": [one.as_dict() for one in tables]} if tables else {}))
+    if report:
+        write_report(report, comparison_report(comparison))
+    if table_csv:
+        write_tables(table_csv, tables)
+    if table_plot:
+        plot_tables(tables, table_plot)
+    for path in (json, report, table_csv, table_plot):
+        say_written(path)
+
+
+def _values_of(params: Path, model: str | None) -> dict[str, float]:
+    """The values in a file; those of a model with effects are of no model without them."""
+    fitted = read_fitted_model(params)
+    if fitted.effects and model is None:
+        made = f"pam-cosim add --from {quote(str(params))} -o Better.mo"
+        raise InputError(
+            f"these values are of {fitted.model} with {', '.join(fitted.effects)}: name that model with --model; "
+            f"'{made}' writes it",
+            params,
+        )
+    return dict(fitted.values)

@@ -1,0 +1,113 @@
+"""The command ``couple``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
+
+from pam_cosim.cli.arguments import parse_settings
+from pam_cosim.cli.commands.common import FilesOption, SetOption, TimeoutOption, check_results, console, say_written
+from pam_cosim.cosimulation import Controller, ControllerError, CoupledRun, CouplingFailure
+from pam_cosim.cosimulation.python_file import controller_from
+from pam_cosim.errors import InputError
+from pam_cosim.reporting import plot_trajectory
+from pam_cosim.study import coupling
+from pam_cosim.study.input_sources import read_inputs
+from pam_cosim.units import format_quantity
+
+_ADAPTIVE = 1e-3  # relative error of a step, where nobody says another
+
+
+def couple(
+    system: Annotated[Path, typer.Argument(help="SYSTEM.toml as a person writes it, or SYSTEM.ssp of SSP 1.0.")],
+    method: Annotated[str, typer.Option(help="jacobi or gauss-seidel.")] = "gauss-seidel",
+    step: Annotated[str | None, typer.Option(help='Between communication points, such as "1 ms".')] = None,
+    adaptive: Annotated[bool, typer.Option("--adaptive", help="Choose steps by their error.")] = False,
+    tolerance: Annotated[float | None, typer.Option(help="Relative error of a step; means --adaptive.")] = None,
+    extrapolation: Annotated[str, typer.Option(help="Of an output over a step: constant or linear.")] = "linear",
+    loops: Annotated[str, typer.Option(help="Algebraic loops: refuse, iterate, or delay.")] = "refuse",
+    stop_time: Annotated[str | None, typer.Option(help='End of the run, such as "2 s".')] = None,
+    settings: SetOption = None,
+    inputs: Annotated[Path | None, typer.Option("--input", help="CSV with columns: component.input [unit].")] = None,
+    controllers: Annotated[
+        list[str] | None, typer.Option("--controller", help="NAME=FILE.py:FUNCTION: a pam.controller as a component.")
+    ] = None,
+    samples: Annotated[
+        list[str] | None, typer.Option("--sample", help='NAME="10 ms": an FMU that acts at samples, as a controller.')
+    ] = None,
+    observed: Annotated[
+        list[str] | None, typer.Option("--observe", help="component.variable: a further variable to record.")
+    ] = None,
+    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the trajectory as CSV.")] = None,
+    plot: Annotated[Path | None, typer.Option(help="Draw the trajectory as PNG.")] = None,
+    ssp: Annotated[Path | None, typer.Option(help="Write the system as an SSP archive.")] = None,
+    files: FilesOption = None,
+    timeout: TimeoutOption = None,
+) -> None:
+    """Several FMUs, coupled."""
+    check_results(output, plot, ssp, sources=[system, inputs, *(files or []), *_files_of(controllers or [])])
+    made = dict(_controller(word) for word in controllers or [])
+    read = coupling.read_system(system, made, files=files or [], timeout=timeout)
+    read = read.having(parse_settings(settings or [], read.interface))
+    read = read.sampling(dict(_sample(word) for word in samples or []))
+    course = read_inputs(inputs, read.interface) if inputs else None
+    options: dict[str, Any] = {"method": method, "extrapolation": extrapolation, "loops": loops}
+    if ssp:
+        coupling.write_system(read, ssp)
+        say_written(ssp)
+    columns = (TextColumn("coupling"), BarColumn(), TimeElapsedColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=console, disable=not console.is_terminal) as progress:
+        task = progress.add_task("couple", total=None)
+        try:
+            run = read.simulate(
+                stop_time, step=step, tolerance=tolerance or (_ADAPTIVE if adaptive else None), inputs=course,
+                outputs=observed or [], progress=lambda time, stop: progress.update(task, completed=time, total=stop),
+                **options,
+            )  # fmt: skip
+        except (CouplingFailure, ControllerError) as error:
+            if error.run is not None:
+                _write(error.run, output, plot)
+            raise
+    _write(run, output, plot)
+    for name, values in run.trajectory.values.items():
+        unit = run.trajectory.units[name]
+        low, high, last = (format_quantity(float(v), unit) for v in (values.min(), values.max(), values[-1]))
+        typer.echo(f"{name}: from {low} to {high}, at the end {last}")
+    typer.echo(repr(run))
+
+
+def _write(run: CoupledRun, output: Path | None, plot: Path | None) -> None:
+    """What was reached, also where it is not the end."""
+    if output:
+        run.trajectory.to_csv(output)
+    if plot and run.trajectory.time.size > 1:
+        plot_trajectory(run.trajectory, plot)
+    say_written(output)
+    say_written(plot)
+
+
+def _sample(word: str) -> tuple[str, str]:
+    name, equals, interval = word.partition("=")
+    if not name or not equals or not interval:
+        raise InputError(f"'{word}': write NAME=TIME, such as NAME='10 ms'")
+    return name, interval
+
+
+def _controller(word: str) -> tuple[str, Controller]:
+    name, file, function = _split(word)
+    return name, controller_from(Path(file), function)
+
+
+def _split(word: str) -> tuple[str, str, str]:
+    name, _, place = word.partition("=")
+    file, _, function = place.rpartition(":")
+    if not name or not file or not function:
+        raise InputError(f"'{word}': write NAME=FILE.py:FUNCTION")
+    return name, file, function
+
+
+def _files_of(words: list[str]) -> list[Path]:
+    return [Path(_split(word)[1]) for word in words]

@@ -1,0 +1,24 @@
+"""The command ``describe``."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from pam_cosim.cli.commands.common import FilesOption
+from pam_cosim.simulation import models
+
+
+def describe(
+    model: Annotated[str, typer.Argument(help="A bench, a Modelica class, a .mo or an .fmu file.")],
+    files: FilesOption = None,
+    every: Annotated[bool, typer.Option("--all", help="Also every variable inside, which --output can keep.")] = False,
+) -> None:
+    """Inputs, outputs and parameters of a model, with units, defaults and ranges."""
+    interface = models.describe(model, files or [])
+    typer.echo(str(interface))
+    if every:
+        typer.echo("variables inside:")
+        for variable in interface.locals.values():
+            typer.echo(f"  {variable.name} [{variable.unit or '1'}] {variable.description}".rstrip())

@@ -1,0 +1,144 @@
+"""The command ``diagnose``."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from shlex import quote
+from typing import Annotated
+
+import typer
+
+from pam_cosim import study
+from pam_cosim.cli.arguments import parse_pairs
+from pam_cosim.cli.commands.common import (
+    BeginOption,
+    CutOption,
+    Data,
+    FilesOption,
+    FreeOption,
+    JsonOption,
+    ModelOption,
+    ReportOption,
+    RoleOption,
+    StartOption,
+    check_model_file,
+    check_results,
+    console,
+    follower,
+    read_data,
+    say_written,
+    teller,
+)
+from pam_cosim.diagnosis import Diagnosis
+from pam_cosim.errors import InputError
+from pam_cosim.files import write_json, write_text
+from pam_cosim.reporting import diagnosis_report, diagnosis_text, write_report
+from pam_cosim.study import products
+from pam_cosim.study.fitted_model import fitted_model
+from pam_cosim.study.tables import write_next_run
+
+
+def diagnose(
+    data: Data,
+    model: ModelOption = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", help="Write the model with its effects and fitted values as Modelica (.mo)."),
+    ] = None,
+    save: Annotated[
+        Path | None, typer.Option(help="Save all of it, with the samples that were judged (.npz); pam.load reads it.")
+    ] = None,
+    json: JsonOption = None,
+    report: ReportOption = None,
+    following: Annotated[
+        Path | None, typer.Option("--next", help="Write the next experiment's inputs as CSV, if there is one to make.")
+    ] = None,
+    learned: Annotated[
+        Path | None, typer.Option("--learned", help="Write the formula for what no effect explains as Modelica.")
+    ] = None,
+    free: FreeOption = None,
+    start: StartOption = None,
+    roles: RoleOption = None,
+    cuts: CutOption = None,
+    begins: BeginOption = None,
+    files: FilesOption = None,
+    workers: Annotated[int | None, typer.Option(help="Processes; default: all processors.")] = None,
+    time_limit: Annotated[
+        str | None, typer.Option(help="End the search after so long ('30 s') with the best verdict so far.")
+    ] = None,
+    exclude: Annotated[
+        list[str] | None, typer.Option(help="A family or an effect that is known not to be missing; may be repeated.")
+    ] = None,
+    expect: Annotated[list[str] | None, typer.Option(help="One that is likely to be missing; may be repeated.")] = None,
+) -> None:
+    """Find the physical effect that the model lacks."""
+    for path in (output, learned):
+        if path is not None:
+            check_model_file(path)
+    if save is not None and save.suffix != ".npz":
+        raise InputError("a diagnosis is saved as .npz: name a file that ends so", save)
+    check_results(output, save, json, report, following, learned, sources=[model, *(files or [])])
+    read = read_data(data, model, files, roles, cuts, begins)
+    with console.status("refitting the base model") as status:
+        say = teller(status)
+        diagnosis = study.diagnose(
+            read,
+            model,
+            files=files or [],
+            say=say,
+            progress=follower(status),
+            workers=workers,
+            time_limit=time_limit,
+            exclude=exclude or [],
+            expect=expect or [],
+            free=free,
+            start=parse_pairs(start or []),
+        )
+    typer.echo(diagnosis_text(diagnosis))
+    if output:
+        study.add(diagnosis, output=output, files=files or [])
+    if save:
+        products.save(diagnosis, save)
+    if json:
+        write_json(json, diagnosis.as_dict())
+    if report:
+        write_report(report, diagnosis_report(diagnosis))
+    if output:
+        _say_model(diagnosis, data, save, output, files or [])
+    say_written(save)
+    say_written(json)
+    say_written(report)
+    _write_advice(diagnosis, following, learned)
+
+
+def _say_model(diagnosis: Diagnosis, data: Path, save: Path | None, output: Path, files: Sequence[Path]) -> None:
+    """Names the model that was written, and the command that shows its errors."""
+    say_written(output)
+    changes = diagnosis.changes_of_data
+    if changes and save is not None:
+        data, changes = save, ()
+    further = [f"--file {quote(str(file))}" for file in files]
+    values = [f"--set {quote(f'{name}={value!r}')}" for name, value in fitted_model(diagnosis).of_the_data.items()]
+    words = ["pam-cosim compare", quote(str(data)), "--model", quote(str(output)), *further, *values]
+    typer.echo(f"compare it: {' '.join(words)}")
+    for change in changes:
+        typer.echo(f"  the verdict's numbers differ: {change}")
+    if changes:
+        typer.echo("  with --save FILE.npz the samples are kept as they were judged, and compare takes that file")
+
+
+def _write_advice(diagnosis: Diagnosis, following: Path | None, learned: Path | None) -> None:
+    """What a verdict leaves to do, as files, where there is something to do."""
+    if following is not None:
+        if diagnosis.next_experiment is None:
+            typer.echo(f"no next experiment: the verdict is {diagnosis.verdict.kind}; {following} is not written")
+        else:
+            write_next_run(following, diagnosis.next_experiment)
+            say_written(following)
+    if learned is not None:
+        if diagnosis.learned is None:
+            typer.echo(f"nothing was learned: the verdict is {diagnosis.verdict.kind}; {learned} is not written")
+        else:
+            write_text(learned, diagnosis.learned.term.modelica_source)
+            say_written(learned)

@@ -1,0 +1,26 @@
+"""The command ``effects``."""
+
+from __future__ import annotations
+
+import sys
+
+from rich.console import Console
+from rich.markup import escape
+from rich.table import Table
+
+from pam_cosim import study
+from pam_cosim.cli.commands.common import (
+    FilesOption,
+)
+
+
+def effects(files: FilesOption = None) -> None:
+    """The catalogue of effects."""
+    listed = study.effects(files or [])
+    for library in dict.fromkeys(e.library for e in listed):
+        table = Table("family", "effect", "balance", "parameters", "what it is", title=escape(library))
+        for e in listed:
+            if e.library == library:
+                cells = (e.family, e.name, e.balance, ", ".join(e.parameters), e.description)
+                table.add_row(*map(escape, cells))
+        Console(width=None if sys.stdout.isatty() else 160).print(table)

@@ -1,0 +1,100 @@
+"""The command ``fit``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from pam_cosim import study
+from pam_cosim.cli.arguments import parse_pairs
+from pam_cosim.cli.commands.common import (
+    BeginOption,
+    CutOption,
+    Data,
+    FilesOption,
+    FreeOption,
+    JsonOption,
+    ModelOption,
+    RoleOption,
+    StartOption,
+    TimeoutOption,
+    check_results,
+    console,
+    read_data,
+    say_written,
+)
+from pam_cosim.files import write_json
+from pam_cosim.fitting import METHODS, FitOptions, summary, write_parameters
+from pam_cosim.reporting import plot_fit
+
+
+def fit(
+    data: Data,
+    model: ModelOption = None,
+    method: Annotated[
+        str, typer.Option(help="How to search. " + "; ".join(f"{name}: {summary(name)}" for name in METHODS) + ".")
+    ] = FitOptions.method,
+    starts: Annotated[
+        int, typer.Option(help="Points spread over the bounds for multi-start, each followed to its end.")
+    ] = 0,
+    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the parameters (.json, .ssv).")] = None,
+    json: JsonOption = None,
+    plot: Annotated[
+        Path | None, typer.Option(help="Draw how the fit came down, where descents ended, and correlations as PNG.")
+    ] = None,
+    profile: Annotated[
+        Path | None, typer.Option(help="Find how well each parameter is determined, and draw the profiles as PNG.")
+    ] = None,
+    resume: Annotated[
+        Path | None,
+        typer.Option(help="Keep every simulation's outcome here; the same command goes on where it was interrupted."),
+    ] = None,
+    free: FreeOption = None,
+    start: StartOption = None,
+    roles: RoleOption = None,
+    cuts: CutOption = None,
+    begins: BeginOption = None,
+    files: FilesOption = None,
+    timeout: TimeoutOption = None,
+) -> None:
+    """Fit the parameters that the data set leaves free."""
+    check_results(output, json, plot, profile, resume, sources=[model, *(files or [])])
+    read = read_data(data, model, files, roles, cuts, begins)
+    with console.status("fitting") as status:
+        fitted = study.fit(
+            read,
+            model,
+            method=method,
+            starts=starts,
+            free=free,
+            start=parse_pairs(start or []),
+            files=files or [],
+            timeout=timeout,
+            progress=lambda standing: status.update(f"fitting: {standing}"),
+            resume=resume,
+        )
+        made = None
+        if profile:
+            made = study.profile(
+                read,
+                fitted,
+                model,
+                files=files or [],
+                timeout=timeout,
+                progress=lambda standing: status.update(f"profiles: {standing.evaluations} simulations"),
+            )
+    typer.echo(str(fitted))
+    if made:
+        typer.echo(f"How well these data determine each parameter:\n{made}")
+    if output:
+        write_parameters(output, fitted)
+    if json:
+        write_json(json, fitted.as_dict() | ({"profiles": made.as_dict()} if made else {}))
+    if plot:
+        plot_fit(fitted, plot)
+    if profile and made:
+        study.draw(made, profile)
+    for path in (output, json, plot, profile, resume):
+        say_written(path)

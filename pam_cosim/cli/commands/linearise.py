@@ -1,0 +1,75 @@
+"""The command ``linearise``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from pam_cosim import study
+from pam_cosim.cli.arguments import parse_point, parse_settings
+from pam_cosim.cli.commands.common import (
+    FilesOption,
+    JsonOption,
+    SetOption,
+    TimeoutOption,
+    check_results,
+    say_written,
+    tell_and_write,
+)
+from pam_cosim.errors import InputError
+from pam_cosim.files import write_json
+from pam_cosim.study import dynamics
+from pam_cosim.study.input_sources import read_inputs
+
+
+def linearise(
+    model: Annotated[str, typer.Argument(help="A bench, a Modelica class, a .mo or an .fmu file.")],
+    at: Annotated[
+        list[str] | None,
+        typer.Option(
+            help='"rest" (default), a state "p=6 bar, x=20 mm", or times of a run, "time=2 s", several if given again.'
+        ),
+    ] = None,
+    free: Annotated[
+        list[str] | None, typer.Option(help="An input that is found along: --at is then a rest with these values.")
+    ] = None,
+    settings: SetOption = None,
+    course: Annotated[Path | None, typer.Option("--input", help="CSV with input columns, for a time of a run.")] = None,
+    by: Annotated[list[str] | None, typer.Option("--by", help="Keep this input; default: all.")] = None,
+    of: Annotated[list[str] | None, typer.Option("--of", help="An output, or any variable; default: outputs.")] = None,
+    states: Annotated[
+        list[str] | None, typer.Option("--state", help="Keep this state, the others follow at once; default: all.")
+    ] = None,
+    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the matrices as CSV.")] = None,
+    json: JsonOption = None,
+    plot: Annotated[Path | None, typer.Option(help="Draw gain, phase and steps as PNG.")] = None,
+    files: FilesOption = None,
+    timeout: TimeoutOption = None,
+) -> None:
+    """A, B, C and D of a model about a state, a rest or times of a run."""
+    check_results(output, json, plot, sources=[model, course, *(files or [])])
+    interface = dynamics.exchange(model, files or []).interface
+    parameters = parse_settings(settings or [], interface)
+    inputs = read_inputs(course, interface) if course else None
+    point = parse_point(at or ["rest"], interface)
+    if isinstance(point, list) and len(point) > 1:
+        if output is not None or by or states:
+            raise InputError("-o, --by and --state are for one point; give one --at")
+        along = dynamics.linearise_along(
+            model, parameters, inputs, times=point, outputs=of, files=files or [], timeout=timeout
+        )
+        typer.echo(str(along))
+        if json:
+            write_json(json, along.as_dict())
+        if plot:
+            study.draw(along, plot)
+        say_written(json)
+        say_written(plot)
+    else:
+        one = dynamics.linearise(
+            model, parameters, at=point[0] if isinstance(point, list) else point, free=free or [], inputs=inputs,
+            outputs=of, files=files or [], timeout=timeout,
+        ).select(by, None, states)  # fmt: skip
+        tell_and_write(one, output, json, plot)

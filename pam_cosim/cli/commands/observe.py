@@ -1,0 +1,66 @@
+"""The command ``observe``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from pam_cosim.cli.arguments import parse_pairs, parse_point, parse_settings
+from pam_cosim.cli.commands.common import (
+    FilesOption,
+    JsonOption,
+    SetOption,
+    TimeoutOption,
+    check_results,
+    tell_and_write,
+)
+from pam_cosim.errors import InputError
+from pam_cosim.study import dynamics
+
+
+def observe(
+    model: Annotated[str, typer.Argument(help="A bench, a Modelica class, a .mo or an .fmu file.")],
+    recording: Annotated[Path, typer.Argument(help="CSV with input and measured columns: name [unit].")],
+    noise: Annotated[
+        list[str], typer.Option(help='Standard deviation of a signal that is taken as measured, such as "p=0.5 kPa".')
+    ],
+    of: Annotated[list[str] | None, typer.Option("--of", help="Wanted, any variable; default: outputs.")] = None,
+    unknown: Annotated[
+        list[str] | None,
+        typer.Option(help='An input that nobody measures, "F=5 N,20 N": how uncertain at first, its change in 1 s.'),
+    ] = None,
+    drift: Annotated[
+        list[str] | None, typer.Option(help='What the model does not know of a state in 1 s: "muscle.gas.p=0.1 kPa".')
+    ] = None,
+    spread: Annotated[list[str] | None, typer.Option(help="How uncertain a state is at first.")] = None,
+    start: Annotated[str | None, typer.Option(help='Values at the start, such as "p=1 bar, x=20 mm".')] = None,
+    held: Annotated[bool, typer.Option("--held", help="Inputs are held between rows, not joined by lines.")] = False,
+    settings: SetOption = None,
+    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the estimates as CSV.")] = None,
+    json: JsonOption = None,
+    plot: Annotated[Path | None, typer.Option(help="Draw the estimates as PNG.")] = None,
+    files: FilesOption = None,
+    timeout: TimeoutOption = None,
+) -> None:
+    """What is not measured, estimated from what is, with its uncertainty (extended Kalman filter)."""
+    check_results(output, json, plot, sources=[model, recording, *(files or [])])
+    interface = dynamics.interface(model, files or [])
+    point = parse_point([start], interface) if start else {}
+    if not isinstance(point, dict):
+        raise InputError("--start: give values by name, such as 'p=1 bar'")
+    observation = dynamics.observe(
+        model, recording, parse_settings(settings or [], interface), noise=parse_pairs(noise), outputs=of,
+        unknown={name: _two(name, text) for name, text in parse_pairs(unknown or []).items()},
+        drift=parse_pairs(drift or []), spread=parse_pairs(spread or []), start=point,
+        interpolation="previous" if held else "linear", files=files or [], timeout=timeout,
+    )  # fmt: skip
+    tell_and_write(observation, output, json, plot)
+
+
+def _two(name: str, text: str) -> tuple[str, str]:
+    parts = [part.strip() for part in text.split(",")]
+    if len(parts) != 2 or not all(parts):
+        raise InputError(f"'{name}={text}': write how uncertain it is at first and its change in 1 s: '5 N,20 N'")
+    return parts[0], parts[1]

@@ -1,0 +1,63 @@
+"""The command ``simulate``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from pam_cosim import study
+from pam_cosim.cli.arguments import parse_settings
+from pam_cosim.cli.commands.common import (
+    FilesOption,
+    InputOption,
+    SetOption,
+    TimeoutOption,
+    VariablesOption,
+    check_results,
+    say_written,
+)
+from pam_cosim.reporting import plot_trajectory
+
+
+def simulate(
+    model: Annotated[str, typer.Argument(help="A bench, a Modelica class, a .mo or an .fmu file.")],
+    settings: SetOption = None,
+    inputs: InputOption = None,
+    stop_time: Annotated[str | None, typer.Option(help="End of the run, such as 20 or '2 min'; in s.")] = None,
+    interval: Annotated[str | None, typer.Option(help="Time between two rows of the result, such as '1 ms'.")] = None,
+    output: Annotated[
+        Path | None, typer.Option("-o", metavar="FILE", help="Write the trajectory: CSV, .nc (NetCDF), .parquet.")
+    ] = None,
+    variables: VariablesOption = None,
+    engine: Annotated[str, typer.Option(help="own, or fmpy: FMPy drives the same FMU.")] = "own",
+    plot: Annotated[Path | None, typer.Option(help="Draw the outputs as PNG.")] = None,
+    files: FilesOption = None,
+    timeout: TimeoutOption = None,
+) -> None:
+    """One run of a model."""
+    check_results(output, plot, sources=[model, inputs, *(files or [])])
+    interface = study.describe(model, files or [])
+    parameters = parse_settings(settings or [], interface)
+    trajectory = study.simulate(
+        model,
+        parameters,
+        inputs,
+        outputs=variables or [],
+        stop_time=stop_time,
+        interval=interval,
+        engine=engine,
+        files=files or [],
+        timeout=timeout,
+    )
+    for warning in filter(None, (trajectory.solver, *trajectory.warnings)):
+        typer.echo(f"pam-cosim: {warning}", err=True)
+    if output:
+        trajectory.save(output)
+    if plot:
+        plot_trajectory(trajectory, plot)
+    for line in repr(trajectory).splitlines()[1:]:
+        typer.echo(line.strip())
+    say_written(output)
+    say_written(plot)

@@ -1,0 +1,120 @@
+"""The command ``sweep``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
+
+from pam_cosim import study
+from pam_cosim.cli.arguments import parse_named, parse_settings, parse_variations
+from pam_cosim.cli.commands.common import (
+    FilesOption,
+    InputOption,
+    SetOption,
+    TimeoutOption,
+    VariablesOption,
+    check_results,
+    console,
+    remarks,
+    say_written,
+)
+from pam_cosim.files import check_writable
+from pam_cosim.sweeps import DESIGNS, FUNCTIONS, Sweep, partial_of
+
+_MOST_FAILURES = 20  # that are told one by one
+_COLUMNS = (TextColumn("sweep"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TimeRemainingColumn())
+
+
+def sweep(
+    model: Annotated[str, typer.Argument(help="A bench, a Modelica class, a .mo or an .fmu file.")],
+    vary: Annotated[
+        list[str],
+        typer.Option(
+            "--vary",
+            help="NAME=FROM:TO:N or NAME=A,B,C: a parameter, input or start value; FROM:TO for random designs; "
+            "inputs=A.csv,B.csv: inputs over time, of files or of formulas as for --input.",
+        ),
+    ],
+    output: Annotated[Path, typer.Option("-o", metavar="FILE", help="Write the result: CSV, .nc (NetCDF), .parquet.")],
+    settings: SetOption = None,
+    inputs: InputOption = None,
+    variables: VariablesOption = None,
+    scalars: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--scalar",
+            help=f"FUNCTION(VARIABLE) or NAME=FUNCTION(VARIABLE): {', '.join(FUNCTIONS)}; 'time_to(p, 90 %)'.",
+        ),
+    ] = None,
+    trajectories: Annotated[
+        bool | None, typer.Option(help="Keep values over time; default: where there are no scalars.")
+    ] = None,
+    design: Annotated[str, typer.Option(help=", ".join(DESIGNS))] = "grid",
+    runs: Annotated[int | None, typer.Option(help="How many, of random and latin-hypercube.")] = None,
+    seed: Annotated[int, typer.Option(help="Of random and latin-hypercube.")] = 0,
+    stop_time: Annotated[str | None, typer.Option(help="End of each run, such as 20 or '2 min'; in s.")] = None,
+    interval: Annotated[str | None, typer.Option(help="Time between two values that are kept, such as '1 ms'.")] = None,
+    plot: Annotated[Path | None, typer.Option(help="Draw the scalars over what is varied as PNG.")] = None,
+    workers: Annotated[int | None, typer.Option(help="Processes; default: as many as it pays to start.")] = None,
+    dask: Annotated[str | None, typer.Option(help="Address of a Dask scheduler that makes the runs.")] = None,
+    files: FilesOption = None,
+    timeout: TimeoutOption = None,
+) -> None:
+    """Many runs: every combination of what is varied, a list, or random points.
+
+    A sweep that was stopped goes on with the same command.
+    """
+    check_results(output, plot, sources=[model, inputs, *(files or [])])
+    check_writable(partial_of(output))
+    interface = study.describe(model, files or [])
+    variations = parse_variations(vary, interface, ranges=design in ("random", "latin-hypercube"))
+    parameters = parse_settings(settings or [], interface)
+    remarks.append(lambda: _kept(output))
+    with Progress(*_COLUMNS, console=console, disable=not console.is_terminal) as progress:
+        task = progress.add_task("sweep", total=None)
+        made = study.sweep(
+            model,
+            variations,
+            parameters=parameters,
+            inputs=inputs,
+            outputs=variables or [],
+            scalars=parse_named(scalars or []),
+            trajectories=trajectories,
+            design=design,
+            runs=runs,
+            seed=seed,
+            stop_time=stop_time,
+            interval=interval,
+            output=output,
+            executor=dask,
+            workers=workers,
+            files=files or [],
+            timeout=timeout,
+            progress=lambda done, total: progress.update(task, completed=done, total=total),
+        )
+    if plot:
+        study.draw(made, plot)
+    _tell(made)
+    say_written(output)
+    say_written(plot)
+    if len(made.failed) == len(made):
+        raise typer.Exit(1)
+
+
+def _kept(output: Path) -> str:
+    file = partial_of(output)
+    return f"the runs that are done are kept in {file}: the same command goes on" if file.exists() else ""
+
+
+def _tell(made: Sweep) -> None:
+    failed = made.failed
+    for run, reason in list(failed.items())[:_MOST_FAILURES]:
+        console.print(f"failed at {made.design.settings(run)}: {reason}", markup=False, soft_wrap=True)
+    if len(failed) > _MOST_FAILURES:
+        console.print(f"and {len(failed) - _MOST_FAILURES} more; the result names the reason of each")
+    typer.echo(f"{len(made) - len(failed)} of {len(made)} runs done")
+    for line in made.told():
+        typer.echo(line)

@@ -1,0 +1,31 @@
+"""The command ``workbench``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from pam_cosim.cli.commands.common import FilesOption, ModelOption, console
+from pam_cosim.errors import InputError
+
+
+def workbench(
+    data: Annotated[Path, typer.Argument(help="Folder of a data set, or of one to be made by dropping CSV files.")],
+    model: ModelOption = None,
+    port: Annotated[int, typer.Option(help="Of the page; default: a free one.", min=0, max=65535)] = 0,
+    browser: Annotated[bool, typer.Option(help="Whether to open the page in the browser.")] = True,
+    files: FilesOption = None,
+) -> None:
+    """Open a study in the browser: drag parameters, fit, diagnose, add, and see the error fall."""
+    try:
+        from pam_cosim.workbench.server import serve
+    except ImportError as problem:
+        hint = "the workbench needs some further packages: pip install 'pam-cosim[workbench]'"
+        raise InputError(f"{hint} ({problem.name} is missing)") from None
+    serve(data, model=model, files=files or [], port=port, browser=browser, tell=_tell)
+
+
+def _tell(line: str) -> None:
+    console.print(line, markup=False, soft_wrap=True)

@@ -1,0 +1,113 @@
+"""The command ``pam-cosim`` as a process that can be interrupted at any moment and leaves nothing behind.
+
+What it loads takes a second, in which it can be interrupted too: so it loads little before it listens.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import time
+from collections.abc import Callable
+from types import FrameType
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from sys import UnraisableHookArgs
+
+_SIGNALS = (signal.SIGINT, signal.SIGTERM)
+_AGAIN = 0.05  # [s] after which an interrupt comes once more that came where it was ignored
+_LAST = 1.0  # [s] for an interrupted command to end by itself once everything is cleaned up
+_PATIENCE = 5.0  # [s] after an interrupt in which another one does not disturb the cleaning up
+
+
+class _Command:
+    """One run of the command, with a folder for every temporary file that it or its processes make."""
+
+    def __init__(self) -> None:
+        self.scratch = ""
+        self.loading = True
+        self.number = 0  # of the signal that interrupted it; 0: none did
+        self.time = -_PATIENCE
+
+    def interrupt(self, number: int, frame: FrameType | None) -> None:
+        """Handler of a signal: what has begun cleans up; before, there is nothing but the folder."""
+        if time.monotonic() - self.time < _PATIENCE:
+            return
+        self.number, self.time = number, time.monotonic()
+        if self.loading:
+            self.remove_scratch()
+            os.write(2, b"pam-cosim: interrupted; nothing was written\n")
+            os._exit(128 + number)
+        raise KeyboardInterrupt
+
+    def raise_again(self, ignored: UnraisableHookArgs) -> None:
+        """An interrupt at a place that cannot be left, such as a destructor, comes once more."""
+        if isinstance(ignored.exc_value, KeyboardInterrupt):
+            self.time = -_PATIENCE
+            _later(_AGAIN, os.kill, os.getpid(), self.number)
+        else:
+            sys.__unraisablehook__(ignored)
+
+    def run(self) -> int:
+        """The status with which to exit."""
+        for number in _SIGNALS:
+            signal.signal(number, self.interrupt)
+        sys.unraisablehook = self.raise_again
+        self.make_scratch()
+        # what tracks semaphores removes them also where this process ends without a word, and need not say so
+        quiet = "ignore:resource_tracker:UserWarning"
+        os.environ["PYTHONWARNINGS"] = ",".join(filter(None, (os.environ.get("PYTHONWARNINGS"), quiet)))
+        from pam_cosim.cli.app import load, main
+        from pam_cosim.cli.commands.common import interrupted
+
+        load(sys.argv[1:])
+        self.loading = False
+        try:
+            status = main()
+        except BaseException:  # an interrupt may come out of a library as another exception
+            if not self.number:
+                raise
+            status = interrupted()
+        return 128 + self.number if self.number and status else status
+
+    def make_scratch(self) -> None:
+        """A folder that ``tempfile`` uses, in this process and in those that it starts."""
+        import tempfile
+
+        name = os.path.join(tempfile.gettempdir(), f"pam-cosim-{os.getpid()}-{os.urandom(4).hex()}")
+        self.scratch = name  # before it is made: an interrupt finds it
+        os.mkdir(name, 0o700)
+        os.environ["TMPDIR"] = tempfile.tempdir = name
+        os.environ["PAM_COSIM_SCRATCH"] = name  # for those that outlive a command that is killed
+
+    def remove_scratch(self) -> None:
+        """Removes all temporary files."""
+        import shutil
+
+        if self.scratch:
+            shutil.rmtree(self.scratch, ignore_errors=True)
+
+
+def run() -> None:
+    """Entry point of the command line."""
+    command = _Command()
+    try:
+        status = command.run()
+    finally:
+        for number in _SIGNALS:
+            signal.signal(number, signal.SIG_IGN)
+        command.remove_scratch()
+    if command.number:  # threads of libraries may wait for processes that have been ended
+        _later(_LAST, os._exit, status)
+    sys.exit(status)
+
+
+def _later(seconds: float, function: Callable[..., None], *arguments: object) -> None:
+    """Calls the function after some seconds, if this process has not ended by then."""
+    import threading
+
+    timer = threading.Timer(seconds, function, arguments)
+    timer.daemon = True
+    timer.start()

@@ -1,0 +1,77 @@
+"""What a run is set to, resolved once against the model: names, units and ranges of values that hold for all of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from pam_cosim.errors import InputError
+from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.units import UnitError, parse_quantity
+from pam_cosim.wording import did_you_mean, shown
+
+# A number in the model's own (SI) unit, or a text such as "207 kPa".
+Setting = float | str
+
+
+def resolve(settings: Mapping[str, Setting], interface: Interface) -> dict[str, float]:
+    """Values by name [SI] of parameters, of inputs that are held constant, and of start values.
+
+    Raises:
+        InputError: an unknown name; a value that is no finite number, of another dimension or out of range.
+    """
+    return {name: value_of(value, settable(name, interface)) for name, value in settings.items()}
+
+
+def settable(name: str, interface: Interface) -> Variable:
+    """What ``name`` stands for.
+
+    Raises:
+        InputError: nothing of that name can be set; says which name is nearest.
+    """
+    known = interface.settable
+    if name not in known:
+        if name in interface.outputs:
+            raise InputError(f"'{name}' is an output of {interface.model} and cannot be set")
+        raise InputError(f"{interface.model} has no parameter or input '{name}'; {did_you_mean(name, known)}")
+    return known[name]
+
+
+def value_of(value: Setting, variable: Variable) -> float:
+    """One value [SI]; a text without a unit is in the model's own unit.
+
+    Raises:
+        InputError: as ``resolve``.
+    """
+    number = _number(value, variable)
+    if not np.isfinite(number):
+        raise InputError(f"{_said(value, variable)}: the value must be a finite number")
+    low, high = variable.min, variable.max
+    if (low is not None and number < low) or (high is not None and number > high):
+        raise InputError(f"{_said(value, variable)}: must be {_range(variable)}")
+    return number
+
+
+def _range(variable: Variable) -> str:
+    low, high = variable.min, variable.max
+    unit = "" if variable.unit == "1" else variable.unit
+    span = f"at most {high}" if low is None else f"at least {low}" if high is None else f"between {low} and {high}"
+    return f"{span} {unit}".rstrip()
+
+
+def _said(value: Setting, variable: Variable) -> str:
+    return shown(f"{variable.name}={value}")
+
+
+def _number(value: Setting, variable: Variable) -> float:
+    try:
+        return float(value)
+    except TypeError:
+        raise InputError(f"{_said(value, variable)}: this is neither a number nor a text with a unit") from None
+    except ValueError:
+        pass
+    try:
+        return parse_quantity(value, variable.unit)
+    except UnitError as problem:
+        raise InputError(f"{_said(value, variable)}: {problem}") from None

@@ -1,0 +1,81 @@
+"""A model by its name as an FMU, and what it shows. Loads neither measurements nor pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from pam_cosim.counts import checked_time
+from pam_cosim.files import check_writable, make_folder, write_bytes
+from pam_cosim.fmu import build_model, read_interface
+from pam_cosim.model.interface import Interface
+from pam_cosim.model.references import is_fmu
+from pam_cosim.simulation import IsolatedSimulator, Simulator
+
+Paths = Sequence[Path | str]
+
+
+def describe(model: str, files: Paths = ()) -> Interface:
+    """Inputs, outputs and parameters of a model: a bench, a Modelica class, a ``.mo`` or an ``.fmu`` file.
+
+    Raises:
+        InputError: there is no such model, or it cannot be compiled.
+    """
+    return read_interface(build(model, files=files))
+
+
+def build(
+    model: str,
+    output: Path | str | None = None,
+    *,
+    files: Paths = (),
+    platforms: Sequence[str] = ("native",),
+    fmi: str = "2.0",
+    sensitivities: Sequence[str] = (),
+) -> Path:
+    """Builds an FMU, or finds it in the cache; with ``output`` it is put there.
+
+    ``platforms`` names those that the FMU shall run on: "native", "all", or names such as "x86_64-windows".
+    ``fmi`` is the version of the interface, "2.0" or "3.0". For each parameter in ``sensitivities`` the derivatives
+    of the outputs with respect to it are outputs too, ``sensitivity.<output>.<parameter>``.
+    """
+    if output is not None:
+        check_writable(Path(output), new_folder=True)
+    made = build_model(model, as_paths(files), platforms=platforms, fmi=fmi, sensitivities=sensitivities)
+    if output is None:
+        return made
+    target = Path(output)
+    make_folder(target.parent)
+    write_bytes(target, made.read_bytes())
+    return target
+
+
+def opened(
+    model: str, files: Paths = (), free: Iterable[str] = (), timeout: float | None = None
+) -> Simulator | IsolatedSimulator:
+    """A model ready to run; an FMU of somebody else's runs in a process of its own, which it may crash.
+
+    A Modelica model tells its sensitivities to the ``free`` parameters. ``timeout`` [s]: a run of a Modelica model ends
+    after so much processor time (None: ``CRITERIA.run.longest``); an FMU that makes no progress for so long is ended
+    (None: the default of ``IsolatedSimulator``).
+    """
+    if is_fmu(model):
+        return IsolatedSimulator(build(model, files=files), timeout)
+    fmu = build_model(model, as_paths(files), sensitivities=tuple(free), where_smooth=True)
+    return limited(Simulator(fmu), timeout)
+
+
+def limited(simulator: Simulator, timeout: float | None) -> Simulator:
+    """The same, its runs with another limit of processor time [s]; None: as it is.
+
+    Raises:
+        InputError: no such limit.
+    """
+    if timeout is not None and simulator.limit is not None:
+        simulator.limit = checked_time(timeout), 0.0
+    return simulator
+
+
+def as_paths(files: Paths) -> list[Path]:
+    """Names of files as paths."""
+    return [Path(file) for file in files]

@@ -1,0 +1,38 @@
+"""A model against measurements, without fitting anything."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from pam_cosim.comparison import Comparison
+from pam_cosim.comparison import compare as _compare
+from pam_cosim.fitting import (
+    estimated_starts,
+    runs_without_start,
+)
+from pam_cosim.measurement import DataSet
+from pam_cosim.model.references import START_VALUES
+from pam_cosim.model.settings import Setting
+from pam_cosim.simulation.models import Paths, describe, opened
+from pam_cosim.study.data_sets import begun_data, for_model, values_of_runs
+
+
+def compare(
+    data: DataSet,
+    model: str | None = None,
+    parameters: Mapping[str, Setting] | None = None,
+    *,
+    files: Paths = (),
+    timeout: float | None = None,
+) -> Comparison:
+    """Simulates every run of ``data`` with ``model`` (default: its bench) and scores the differences.
+
+    ``parameters`` are further values and ``timeout`` a limit, as in ``simulate``.
+    """
+    name, data = data.model_for(model), for_model(data, model, files)
+    interface = describe(name, files)
+    values = values_of_runs(parameters or {}, data, interface)
+    data = begun_data(data, name, values, files, timeout)
+    with opened(name, files, [START_VALUES] * data.estimates_starts, timeout) as simulator:
+        starts = estimated_starts(simulator, data, runs_without_start(data, values, interface), values)
+        return _compare(simulator, data, values | {name: e.value for name, e in starts.items()})

@@ -1,0 +1,191 @@
+"""Data sets: read and checked against a model, or drafted from the files of a laboratory."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+from pam_cosim.catalogue import domain_of
+from pam_cosim.compiler import read_library
+from pam_cosim.drafting import NewDataSet, Wishes, draft
+from pam_cosim.errors import InputError
+from pam_cosim.fitting import starts_are_open, with_starts
+from pam_cosim.measurement import DataSet, Moment, complete_noise, overrides_of, read_data_set
+from pam_cosim.model.domain import Domain
+from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.model.references import is_fmu, is_ratio, parameter_of, sources_of
+from pam_cosim.model.settings import Setting, resolve, value_of
+from pam_cosim.simulation.models import Paths, as_paths, describe, opened
+from pam_cosim.study.fitted_model import (
+    judged_data,
+    with_own_values,
+)
+from pam_cosim.study.library import benches
+from pam_cosim.study.mapped_model import mapped_model
+from pam_cosim.wording import did_you_mean
+
+
+def described_with(files: Paths) -> Callable[[str], Interface]:
+    """Gives the interface of a model by its name, and builds each but once."""
+    return cache(lambda name: describe(name, files))
+
+
+def read(
+    folder: Path | str,
+    *,
+    model: str | None = None,
+    files: Paths = (),
+    roles: Mapping[str, str] | None = None,
+    cuts: Mapping[str, Sequence[Moment]] | None = None,
+    starts: Mapping[str, str] | None = None,
+) -> DataSet:
+    """Reads a data set and checks it against its bench (or against ``model``).
+
+    ```python
+    data = pam.read("my-rig", cuts={"run-03": ("2.5 s", None)}, starts={"run-03": "estimated"})
+    ```
+
+    Args:
+        folder: of the data set; or a saved diagnosis, fit or comparison (``.npz``): the data set as that judged it,
+            without the samples that it set aside.
+        model: default: the bench of the data set.
+        files: further Modelica files.
+        roles: "fit" or "holdout" by run, where it shall be another one than the data set says.
+        cuts: the first and the last time of a run, by run, instead of ``from`` and ``to`` of the data set: [s] of the
+            file's own clock or texts with a unit; None: as it was recorded. Where it begins elsewhere then, its start
+            is chosen anew.
+        starts: "rest", "steady", "measured" or "estimated" by run, where it shall begin otherwise than the data set
+            says.
+
+    Raises:
+        InputError: with file, line and column of what cannot be used; no such run, role or start; nothing is left.
+    """
+    described = described_with(files)
+    overrides = overrides_of(cuts, starts)
+    if Path(folder).suffix.lower() == ".npz":
+        if cuts or starts:
+            raise InputError("what was judged keeps its ends and starts; cut the data set that it is of", folder)
+        data = judged_data(Path(folder))
+        data = replace(data, model=model or data.model)
+    else:
+        data = read_data_set(
+            Path(folder),
+            described,
+            model=model,
+            benches=lambda: benches(files),
+            with_maps=lambda base, maps: mapped_model(base, described(base), maps, as_paths(files)),
+            overrides=overrides,
+        )
+    data = replace(data.with_roles(roles or {}), domain=_domain(data.model, described(data.model), files))
+    return for_model(data, model, files)
+
+
+def for_model(data: DataSet, model: str | None, files: Paths) -> DataSet:
+    """The data set for a model: values that a Modelica model of another name states stand before starts of a fit."""
+    if (
+        model in (None, data.bench, data.unmapped)
+        or not data.bench
+        or is_fmu(model)
+        or all(f.start is None for f in data.fit.values())
+    ):
+        return data
+    return with_own_values(data, model, as_paths(files))
+
+
+def _domain(model: str, interface: Interface, files: Paths) -> Domain:
+    """The words of the model's field; an FMU says what class it was made from."""
+    sources = sources_of(as_paths(files), model)
+    return domain_of(read_library(files=sources), interface.model if is_fmu(model) else model)
+
+
+def new(
+    folder: Path | str,
+    recordings: Paths,
+    *,
+    title: str | None = None,
+    model: str | None = None,
+    muscle: str | None = None,
+    columns: Mapping[str, str] | None = None,
+    parameters: Mapping[str, Setting] | None = None,
+    recording: Mapping[str, object] | None = None,
+    roles: Mapping[str, str] | None = None,
+    files: Paths = (),
+) -> NewDataSet:
+    """Writes a data set from recordings as labs have them, and says what was recognised and what was guessed.
+
+    ```python
+    print(pam.new("my-rig", ["data/run-01.csv", "data/run-02.csv"], parameters={"load.m": "2.27 kg"}))
+    ```
+
+    The recordings are copied. Columns are recognised by names, units and what the numbers look like; the bench is the
+    one that takes and shows most of them, put together from parts where there is none. Every guess is marked in
+    ``experiment.toml``.
+
+    Args:
+        folder: of the new data set, missing or empty.
+        recordings: files, one run each.
+        title: default: the folder's name.
+        model: the bench; a ``.mo`` or ``.fmu`` file is copied too.
+        muscle: one of ``rig_parts``, by name; the bench is then put together.
+        columns: names of columns, or formulas, by inputs, outputs or "time".
+        parameters: what is known of all runs, with units.
+        recording: keys of ``[recording]`` of ``experiment.toml``, as far as files do not show them.
+        roles: "fit" or "holdout", by the names of recordings without their endings.
+        files: further Modelica files.
+
+    Raises:
+        InputError: whatever cannot be used, with file, line and column; nothing is written then.
+    """
+    stated = {name: str(value) for name, value in (parameters or {}).items()}
+    wishes = Wishes(title, model, columns, stated, recording, muscle, roles)
+    paths = [Path(one) for one in recordings]
+    made = draft(
+        Path(folder), paths, wishes, read_library(files=as_paths(files)), described_with(files), as_paths(files)
+    )
+    written = read(folder, files=files)
+    begun = begun_data(written, written.model, files=files)
+    return replace(made, data=written, starts=begun.starts)
+
+
+def begun_data(
+    data: DataSet,
+    model: str,
+    values: Mapping[str, float] | None = None,
+    files: Paths = (),
+    timeout: float | None = None,
+) -> DataSet:
+    """The data set, with its noise, where every run says how it begins.
+
+    Args:
+        data: the measurement.
+        model: what it is held against.
+        values: by name [SI].
+        files: further Modelica files.
+        timeout: as in ``simulate``.
+    """
+    data = complete_noise(data)
+    if not starts_are_open(data):
+        return data
+    with opened(model, files, timeout=timeout) as simulator:
+        return with_starts(simulator, data, values)
+
+
+def values_of_runs(parameters: Mapping[str, Setting], data: DataSet, interface: Interface) -> dict[str, float]:
+    """Values by name [SI], of all runs or of one: "load.m", "load.m@run-01"."""
+    values: dict[str, float] = {}
+    for name, value in parameters.items():
+        parameter, at, run = name.rpartition("@")
+        if at and parameter in interface.settable:
+            if run not in [r.name for r in data.runs]:
+                known = [r.name for r in data.runs]
+                raise InputError(
+                    f"{data.title} has no run '{run}', of which '{name}' would be; {did_you_mean(run, known)}"
+                )
+            values[name] = resolve({parameter: value}, interface)[parameter]
+        elif is_ratio(name) and parameter_of(name) in interface.settable:
+            values[name] = value_of(value, Variable(name, "1"))
+        else:
+            values |= resolve({name: value}, interface)
+    return values

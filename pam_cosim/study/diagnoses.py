@@ -1,0 +1,98 @@
+"""What a model lacks, what data could show, and pictures of what came of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from pam_cosim.counts import checked_workers
+from pam_cosim.diagnosis import Check, Diagnosis, Listener, Message
+from pam_cosim.diagnosis import check as _check
+from pam_cosim.diagnosis import diagnose as _diagnose
+from pam_cosim.errors import InputError
+from pam_cosim.measurement import DataSet
+from pam_cosim.model.settings import Setting
+from pam_cosim.simulation.models import Paths, as_paths
+from pam_cosim.study.fits import _freed
+from pam_cosim.study.products import Product
+from pam_cosim.study.runs import _seconds
+from pam_cosim.sweeps import Sweep
+
+
+def diagnose(
+    data: DataSet,
+    model: str | None = None,
+    *,
+    files: Paths = (),
+    say: Callable[[Message], None] = lambda message: None,
+    progress: Listener | None = None,
+    workers: int | None = None,
+    explain: bool = True,
+    time_limit: Setting | None = None,
+    exclude: Sequence[str] = (),
+    expect: Sequence[str] = (),
+    free: Sequence[str] | None = None,
+    start: Mapping[str, Setting] | None = None,
+) -> Diagnosis:
+    """Finds the effect that ``model`` (default: the bench of the data set) lacks; see ``diagnosis.diagnose``.
+
+    ``say`` is told each step and each result as a line of text (``print`` will do) that knows which of them it is;
+    ``progress`` is told the same as data, and the verdict and the ledger as they come: a ``diagnosis.Event`` each.
+    ``time_limit`` ([s], or with a unit) ends the search with the best verdict so far, which says what was not tried.
+    ``exclude`` and ``expect`` name families or effects that are known not to be missing, or that are likely, with those
+    of the data set. ``free`` and ``start`` are as for ``fit``.
+    """
+    limit, files = _seconds(time_limit, "time limit"), as_paths(files)
+    if limit is not None and not limit > 0:
+        raise InputError(f"the time limit must be longer than nothing: {time_limit}")
+    return _diagnose(
+        _freed(data, model, free, start, files),
+        model,
+        files=files,
+        say=say,
+        progress=progress,
+        workers=checked_workers(workers),
+        explain=explain,
+        time_limit=limit,
+        exclude=tuple(exclude),
+        expect=tuple(expect),
+    )
+
+
+def check(
+    data: DataSet,
+    model: str | None = None,
+    *,
+    files: Paths = (),
+    say: Callable[[Message], None] = lambda message: None,
+    workers: int | None = None,
+) -> Check:
+    """What ``data`` can and cannot tell about ``model`` (default: its bench) before any fit; see ``diagnosis.check``.
+
+    How exactly the free parameters will be known, which families of effects would show and from which strength on,
+    which of them would not be told apart, and which further signal or run would help most.
+    """
+    return _check(data, model, files=as_paths(files), say=say, workers=checked_workers(workers))
+
+
+def draw(product: Product | Sweep, path: Path | str) -> None:
+    """Draws a product of a study as PNG: its signals over time, its ledger, or the error coming down.
+
+    Raises:
+        InputError: there is nothing to draw, or the file cannot be written.
+    """
+    from pam_cosim.reporting import draw as _draw  # half a second for matplotlib, which no worker needs
+
+    _draw(product, path)
+
+
+def live() -> Callable[[Any], None]:
+    """Something to be told what goes on: ``pam.fit(data, progress=pam.live())``, and so for ``diagnose``.
+
+    In a notebook it draws how things stand: the errors of a fit, the ranking and the verdict of a diagnosis. Elsewhere
+    it prints every line.
+    """
+    from pam_cosim.reporting import Live
+
+    return Live()

@@ -1,0 +1,379 @@
+"""Steps of a study that look at a model's dynamics, as one function each."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+
+from pam_cosim.analysis.apart import work_on
+from pam_cosim.analysis.frequency_response import FrequencyResponse
+from pam_cosim.analysis.kalman import Belief, Samples, observe_samples
+from pam_cosim.analysis.linear import LinearCourse, LinearModel
+from pam_cosim.analysis.linearise import linearise_at, linearise_run
+from pam_cosim.analysis.observation import Observation
+from pam_cosim.analysis.sines import Sines, respond, respond_from_start
+from pam_cosim.arrays import Array
+from pam_cosim.errors import InputError
+from pam_cosim.fmu.read import exchange_description, has_exchange, interface_of
+from pam_cosim.measurement import read_recording
+from pam_cosim.model.interface import Interface
+from pam_cosim.model.references import is_fmu
+from pam_cosim.model.settings import Setting, resolve, value_of
+from pam_cosim.simulation import Inputs, Trajectory, models
+from pam_cosim.simulation.inputs import Interpolation
+from pam_cosim.study.recorded_start import recorded_start
+from pam_cosim.wording import did_you_mean
+
+Point = Literal["rest"] | Mapping[str, Setting] | float | tuple[Trajectory, float]
+
+
+@dataclass(frozen=True)
+class Exchange:
+    """A model for model exchange that is ready to be worked on.
+
+    Attributes:
+        path: of its FMU.
+        trusted: whether it was built here, and may run in this process.
+        interface: its names and units.
+    """
+
+    path: Path
+    trusted: bool
+    interface: Interface
+
+
+def exchange(model: str, files: models.Paths = ()) -> Exchange:
+    """Finds or builds the FMU of a model.
+
+    Raises:
+        InputError: no such model, or one without model exchange.
+    """
+    path = models.build(model, files=files)
+    return Exchange(path, not is_fmu(model), interface_of(exchange_description(path)))
+
+
+def interface(model: str, files: models.Paths = ()) -> Interface:
+    """As ``models.describe``, also for an FMU for model exchange alone."""
+    path = models.build(model, files=files)
+    return interface_of(exchange_description(path)) if has_exchange(path) else models.describe(model, files)
+
+
+def linearise(
+    model: str,
+    parameters: Mapping[str, Setting] | None = None,
+    *,
+    at: Point = "rest",
+    free: Sequence[str] = (),
+    inputs: Inputs | None = None,
+    outputs: Sequence[str] | None = None,
+    files: models.Paths = (),
+    timeout: float | None = None,
+) -> LinearModel:
+    """The linear model about a point, from the FMU's exact derivatives.
+
+    Args:
+        model: a bench, a Modelica class, a ``.mo`` or an ``.fmu`` file with model exchange.
+        parameters: as in ``simulate``; inputs among them are held.
+        at: "rest": where a run with constant inputs settles. Values by name: that state; named states and inputs take
+            their values, and where another variable is named, such as an output, the other states change as little as
+            they must from their start values. A number: that time [s] of the run that ``inputs`` drive. A trajectory
+            that has all states, and a time [s].
+        free: inputs that the solver chooses; ``at`` is then a rest at which what is named has its value.
+        inputs: over time; only for a time of a run.
+        outputs: names of outputs or of any other variable; default: every output.
+        files: further Modelica files.
+        timeout: as in ``simulate``.
+
+    Raises:
+        InputError: an unknown name, a value that cannot be used, a model without model exchange; no rest, or no such
+            state.
+        SimulationFailure: the model cannot be evaluated there.
+    """
+    known = exchange(model, files)
+    settings = resolve(parameters or {}, known.interface)
+    if isinstance(at, str) and at != "rest":
+        raise InputError(f"'{at}' is no point: give 'rest', values by name, or a time")
+    if isinstance(at, str | Mapping):
+        if inputs is not None:
+            raise InputError("inputs over time are for a time of a run; inputs that are held belong to the parameters")
+        conditions = {} if isinstance(at, str) else conditions_of(at, known.interface)
+        rest = isinstance(at, str) or bool(free)
+        return work_on(
+            known.path, known.trusted, timeout, linearise_at, settings, conditions, rest, list(free),
+            _listed(outputs),
+        )  # fmt: skip
+    if free:
+        raise InputError("inputs are free at a rest only")
+    if isinstance(at, tuple):
+        points = [_of_trajectory(at[0], float(at[1]), known)]
+    else:
+        points = _of_run(model, settings, inputs, [float(at)], known, files, timeout)
+    return work_on(known.path, known.trusted, timeout, linearise_run, settings, points, _listed(outputs))[0]
+
+
+def linearise_along(
+    model: str,
+    parameters: Mapping[str, Setting] | None = None,
+    inputs: Inputs | None = None,
+    *,
+    times: Sequence[float],
+    outputs: Sequence[str] | None = None,
+    files: models.Paths = (),
+    timeout: float | None = None,
+) -> LinearCourse:
+    """The linear models at several times of one run.
+
+    Args:
+        model: as in ``simulate``.
+        parameters: as in ``simulate``.
+        inputs: as in ``simulate``.
+        files: as in ``simulate``.
+        timeout: as in ``simulate``.
+        times: (k,) [s], increasing.
+        outputs: as in ``linearise``.
+
+    Raises:
+        InputError: as ``linearise``; no times, or times that do not increase.
+        SimulationFailure: the run does not get there.
+    """
+    if not len(times):
+        raise InputError("no time is given")
+    known = exchange(model, files)
+    settings = resolve(parameters or {}, known.interface)
+    points = _of_run(model, settings, inputs, [float(t) for t in times], known, files, timeout)
+    linear_models = work_on(known.path, known.trusted, timeout, linearise_run, settings, points, _listed(outputs))
+    return LinearCourse(tuple(linear_models))
+
+
+def conditions_of(at: Mapping[str, Setting], interface: Interface) -> dict[str, float]:
+    """Values [SI] of any variables.
+
+    Raises:
+        InputError: an unknown name, or a value that cannot be used.
+    """
+    groups = (interface.inputs, interface.outputs, interface.locals, interface.sensitivities)
+    known = {name: variable for group in groups for name, variable in group.items()}
+    for name in at:
+        if name in interface.parameters:
+            raise InputError(f"'{name}' is a parameter: set it with the parameters")
+        if name not in known:
+            raise InputError(f"{interface.model} has no variable '{name}'; {did_you_mean(name, known)}")
+    return {name: value_of(value, known[name]) for name, value in at.items()}
+
+
+def _listed(names: Sequence[str] | None) -> list[str] | None:
+    return None if names is None else list(names)
+
+
+def _of_trajectory(trajectory: Trajectory, time: float, known: Exchange) -> tuple[float, dict[str, float]]:
+    needed = state_names(known.path)
+    missing = [name for name in needed if name not in trajectory.values]
+    if missing:
+        raise InputError(
+            f"the trajectory lacks {', '.join(missing)}: it must be simulated with the outputs {', '.join(needed)}"
+        )
+    if not trajectory.time[0] <= time <= trajectory.time[-1]:
+        span = f"from {trajectory.time[0]:g} s to {trajectory.time[-1]:g} s"
+        raise InputError(f"the trajectory is {span}, without {time:g} s")
+    starts = {name: variable.start or 0.0 for name, variable in known.interface.inputs.items()}
+    values = {n: float(np.interp(time, trajectory.time, trajectory.values[n])) for n in trajectory.values}
+    return time, starts | values
+
+
+def _of_run(
+    model: str,
+    settings: Mapping[str, float],
+    inputs: Inputs | None,
+    times: list[float],
+    known: Exchange,
+    files: models.Paths,
+    timeout: float | None,
+) -> list[tuple[float, dict[str, float]]]:
+    start = float(inputs.time[0]) if inputs is not None else 0.0
+    if times[0] < start or any(b <= a for a, b in zip(times, times[1:], strict=False)):
+        raise InputError(f"the times must increase, from {start:g} s on")
+    names = [*state_names(known.path), *known.interface.inputs]
+    with models.opened(model, files, timeout=timeout) as simulator:
+        run = simulator.run(times, parameters=settings, inputs=inputs, outputs=names, start_time=start)
+    return [(t, {name: float(run[name][i]) for name in names}) for i, t in enumerate(times)]
+
+
+def state_names(path: Path) -> list[str]:
+    """The continuous states of an FMU with model exchange."""
+    return [unknown.variable.derivative.name for unknown in exchange_description(path).derivatives]
+
+
+def frequency_response(
+    model: str,
+    parameters: Mapping[str, Setting] | None = None,
+    *,
+    input: str,
+    outputs: Sequence[str] | None = None,
+    amplitude: Setting,
+    frequencies: Sequence[float] | None = None,
+    at: Literal["rest"] | Mapping[str, Setting] = "rest",
+    free: Sequence[str] = (),
+    most_periods: int = 200,
+    files: models.Paths = (),
+    progress: Callable[[int, int], None] | None = None,
+    timeout: float | None = None,
+) -> FrequencyResponse:
+    """How a model answers to sines of an input, nonlinear as it is, beside its linear model.
+
+    An FMU for co-simulation alone swings about its start values, prolonged until it settles, without a linear model.
+
+    Args:
+        model: as in ``linearise``.
+        parameters: as in ``linearise``.
+        free: as in ``linearise``.
+        files: as in ``linearise``.
+        timeout: as in ``linearise``.
+        input: that swings about its value at rest.
+        outputs: names of outputs or of any other variable; default: every output.
+        amplitude: of the input.
+        frequencies: [Hz]; default: sixteen from 0.1 to 20 Hz.
+        at: "rest", or values that a rest shall have which ``free`` inputs make possible.
+        most_periods: at each frequency; a response that has not settled by then is marked.
+        progress: called with the number of frequencies done and of all.
+
+    Raises:
+        InputError: as ``linearise``; an amplitude or frequency that is not above zero.
+        SimulationFailure: as ``linearise``.
+    """
+    chosen = np.geomspace(0.1, 20.0, 16) if frequencies is None else np.asarray(frequencies, dtype=float)
+    if not chosen.size or not np.all(np.isfinite(chosen) & (chosen > 0)):
+        raise InputError("frequencies must be above zero")
+    if most_periods < 2:
+        raise InputError("two periods at least are compared")
+    path, face = models.build(model, files=files), interface(model, files)
+    exchanging = has_exchange(path)
+    if input not in face.inputs:
+        raise InputError(f"{face.model} has no input '{input}'; {did_you_mean(input, face.inputs)}")
+    size = value_of(amplitude, replace(face.inputs[input], min=None, max=None))
+    if not size > 0:
+        raise InputError(f"the amplitude must be above zero, not {size:g}")
+    sines = Sines(
+        input, tuple(face.outputs if outputs is None else outputs), tuple(chosen.tolist()), size, most_periods
+    )  # fmt: skip
+    settings = resolve(parameters or {}, face)
+    conditions = {} if isinstance(at, str) else conditions_of(at, face)
+    if conditions and not free:
+        raise InputError("a sine swings about a rest: name the inputs that may be chosen for it (free)")
+    if exchanging:
+        trusted = not is_fmu(model)
+        told = progress if trusted else None  # what runs in another process cannot call
+        return work_on(path, trusted, timeout, respond, settings, conditions, list(free), sines, told)
+    if conditions:
+        raise InputError("a rest can be looked for in an FMU with model exchange only", path)
+    with models.opened(model, files, timeout=timeout) as simulator:
+        return respond_from_start(simulator, settings, sines, progress)
+
+
+def observe(
+    model: str,
+    recording: Trajectory | Path | str,
+    parameters: Mapping[str, Setting] | None = None,
+    *,
+    noise: Mapping[str, Setting],
+    outputs: Sequence[str] | None = None,
+    unknown: Mapping[str, tuple[Setting, Setting]] | None = None,
+    drift: Mapping[str, Setting] | None = None,
+    spread: Mapping[str, Setting] | None = None,
+    start: Mapping[str, Setting] | None = None,
+    interpolation: Interpolation = "linear",
+    files: models.Paths = (),
+    timeout: float | None = None,
+) -> Observation:
+    """What is not measured, estimated from what is, by an extended Kalman filter on the FMU.
+
+    Args:
+        model: as in ``linearise``.
+        parameters: as in ``linearise``.
+        files: as in ``linearise``.
+        timeout: as in ``linearise``.
+        recording: inputs and measurements: a CSV file with columns ``name [unit]``, or a trajectory in SI units.
+        noise: standard deviation of each signal that is to be taken as measured.
+        outputs: what is wanted: outputs or any other variables; default: every output.
+        unknown: inputs that nobody measures, such as a load: standard deviation at the start, and of the change within
+            a second.
+        drift: standard deviation of what the model does not know of a state, within a second; default: none.
+        spread: standard deviation of a state at the start; default: a hundredth of its nominal size.
+        start: values at the start by name, as a state of ``linearise``; default: the model's, or what the first samples
+            show of a Modelica model where the recording begins elsewhere.
+        interpolation: of inputs between rows: "linear", or "previous", held.
+
+    Raises:
+        InputError: an unknown name, a value that cannot be used; nothing measured.
+        SimulationFailure: the model cannot be carried on from an estimate.
+    """
+    known = exchange(model, files)
+    face = known.interface
+    read = _recorded(recording, face, noise)
+    held_unknown = dict(unknown or {})
+    for name in held_unknown:
+        if name not in face.inputs:
+            raise InputError(f"{face.model} has no input '{name}'; {did_you_mean(name, face.inputs)}")
+        if name in read[1]:
+            raise InputError(f"'{name}' is recorded and unknown; keep one of them")
+    belief = Belief(
+        _deviations(noise, face),
+        {name: (_deviation(name, a, face), _deviation(name, b, face)) for name, (a, b) in held_unknown.items()},
+        _deviations(drift or {}, face, state_names(known.path)),
+        _deviations(spread or {}, face, state_names(known.path)),
+        conditions_of(start or {}, face),
+    )
+    samples = Samples(*read, held=interpolation == "previous")
+    settings = resolve(parameters or {}, face)
+    begins = ""
+    if not start and not is_fmu(model):
+        states, begins = recorded_start(model, read, belief.noise, settings, interpolation, files, timeout)
+        belief = replace(belief, start=states)
+    chosen = list(face.outputs if outputs is None else outputs)
+    made = work_on(known.path, known.trusted, timeout, observe_samples, settings, samples, belief, chosen)
+    return replace(made, begins=begins)
+
+
+def _recorded(
+    recording: Trajectory | Path | str, face: Interface, noise: Mapping[str, Setting]
+) -> tuple[Array, dict[str, Array], dict[str, Array]]:
+    """Times, inputs, and the signals whose noise is known."""
+    if isinstance(recording, Trajectory):
+        time, columns = recording.time, dict(recording.values)
+    else:
+        rows = read_recording(Path(recording), face)
+        time, columns = rows.time, {**rows.inputs, **rows.measurements}
+    if not noise:
+        raise InputError("nothing is measured: give the noise of each signal that is, such as p: 0.5 kPa")
+    for name in noise:
+        if name not in columns:
+            raise InputError(f"the recording has no column '{name}'; {did_you_mean(name, columns)}")
+    inputs = {name: np.asarray(v) for name, v in columns.items() if name in face.inputs}
+    return time, inputs, {name: np.asarray(columns[name]) for name in noise}
+
+
+def _deviations(
+    values: Mapping[str, Setting], face: Interface, states: Sequence[str] | None = None
+) -> dict[str, float]:
+    for name in values:
+        if states is not None and name not in states:
+            raise InputError(f"{face.model} has no state '{name}'; {did_you_mean(name, states)}")
+    return {name: _deviation(name, value, face) for name, value in values.items()}
+
+
+def _deviation(name: str, value: Setting, face: Interface) -> float:
+    """A standard deviation [SI], above zero.
+
+    Raises:
+        InputError: an unknown name, or no such number.
+    """
+    groups = face.inputs | face.outputs | face.locals
+    if name not in groups:
+        raise InputError(f"{face.model} has no variable '{name}'; {did_you_mean(name, groups)}")
+    size = value_of(value, replace(groups[name], min=None, max=None))
+    if not size > 0:
+        raise InputError(f"{name}: a standard deviation must be above zero, not {size:g}")
+    return size

@@ -1,0 +1,67 @@
+"""What the library offers: benches, effects and parts, and benches that are composed of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from pam_cosim.catalogue import EffectClass, RigPart, effect_classes, put_together
+from pam_cosim.catalogue import benches as _benches
+from pam_cosim.catalogue import rig_parts as _rig_parts
+from pam_cosim.compiler import read_library
+from pam_cosim.compiler.names import last
+from pam_cosim.files import write_text
+from pam_cosim.simulation.models import Paths, as_paths
+
+
+def benches(files: Paths = ()) -> list[str]:
+    """Names of the benches of the library, and of those among ``files``."""
+    return [last(bench) for bench in _benches(read_library(files=as_paths(files)))]
+
+
+def effects(files: Paths = ()) -> list[EffectClass]:
+    """The catalogue: every effect of the library and of ``files``."""
+    return list(effect_classes(read_library(files=as_paths(files))))
+
+
+def rig_parts(files: Paths = ()) -> list[RigPart]:
+    """What a bench can be put together from: every part of the library and of ``files``."""
+    return list(_rig_parts(read_library(files=as_paths(files))))
+
+
+def bench(
+    pneumatics: str,
+    mechanics: str,
+    muscle: str | None = None,
+    measure: str | Sequence[str] | None = None,
+    output: Path | str | None = None,
+    *,
+    static: bool = False,
+    files: Paths = (),
+) -> str:
+    """The Modelica text of a rig put together from parts; written to ``output`` if given.
+
+    ```python
+    pam.bench("regulator", "spring", measure="p, x", output="MyRig.mo")
+    run = pam.simulate("MyRig.mo", {"p_set": "300 kPa", "spring.k": "3 N/mm"})
+    ```
+
+    Args:
+        pneumatics: what feeds the muscle, by its name in ``rig_parts`` or the full name of its class.
+        mechanics: what holds its load end, likewise; it says how many muscles there are.
+        muscle: likewise; default: the usual one.
+        measure: the signals that are read: names, or one text with commas. With several muscles "x" is that of each
+            and "x_1" that of the first. Default: what is usual with these parts.
+        output: a file that ends in ``.mo``.
+        static: for points at rest; an input ``branch`` then tells in which direction they were reached.
+        files: further Modelica files with parts of one's own.
+
+    Raises:
+        InputError: an unknown part or signal, a signal that is imposed, or parts that do not fit together.
+        ModelError: a part is not what its interface asks for.
+    """
+    name = Path(output).stem if output else None
+    rig = put_together(read_library(files=as_paths(files)), pneumatics, mechanics, muscle, measure, name, static)
+    if output:
+        write_text(Path(output), rig.text)
+    return rig.text

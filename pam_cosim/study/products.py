@@ -1,0 +1,119 @@
+"""What a study produces, as a file: any of its products, saved and loaded with every number as it was.
+
+The file is NumPy's ``.npz``: the arrays, each once, and a text of JSON that refers to them. It holds data and nothing
+that could be run.
+"""
+
+from __future__ import annotations
+
+import io
+import json
+from pathlib import Path
+from typing import Any, get_args
+
+import numpy as np
+from cattrs import Converter
+from cattrs.strategies import configure_tagged_union, include_subclasses
+
+from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation, Tracking
+from pam_cosim.comparison import Comparison, ConditionTable
+from pam_cosim.diagnosis import Diagnosis
+from pam_cosim.errors import InputError
+from pam_cosim.files import check_writable, read_file, write_bytes
+from pam_cosim.fitting import Fit, Leeway, Profiles, Record
+from pam_cosim.ledger import Ledger
+from pam_cosim.simulation import Trajectory
+from pam_cosim.study.saved_content import arrays_in, check_plain, plain_value
+
+Product = (
+    Trajectory
+    | Comparison
+    | ConditionTable
+    | Fit
+    | Profiles
+    | Ledger
+    | Diagnosis
+    | LinearModel
+    | LinearCourse
+    | FrequencyResponse
+    | Observation
+    | Tracking
+)
+_KINDS: dict[str, type[Any]] = {kind.__name__: kind for kind in get_args(Product)}
+_TEXT = "product"
+_DAMAGED = "is no saved product of a study, or was damaged"
+
+
+def save(product: Product, path: Path | str) -> Path:
+    """Writes a trajectory, comparison or any other product of a study; whole or not at all.
+
+    Raises:
+        InputError: another kind of thing, or the file cannot be written.
+    """
+    target = Path(path)
+    check_writable(target)
+    kind = type(product).__name__
+    if _KINDS.get(kind) is not type(product):
+        raise InputError(f"a {kind} cannot be saved; only {', '.join(_KINDS)}", target)
+    arrays: dict[bytes, Any] = {}
+    content = {"kind": kind, "content": _converter(arrays).unstructure(product)}
+    text = np.frombuffer(json.dumps(content).encode(), dtype=np.uint8)
+    file = io.BytesIO()
+    named: dict[str, Any] = {_TEXT: text} | {f"array_{i}": a for i, a in enumerate(arrays.values())}
+    np.savez_compressed(file, **named)
+    write_bytes(target, file.getvalue())
+    return target
+
+
+def load(path: Path | str) -> Any:
+    """What ``save`` wrote: a product of a study.
+
+    Raises:
+        InputError: no such file, or not such a file.
+    """
+    source = Path(path)
+    try:
+        content = read_file(source)
+    except OSError as problem:
+        raise InputError(f"cannot be read: {problem.strerror or problem}", source) from problem
+    try:
+        arrays = arrays_in(content)
+        document = json.loads(bytes(arrays.pop(_TEXT)).decode())
+        check_plain(document["content"], arrays)
+        product = _converter(arrays).structure(document["content"], _KINDS[document["kind"]])
+        str(product)  # what cannot say what it is holds numbers that do not belong together
+        if hasattr(product, "as_dict"):
+            product.as_dict()
+    except Exception as problem:  # whatever readers of archives, arrays and JSON raise for what they do not know
+        raise InputError(_DAMAGED, source) from problem
+    return product
+
+
+def _converter(arrays: dict[Any, Any]) -> Converter:
+    """Products to plain data and back; ``arrays`` by their bytes while saving, by name while loading."""
+    converter = Converter()
+    numbers: dict[bytes, int] = {}
+
+    def put(array: np.ndarray) -> dict[str, str]:
+        key = array.dtype.str.encode() + repr(array.shape).encode() + np.ascontiguousarray(array).tobytes()
+        arrays.setdefault(key, array)
+        return {"array": f"array_{numbers.setdefault(key, len(numbers))}"}
+
+    converter.register_unstructure_hook_func(_is_array, put)
+    converter.register_structure_hook_func(_is_array, lambda reference, _: arrays[reference["array"]])
+    converter.register_unstructure_hook(
+        Leeway, lambda v: {"cost": v.cost, "shifts": [[*key, put(shift)] for key, shift in v.shifts.items()]}
+    )
+    converter.register_structure_hook(
+        Leeway, lambda v, _: Leeway({(r, s): arrays[a["array"]] for r, s, a in v["shifts"]}, float(v["cost"]))
+    )
+    converter.register_unstructure_hook(Path, str)
+    converter.register_structure_hook(Path, lambda text, _: Path(text))
+    for kind in (str, float, int, bool):
+        converter.register_structure_hook(kind, plain_value)
+    include_subclasses(Record, converter, union_strategy=configure_tagged_union)
+    return converter
+
+
+def _is_array(kind: Any) -> bool:
+    return kind is np.ndarray or getattr(kind, "__origin__", None) is np.ndarray

@@ -1,0 +1,115 @@
+"""One run of a model."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from pam_cosim.errors import InputError
+from pam_cosim.model.interface import Interface
+from pam_cosim.model.settings import Setting, resolve
+from pam_cosim.simulation import Inputs, Trajectory
+from pam_cosim.simulation.fmpy_engine import run_with_fmpy
+from pam_cosim.simulation.models import Paths, opened
+from pam_cosim.study.input_sources import Source, inputs_of
+from pam_cosim.units import UnitError, seconds
+from pam_cosim.wording import did_you_mean
+
+MOST_STEPS = 10_000_000  # of one run, whose outputs are kept in memory: 80 MB each
+ENGINES = ("own", "fmpy")
+
+
+def simulate(
+    model: str,
+    parameters: Mapping[str, Setting] | None = None,
+    inputs: Source | None = None,
+    *,
+    outputs: Sequence[str] = (),
+    stop_time: Setting | None = None,
+    interval: Setting | None = None,
+    engine: str = "own",
+    files: Paths = (),
+    timeout: float | None = None,
+) -> Trajectory:
+    """One run of a model.
+
+    ```python
+    run = pam.simulate("Isotonic", {"u_in": 0.35, "load.m": "5 kg"}, outputs=["valve.inlet.m_flow"])
+    wave = pam.simulate("Isotonic", inputs={"u_in": lambda t: 0.3 + 0.05 * np.sin(t)}, stop_time="20 s")
+    ```
+
+    Args:
+        model: a bench, a Modelica class, a ``.mo`` or an ``.fmu`` file.
+        parameters: by name, what differs from the model's defaults: parameters, inputs that are held constant, start
+            values; a number [SI] or a text with a unit such as "207 kPa".
+        inputs: over time: ``Inputs``, a CSV file, a mapping of names to arrays or functions of time, a pandas frame
+            (``sources.inputs_of``).
+        outputs: further variables to keep, beside the model's outputs.
+        stop_time: [s]; default: the last time of ``inputs``, or the model's own.
+        interval: [s] between outputs; default: the model's own.
+        engine: "own", or "fmpy": FMPy drives the same FMU, in this process.
+        files: further Modelica files.
+        timeout: [s] of processor time, after which a run of a Modelica model fails; default:
+            ``CRITERIA.run.longest``. An FMU that makes no progress for so long is ended; default: a minute.
+
+    Raises:
+        InputError: an unknown model or name, a value that cannot be used, an input given both ways.
+        SimulationFailure: the run did not reach its end.
+    """
+    if engine not in ENGINES:
+        raise InputError(f"there is no engine '{engine}'; there are {', '.join(ENGINES)}")
+    with opened(model, files, timeout=timeout) as simulator:
+        interface = simulator.interface
+        course, times = _course(interface, inputs, stop_time, interval)
+        values, kept = resolve(parameters or {}, interface), kept_variables(interface, outputs)
+        if engine == "fmpy":
+            return run_with_fmpy(simulator.path, times, parameters=values, inputs=course, outputs=kept)
+        return simulator.run(times, parameters=values, inputs=course, outputs=kept)
+
+
+def _course(
+    interface: Interface, source: Source | None, stop_time: Setting | None, interval: Setting | None
+) -> tuple[Inputs | None, np.ndarray]:
+    """Inputs over time, and the times of the outputs."""
+    stop, step = (_seconds(given, what) for given, what in ((stop_time, "stop time"), (interval, "interval")))
+    inputs = inputs_of(source, interface, lambda: output_times(interface, None, stop, step))
+    return inputs, output_times(interface, inputs, stop, step)
+
+
+def _seconds(given: Setting | None, what: str) -> float | None:
+    try:
+        return None if given is None else seconds(given)
+    except UnitError as problem:
+        raise InputError(f"the {what}: {problem}") from None
+
+
+def kept_variables(interface: Interface, outputs: Sequence[str]) -> list[str]:
+    """The model's own outputs and the variables that are asked for beside them.
+
+    Raises:
+        InputError: there is no such variable; says which is nearest.
+    """
+    if isinstance(outputs, str):
+        raise InputError(f"outputs are a list of names: write ['{outputs}']")
+    known = interface.variables
+    for name in outputs:
+        if name not in known:
+            raise InputError(f"{interface.model} has no variable '{name}'; {did_you_mean(name, known)}")
+    return list(dict.fromkeys([*interface.outputs, *interface.sensitivities, *outputs]))
+
+
+def output_times(
+    interface: Interface, inputs: Inputs | None, stop_time: float | None = None, interval: float | None = None
+) -> np.ndarray:
+    """(n,) [s]: from the first input sample (or zero) to the last (or the model's default stop time)."""
+    start = float(inputs.time[0]) if inputs is not None else 0.0
+    end = stop_time if stop_time is not None else float(inputs.time[-1]) if inputs is not None else interface.stop_time
+    step = interval if interval is not None else interface.interval or (end - start) / 1000
+    if not end > start or not step > 0:
+        raise InputError(f"the run must end after its start: from {start:g} s to {end:g} s in steps of {step:g} s")
+    steps = (end - start) / step
+    if not steps <= MOST_STEPS:
+        span = f"from {start:g} s to {end:g} s in steps of {step:g} s"
+        raise InputError(f"{span} are {steps:.3g} rows; {MOST_STEPS} at most can be kept")
+    return start + (end - start) * np.linspace(0, 1, max(2, round(steps) + 1))
