@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -33,26 +34,36 @@ def write_parameters(path: Path, fit: Fit) -> None:
 
 
 def _ssv(fit: Fit) -> str:
+    shared = {name: estimate for name, estimate in fit.parameters.items() if not estimate.run}
+    return parameter_set(fit.model, {name: (estimate.value, estimate.unit) for name, estimate in shared.items()})
+
+
+def parameter_set(title: str, values: Mapping[str, tuple[float, str]]) -> str:
+    """System Structure Parameter Values 1.0.
+
+    Args:
+        title: of the set.
+        values: number and unit of each parameter by its name in the model.
+    """
     ElementTree.register_namespace("ssv", _SSV)
     ElementTree.register_namespace("ssc", _SSC)
-    root = ElementTree.Element(f"{{{_SSV}}}ParameterSet", version="1.0", name=fit.model)
+    root = ElementTree.Element(f"{{{_SSV}}}ParameterSet", version="1.0", name=title)
     listed = ElementTree.SubElement(root, f"{{{_SSV}}}Parameters")
-    shared = {name: estimate for name, estimate in fit.parameters.items() if not estimate.run}
-    named = {text: _definition(text) for text in dict.fromkeys(e.unit for e in shared.values() if e.unit)}
+    named = {text: _definition(text) for text in dict.fromkeys(unit for _, unit in values.values() if unit)}
     defined = [unit for unit in named.values() if unit is not None]
-    for name, estimate in shared.items():
+    for name, (value, unit) in values.items():
         parameter = ElementTree.SubElement(listed, f"{{{_SSV}}}Parameter", name=name)
         ElementTree.SubElement(
             parameter,
             f"{{{_SSV}}}Real",
-            {"value": repr(estimate.value)} | ({"unit": estimate.unit} if named.get(estimate.unit) else {}),
+            {"value": repr(value)} | ({"unit": unit} if named.get(unit) else {}),
         )
     units = ElementTree.SubElement(root, f"{{{_SSV}}}Units") if defined else root
-    for unit in defined:  # a parameter may only refer to a unit that the file defines
-        base = {name: str(exponent) for name, exponent in unit.exponents}
-        base |= {"factor": repr(unit.factor)} if unit.factor != 1 else {}
-        base |= {"offset": repr(unit.offset)} if unit.offset != 0 else {}
-        definition = ElementTree.SubElement(units, f"{{{_SSC}}}Unit", name=unit.name)
+    for known in defined:  # a parameter may only refer to a unit that the file defines
+        base = {name: str(exponent) for name, exponent in known.exponents}
+        base |= {"factor": repr(known.factor)} if known.factor != 1 else {}
+        base |= {"offset": repr(known.offset)} if known.offset != 0 else {}
+        definition = ElementTree.SubElement(units, f"{{{_SSC}}}Unit", name=known.name)
         ElementTree.SubElement(definition, f"{{{_SSC}}}BaseUnit", base)
     ElementTree.indent(root)
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + ElementTree.tostring(root, encoding="unicode") + "\n"
