@@ -41,6 +41,7 @@ Product = (
 )
 _KINDS: dict[str, type[Any]] = {kind.__name__: kind for kind in get_args(Product)}
 _TEXT = "product"
+_VERSION = 1  # of the form of the file; every earlier one is read (docs/versions.md)
 _DAMAGED = "is no saved product of a study, or was damaged"
 
 
@@ -56,7 +57,7 @@ def save(product: Product, path: Path | str) -> Path:
     if _KINDS.get(kind) is not type(product):
         raise InputError(f"a {kind} cannot be saved; only {', '.join(_KINDS)}", target)
     arrays: dict[bytes, Any] = {}
-    content = {"kind": kind, "content": _converter(arrays).unstructure(product)}
+    content = {"kind": kind, "version": _VERSION, "content": _converter(arrays).unstructure(product)}
     text = np.frombuffer(json.dumps(content).encode(), dtype=np.uint8)
     file = io.BytesIO()
     named: dict[str, Any] = {_TEXT: text} | {f"array_{i}": a for i, a in enumerate(arrays.values())}
@@ -69,7 +70,7 @@ def load(path: Path | str) -> Any:
     """What ``save`` wrote: a product of a study.
 
     Raises:
-        InputError: no such file, or not such a file.
+        InputError: no such file, not such a file, or one of a later version.
     """
     source = Path(path)
     try:
@@ -79,14 +80,26 @@ def load(path: Path | str) -> Any:
     try:
         arrays = arrays_in(content)
         document = json.loads(bytes(arrays.pop(_TEXT)).decode())
+        _check_version(document.get("version", _VERSION), source)
         check_plain(document["content"], arrays)
         product = _converter(arrays).structure(document["content"], _KINDS[document["kind"]])
         str(product)  # what cannot say what it is holds numbers that do not belong together
         if hasattr(product, "as_dict"):
             product.as_dict()
+    except InputError:
+        raise
     except Exception as problem:  # whatever readers of archives, arrays and JSON raise for what they do not know
         raise InputError(_DAMAGED, source) from problem
     return product
+
+
+def _check_version(version: object, source: Path) -> None:
+    if isinstance(version, int) and version > _VERSION:
+        raise InputError(
+            f"was saved by a later pam-cosim (form {version} of the file; this one reads up to {_VERSION}): "
+            "pip install --upgrade pam-cosim",
+            source,
+        )
 
 
 def _converter(arrays: dict[Any, Any]) -> Converter:
