@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from pathlib import Path
 
@@ -63,3 +64,12 @@ def test_workflows_call_what_is_there(file: Path) -> None:
         for command in commands:
             if command.startswith("./"):
                 assert (ROOT / command.split()[0]).is_file(), command
+
+
+def test_paper_cites_what_its_list_has() -> None:
+    paper = (ROOT / "paper" / "paper.md").read_text(encoding="utf-8")
+    listed = re.findall(r"^@\w+\{(\w+),", (ROOT / "paper" / "paper.bib").read_text(encoding="utf-8"), re.MULTILINE)
+    assert len(listed) == len(set(listed)) and set(re.findall(r"@(\w+)", paper)) == set(listed)
+    head = yaml.safe_load(paper.split("---")[1])
+    assert {"title", "tags", "authors", "affiliations", "date", "bibliography"} <= set(head)
+    assert 750 <= len(paper.split("---", 2)[2].split()) <= 1750  # as the journal asks
