@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from pam_cosim.errors import InputError, ModelError, SimulationFailure
     from pam_cosim.simulation import Inputs, Trajectory
     from pam_cosim.study import (
+        actuator,
         add,
         bench,
         benches,
@@ -76,6 +77,7 @@ __all__ = [
     "System",
     "Tracking",
     "Trajectory",
+    "actuator",
     "add",
     "bench",
     "benches",

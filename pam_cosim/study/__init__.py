@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from pam_cosim.simulation.models import build, describe
+    from pam_cosim.study.actuators import actuator
     from pam_cosim.study.additions import add
     from pam_cosim.study.comparisons import compare
     from pam_cosim.study.coupling import couple, read_system, start, write_system
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     from pam_cosim.study.tracking import track
 
 __all__ = [
+    "actuator",
     "add",
     "bench",
     "benches",
@@ -59,6 +61,7 @@ __all__ = [
 # The homes of the functions, by module.
 _MODULES = {
     "pam_cosim.simulation.models": ("build", "describe"),
+    "pam_cosim.study.actuators": ("actuator",),
     "pam_cosim.study.additions": ("add",),
     "pam_cosim.study.comparisons": ("compare",),
     "pam_cosim.study.coupling": ("couple", "read_system", "start", "write_system"),
