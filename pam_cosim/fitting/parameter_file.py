@@ -16,6 +16,7 @@ from pam_cosim.wording import shown
 
 _SSC = "http://ssp-standard.org/SSP1/SystemStructureCommon"
 _SSV = "http://ssp-standard.org/SSP1/SystemStructureParameterValues"
+_REALS = tuple(f"{{{_SSV}}}{kind}" for kind in ("Real", "Float64", "Float32"))  # SSP 1.0, and 2.0 besides
 
 
 def write_parameters(path: Path, fit: Fit) -> None:
@@ -120,11 +121,11 @@ def _from_ssv(path: Path) -> dict[str, float]:
     try:
         root = ElementTree.fromstring(read_file(path, MOST_TEXT))
         values = {
-            p.attrib["name"]: float(p.find(f"{{{_SSV}}}Real").attrib["value"])  # type: ignore[union-attr]
+            p.attrib["name"]: float(next(one for one in p if one.tag in _REALS).attrib["value"])
             for p in root.iter(f"{{{_SSV}}}Parameter")
         }
     except OSError as problem:
         raise InputError(f"cannot be read: {problem.strerror}", path) from problem
-    except (ElementTree.ParseError, LookupError, ValueError, AttributeError) as problem:
+    except (ElementTree.ParseError, LookupError, ValueError, StopIteration) as problem:
         raise InputError("is not an SSV file with real parameters", path) from problem
     return {name: _number(name, value, path) for name, value in values.items()}
