@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path, PurePosixPath
 from tempfile import TemporaryDirectory
 
@@ -127,6 +127,8 @@ def build_with_data(
     fitted = _fitted(judged, fit, model)
     read_first = read(data, model=None if fitted is None else fitted.model or None, files=files)
     fitted = fitted or FittedModel(read_first.model, (), {})
+    # what the data set states of its rig is part of the model that leaves it: fitted values alone are no muscle
+    fitted = replace(fitted, constants={**read_first.parameters, **fitted.constants})
     name = model_identifier(Path(output).stem)
     with TemporaryDirectory(prefix="pam-cosim-") as folder:
         made = _built(fitted, name, Path(folder), files, platforms, fmi)
@@ -189,7 +191,7 @@ def _fitted(judged: Diagnosis | None, fit: Path | str | None, model: str | None)
 
 def _built(fitted: FittedModel, name: str, folder: Path, files: Paths, platforms: Sequence[str], fmi: str) -> Path:
     """The FMU, whose start values are the fitted ones."""
-    if not fitted.effects and not fitted.values or is_fmu(fitted.model):
+    if is_fmu(fitted.model):
         return build(fitted.model, files=files, platforms=platforms, fmi=fmi)
     source = folder / f"{name}.mo"
     held = FittedModel(fitted.model, fitted.effects, fitted.of_the_model, fitted.constants)
@@ -203,11 +205,15 @@ def _related(
     """The files to carry, but for the summary."""
     found = []
     known = describe(str(fmu)).parameters
-    values = {name: (value, known[name].unit) for name, value in fitted.of_the_model.items() if name in known}
+    values = {name: (value, known[name].unit) for name, value in fitted.stated(known).items() if name in known}
     if values:
         text = parameter_set(fitted.model, values).encode()
         kind = "application/x-ssp-parameter-set"
-        found.append(RelatedFile(_VALUES, "parameter", kind, "Values that were fitted to the recordings", text))
+        found.append(
+            RelatedFile(
+                _VALUES, "parameter", kind, "Values that were stated of the rig, and fitted to the recordings", text
+            )
+        )
     for file in dict.fromkeys(data.files):
         name = file.resolve().relative_to(data.folder.resolve()).as_posix()
         about = "Description of the recordings" if name == FILE_NAME else "A recording"

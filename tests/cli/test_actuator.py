@@ -12,7 +12,7 @@ import pytest
 import pam_cosim as pam
 from pam_cosim.simulation.models import opened
 from pam_cosim.study.actuators import Actuator
-from tests.cli.conftest import Outcome
+from tests.cli.conftest import ROOT, Outcome
 from tests.cli.test_commands import done
 
 Command = Callable[..., Outcome]
@@ -48,6 +48,19 @@ def test_the_file_says_its_error(muscle: Actuator, command: Command, place: Path
     assert made is not None and made.get("dyntype") == "filterexact" and made.get("dynprm") == "0.05"
     numbers = [float(one) for one in (made.get("gainprm", "") + " " + made.get("biasprm", "")).split()]
     assert numbers == pytest.approx([*muscle.gain, 0.0, *muscle.bias, 0.0], rel=1e-8)
+
+
+def test_what_a_data_set_states_goes_along(command: Command, place: Path) -> None:
+    """Fitted values alone are no muscle: its length is in the data set."""
+    (place / "fitted.json").write_text('{"muscle.D0": 0.03, "muscle.turns": 2.0}')
+    data = ROOT / "examples" / "static-map"
+    words = ("actuator", "--params", "fitted.json", "-o")
+    alone, whole = done(command(*words, "a.xml")), done(command(*words, "b.xml", "--data", data))
+    assert alone.out != whole.out
+    site = ElementTree.parse(place / "b.xml").find("worldbody/body")
+    assert site is not None and site.get("pos") == "0 0 0.296"
+    by_hand = done(command(*words, "c.xml", "--set", "muscle.L0=296 mm", "--set", "muscle.mu_fb=0"))
+    assert by_hand.out == whole.out
 
 
 def test_mujoco_pulls_as_it_should(muscle: Actuator, tmp_path: Path) -> None:

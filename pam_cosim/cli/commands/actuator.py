@@ -12,7 +12,7 @@ from pam_cosim.cli.arguments import parse_pairs, parse_variations
 from pam_cosim.cli.commands.common import FilesOption, SetOption, check_results, say_written
 from pam_cosim.counts import checked_time
 from pam_cosim.errors import InputError
-from pam_cosim.fitting import read_parameters
+from pam_cosim.study.fitted_model import FittedModel, read_fitted_model
 from pam_cosim.units import seconds
 
 
@@ -25,6 +25,9 @@ def actuator(
     force: Annotated[str, typer.Option("--force", help="Its output: the pull.")] = "F",
     length: Annotated[str, typer.Option("--length", help="Its parameter: the length at no contraction.")] = "muscle.L0",
     params: Annotated[Path | None, typer.Option("--params", help="Fitted parameters, of 'fit -o'.")] = None,
+    data: Annotated[
+        Path | None, typer.Option("--data", help="The data set of the fit: what it states of the muscle.")
+    ] = None,
     settings: SetOption = None,
     time_constant: Annotated[
         str | None, typer.Option("--time-constant", help="In which the pressure follows its command: '50 ms'.")
@@ -39,7 +42,10 @@ def actuator(
     interface = study.describe(model, files or [])
     spans = parse_variations([pressure, contraction], interface, ranges=True)
     follows = None if time_constant is None else checked_time(seconds(time_constant))
-    values: dict[str, float | str] = {**(read_parameters(params) if params else {}), **parse_pairs(settings or [])}
+    stated = study.read(data, files=files or []).parameters if data else {}
+    known = {name: value for name, value in stated.items() if name in interface.parameters}
+    fitted = read_fitted_model(params) if params else FittedModel("", (), {})
+    values: dict[str, float | str] = {**known, **fitted.constants, **fitted.of_the_model, **parse_pairs(settings or [])}
     (p, pressures), (x, contractions) = spans.items()
     made = study.actuator(
         model,
