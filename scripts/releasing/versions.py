@@ -32,6 +32,7 @@ PLACES = (
     Place("CITATION.cff", r"^version: ", "$"),
     Place("modelica/PneumaticMuscle/package.mo", r'annotation \(version="', '"'),
     Place("docs/installing.md", r"pam_cosim-", "-py3"),
+    Place("README.md", r"pam_cosim-", "-py3"),
 )
 
 
