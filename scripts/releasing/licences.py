@@ -10,8 +10,8 @@ from pathlib import Path
 _TITLE = """# Licences of what comes along
 
 pam-cosim itself is under the MIT licence. An FMU that it builds holds its C runtime (MIT) and, in
-`sources/`, the header files of FMI (Modelica Association, 2-Clause BSD). Installed beside it are, in
-the versions that were tested:
+`sources/`, the header files of FMI (Modelica Association, 2-Clause BSD). The wheel holds the schemas of SSP 2.0.1
+(Modelica Association, 2-Clause BSD). Installed beside it are, in the versions that were tested:
 
 | package | version | licence, as it says |
 |---|---|---|

@@ -59,7 +59,8 @@ def distributions(programs: Path, copy: Path, with_models: bool) -> None:
     """Wheel and source distribution, and whether an index would take them."""
     if with_models:
         run(sys.executable, "-m", "scripts.shipped_models", place=copy)
-    run(programs / "python", "-m", "build", "--no-isolation", "--outdir", OUTPUT, copy)
+    # both from the copy: a wheel that is made from the source distribution would have no compiled models
+    run(programs / "python", "-m", "build", "--no-isolation", "--sdist", "--wheel", "--outdir", OUTPUT, copy)
     run(programs / "twine", "check", "--strict", *OUTPUT.glob("pam_cosim-*"))
 
 
