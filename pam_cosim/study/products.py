@@ -45,6 +45,7 @@ Product = (
 )
 _KINDS: dict[str, type[Any]] = {kind.__name__: kind for kind in get_args(Product)}
 _TEXT = "product"
+_VERSION = 1  # of the form of the file; every earlier one is read (docs/versions.md)
 _DAMAGED = "is no saved product of a study, or was damaged"
 
 
@@ -61,7 +62,7 @@ def save(product: Product, path: Path | str) -> Path:
         raise InputError(f"a {kind} cannot be saved; only {', '.join(_KINDS)}", target)
     arrays: dict[bytes, tuple[int, np.ndarray]] = {}
     with _at_hand(arrays):
-        content = {"kind": kind, "content": _converter().unstructure(product)}
+        content = {"kind": kind, "version": _VERSION, "content": _converter().unstructure(product)}
     text = np.frombuffer(json.dumps(content).encode(), dtype=np.uint8)
     file = io.BytesIO()
     named: dict[str, Any] = {_TEXT: text} | {f"array_{number}": array for number, array in arrays.values()}
@@ -74,7 +75,7 @@ def load(path: Path | str) -> Any:
     """What ``save`` wrote: a product of a study.
 
     Raises:
-        InputError: no such file, or not such a file.
+        InputError: no such file, not such a file, or one of a later version.
     """
     source = Path(path)
     try:
@@ -84,15 +85,27 @@ def load(path: Path | str) -> Any:
     try:
         arrays = arrays_in(content)
         document = json.loads(bytes(arrays.pop(_TEXT)).decode())
+        _check_version(document.get("version", _VERSION), source)
         check_plain(document["content"], arrays)
         with _at_hand(arrays):
             product = _converter().structure(document["content"], _KINDS[document["kind"]])
         str(product)  # what cannot say what it is holds numbers that do not belong together
         if hasattr(product, "as_dict"):
             product.as_dict()
+    except InputError:
+        raise
     except Exception as problem:  # whatever readers of archives, arrays and JSON raise for what they do not know
         raise InputError(_DAMAGED, source) from problem
     return product
+
+
+def _check_version(version: object, source: Path) -> None:
+    if isinstance(version, int) and version > _VERSION:
+        raise InputError(
+            f"was saved by a later pam-cosim (form {version} of the file; this one reads up to {_VERSION}): "
+            "pip install --upgrade pam-cosim",
+            source,
+        )
 
 
 _arrays: ContextVar[dict[Any, Any]] = ContextVar("arrays")

@@ -22,7 +22,7 @@ _ADAPTIVE = 1e-3  # relative error of a step, where nobody says another
 
 
 def couple(
-    system: Annotated[Path, typer.Argument(help="SYSTEM.toml as a person writes it, or SYSTEM.ssp of SSP 1.0.")],
+    system: Annotated[Path, typer.Argument(help="SYSTEM.toml as a person writes it, or SYSTEM.ssp of SSP 1.0 or 2.0.")],
     method: Annotated[str, typer.Option(help="jacobi or gauss-seidel.")] = "gauss-seidel",
     step: Annotated[str | None, typer.Option(help='Between communication points, such as "1 ms".')] = None,
     adaptive: Annotated[bool, typer.Option("--adaptive", help="Choose steps by their error.")] = False,
@@ -44,6 +44,7 @@ def couple(
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the trajectory as CSV.")] = None,
     plot: Annotated[Path | None, typer.Option(help="Draw the trajectory as PNG.")] = None,
     ssp: Annotated[Path | None, typer.Option(help="Write the system as an SSP archive.")] = None,
+    ssp_version: Annotated[str, typer.Option("--ssp-version", help="Of that archive: 1.0 or 2.0.")] = "1.0",
     files: FilesOption = None,
     timeout: TimeoutOption = None,
 ) -> None:
@@ -56,7 +57,7 @@ def couple(
     course = read_inputs(inputs, read.interface) if inputs else None
     options: dict[str, Any] = {"method": method, "extrapolation": extrapolation, "loops": loops}
     if ssp:
-        coupling.write_system(read, ssp)
+        coupling.write_system(read, ssp, ssp=ssp_version)
         say_written(ssp)
     columns = (TextColumn("coupling"), BarColumn(), TimeElapsedColumn(), TimeRemainingColumn())
     with Progress(*columns, console=console, disable=not console.is_terminal) as progress:
