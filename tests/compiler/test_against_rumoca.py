@@ -24,7 +24,7 @@ end Check;""",
 
 
 def library_that_begins_at_fixed_values(folder: Path) -> Path:
-    """A copy of the library whose `fixed` is what the default dynamics makes of it: rumoca evaluates no expression there."""
+    """A copy of the library whose `fixed` is what it is by default: rumoca evaluates no expression there."""
     shutil.copytree(modelica_root() / "PneumaticMuscle", folder / "PneumaticMuscle")
     for file in folder.rglob("*.mo"):
         text = file.read_text()
