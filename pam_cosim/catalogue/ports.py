@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from pam_cosim.catalogue.bench_parts import RigPart, chosen, connectors, read, rig_parts, told
 from pam_cosim.catalogue.place import benches
-from pam_cosim.catalogue.rig_parts import RigPart, chosen, connectors, read, rig_parts, told
 from pam_cosim.compiler import ClassTree
 from pam_cosim.compiler.class_tree import ComponentInfo
 from pam_cosim.errors import InputError

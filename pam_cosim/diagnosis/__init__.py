@@ -23,10 +23,10 @@ from pam_cosim.diagnosis.events import (
     StepsTimed,
 )
 from pam_cosim.diagnosis.explanation import LearnedModel
+from pam_cosim.diagnosis.identifiability import Alike, Known, Shown, Told
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.missing_term import LeftInSignal, MissingTerm
 from pam_cosim.diagnosis.next_experiment import NextExperiment
-from pam_cosim.diagnosis.resolution import Alike, Known, Shown, Told
 from pam_cosim.diagnosis.verdict import Verdict
 
 __all__ = [

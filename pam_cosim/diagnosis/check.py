@@ -12,10 +12,10 @@ import numpy as np
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import FailedTrial
-from pam_cosim.diagnosis.could_be_measured import Option, everything
 from pam_cosim.diagnosis.events import Remark, listened
+from pam_cosim.diagnosis.hypothetical_measurements import Option, everything
+from pam_cosim.diagnosis.identifiability import Rows, Shown, Told
 from pam_cosim.diagnosis.message import Message
-from pam_cosim.diagnosis.resolution import Rows, Shown, Told
 from pam_cosim.diagnosis.search import Search
 from pam_cosim.diagnosis.subject import subject_of
 from pam_cosim.errors import SimulationFailure

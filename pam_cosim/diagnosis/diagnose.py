@@ -11,7 +11,6 @@ from pathlib import Path
 from pam_cosim.catalogue import EffectClass
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial, role_summary
-from pam_cosim.diagnosis.choice import meant
 from pam_cosim.diagnosis.events import (
     Judged,
     LedgerKept,
@@ -20,12 +19,13 @@ from pam_cosim.diagnosis.events import (
 )
 from pam_cosim.diagnosis.evidence import incomplete, rank
 from pam_cosim.diagnosis.explanation import LearnedModel, directly_learned, learned_term, ledger_of
-from pam_cosim.diagnosis.finding import Finding, base_of, found, found_by_all_runs, shown_by_role, with_these
 from pam_cosim.diagnosis.folds import Folds, cross_validated, folds_of
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.missing_term import MissingTerm, missing_term
+from pam_cosim.diagnosis.model_space import meant
 from pam_cosim.diagnosis.next_experiment import NextExperiment, Plan, told_apart
 from pam_cosim.diagnosis.search import Search
+from pam_cosim.diagnosis.search_result import Finding, base_of, found, found_by_all_runs, shown_by_role, with_these
 from pam_cosim.diagnosis.selection import Selection
 from pam_cosim.diagnosis.subject import subject_of
 from pam_cosim.diagnosis.verdict import Verdict, confidence, explained, judge, rivals, with_facts

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from pam_cosim.comparison import Reproducibility, ResidualStatistics, reproducibility
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.choice import Choice
+from pam_cosim.diagnosis.model_space import Choice
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import ROLES
 

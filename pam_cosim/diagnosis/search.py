@@ -14,9 +14,9 @@ from pam_cosim.comparison import without_outliers
 from pam_cosim.compiler import ClassTree, Structure, library_hash, read_structure
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
-from pam_cosim.diagnosis.choice import Choice
 from pam_cosim.diagnosis.events import CandidateTried, EffectLookedAt, EffectsLookedAt, FittingBegun
 from pam_cosim.diagnosis.message import Message
+from pam_cosim.diagnosis.model_space import Choice
 from pam_cosim.diagnosis.probing import Probe, Stated
 from pam_cosim.diagnosis.step_times import Retimed, Retiming, nothing_found, run_retiming, steps_between
 from pam_cosim.diagnosis.trial import Trial, crashed, run_afar, run_probe, run_stated

@@ -18,9 +18,9 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.events import NothingTried, StepsSought
 from pam_cosim.diagnosis.evidence import coherent, evidence, rank, scale, unexplained
-from pam_cosim.diagnosis.order import Order
+from pam_cosim.diagnosis.predicted_evidence import Promises
 from pam_cosim.diagnosis.probing import Probe
-from pam_cosim.diagnosis.promise import Promises
+from pam_cosim.diagnosis.ranking import Order
 from pam_cosim.diagnosis.search import Search, Wanted
 from pam_cosim.diagnosis.step_times import Retimed
 from pam_cosim.errors import SimulationFailure

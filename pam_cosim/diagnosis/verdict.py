@@ -12,7 +12,6 @@ import numpy as np
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.choice import Choice
 from pam_cosim.diagnosis.evidence import (
     Scale,
     dominant_effect,
@@ -23,6 +22,7 @@ from pam_cosim.diagnosis.evidence import (
     structured,
     unexplained,
 )
+from pam_cosim.diagnosis.model_space import Choice
 from pam_cosim.fitting import Fit
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import listed

@@ -8,7 +8,7 @@ bench and no effect has a name here.
 """
 
 from pam_cosim.drafting.new import draft
-from pam_cosim.drafting.telling import Guess, NewDataSet
-from pam_cosim.drafting.wishes import Wishes
+from pam_cosim.drafting.requests import Wishes
+from pam_cosim.drafting.summary import Guess, NewDataSet
 
 __all__ = ["Guess", "NewDataSet", "Wishes", "draft"]

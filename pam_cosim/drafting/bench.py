@@ -7,14 +7,14 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from pam_cosim.catalogue.bench_parts import rig_parts
+from pam_cosim.catalogue.composed_bench import put_together
 from pam_cosim.catalogue.ports import Ports, ports
-from pam_cosim.catalogue.rig import put_together
-from pam_cosim.catalogue.rig_parts import rig_parts
 from pam_cosim.compiler import ClassTree
-from pam_cosim.drafting.choice import MECHANICAL, Choice, choose, meaning_of
+from pam_cosim.drafting.bench_choice import MECHANICAL, Choice, choose, meaning_of
 from pam_cosim.drafting.file_names import Muscle, muscle_in
 from pam_cosim.drafting.folder import copy_files
-from pam_cosim.drafting.wishes import Known, Wishes
+from pam_cosim.drafting.requests import Known, Wishes
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.references import BRANCH, is_file

@@ -12,7 +12,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.rest import is_constant, is_held, is_switch, span
 from pam_cosim.drafting.sources import Source
-from pam_cosim.drafting.words import Meaning, fits, read_heading, usual_unit
+from pam_cosim.drafting.vocabulary import Meaning, fits, read_heading, usual_unit
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.curves import levels
 from pam_cosim.measurement.experiment import RecordingTable

@@ -11,13 +11,13 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.choice import Choice, meaning_of
+from pam_cosim.drafting.bench_choice import Choice, meaning_of
 from pam_cosim.drafting.columns import Found
 from pam_cosim.drafting.direction import words_of
+from pam_cosim.drafting.requests import Known
 from pam_cosim.drafting.rest import Rest, correlation, noise_of, rests, span
 from pam_cosim.drafting.sources import Source
-from pam_cosim.drafting.wishes import Known
-from pam_cosim.drafting.words import fits
+from pam_cosim.drafting.vocabulary import fits
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import RecordingTable
 from pam_cosim.model.interface import Interface, Variable

@@ -14,18 +14,18 @@ from pam_cosim.compiler import ClassTree
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting import values
 from pam_cosim.drafting.bench import Bench, class_name, take_bench
-from pam_cosim.drafting.choice import MECHANICAL, meaning_of
+from pam_cosim.drafting.bench_choice import MECHANICAL, meaning_of
 from pam_cosim.drafting.document import Draft, document
 from pam_cosim.drafting.folder import beside, check_place, copy_files, put, read_draft
 from pam_cosim.drafting.mapping import Course, Mapped, length_parameter, longest_of, map_columns
 from pam_cosim.drafting.noise import Sigma, sigma_of
 from pam_cosim.drafting.points import check_imposed, drafted
+from pam_cosim.drafting.requests import Known, Wishes, known, recording_table
 from pam_cosim.drafting.rest import is_held, is_switch, span
 from pam_cosim.drafting.roles import Role, roles, stated_roles
-from pam_cosim.drafting.telling import NewDataSet, guesses, next_commands, to_check
+from pam_cosim.drafting.summary import NewDataSet, guesses, next_commands, to_check
+from pam_cosim.drafting.vocabulary import AT_REST
 from pam_cosim.drafting.wide import tidied
-from pam_cosim.drafting.wishes import Known, Wishes, known, recording_table
-from pam_cosim.drafting.words import AT_REST
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import FILE_NAME
 from pam_cosim.model.interface import Interface, Variable

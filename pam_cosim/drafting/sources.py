@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from pam_cosim.drafting.words import direction_word, read_heading
+from pam_cosim.drafting.vocabulary import direction_word, read_heading
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import RecordingTable
 from pam_cosim.measurement.formats import is_text, read_table

@@ -10,11 +10,11 @@ from pathlib import Path
 import numpy as np
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.choice import meaning_of
+from pam_cosim.drafting.bench_choice import meaning_of
 from pam_cosim.drafting.columns import Found
 from pam_cosim.drafting.mapping import Course, Mapped
 from pam_cosim.drafting.rest import is_constant, noise_of, span
-from pam_cosim.drafting.words import UNITS, Meaning, fits, read_variable
+from pam_cosim.drafting.vocabulary import UNITS, Meaning, fits, read_variable
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import UnitError, convert, parse_quantity, readable_factor, readable_unit
 

@@ -21,7 +21,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.fitting.combinations import Combination, combinations
 from pam_cosim.fitting.estimate import Estimate, describe, estimates
 from pam_cosim.fitting.free import Free, base_parameters
-from pam_cosim.fitting.leeway import Leeway, leeway
+from pam_cosim.fitting.holdout_uncertainty import Leeway, leeway
 from pam_cosim.fitting.levenberg_marquardt import Minimum
 from pam_cosim.fitting.linear import Linear, linearised
 from pam_cosim.fitting.methods import METHODS, Record

@@ -9,8 +9,8 @@ from typing import Literal
 
 import numpy as np
 
-from pam_cosim.analysis.apart import work_on
 from pam_cosim.analysis.frequency_response import FrequencyResponse
+from pam_cosim.analysis.isolated import work_on
 from pam_cosim.analysis.kalman import Belief, Samples, observe_samples
 from pam_cosim.analysis.linear import LinearCourse, LinearModel
 from pam_cosim.analysis.linearise import linearise_at, linearise_run

@@ -22,10 +22,10 @@ from pam_cosim.measurement import any_text
 from pam_cosim.reporting.account import unit_text
 from pam_cosim.units import readable_factor
 from pam_cosim.wording import shown
-from pam_cosim.workbench.doing.words import names_of, text_of
-from pam_cosim.workbench.inside import inside, safe_name
+from pam_cosim.workbench.commands.checks import names_of, text_of
+from pam_cosim.workbench.job_queue import failed_by
+from pam_cosim.workbench.paths import inside, safe_name
 from pam_cosim.workbench.protocol import Draft, Dropped, DroppedFile, Excerpt, Json
-from pam_cosim.workbench.work import failed_by
 
 MOST_BYTES = 200_000_000  # of one file
 MOST_TOGETHER = 2_000_000_000

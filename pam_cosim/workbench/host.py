@@ -10,7 +10,7 @@ from typing import Any
 from pam_cosim.errors import InputError
 from pam_cosim.wording import shown
 from pam_cosim.workbench.drop import Drop
-from pam_cosim.workbench.job import Worker
+from pam_cosim.workbench.job_process import Worker
 from pam_cosim.workbench.protocol import Json, Study
 from pam_cosim.workbench.session import Session
 from pam_cosim.workbench.windows import Listener, Windows

@@ -28,7 +28,7 @@ from pam_cosim.fitting import METHODS
 from pam_cosim.measurement import StartMode
 from pam_cosim.model.references import is_file, is_ratio
 from pam_cosim.wording import did_you_mean, shown
-from pam_cosim.workbench.inside import is_name_here
+from pam_cosim.workbench.paths import is_name_here
 
 LONGEST_NAME = 5000  # letters; quoted names of Modelica may be long
 MOST = 10_000  # steps, names or values in one list

@@ -17,7 +17,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.files import read_json, write_bytes, write_json
 from pam_cosim.fitting import Fit, Leeway
 from pam_cosim.study.products import load, save
-from pam_cosim.workbench.inside import inside
+from pam_cosim.workbench.paths import inside
 from pam_cosim.workbench.protocol import Level, Rung
 from pam_cosim.workbench.protocol import plain as as_plain
 from pam_cosim.workbench.saved import SavedContent, SavedRung, checked_content, plain_step

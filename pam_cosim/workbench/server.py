@@ -23,13 +23,13 @@ from starlette.types import ASGIApp
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from pam_cosim.errors import InputError
+from pam_cosim.workbench.authentication import Guard, new_token
 from pam_cosim.workbench.documents import NAMES, document
 from pam_cosim.workbench.drop import MOST_BYTES
-from pam_cosim.workbench.guard import Guard, new_token
 from pam_cosim.workbench.host import Workbench
-from pam_cosim.workbench.job import Worker
+from pam_cosim.workbench.job_process import Worker
+from pam_cosim.workbench.job_queue import failed_by
 from pam_cosim.workbench.protocol import Failed, answer, is_model
-from pam_cosim.workbench.work import failed_by
 
 PAGE = Path(__file__).parent / "page"
 HOST = "127.0.0.1"

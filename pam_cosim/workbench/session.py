@@ -18,21 +18,21 @@ from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fitting import Estimate
 from pam_cosim.wording import did_you_mean, shown
 from pam_cosim.workbench.catalogue import Catalogue
+from pam_cosim.workbench.commands import COMMANDS
 from pam_cosim.workbench.curves import measured_curves, model_curves
-from pam_cosim.workbench.doing import COMMANDS
-from pam_cosim.workbench.job import Worker
-from pam_cosim.workbench.opened import Opened, open_model
+from pam_cosim.workbench.job_process import Worker
+from pam_cosim.workbench.job_queue import Work, failed_by
+from pam_cosim.workbench.opened_model import Opened, open_model
 from pam_cosim.workbench.protocol import Json, Study, frame
 from pam_cosim.workbench.saving import FILE as SAVED
 from pam_cosim.workbench.saving import lean_fit
-from pam_cosim.workbench.shown import rung_of, scores_event, steps_event, study_event, where_event
 from pam_cosim.workbench.simulators import Simulated
 from pam_cosim.workbench.source import Source
 from pam_cosim.workbench.starts import StartsShown, courses
 from pam_cosim.workbench.state import State, standing_label, with_rung
+from pam_cosim.workbench.state_events import rung_of, scores_event, steps_event, study_event, where_event
 from pam_cosim.workbench.steps import Step
 from pam_cosim.workbench.windows import Listener, Windows
-from pam_cosim.workbench.work import Work, failed_by
 
 QUIET = 0.3  # [s] without a new value after which it is said where the error sits
 MOST_BACK = 100  # steps that can be taken back

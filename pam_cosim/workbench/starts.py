@@ -15,7 +15,7 @@ from pam_cosim.measurement import START_MODES, Run
 from pam_cosim.model.interface import Variable
 from pam_cosim.reporting.account import unit_text
 from pam_cosim.units import format_quantity, readable_factor
-from pam_cosim.workbench.opened import Opened
+from pam_cosim.workbench.opened_model import Opened
 from pam_cosim.workbench.protocol import ShownStart, Starts, StartValue
 from pam_cosim.workbench.state import State
 

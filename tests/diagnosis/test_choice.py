@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from pam_cosim import study
-from pam_cosim.diagnosis.choice import Choice, meant
+from pam_cosim.diagnosis.model_space import Choice, meant
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import write_data_set
 from pam_cosim.simulation import Simulator

@@ -6,7 +6,6 @@ import math
 
 import pytest
 
-from pam_cosim.diagnosis.choice import Choice
 from pam_cosim.diagnosis.evidence import (
     Scale,
     bic,
@@ -14,6 +13,7 @@ from pam_cosim.diagnosis.evidence import (
     evidence,
     rank,
 )
+from pam_cosim.diagnosis.model_space import Choice
 from pam_cosim.fitting import Estimate
 from tests.diagnosis.synthetic import LOST, candidate, fitted
 

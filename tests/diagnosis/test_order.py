@@ -6,7 +6,7 @@ import pytest
 
 from pam_cosim.diagnosis import Candidate
 from pam_cosim.diagnosis.evidence import contradicted
-from pam_cosim.diagnosis.order import Order
+from pam_cosim.diagnosis.ranking import Order
 from pam_cosim.fitting import Estimate, Fit
 from tests.diagnosis.linear_world import KNOWN, world
 from tests.diagnosis.synthetic import fitted

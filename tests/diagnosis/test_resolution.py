@@ -11,9 +11,9 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.could_be_measured import NOW, Option
+from pam_cosim.diagnosis.hypothetical_measurements import NOW, Option
+from pam_cosim.diagnosis.identifiability import Rows
 from pam_cosim.diagnosis.probing import Stated, Strengths, shown_from
-from pam_cosim.diagnosis.resolution import Rows
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free, Linear
 from tests.cli.conftest import EXPERIMENT, table

@@ -7,8 +7,8 @@ from dataclasses import replace
 import pytest
 
 from pam_cosim.comparison import ResidualStatistics
-from pam_cosim.diagnosis.choice import Choice
 from pam_cosim.diagnosis.evidence import rank
+from pam_cosim.diagnosis.model_space import Choice
 from pam_cosim.diagnosis.verdict import confidence, explained, judge, rivals, with_facts
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import Signal

@@ -16,7 +16,7 @@ from pam_cosim.drafting.direction import with_senses
 from pam_cosim.drafting.file_names import quantities
 from pam_cosim.drafting.rest import span
 from pam_cosim.drafting.sources import Source, read_sources
-from pam_cosim.drafting.words import AT_REST, Meaning
+from pam_cosim.drafting.vocabulary import AT_REST, Meaning
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import RecordingTable
 from pam_cosim.wording import did_you_mean, shown

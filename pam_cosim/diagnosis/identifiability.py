@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.could_be_measured import NOW, Option
+from pam_cosim.diagnosis.hypothetical_measurements import NOW, Option
 from pam_cosim.diagnosis.probing import Stated, Strengths, shown_from
 from pam_cosim.fitting import Linear
 

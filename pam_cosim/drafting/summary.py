@@ -8,7 +8,7 @@ from pathlib import Path
 from shlex import quote
 
 from pam_cosim.drafting import values
-from pam_cosim.drafting.choice import Choice
+from pam_cosim.drafting.bench_choice import Choice
 from pam_cosim.drafting.columns import Found
 from pam_cosim.drafting.direction import SENSES
 from pam_cosim.drafting.document import Draft

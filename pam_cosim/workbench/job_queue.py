@@ -12,8 +12,8 @@ from pam_cosim.diagnosis import EffectLookedAt, Message
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fitting import Standing
 from pam_cosim.units import readable_factor
+from pam_cosim.workbench.diagnosis_events import Following, diagnosis_events, shown_rms
 from pam_cosim.workbench.protocol import Busy, Event, Failed, Idle, Progress, Ranking, Told
-from pam_cosim.workbench.told import Following, diagnosis_events, shown_rms
 
 if TYPE_CHECKING:
     from pam_cosim.workbench.session import Session

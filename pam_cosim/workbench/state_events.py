@@ -11,7 +11,7 @@ from pam_cosim.fitting import METHODS, Free
 from pam_cosim.measurement import ROLES, DataSet, Run
 from pam_cosim.reporting.account import estimate_texts, percent, quantity_text, remark, unit_text
 from pam_cosim.units import readable_factor
-from pam_cosim.workbench.opened import Opened
+from pam_cosim.workbench.opened_model import Opened
 from pam_cosim.workbench.protocol import (
     Level,
     Rule,

@@ -11,7 +11,7 @@ from pam_cosim.catalogue.ports import Ports
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.columns import Found
 from pam_cosim.drafting.rest import correlation, span
-from pam_cosim.drafting.words import AT_REST, Meaning, read_variable
+from pam_cosim.drafting.vocabulary import AT_REST, Meaning, read_variable
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Variable
 from pam_cosim.model.references import BRANCH

@@ -13,8 +13,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from html import escape
 
-from pam_cosim.catalogue.place import surrounds
-from pam_cosim.catalogue.rig_parts import (
+from pam_cosim.catalogue.bench_parts import (
     FRAME,
     RigPart,
     chosen,
@@ -26,6 +25,7 @@ from pam_cosim.catalogue.rig_parts import (
     split,
     told,
 )
+from pam_cosim.catalogue.place import surrounds
 from pam_cosim.compiler import ClassTree, names
 from pam_cosim.compiler.class_tree import ComponentInfo
 from pam_cosim.compiler.printing import string_text

@@ -11,10 +11,10 @@ from pam_cosim.errors import InputError
 from pam_cosim.files import write_text
 from pam_cosim.study.fitted_model import FittedModel
 from pam_cosim.wording import shown
-from pam_cosim.workbench.doing.models import candidate_of, switch, take_candidate
-from pam_cosim.workbench.doing.words import names_of, text_of
-from pam_cosim.workbench.inside import inside
-from pam_cosim.workbench.opened import without_ratios
+from pam_cosim.workbench.commands.checks import names_of, text_of
+from pam_cosim.workbench.commands.models import candidate_of, switch, take_candidate
+from pam_cosim.workbench.opened_model import without_ratios
+from pam_cosim.workbench.paths import inside
 from pam_cosim.workbench.protocol import Added, Saved
 from pam_cosim.workbench.saving import load_state, save_state
 from pam_cosim.workbench.script import commands_of, python_of

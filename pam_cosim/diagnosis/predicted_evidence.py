@@ -10,8 +10,8 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.evidence import Scale, evidence
 from pam_cosim.diagnosis.expectation import Addition, Additions, Beside, Expected, addition, reduction
-from pam_cosim.diagnosis.order import Bar, Order
 from pam_cosim.diagnosis.probing import Probe
+from pam_cosim.diagnosis.ranking import Bar, Order
 from pam_cosim.diagnosis.search import Wanted
 from pam_cosim.fitting import Fit, Linear
 
