@@ -29,7 +29,7 @@ FRAME = "Interfaces.Rig"
 
 
 @dataclass(frozen=True)
-class RigPart:
+class BenchPart:
     """One part, as its Modelica class declares it.
 
     Attributes:
@@ -58,16 +58,16 @@ class RigPart:
     file: Path
 
 
-def rig_parts(tree: ClassTree) -> list[RigPart]:
+def rig_parts(tree: ClassTree) -> list[BenchPart]:
     """Every part of every library, by role; the order is that of the files, the library's own first."""
-    parts: list[RigPart] = []
+    parts: list[BenchPart] = []
     for part in _declared(tree):
         first = part.usual and not any(p.usual for p in parts if (p.role, p.library) == (part.role, part.library))
         parts.append(part if part.usual == first else replace(part, usual=False))
     return parts
 
 
-def _declared(tree: ClassTree) -> list[RigPart]:
+def _declared(tree: ClassTree) -> list[BenchPart]:
     return [
         _part(tree, name, role, library)
         for role, interface in ROLES.items()
@@ -78,7 +78,7 @@ def _declared(tree: ClassTree) -> list[RigPart]:
     ]
 
 
-def chosen(parts: Sequence[RigPart], role: str, name: str | None) -> RigPart:
+def chosen(parts: Sequence[BenchPart], role: str, name: str | None) -> BenchPart:
     """The part of a role that a name means: that of its class, with or without packages; the usual one without a name.
 
     Raises:
@@ -149,11 +149,11 @@ def _bound(tree: ClassTree, name: str) -> set[str]:
     return own.union(*(clause.modifications for info in heirs for clause in info.extends))
 
 
-def _part(tree: ClassTree, name: str, role: str, library: str) -> RigPart:
+def _part(tree: ClassTree, name: str, role: str, library: str) -> BenchPart:
     info, short = tree.classes[name], names.last(name)
     shows = str(tree.constant(name, "shows") or "")
     signals = [c.name for c in read(tree, name)] if role == "instrument" else split(shows)
-    return RigPart(
+    return BenchPart(
         role=role,
         name=kebab(short),
         qualified_name=name,

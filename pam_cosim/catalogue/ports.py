@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from pam_cosim.catalogue.bench_parts import RigPart, chosen, connectors, read, rig_parts, told
+from pam_cosim.catalogue.bench_parts import BenchPart, chosen, connectors, read, rig_parts, told
 from pam_cosim.catalogue.place import benches
 from pam_cosim.compiler import ClassTree
 from pam_cosim.compiler.class_tree import ComponentInfo
@@ -64,12 +64,12 @@ def ports(tree: ClassTree) -> list[Ports]:
     return ready + rigs
 
 
-def _readings(tree: ClassTree, parts: list[RigPart], library: str) -> dict[str, Variable]:
+def _readings(tree: ClassTree, parts: list[BenchPart], library: str) -> dict[str, Variable]:
     instruments = [part for part in parts if (part.role, part.library) == ("instrument", library)]
     return {name: v for part in instruments for name, v in _variables(tree, read(tree, part.qualified_name)).items()}
 
 
-def _kinds_of_muscle(tree: ClassTree, parts: list[RigPart]) -> set[str]:
+def _kinds_of_muscle(tree: ClassTree, parts: list[BenchPart]) -> set[str]:
     """Classes that the usual muscle is made of."""
     try:
         muscle = chosen(parts, "muscle", None)

@@ -10,7 +10,7 @@ from pathlib import Path
 import casadi as ca
 
 from pam_cosim.compiler import metadata
-from pam_cosim.compiler.arithmetic import Shown
+from pam_cosim.compiler.arithmetic import PrintedNumber
 from pam_cosim.compiler.assertions import Assertion
 from pam_cosim.compiler.blocks import solve
 from pam_cosim.compiler.budget import bounded, check_unknowns
@@ -19,8 +19,8 @@ from pam_cosim.compiler.delays import DelayedInputs, put
 from pam_cosim.compiler.evaluation import Calls
 from pam_cosim.compiler.flattening import FlatModel, Residual, flatten
 from pam_cosim.compiler.functions import call
-from pam_cosim.compiler.index_reduction import System, reduce_index, select_states
-from pam_cosim.compiler.initialization import Start, initial_values
+from pam_cosim.compiler.index_reduction import EquationSystem, reduce_index, select_states
+from pam_cosim.compiler.initialization import StartAttribute, initial_values
 from pam_cosim.compiler.instance import Class, Instance
 from pam_cosim.compiler.instantiation import Instantiator
 from pam_cosim.compiler.library import Library
@@ -152,7 +152,7 @@ class _Assembly:
 
     # ---- the system of equations --------------------------------------------------------------------------
 
-    def _system(self) -> System:
+    def _system(self) -> EquationSystem:
         symbols = self.flat.symbols
         check_unknowns(len(symbols.unknowns))
         variables = {leaf.name: symbol for leaf, symbol in symbols.unknowns.items()}
@@ -161,7 +161,7 @@ class _Assembly:
             derivative_of[name] = symbol.name()
             variables[symbol.name()] = symbol
         inputs = frozenset([*(leaf.name for leaf in symbols.inputs), *symbols.delays, *symbols.comparisons])
-        return System(variables, derivative_of, list(self.flat.residuals), inputs, symbols.t)
+        return EquationSystem(variables, derivative_of, list(self.flat.residuals), inputs, symbols.t)
 
     def _preference(self, name: str) -> float:
         leaf = self._leaf(name)
@@ -178,7 +178,7 @@ class _Assembly:
 
     def _statement(self, assertion: Assertion, delayed: DelayedInputs) -> Statement:
         """An assertion in terms of states, inputs and parameters."""
-        shown = [part for part in assertion.message.parts if isinstance(part, Shown)]
+        shown = [part for part in assertion.message.parts if isinstance(part, PrintedNumber)]
         condition, *values = delayed.put_in([self._known(e) for e in (assertion.condition, *(s.value for s in shown))])
         self.beginning.refuse_start_times(ca.vertcat(condition, *values))
         texts = [""]
@@ -277,16 +277,16 @@ class _Assembly:
         inputs = list(symbols.inputs.values())
         return DelayedInputs(calls, self.solved, self.system.variables, inputs, self.p, begun)
 
-    def _start(self, name: str) -> Start:
+    def _start(self, name: str) -> StartAttribute:
         leaf = self._leaf(name)
         if leaf is None:
-            return Start(ca.SX(0), False, name)
+            return StartAttribute(ca.SX(0), False, name)
         bound = leaf.attributes.get("start")
         value = ca.SX(0) if bound is None else ca.SX(self.flat.symbols.bound(bound))
         for symbol in ca.symvar(value):
             if symbol.name() in self.system.variables or symbol.name() in self.system.inputs:
                 raise ModelError(f"the start value of '{name}' depends on the variable '{symbol.name()}'")
-        return Start(value, metadata.is_fixed(leaf, self.instantiator.constants), f"start value of '{name}'")
+        return StartAttribute(value, metadata.is_fixed(leaf, self.instantiator.constants), f"start value of '{name}'")
 
 
 def _names(expression: ca.SX) -> set[str]:

@@ -10,7 +10,7 @@ import numpy as np
 
 from pam_cosim.compiler.blocks import solve
 from pam_cosim.compiler.flattening import Residual
-from pam_cosim.compiler.index_reduction import System
+from pam_cosim.compiler.index_reduction import EquationSystem
 from pam_cosim.compiler.matching import Matching
 from pam_cosim.errors import ModelError
 
@@ -18,7 +18,7 @@ _CONSISTENT = 1e-9
 
 
 @dataclass(frozen=True)
-class Start:
+class StartAttribute:
     """The start attribute of a variable: a guess, or an equation if ``fixed``."""
 
     value: ca.SX
@@ -27,9 +27,9 @@ class Start:
 
 
 def initial_values(
-    system: System,
+    system: EquationSystem,
     states: Sequence[str],
-    starts: Mapping[str, Start],
+    starts: Mapping[str, StartAttribute],
     equations: Sequence[Residual],
     defaults: tuple[ca.SX, ca.SX],
     late: Mapping[str, ca.SX],
@@ -85,7 +85,7 @@ def initial_values(
     return values, {name: solved[name] for name in late}
 
 
-def _at_start(residual: Residual, system: System, late: Mapping[str, ca.SX]) -> Residual:
+def _at_start(residual: Residual, system: EquationSystem, late: Mapping[str, ca.SX]) -> Residual:
     """The equation at time zero; one that determines a parameter keeps the time, which is that of the start."""
     names = residual.names
     if late.keys() & names or system.time.name() not in names:
@@ -93,7 +93,7 @@ def _at_start(residual: Residual, system: System, late: Mapping[str, ca.SX]) -> 
     return Residual(ca.substitute(residual.expression, system.time, ca.SX(0)), residual.place)
 
 
-def _start_equation(system: System, name: str, start: Start) -> Residual:
+def _start_equation(system: EquationSystem, name: str, start: StartAttribute) -> Residual:
     return Residual(system.variables[name] - start.value, start.place)
 
 

@@ -14,7 +14,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import FailedTrial
 from pam_cosim.diagnosis.events import Remark, listened
 from pam_cosim.diagnosis.hypothetical_measurements import Option, everything
-from pam_cosim.diagnosis.identifiability import Rows, Shown, Told
+from pam_cosim.diagnosis.identifiability import DetectableEffect, Identifiability, Rows
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.search import Search
 from pam_cosim.diagnosis.subject import subject_of
@@ -67,7 +67,7 @@ class Check(Printed):
 
     data: DataSet
     model: str
-    told: Told
+    told: Identifiability
     no_place: tuple[str, ...]
     helps: tuple[Help, ...]
     failed: tuple[FailedTrial, ...] = ()
@@ -150,7 +150,7 @@ class Check(Printed):
         ]
 
 
-def _from_where(one: Shown) -> str:
+def _from_where(one: DetectableEffect) -> str:
     texts = {name: _apart(value, one.absent[name], one.units[name]) for name, value in one.values.items()}
     values = [f"{name} = {text}" for name, text in texts.items() if text]
     return f"  {one.family:20} {one.effect}" + (f": {', '.join(values)}" if values else "")
@@ -250,14 +250,14 @@ def _row_count(objective: Objective, data: DataSet) -> int:
     return math.ceil(CRITERIA.search.rows * objective.size / max(measured, 1))
 
 
-def _helps(rows: Rows, now: Told) -> list[Help]:
+def _helps(rows: Rows, now: Identifiability) -> list[Help]:
     """What each further measurement brings, the most useful first; none that brings nothing."""
     helps = [_help(option, now, rows.told(option)) for option in rows.further]
     useful = [h for h in helps if h.settles or h.sharper < CRITERIA.resolution.sharper]
     return sorted(useful, key=lambda h: (-h.settles, h.sharper, h.option.text))
 
 
-def _help(option: Option, now: Told, then: Told) -> Help:
+def _help(option: Option, now: Identifiability, then: Identifiability) -> Help:
     pairs = [tuple(sorted(pair)) for pair in then.pairs - now.pairs if pair <= now.visible]
     known = {k.name for k in now.parameters if k.determined}
     ratios = [b.deviation / a.deviation for a, b in zip(now.parameters, then.parameters, strict=True)]

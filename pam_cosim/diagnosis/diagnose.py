@@ -25,7 +25,7 @@ from pam_cosim.diagnosis.missing_term import MissingTerm, missing_term
 from pam_cosim.diagnosis.model_space import meant
 from pam_cosim.diagnosis.next_experiment import NextExperiment, Plan, told_apart
 from pam_cosim.diagnosis.search import Search
-from pam_cosim.diagnosis.search_result import Finding, base_of, found, found_by_all_runs, shown_by_role, with_these
+from pam_cosim.diagnosis.search_result import SearchResult, base_of, found, found_by_all_runs, shown_by_role, with_these
 from pam_cosim.diagnosis.selection import Selection
 from pam_cosim.diagnosis.subject import subject_of
 from pam_cosim.diagnosis.verdict import Verdict, confidence, explained, judge, rivals, with_facts
@@ -274,7 +274,7 @@ def diagnose(
     )
 
 
-def _verdict(finding: Finding, sources: Sequence[Path], all_asked: bool) -> tuple[Verdict, list[Plan]]:
+def _verdict(finding: SearchResult, sources: Sequence[Path], all_asked: bool) -> tuple[Verdict, list[Plan]]:
     """The answer, and its rivals with the run that would decide."""
     search, base, tried = finding.search, finding.base, finding.selection.tried
     selected, family, choice = list(finding.path), search.family, search.choice
@@ -285,7 +285,7 @@ def _verdict(finding: Finding, sources: Sequence[Path], all_asked: bool) -> tupl
     return replace(verdict, probability=confidence(base, last, tried, family, choice, verdict)), others
 
 
-def _ranked(finding: Finding, data: DataSet) -> tuple[Candidate, ...]:
+def _ranked(finding: SearchResult, data: DataSet) -> tuple[Candidate, ...]:
     """Every model that was tried, best first by what it was fitted to; with residuals by the roles in the data."""
     ranked = rank(finding.base, finding.selection.tried)
     if finding.search.data is not data:

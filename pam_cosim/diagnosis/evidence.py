@@ -10,7 +10,7 @@ from typing import NamedTuple
 from pam_cosim.comparison import Reproducibility, ResidualStatistics, reproducibility
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.model_space import Choice
+from pam_cosim.diagnosis.model_space import ModelSpace
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import ROLES
 
@@ -130,7 +130,7 @@ def scale(fits: Sequence[Fit]) -> Scale:
 
 
 def evidence(
-    fit: Fit, at: Scale, effects: Collection[str], choice: Choice, candidate: Candidate | None = None
+    fit: Fit, at: Scale, effects: Collection[str], choice: ModelSpace, candidate: Candidate | None = None
 ) -> float:
     """How much the data speak against a model: minus twice the logarithm of its probability, but for a constant.
 

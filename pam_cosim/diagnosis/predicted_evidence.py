@@ -9,9 +9,16 @@ from typing import NamedTuple
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.evidence import Scale, evidence
-from pam_cosim.diagnosis.expectation import Addition, Additions, Beside, Expected, addition, reduction
-from pam_cosim.diagnosis.probing import Probe
-from pam_cosim.diagnosis.ranking import Bar, Order
+from pam_cosim.diagnosis.expectation import (
+    Additions,
+    EffectDirections,
+    LinearisedNeighbourhood,
+    PredictedModel,
+    addition,
+    reduction,
+)
+from pam_cosim.diagnosis.probing import EffectProbe
+from pam_cosim.diagnosis.ranking import AcceptanceThreshold, Ranking
 from pam_cosim.diagnosis.search import Wanted
 from pam_cosim.fitting import Fit, Linear
 
@@ -21,41 +28,41 @@ class Promise(NamedTuple):
 
     fit: Fit
     start: Candidate | None
-    expected: Expected
+    expected: PredictedModel
 
 
-class Promises:
+class PredictedEvidence:
     """What is known of effects beside the models so far.
 
     Args:
         order: the models.
     """
 
-    def __init__(self, order: Order) -> None:
+    def __init__(self, order: Ranking) -> None:
         self.order = order
-        self._beside_base: list[Probe] = []
-        self._again: dict[tuple[str, ...], dict[str, Addition]] = {}
+        self._beside_base: list[EffectProbe] = []
+        self._again: dict[tuple[str, ...], dict[str, EffectDirections]] = {}
         self._added: tuple[tuple[int, ...], Additions] = ((), Additions([]))
         self._merged: dict[tuple[str, ...], tuple[Additions, int, Additions]] = {}
         self._came_true: defaultdict[int, list[float]] = defaultdict(list)
 
     # ---- what was looked at -----------------------------------------------------------------------------------
 
-    def looked_at(self, probes: Sequence[Probe]) -> None:
+    def looked_at(self, probes: Sequence[EffectProbe]) -> None:
         """Takes note of what effects do beside the base model, of all that were looked at there."""
         self._beside_base = [p for p in probes if p.effect not in self.order.search.unseen]
 
-    def looked_again(self, c: Candidate, probes: Sequence[Probe]) -> None:
+    def looked_again(self, c: Candidate, probes: Sequence[EffectProbe]) -> None:
         """Takes note of what effects do beside another model, besides those that were looked at there before."""
         assert c.fit.linear is not None
         own = self._again.setdefault(c.effects, {})
         own |= {a.effect: a for p in probes if (a := addition(c.fit.linear, p)) is not None}
 
-    def seen_beside(self, effects: tuple[str, ...]) -> Mapping[str, Addition]:
+    def seen_beside(self, effects: tuple[str, ...]) -> Mapping[str, EffectDirections]:
         """The effects that were looked at beside a model."""
         return self._again.get(effects, {})
 
-    def learn(self, tried: Sequence[Expected]) -> None:
+    def learn(self, tried: Sequence[PredictedModel]) -> None:
         """Notes how much of the expected reductions came true."""
         known = self.order.known
         for e in (e for e in tried if not e.exchanged):
@@ -71,7 +78,7 @@ class Promises:
 
     # ---- what may be better -----------------------------------------------------------------------------------
 
-    def first(self, count: int) -> list[Expected]:
+    def first(self, count: int) -> list[PredictedModel]:
         """So many of the effects that promise most by themselves."""
         return self._best_to_add(self.order.base, None)[:count]
 
@@ -80,7 +87,7 @@ class Promises:
         families = (self.order.search.family[e.added[0].effect] for e in self._best_to_add(c.fit, c))
         return list(dict.fromkeys(families))[:count]
 
-    def _best_to_add(self, fit: Fit, c: Candidate | None) -> list[Expected]:
+    def _best_to_add(self, fit: Fit, c: Candidate | None) -> list[PredictedModel]:
         """One further effect beside a fitted model, what promises most first."""
         assert fit.linear is not None
         noise, at = self.order.noise(), self.order.scale
@@ -99,7 +106,7 @@ class Promises:
         ]
         return [self.order.known[names] for _, names in sorted(promising)[: CRITERIA.search.together]]
 
-    def _may_be(self, c: Candidate, bars: Sequence[Bar], hope: float) -> bool:
+    def _may_be(self, c: Candidate, bars: Sequence[AcceptanceThreshold], hope: float) -> bool:
         """Whether one that was fitted briefly may be of interest, with the evidence that it is hoped to have."""
         of_laws, cost = self.order.of_laws(c.effects), self.order.cost(c.effects)
         return any(
@@ -133,7 +140,7 @@ class Promises:
         ordered = sorted(by_families.values(), key=lambda entry: (entry[0], entry[1].expected.effects))
         return [p for _, p in ordered[: CRITERIA.search.together]]
 
-    def _passes(self, p: Promise, bar: Bar, at: Scale, noise: float) -> bool:
+    def _passes(self, p: Promise, bar: AcceptanceThreshold, at: Scale, noise: float) -> bool:
         """Whether a model may come to what is asked of it."""
         e, trust = p.expected, self._trust(len(p.expected.effects))
         if bar.laws and not self.order.of_laws(e.effects):
@@ -203,7 +210,7 @@ class Promises:
         known = evidence(fit, at, e.effects, self.order.search.choice, start)
         return known + self._more(e) * at.penalty(fit) - _worth(reduction, fit, at, noise, lost)
 
-    def _more(self, e: Expected) -> int:
+    def _more(self, e: PredictedModel) -> int:
         """How many parameters a model has more than the one that it starts from."""
         return sum(a.cost for a in e.added) - (self.order.search.cost[e.exchanged] if e.exchanged else 0)
 
@@ -212,7 +219,7 @@ class Promises:
         gain = reduction(c.fit.linear) if c.fit.linear is not None else 0.0
         return self.order.evidence(c, at) - _worth(gain, c.fit, at, noise)
 
-    def wanted(self, e: Expected) -> Wanted:
+    def wanted(self, e: PredictedModel) -> Wanted:
         """A model to fit: from the fitted one, and the added effects as they were by themselves, or as expected."""
         values: dict[str, float] = {}
         for a in e.added:
@@ -232,7 +239,7 @@ class Promises:
             self._added = (key, Additions([a for a in made if a is not None]))
         return self._added[1]
 
-    def _beside(self, effects: tuple[str, ...], linear: Linear) -> Beside:
+    def _beside(self, effects: tuple[str, ...], linear: Linear) -> LinearisedNeighbourhood:
         """What can be added to a fitted model: as looked at beside it, or else as by itself."""
         additions, own = self._additions(), self._again.get(effects)
         if own:
@@ -241,7 +248,7 @@ class Promises:
                 whole = Additions([own.get(a.effect, a) for a in additions.every])
                 self._merged[effects] = merged = (additions, len(own), whole)
             additions = merged[2]
-        return Beside(effects, linear, self.order.search.family, additions)
+        return LinearisedNeighbourhood(effects, linear, self.order.search.family, additions)
 
 
 def _worth(reduction: float, fit: Fit, at: Scale, noise: float, lost: float = CRITERIA.search.not_linear) -> float:

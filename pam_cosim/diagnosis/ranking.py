@@ -27,7 +27,7 @@ from pam_cosim.fitting import Fit
 
 
 @dataclass(frozen=True)
-class Bar:
+class AcceptanceThreshold:
     """What a further model must come to, to be of interest.
 
     Attributes:
@@ -44,7 +44,7 @@ class Bar:
     cost: float | None = None
 
 
-class Order:
+class Ranking:
     """The models so far.
 
     Args:
@@ -180,7 +180,7 @@ class Order:
             return False
         return self._cost([e.name for e in self.search.shelf][:count], count) < self.cost(best.effects)
 
-    def bars(self, count: int, at: Scale) -> list[Bar]:
+    def bars(self, count: int, at: Scale) -> list[AcceptanceThreshold]:
         """What models with so many effects must come to: to beat one of the best, to rival the answer, to replace it.
 
         Args:
@@ -189,15 +189,17 @@ class Order:
         """
         best = self.best()
         if best is None:
-            return [Bar(self.evidence(None, at))]
+            return [AcceptanceThreshold(self.evidence(None, at))]
         if not self.leaves_structure(best):
             if count > len(best.effects):
-                return [Bar(self.evidence(c, at), c, cost=self.cost(best.effects)) for c in self.rungs()]
-            return [Bar(self.evidence(best, at) + CRITERIA.evidence.very_strong)]
-        bars = [Bar(self.evidence(best, at), best)]
+                return [
+                    AcceptanceThreshold(self.evidence(c, at), c, cost=self.cost(best.effects)) for c in self.rungs()
+                ]
+            return [AcceptanceThreshold(self.evidence(best, at) + CRITERIA.evidence.very_strong)]
+        bars = [AcceptanceThreshold(self.evidence(best, at), best)]
         if not self.of_laws(best.effects):
             own = self.best(laws=True)
-            bars.append(Bar(self.evidence(own, at), own, laws=True))
+            bars.append(AcceptanceThreshold(self.evidence(own, at), own, laws=True))
         return bars
 
     def answer(self) -> Candidate | None:

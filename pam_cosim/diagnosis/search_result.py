@@ -28,7 +28,7 @@ from pam_cosim.simulation import Simulator
 
 
 @dataclass(frozen=True)
-class Finding:
+class SearchResult:
     """The models that the answer is judged by.
 
     Attributes:
@@ -70,7 +70,7 @@ def base_of(simulator: Simulator, data: DataSet, say: Callable[[Message], None])
     return data, base, outliers
 
 
-def found(subject: Subject, search: Search, base: Fit, outliers: Mapping[str, int], deadline: float) -> Finding:
+def found(subject: Subject, search: Search, base: Fit, outliers: Mapping[str, int], deadline: float) -> SearchResult:
     """What the fitted runs come to; from anew where steps of commands get their times between two samples.
 
     Args:
@@ -87,10 +87,10 @@ def found(subject: Subject, search: Search, base: Fit, outliers: Mapping[str, in
         search, base, outliers = _anew(subject, search, selection.timed.data)
         selection = select_effects(search, base, deadline, clocks=False)
     every = Counter(outliers) + Counter(selection.outliers)
-    return Finding(selection.search, selection.base, selection, every, steps)
+    return SearchResult(selection.search, selection.base, selection, every, steps)
 
 
-def found_by_all_runs(subject: Subject, finding: Finding, deadline: float) -> Finding | None:
+def found_by_all_runs(subject: Subject, finding: SearchResult, deadline: float) -> SearchResult | None:
     """What all runs come to, where held-out runs contradict what the fitted ones did.
 
     None where they do not, where all runs together leave structure too, and where the time is over.
@@ -106,12 +106,12 @@ def found_by_all_runs(subject: Subject, finding: Finding, deadline: float) -> Fi
     search, base, outliers = _anew(subject, finding.search, _with_roles(finding.search.data, roles))
     selection = select_effects(search, base, deadline, clocks=False)
     every = Counter(outliers) + Counter(selection.outliers)
-    asked = Finding(selection.search, selection.base, selection, every)
+    asked = SearchResult(selection.search, selection.base, selection, every)
     over = math.isfinite(deadline) and selection.untried
     return None if over or not asked.path or incomplete(asked.last) else asked
 
 
-def with_these(finding: Finding, effects: Sequence[str]) -> Finding:
+def with_these(finding: SearchResult, effects: Sequence[str]) -> SearchResult:
     """The same, the model with only some of its effects."""
     path: list[Candidate] = []
     known = {c.effects: c for c in finding.selection.tried if not c.brief}
@@ -133,7 +133,7 @@ def _with_roles(data: DataSet, roles: Sequence[Role]) -> DataSet:
     return replace(data, runs=tuple(replace(run, role=role) for run, role in zip(data.runs, roles, strict=True)))
 
 
-def shown_by_role(finding: Finding, asked: Finding) -> Finding:
+def shown_by_role(finding: SearchResult, asked: SearchResult) -> SearchResult:
     """What all runs came to as the fitted runs alone have it: fitted to these, the others held out.
 
     Args:
@@ -146,6 +146,6 @@ def shown_by_role(finding: Finding, asked: Finding) -> Finding:
         again = search.finished(own.effects, own.fit.values) or replace(own, fit=own.fit.against(data))
         path += rank(path[-1].fit if path else base, [again])
     outliers = Counter(finding.outliers) + Counter(asked.outliers)
-    return Finding(
+    return SearchResult(
         search, base, replace(asked.selection, path=tuple(c.without_slopes for c in path)), outliers, finding.step_times
     )

@@ -18,9 +18,9 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.events import NothingTried, StepsSought
 from pam_cosim.diagnosis.evidence import coherent, evidence, rank, scale, unexplained
-from pam_cosim.diagnosis.predicted_evidence import Promises
-from pam_cosim.diagnosis.probing import Probe
-from pam_cosim.diagnosis.ranking import Order
+from pam_cosim.diagnosis.predicted_evidence import PredictedEvidence
+from pam_cosim.diagnosis.probing import EffectProbe
+from pam_cosim.diagnosis.ranking import Ranking
 from pam_cosim.diagnosis.search import Search, Wanted
 from pam_cosim.diagnosis.step_times import Retimed
 from pam_cosim.errors import SimulationFailure
@@ -48,7 +48,7 @@ class Selection:
     tried: tuple[Candidate, ...] = ()
     untried: tuple[tuple[str, ...], ...] = ()
     outliers: Mapping[str, int] = field(default_factory=dict)
-    probes: tuple[Probe, ...] = ()
+    probes: tuple[EffectProbe, ...] = ()
     timed: Retimed | None = None
 
 
@@ -104,10 +104,10 @@ class _Models:
     def __init__(self, search: Search, base: Fit, deadline: float) -> None:
         self.deadline = deadline
         self.known: dict[tuple[str, ...], Candidate] = {}
-        self.order = Order(search, base, self.known)
-        self.promises = Promises(self.order)
+        self.order = Ranking(search, base, self.known)
+        self.promises = PredictedEvidence(self.order)
         self.untried: list[tuple[str, ...]] = []
-        self.probes: list[Probe] = []
+        self.probes: list[EffectProbe] = []
         self.outliers: Counter[str] = Counter()
 
     @property

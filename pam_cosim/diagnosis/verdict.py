@@ -22,7 +22,7 @@ from pam_cosim.diagnosis.evidence import (
     structured,
     unexplained,
 )
-from pam_cosim.diagnosis.model_space import Choice
+from pam_cosim.diagnosis.model_space import ModelSpace
 from pam_cosim.fitting import Fit
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import listed
@@ -91,7 +91,7 @@ _TAKEN_FOR_NOISE = {
 
 
 def rivals(
-    base: Fit, best: Candidate, tried: Sequence[Candidate], family: Mapping[str, str], choice: Choice
+    base: Fit, best: Candidate, tried: Sequence[Candidate], family: Mapping[str, str], choice: ModelSpace
 ) -> list[Candidate]:
     """Models with other families that the data hardly distinguish from the best, one of each set of families.
 
@@ -116,7 +116,7 @@ def _near(
     tried: Sequence[Candidate],
     among: Sequence[Candidate],
     family: Mapping[str, str],
-    choice: Choice,
+    choice: ModelSpace,
 ) -> list[Candidate]:
     """Models with other families whose evidence is hardly less than that of the best, one of each set of families."""
     at = scale([base, *(c.fit for c in tried)])
@@ -133,7 +133,7 @@ def with_facts(
     best: Candidate | None,
     tried: Sequence[Candidate],
     family: Mapping[str, str],
-    choice: Choice,
+    choice: ModelSpace,
 ) -> Verdict:
     """The verdict with what its sentences speak of besides: signals that nobody fitted, and models that come as near.
 
@@ -162,7 +162,7 @@ def missed(fit: Fit) -> tuple[str, ...]:
 
 
 def _best_of_each(
-    candidates: Sequence[Candidate], at: Scale, family: Mapping[str, str], choice: Choice
+    candidates: Sequence[Candidate], at: Scale, family: Mapping[str, str], choice: ModelSpace
 ) -> dict[frozenset[str], tuple[float, Candidate]]:
     """The best model with each set of families, with its evidence."""
     best: dict[frozenset[str], tuple[float, Candidate]] = {}
@@ -179,7 +179,7 @@ def confidence(
     best: Candidate | None,
     tried: Sequence[Candidate],
     family: Mapping[str, str],
-    choice: Choice,
+    choice: ModelSpace,
     verdict: Verdict,
 ) -> float:
     """Probability that what the verdict says is missing is what is missing.

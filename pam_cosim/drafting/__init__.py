@@ -8,7 +8,7 @@ bench and no effect has a name here.
 """
 
 from pam_cosim.drafting.new import draft
-from pam_cosim.drafting.requests import Wishes
+from pam_cosim.drafting.requests import DraftRequests
 from pam_cosim.drafting.summary import Guess, NewDataSet
 
-__all__ = ["Guess", "NewDataSet", "Wishes", "draft"]
+__all__ = ["Guess", "NewDataSet", "DraftRequests", "draft"]

@@ -21,13 +21,13 @@ from pam_cosim.workbench.catalogue import Catalogue
 from pam_cosim.workbench.commands import COMMANDS
 from pam_cosim.workbench.curves import measured_curves, model_curves
 from pam_cosim.workbench.job_process import Worker
-from pam_cosim.workbench.job_queue import Work, failed_by
+from pam_cosim.workbench.job_queue import JobQueue, failed_by
 from pam_cosim.workbench.opened_model import Opened, open_model
-from pam_cosim.workbench.protocol import Json, Study, frame
+from pam_cosim.workbench.protocol import Json, StudyEvent, frame
 from pam_cosim.workbench.saving import FILE as SAVED
 from pam_cosim.workbench.saving import lean_fit
 from pam_cosim.workbench.simulators import Simulated
-from pam_cosim.workbench.source import Source
+from pam_cosim.workbench.source import MeasurementSource
 from pam_cosim.workbench.starts import StartsShown, courses
 from pam_cosim.workbench.state import State, standing_label, with_rung
 from pam_cosim.workbench.state_events import rung_of, scores_event, steps_event, study_event, where_event
@@ -67,10 +67,10 @@ class Session:
         worker: Worker | None = None,
     ) -> None:
         self.folder, self.files = Path(folder), tuple(Path(f) for f in files)
-        self.source = Source(self.folder, self.files)
+        self.source = MeasurementSource(self.folder, self.files)
         self.windows, self.catalogue = windows or Windows(), Catalogue(self.files)
         self.worker, self.workers = worker or Worker(), workers
-        self.work = Work(self)
+        self.work = JobQueue(self)
         self.scratch = Path(tempfile.mkdtemp(prefix="pam-cosim-workbench-"))
         self.past: list[State] = []
         self.saved: tuple[Step, ...] | None = None
@@ -289,7 +289,7 @@ class Session:
         """Tells where runs begin."""
         self.windows.tell(self._starts.event(self.state, self.opened, self._begun, self._version))
 
-    def _study(self) -> Study:
+    def _study(self) -> StudyEvent:
         state = self.state
         return study_event(state, self.opened, self.catalogue.shown(state.model, state.effects), self.benches)
 

@@ -6,7 +6,7 @@ import pytest
 
 from pam_cosim.diagnosis import Candidate
 from pam_cosim.diagnosis.evidence import contradicted
-from pam_cosim.diagnosis.ranking import Order
+from pam_cosim.diagnosis.ranking import Ranking
 from pam_cosim.fitting import Estimate, Fit
 from tests.diagnosis.linear_world import KNOWN, world
 from tests.diagnosis.synthetic import fitted
@@ -23,8 +23,8 @@ def _model(effects: str, chi2: float, parameters: int, score: float = 0.0, holdo
     return Candidate(last.name, last.family, last.balance, names, (), fit, general=last.general)
 
 
-def _order(*models: Candidate) -> Order:
-    order = Order(world({}), fitted(50.0, score=STRUCTURE), {c.effects: c for c in models})
+def _order(*models: Candidate) -> Ranking:
+    order = Ranking(world({}), fitted(50.0, score=STRUCTURE), {c.effects: c for c in models})
     order.renew()
     return order
 
