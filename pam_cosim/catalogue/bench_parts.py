@@ -115,13 +115,13 @@ def connectors(tree: ClassTree, name: str) -> list[ComponentInfo]:
     return [c for c in tree.components(name) if "protected" not in c.prefixes and is_connector(tree, c.type)]
 
 
-def told(tree: ClassTree, name: str) -> list[ComponentInfo]:
+def free_inputs(tree: ClassTree, name: str) -> list[ComponentInfo]:
     """The inputs of a class that nothing in it binds."""
     bound = _bound(tree, name)
     return [c for c in _public(tree, name, "input") if c.name not in bound]
 
 
-def read(tree: ClassTree, name: str) -> list[ComponentInfo]:
+def measured_outputs(tree: ClassTree, name: str) -> list[ComponentInfo]:
     """The outputs of a class."""
     return _public(tree, name, "output")
 
@@ -152,13 +152,13 @@ def _bound(tree: ClassTree, name: str) -> set[str]:
 def _part(tree: ClassTree, name: str, role: str, library: str) -> BenchPart:
     info, short = tree.classes[name], names.last(name)
     shows = str(tree.constant(name, "shows") or "")
-    signals = [c.name for c in read(tree, name)] if role == "instrument" else split(shows)
+    signals = [c.name for c in measured_outputs(tree, name)] if role == "instrument" else split(shows)
     return BenchPart(
         role=role,
         name=kebab(short),
         qualified_name=name,
         description=info.description,
-        inputs=tuple(c.name for c in told(tree, name)),
+        inputs=tuple(c.name for c in free_inputs(tree, name)),
         signals=tuple(signals),
         parameters=tuple(c.name for c in known_parameters(tree, name) if {"min", "max"} <= c.modifications.keys()),
         component_name=component_name(short, next(filter(None, _stated_names(tree, name)), "")),

@@ -18,12 +18,12 @@ from pam_cosim.catalogue.bench_parts import (
     BenchPart,
     chosen,
     connectors,
+    free_inputs,
     known_parameters,
+    measured_outputs,
     open_parameters,
-    read,
     rig_parts,
     split,
-    told,
 )
 from pam_cosim.catalogue.place import surrounds
 from pam_cosim.compiler import ClassTree, names
@@ -147,7 +147,7 @@ class _Composer:
         inputs: dict[str, tuple[BenchPart, int, ComponentInfo]] = {}
         sides = [(self.feed, n) for n in self.numbers] + [(self.held, n) for n in self.numbers] + [(self.hold, 0)]
         for part, number in sides:
-            for declared in told(self.tree, part.qualified_name):
+            for declared in free_inputs(self.tree, part.qualified_name):
                 signal = _numbered(declared.name, number)
                 if signal in inputs:
                     raise InputError(f"{part.name} and {inputs[signal][0].name} both have an input '{signal}'")
@@ -302,7 +302,9 @@ class _Composer:
 
     def _signal(self, signal: str, reader: _Placed) -> None:
         declared = next(
-            c for c in read(self.tree, reader.part.qualified_name) if _numbered(c.name, reader.number) == signal
+            c
+            for c in measured_outputs(self.tree, reader.part.qualified_name)
+            if _numbered(c.name, reader.number) == signal
         )
         self.draft.outputs.append(_declaration("output", declared, signal))
         self.draft.equations.append(f"{signal} = {reader.name}.{declared.name}")

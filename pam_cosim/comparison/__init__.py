@@ -3,7 +3,7 @@
 from pam_cosim.comparison.beginning import Beginning, beginning, measured, start_time
 from pam_cosim.comparison.compare import Comparison, compare, scored
 from pam_cosim.comparison.condition_table import STATISTICS, Condition, ConditionTable, Statistic, write_tables
-from pam_cosim.comparison.error_regions import Rule, sitting, where
+from pam_cosim.comparison.error_regions import Rule, samples_in, where
 from pam_cosim.comparison.outliers import outliers, without_outliers
 from pam_cosim.comparison.plausibility import Doubt
 from pam_cosim.comparison.reproducibility import Reproducibility, reproducibility
@@ -46,7 +46,7 @@ __all__ = [
     "scored",
     "series_of",
     "simulate_run",
-    "sitting",
+    "samples_in",
     "slope",
     "start_time",
     "state_course",

@@ -13,7 +13,7 @@ import numpy as np
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import FailedTrial
 from pam_cosim.diagnosis.events import Remark, listened
-from pam_cosim.diagnosis.hypothetical_measurements import Option, everything
+from pam_cosim.diagnosis.hypothetical_measurements import Option, with_all_outputs
 from pam_cosim.diagnosis.identifiability import DetectableEffect, Identifiability, Rows
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.search import Search
@@ -214,7 +214,7 @@ def check(
     data, name = subject.data, subject.name
     with subject.simulator() as simulator:
         shelf = subject.effects(simulator.interface)
-        possible = everything(simulator, data)
+        possible = with_all_outputs(simulator, data)
         free = base_parameters(possible.data, simulator.interface)
         tolerance = CRITERIA.search.screening_tolerance
         objective = Objective(simulator, possible.data, possible.data.fit_runs, free, None, tolerance)
@@ -231,7 +231,7 @@ def check(
         samples[option] += run.sample_count(signal)
     option_of_rows = [belongs[i] for i in rows_of_series(objective, count)]
     rows = Rows(base, {f.name: f.unit for f in free}, probes, option_of_rows, samples)
-    told = rows.told()
+    told = rows.identifiability()
     tried = {p.family for p in probes} | {f.family for f in search.failed}
     return Check(
         data=data,
@@ -252,7 +252,7 @@ def _row_count(objective: Objective, data: DataSet) -> int:
 
 def _helps(rows: Rows, now: Identifiability) -> list[Help]:
     """What each further measurement brings, the most useful first; none that brings nothing."""
-    helps = [_help(option, now, rows.told(option)) for option in rows.further]
+    helps = [_help(option, now, rows.identifiability(option)) for option in rows.further]
     useful = [h for h in helps if h.settles or h.sharper < CRITERIA.resolution.sharper]
     return sorted(useful, key=lambda h: (-h.settles, h.sharper, h.option.text))
 

@@ -17,7 +17,7 @@ from pam_cosim.diagnosis.events import (
     Listener,
     listened,
 )
-from pam_cosim.diagnosis.evidence import incomplete, rank
+from pam_cosim.diagnosis.evidence import any_structure_for_verdict, rank
 from pam_cosim.diagnosis.explanation import LearnedModel, directly_learned, learned_term, ledger_of
 from pam_cosim.diagnosis.folds import Folds, cross_validated, folds_of
 from pam_cosim.diagnosis.message import Message
@@ -25,7 +25,14 @@ from pam_cosim.diagnosis.missing_term import MissingTerm, missing_term
 from pam_cosim.diagnosis.model_space import meant
 from pam_cosim.diagnosis.next_experiment import NextExperiment, Plan, told_apart
 from pam_cosim.diagnosis.search import Search
-from pam_cosim.diagnosis.search_result import SearchResult, base_of, found, found_by_all_runs, shown_by_role, with_these
+from pam_cosim.diagnosis.search_result import (
+    SearchResult,
+    base_of,
+    refit_by_role,
+    search_all_runs,
+    search_fit_runs,
+    with_these,
+)
 from pam_cosim.diagnosis.selection import Selection
 from pam_cosim.diagnosis.subject import subject_of
 from pam_cosim.diagnosis.verdict import Verdict, confidence, explained, judge, rivals, with_facts
@@ -225,11 +232,11 @@ def diagnose(
     )
     search = replace(search, at_rest=all(run.is_static for run in data.runs))
     deadline = began + (math.inf if time_limit is None else time_limit)
-    finding = found(subject, search, base, outliers, deadline)
-    asked = found_by_all_runs(subject, finding, deadline)
+    finding = search_fit_runs(subject, search, base, outliers, deadline)
+    asked = search_all_runs(subject, finding, deadline)
     verdict, others = _verdict(asked or finding, sources, asked is not None)
     if asked is not None:
-        finding = shown_by_role(finding, asked)
+        finding = refit_by_role(finding, asked)
     folds = None
     unsettled = verdict.kind == "unknown" or verdict.remainder
     if unsettled and finding.path and asked is None and time.monotonic() < deadline:
@@ -358,7 +365,7 @@ def _left(fit: Fit) -> float:
 
 def _others(data: DataSet, best: Candidate, near: Sequence[Candidate], files: Sequence[Path]) -> list[Plan]:
     """Rivals of the best, with the run that would decide where either may be right: not where both leave structure."""
-    if incomplete(best.fit):
+    if any_structure_for_verdict(best.fit):
         return [(c, None) for c in near]
     return told_apart(data, best, near, files)
 

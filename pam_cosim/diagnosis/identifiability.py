@@ -156,7 +156,7 @@ class Rows:
         """What could be measured beyond what was."""
         return [option for option in dict.fromkeys(self.option) if option != NOW]
 
-    def told(self, *further: Option) -> Identifiability:
+    def identifiability(self, *further: Option) -> Identifiability:
         """What can be told by what was measured, and by something further."""
         chosen = {NOW, *further}
         at = np.array([option in chosen for option in self.option])

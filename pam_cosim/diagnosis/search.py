@@ -189,7 +189,7 @@ class Search:
     def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:
         if trials:
             self.say(FittingBegun(len(trials), how).message)
-        results = run_tasks(run_afar, trials, crashed, lambda c: self.say(told(c)), self.workers)
+        results = run_tasks(run_afar, trials, crashed, lambda c: self.say(result_message(c)), self.workers)
         self.failed.extend(c for c in results if isinstance(c, FailedTrial))
         return [self._with_data(c) for c in results if isinstance(c, Candidate)]
 
@@ -209,6 +209,6 @@ class Search:
         return trials
 
 
-def told(c: Candidate | FailedTrial) -> Message:
+def result_message(c: Candidate | FailedTrial) -> Message:
     """A candidate in a line."""
     return CandidateTried(c).message

@@ -16,7 +16,7 @@ from pam_cosim.drafting import values
 from pam_cosim.drafting.bench import Bench, class_name, take_bench
 from pam_cosim.drafting.bench_choice import MECHANICAL, meaning_of
 from pam_cosim.drafting.document import Draft, document
-from pam_cosim.drafting.folder import beside, check_place, copy_files, put, read_draft
+from pam_cosim.drafting.folder import check_place, copy_files, put, read_draft, temporary_sibling
 from pam_cosim.drafting.mapping import Mapped, MappedRecording, length_parameter, longest_of, map_columns
 from pam_cosim.drafting.noise import Sigma, sigma_of
 from pam_cosim.drafting.points import check_imposed, drafted
@@ -56,7 +56,7 @@ def draft(
         InputError: whatever cannot be used, with file, line and column; nothing is written then.
     """
     check_place(folder)
-    with beside(folder) as place:
+    with temporary_sibling(folder) as place:
         files = _tidied(files, place, wishes)
         recorded = known(files, wishes)
         bench = take_bench(place, class_name(folder), wishes, recorded, tree, describe)
@@ -152,7 +152,7 @@ def _told(bench: Bench, recorded: ReadRecordings, mapped: Mapped) -> list[dict[s
     left = [column for column in recorded.columns if column not in bench.choice.fed.values()]
     of_names = values.in_names(recorded.files, interface)
     of_columns = values.recorded(left, interface, len(recorded.sources))
-    of_names = [{**names, **values.held(mapped, i, interface)} for i, names in enumerate(of_names)]
+    of_names = [{**names, **values.constant_values(mapped, i, interface)} for i, names in enumerate(of_names)]
     own = [values.stated(one, interface) for one in recorded.own]
     told = [
         {**({} if recorded.points else values.starts(course, interface)), **names, **columns, **said}

@@ -100,7 +100,7 @@ def recorded(columns: Sequence[Found], interface: Interface, count: int) -> list
     return told
 
 
-def held(mapped: Mapped, recording: int, interface: Interface) -> dict[str, StatedValue]:
+def constant_values(mapped: Mapped, recording: int, interface: Interface) -> dict[str, StatedValue]:
     """Inputs that the name of a recording's file tells."""
     told = {}
     for name, entry in mapped.entries.items():

@@ -13,7 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from pam_cosim.comparison import Comparison, RunComparison, scored, sitting, where
+from pam_cosim.comparison import Comparison, RunComparison, samples_in, scored, where
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fitting import Estimate
 from pam_cosim.wording import did_you_mean, shown
@@ -315,7 +315,7 @@ class Session:
         interface, data = self.opened.simulator.interface, self.state.data
         about = (self.comparison.runs, data.signals, interface.outputs, data.domain, interface.inputs)
         rules = where(*about)
-        self.windows.tell(where_event(rules, [sitting(rule, *about) for rule in rules], version))
+        self.windows.tell(where_event(rules, [samples_in(rule, *about) for rule in rules], version))
 
     @property
     def is_saved(self) -> bool:
