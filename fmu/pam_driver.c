@@ -53,6 +53,7 @@ typedef struct {
     int32_t must_reset, tolerance_defined;
     double tolerance, max_seconds; /* max_seconds: of processor time; 0: no limit */
     void (*follow)(void *instance, int on); /* pam_follow_sensitivities of our own FMUs, or null */
+    void (*keep_starts)(void *instance, int on); /* pam_keep_starts of our own FMUs, or null */
     int32_t plain; /* whether nobody asks for sensitivities */
     int32_t settle_start; /* 0: the run begins with the start values, 1: what is not among those set settles, 2: all does */
     int (*settle_at)(void *instance, int keep); /* pam_settle_start of our own FMUs, or null */
@@ -151,6 +152,7 @@ static int set_inputs(driver_run *r, int64_t knot) {
 static void initialise(driver_run *r, int64_t knot) {
     if (r->must_reset) CALL(RESET, call(r, r->reset));
     if (r->follow) r->follow(r->instance, !r->plain);
+    if (r->keep_starts) r->keep_starts(r->instance, 1);
     if (r->n_parameters) CALL(SET_REAL, set_real(r, r->parameters, r->n_parameters, r->parameter_values));
     if (r->version == 2) {
         fmi2SetupExperimentTYPE *setup = (fmi2SetupExperimentTYPE *)r->setup;

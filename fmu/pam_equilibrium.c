@@ -33,7 +33,8 @@ static int look(pam_solver *v) {
     const pam_model *m = v->model;
     const double *arg[] = {&v->s->t, v->x, v->u, v->d, v->du, v->dd, v->p};
     double *res[] = {v->f, v->jac, v->ft};
-    m->lin(arg, res, v->iw, v->w, 0);
+    pam_function lin = v->starting && m->start_lin ? m->start_lin : m->lin;
+    lin(arg, res, v->iw, v->w, 0);
     v->s->statistics.rhs++;
     v->s->statistics.jacobians++;
     for (int i = 0; i < m->nc; i++)
@@ -80,7 +81,8 @@ static int slopes(pam_solver *v, double h) {
     pam_sensitivity *s = &v->sensitivity;
     const double *arg[] = {&v->s->t, v->x, v->u, v->d, v->p};
     double *res[] = {s->jac, s->forcing};
-    m->variation(arg, res, v->iw, v->w, 0);
+    pam_function variation = v->starting && m->start_variation ? m->start_variation : m->variation;
+    variation(arg, res, v->iw, v->w, 0);
     memcpy(v->jac, s->jac, sizeof(double) * (size_t)(m->nc * m->nc));
     hold(v, v->jac, 1.0 / h - 1.0); /* makes the diagonal 1 */
     for (int i = 0; i < m->nc; i++)
@@ -166,4 +168,15 @@ int pam_solver_settle_start(pam_solver *v, const double *held) {
     if (v->model->nd) pam_solver_delayed_values(v, v->s->t, v->d, v->dd);
     v->held = held;
     return settle(v);
+}
+
+void pam_solver_rest_along(pam_solver *v, const double *held, double *along) {
+    v->held = held;
+    for (int i = 0; i < v->model->nc; i++)
+        if (is_held(v, i)) along[i] = 0.0;
+    if (look(v) || factorise(v, LAST)) {
+        for (int i = 0; i < v->model->nc; i++) along[i] = NAN;
+        return;
+    }
+    lu_solve(v->model->nc, v->lu, v->pivot, along);
 }

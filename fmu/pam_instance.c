@@ -3,21 +3,6 @@
 
 void pam_forget(pam_instance *c) { c->dx_known = c->y_known = c->w_known = 0; }
 
-void pam_initialise_states(pam_instance *c) {
-    const pam_model *m = c->model;
-    if (c->core.initial_known || !(c->core.phase & (INSTANTIATED | INITIALIZATION))) return;
-    const double *arg[] = {c->solver.p, c->u};
-    double *res[] = {c->result};
-    m->init(arg, res, c->solver.iw, c->solver.w, 0);
-    for (int i = 0; i < m->nx; i++)
-        if (c->x_explicit[i] == 0.0) c->x[i] = c->result[i];
-    /* A start value that was set depends on nothing but itself. */
-    for (int i = 0; i < m->nc; i++)
-        for (int k = 0; k < m->ns && c->x_explicit[i] != 0.0; k++)
-            c->x[m->nc + i * m->ns + k] = m->start_of[k] == i ? 1.0 : 0.0;
-    c->core.initial_known = 1;
-}
-
 /* Whether a delayed input is the present input: before the run, and where the delay is zero. */
 static int is_present(const pam_instance *c, int i) {
     const pam_history *h = &c->solver.past[i];
@@ -87,21 +72,19 @@ static void seed_delayed(pam_instance *c, double st, const double *su, const dou
     }
 }
 
-void pam_directional(pam_instance *c) {
+static void derive_along(pam_instance *c, pam_function jvp) {
     const pam_model *m = c->model;
-    double *sx = c->seed, *su = sx + m->nx, *sp = su + m->nu, *st = sp + m->np;
-    double *rx = c->result, *ry = rx + m->nx, *rw = ry + m->ny, *start = rw + m->nw;
-    pam_initialise_states(c);
-    if (c->core.phase == INITIALIZATION) {
-        const double *arg[] = {c->solver.p, c->u, sp, su};
-        double *res[] = {start};
-        m->init_jvp(arg, res, c->solver.iw, c->solver.w, 0);
-        for (int i = 0; i < m->nx; i++)
-            if (c->x_explicit[i] == 0.0) sx[i] += start[i];
-    }
+    const double *sx = c->seed, *su = sx + m->nx, *sp = su + m->nu, *st = sp + m->np;
+    double *rx = c->result, *ry = rx + m->nx, *rw = ry + m->ny;
     find_delayed(c);
     seed_delayed(c, st[0], su, sp);
     const double *arg[] = {&c->core.time, c->x, c->u, c->d, c->solver.p, st, sx, su, c->seed_d, sp};
     double *res[] = {rx, ry, rw};
-    m->jvp(arg, res, c->solver.iw, c->solver.w, 0);
+    jvp(arg, res, c->solver.iw, c->solver.w, 0);
+}
+
+void pam_directional(pam_instance *c) {
+    pam_initialise_states(c);
+    if (c->core.phase == INITIALIZATION) pam_seed_states(c, derive_along);
+    derive_along(c, c->model->jvp);
 }

@@ -48,6 +48,8 @@ typedef struct {
     int phase;
     int state_changed;  /* co-simulation: x was set since the last step */
     int initial_known;  /* x holds x0(p) in the initialization phases */
+    int unsettled;      /* no rest was found for the states that begin there */
+    int keep_starts;    /* start values that were set are none to seek the rest from, but the states' own */
     int last_step;      /* pam_status of the last step */
     int stop_defined;
     int warned;         /* the model has warned since the last call that could say so */
@@ -66,7 +68,8 @@ typedef struct {
     pam_core core;
     size_t saved_size; /* doubles in saved */
     double *saved;
-    double *x, *u, *du, *x_explicit; /* in saved: now; x_explicit: 1 where the user set the start value */
+    double *x, *u, *du;              /* in saved: now */
+    double *x_explicit, *x_given;    /* nx, in saved: 1 where the user set the start value; and that value */
     double *told;                    /* na, in saved: 1 where a warning was given */
     pam_solver solver;
     double *dx, *y, *w;              /* results at the present time */
@@ -74,6 +77,7 @@ typedef struct {
     double *seed, *result;           /* nx + nu + np + 1; nx + ny + nw + nx */
     double *checks;                  /* na + nm: conditions, and numbers in the messages */
     double *seed_d, *rate_d;         /* nd: the seed that follows for delayed inputs; delays along the seed */
+    double *held;                    /* nc: not 0 where a state does not begin at rest */
     int dx_known, y_known, w_known;
 } pam_instance;
 
@@ -111,7 +115,6 @@ int pam_lookup(const pam_instance *c, unsigned vr, pam_kind *kind, int *index);
 /* --- pam_instance.c: the model at the present time ---------------------------------------------------- */
 
 void pam_forget(pam_instance *c);            /* results must be evaluated again */
-void pam_initialise_states(pam_instance *c); /* x = x0(p) where not set explicitly */
 const double *pam_derivatives(pam_instance *c);
 const double *pam_outputs(pam_instance *c);
 const double *pam_locals(pam_instance *c);
@@ -123,6 +126,19 @@ void pam_check_statements(pam_instance *c);
  * from the parameters in the initialization phases.
  */
 void pam_directional(pam_instance *c);
+
+/* --- pam_start.c: where the model begins --------------------------------------------------------------- */
+
+/* x = x0(p) where not set explicitly; from initialization on with the states at rest that begin there. */
+void pam_initialise_states(pam_instance *c);
+
+/* In initialization: the seeds of states that follow from others', from inputs and from parameters. ``along`` gives
+ * derivatives along the seed, to result.
+ */
+void pam_seed_states(pam_instance *c, void (*along)(pam_instance *c, pam_function jvp));
+
+/* PAM_OK, or ``status`` with a message where no rest was found. */
+pam_status pam_rest_known(const pam_instance *c, pam_status status);
 
 /* --- pam_statements.c: what the model states of itself ------------------------------------------------- */
 

@@ -26,12 +26,12 @@ static int allocate_arrays(pam_instance *c) {
     size_t solver_size = pam_solver_saved_size(m), nx = (size_t)m->nx, nu = (size_t)m->nu, np = (size_t)m->np,
            nd = (size_t)m->nd, na = (size_t)m->na;
     size_t results = nx + (size_t)(m->ny + m->nw);
-    c->saved_size = solver_size + 2 * nx + 2 * nu + na;
+    c->saved_size = solver_size + 3 * nx + 2 * nu + na;
     c->saved = allocate(host, c->saved_size, sizeof(double));
     double *scratch = allocate(host, pam_solver_scratch_size(m), sizeof(double));
     int *pivot = allocate(host, pam_solver_pivots(m), sizeof(int));
     long long *iw = allocate(host, (size_t)m->size_iw, sizeof(long long));
-    c->dx = allocate(host, results + (nx + nu + np + 1) + (results + nx) + 4 * nd + na + (size_t)m->nm,
+    c->dx = allocate(host, results + (nx + nu + np + 1) + (results + nx) + 4 * nd + na + (size_t)(m->nm + m->nc),
                      sizeof(double));
     c->solver.past = allocate(host, nd, sizeof *c->solver.past);
     c->solver.memory = host->memory;
@@ -44,7 +44,8 @@ static int allocate_arrays(pam_instance *c) {
     }
     c->x = c->saved + solver_size;
     c->x_explicit = c->x + nx;
-    c->u = c->x_explicit + nx;
+    c->x_given = c->x_explicit + nx;
+    c->u = c->x_given + nx;
     c->du = c->u + nu;
     c->told = c->du + nu;
     c->y = c->dx + nx;
@@ -55,7 +56,8 @@ static int allocate_arrays(pam_instance *c) {
     c->dd = c->d + nd;
     c->seed_d = c->dd + nd;
     c->rate_d = c->seed_d + nd;
-    c->checks = c->rate_d + nd;
+    c->held = c->rate_d + nd;
+    c->checks = c->held + m->nc;
     c->solver.accept = na ? pam_accept : NULL;
     c->solver.owner = c;
     return 1;
@@ -118,11 +120,17 @@ pam_status pam_set_experiment(pam_instance *c, int tolerance_defined, double tol
 
 pam_status pam_enter_initialization(pam_instance *c) {
     c->core.phase = INITIALIZATION;
+    c->core.initial_known = 0;
+    pam_forget(c);
     return PAM_OK;
 }
 
 pam_status pam_exit_initialization(pam_instance *c) {
     pam_initialise_states(c);
+    if (pam_rest_known(c, PAM_ERROR) != PAM_OK) {
+        c->core.phase = FAILED;
+        return PAM_ERROR;
+    }
     for (int i = 0; i < c->model->nx; i++)
         if (!isfinite(c->x[i])) {
             c->core.phase = FAILED;

@@ -38,6 +38,8 @@ typedef struct {
     const int *delayed_inputs;        /* nd: which input it is that is delayed; -1: 0 until the start, then 1 */
     const int *direct_inputs;         /* nu: 1 where dx depends on the input's present value */
     const int *start_of;              /* ns: the state whose start value the parameter s is; -1: a parameter of the model */
+    const int *resting;               /* nc: 1 where the state begins at rest beside the others, sought from ``init``;
+                                         2 where it begins where these have it */
     pam_function rhs;                 /* (t, x, u, d, p) -> dx */
     pam_function out;                 /* (t, x, u, d, p) -> y */
     pam_function loc;                 /* (t, x, u, d, p) -> w */
@@ -51,6 +53,9 @@ typedef struct {
     pam_function init_jvp;            /* (p, u, sp, su) -> x0 along the seed */
     pam_function delay;               /* (p, sp) -> (delays [s], delays along the seed sp) */
     pam_function check;               /* (t, x, u, d, p) -> (na: 0 where it does not hold, nm: numbers in the messages) */
+    /* as lin, variation and jvp, of what vanishes at the start; NULL where no state is marked by 2, and the last
+     * where there is no jvp */
+    pam_function start_lin, start_variation, start_jvp;
     const pam_statement *statements;
 } pam_model;
 

@@ -54,6 +54,7 @@ typedef struct pam_solver {
     double *k, *f, *ft, *stage, *u_stage, *d, *dd, *d_stage, *jac, *lu, *rhs, *w;
     int *pivot;
     long long *iw;
+    int starting;              /* what vanishes at the start is sought, not a rest of all that moves */
     const double *held;        /* nc: not 0 where a state keeps its value while the others settle; or null */
     char message[PAM_MESSAGE]; /* why pam_solver_advance failed */
     /* Asked for each time up to which the solution is about to be used, in order; 1 with a message: no further.
@@ -101,6 +102,11 @@ int pam_solver_settle(pam_solver *v);
  * null) a state keeps its value and its sensitivities.
  */
 int pam_solver_settle_start(pam_solver *v, const double *held);
+
+/* Turns what the rates do along a seed of all that is known (nc) into what the states do that have settled beside it; 0
+ * for those that are held. After pam_solver_settle_start.
+ */
+void pam_solver_rest_along(pam_solver *v, const double *held, double *along);
 
 /* The first nc states at a time the pending step covers. */
 void pam_solver_core_state(const pam_solver *v, double t, double *x);

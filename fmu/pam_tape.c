@@ -38,7 +38,8 @@ typedef struct {
 } pam_tape;
 
 /* In the order of the functions of pam_model. */
-enum { RHS, OUT, LOC, CORE_RHS, LIN, VARIATION, JVP, INIT, INIT_JVP, DELAY, CHECK, FUNCTIONS };
+enum { RHS, OUT, LOC, CORE_RHS, LIN, VARIATION, JVP, INIT, INIT_JVP, DELAY, CHECK, START_LIN, START_VARIATION,
+    START_JVP, FUNCTIONS };
 
 static pam_tape tapes[FUNCTIONS];
 
@@ -125,17 +126,21 @@ FUNCTION(init, INIT)
 FUNCTION(init_jvp, INIT_JVP)
 FUNCTION(delay, DELAY)
 FUNCTION(check, CHECK)
+FUNCTION(start_lin, START_LIN)
+FUNCTION(start_variation, START_VARIATION)
+FUNCTION(start_jvp, START_JVP)
 
 /* What the library is a model of from now on, as long as the memory that is given here lasts; to be called before
  * there is an instance. A function without operations is none: count is negative.
  */
 EXPORT void pam_use_tapes(const pam_model *model, const pam_tape given[]) {
     static const pam_function functions[FUNCTIONS] = {rhs, out,  loc,      core_rhs, lin,  variation,
-                                                      jvp, init, init_jvp, delay,    check};
+                                                      jvp, init, init_jvp, delay,    check,
+                                                      start_lin, start_variation, start_jvp};
     pam_function *slots[FUNCTIONS] = {
         &pam_the_model.rhs,       &pam_the_model.out, &pam_the_model.loc,  &pam_the_model.core_rhs, &pam_the_model.lin,
         &pam_the_model.variation, &pam_the_model.jvp, &pam_the_model.init, &pam_the_model.init_jvp, &pam_the_model.delay,
-        &pam_the_model.check,
+        &pam_the_model.check, &pam_the_model.start_lin, &pam_the_model.start_variation, &pam_the_model.start_jvp,
     };
     pam_the_model = *model;
     for (int i = 0; i < FUNCTIONS; i++) {

@@ -20,7 +20,7 @@ pam_status pam_get(pam_instance *c, const unsigned vr[], size_t n, double value[
             case TIME: value[i] = c->core.time; break;
         }
     }
-    return PAM_OK;
+    return c->core.phase == INITIALIZATION ? pam_rest_known(c, PAM_DISCARD) : PAM_OK;
 }
 
 static pam_status set_one(pam_instance *c, unsigned vr, double value) {
@@ -41,7 +41,7 @@ static pam_status set_one(pam_instance *c, unsigned vr, double value) {
             c->core.initial_known = 0;
             return PAM_OK;
         case STATE:
-            c->x[index] = value;
+            c->x[index] = c->x_given[index] = value;
             if (starting) {
                 c->x_explicit[index] = 1.0;
                 c->core.initial_known = 0;

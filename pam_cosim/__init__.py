@@ -11,6 +11,7 @@ pam.add(diagnosis.verdict.effects, to=data.model, output="Better.mo")
 ```
 """
 
+import warnings
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -21,10 +22,12 @@ if TYPE_CHECKING:
     from pam_cosim.errors import InputError, ModelError, SimulationFailure
     from pam_cosim.simulation import Inputs, Trajectory
     from pam_cosim.study import (
+        actuator,
         add,
         bench,
         benches,
         build,
+        build_with_data,
         check,
         compare,
         couple,
@@ -32,6 +35,7 @@ if TYPE_CHECKING:
         diagnose,
         draw,
         effects,
+        evidence,
         fit,
         frequency_response,
         linearise,
@@ -73,10 +77,12 @@ __all__ = [
     "System",
     "Tracking",
     "Trajectory",
+    "actuator",
     "add",
     "bench",
     "benches",
     "build",
+    "build_with_data",
     "check",
     "compare",
     "controller",
@@ -85,6 +91,7 @@ __all__ = [
     "diagnose",
     "draw",
     "effects",
+    "evidence",
     "fit",
     "frequency_response",
     "linearise",
@@ -117,4 +124,8 @@ if not TYPE_CHECKING:
                 module = import_module(f"pam_cosim.{room}")
                 if hasattr(module, name):
                     return getattr(module, name)
+        renaming = import_module("pam_cosim.renamed").PYTHON.get(name)
+        if renaming is not None:
+            warnings.warn(renaming.message(f"pam_cosim.{name}"), DeprecationWarning, stacklevel=2)
+            return __getattr__(renaming.new)
         raise AttributeError(f"module 'pam_cosim' has no attribute '{name}'")

@@ -119,7 +119,12 @@ def write_text(path: Path, text: str) -> None:
 
 def write_json(path: Path, content: Any) -> None:
     """As ``write_text``; numbers that do not exist become null."""
-    write_text(path, json.dumps(_plain(content), indent=1, allow_nan=False) + "\n")
+    write_text(path, json_text(content))
+
+
+def json_text(content: Any) -> str:
+    """As JSON; numbers that do not exist become null."""
+    return json.dumps(_plain(content), indent=1, allow_nan=False) + "\n"
 
 
 def read_file(path: Path, most: int = MOST_BYTES) -> bytes:

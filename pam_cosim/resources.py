@@ -1,4 +1,4 @@
-"""Where the Modelica library and the C runtime lie: in the repository, or inside an installed wheel."""
+"""Where the Modelica library, the C runtime and the demonstration lie: in the repository, or inside a wheel."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from pathlib import Path
 _PACKAGE = Path(__file__).parent
 
 
-def _find(name: str) -> Path:
+def _find(name: str, place: str = "") -> Path:
     inside = _PACKAGE / "_resources" / name
-    return inside if inside.exists() else _PACKAGE.parent / name
+    return inside if inside.exists() else _PACKAGE.parent / (place or name)
 
 
 def modelica_root() -> Path:
@@ -25,3 +25,8 @@ def shipped_models() -> Path:
 def fmu_runtime() -> Path:
     """Directory that holds the C sources of the FMU runtime."""
     return _find("fmu")
+
+
+def demonstration_data() -> Path:
+    """Directory of the data set that ``pam-cosim demo`` diagnoses."""
+    return _find("demo", "examples/hidden-spring")

@@ -8,7 +8,7 @@ python -m scripts.icons picture.png MyRig.mo                             # the d
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -24,7 +24,20 @@ from pam_cosim.compiler.lexer import tokenise
 from pam_cosim.compiler.library import Library
 from pam_cosim.compiler.lookup import Lookup
 from pam_cosim.compiler.source import SourceText
-from pam_cosim.compiler.syntax import Array, Call, Connect, Expression, Literal, Modification, Reference, Unary
+from pam_cosim.compiler.syntax import (
+    EMPTY,
+    Array,
+    Call,
+    ComponentDeclaration,
+    Connect,
+    Equation,
+    Expression,
+    For,
+    Literal,
+    Modification,
+    Reference,
+    Unary,
+)
 from pam_cosim.model.references import is_modelica
 from pam_cosim.resources import modelica_root
 
@@ -32,6 +45,8 @@ Shape = tuple[str, dict[str, Any]]
 Points = np.ndarray
 Map = Callable[[Points], Points]
 
+DRAWN = ("model", "block", "connector")
+"""Kinds of classes whose components have an icon."""
 SQUARE = ((-100.0, -100.0), (100.0, 100.0))
 
 
@@ -80,31 +95,66 @@ class Pictures:
         return inherited + (value(own) if own is not None else [])
 
     def extent(self, of: Class) -> Points:
-        """Corners of the diagram, (2, 2)."""
-        written = _argument(of.definition.annotation, "Diagram", "coordinateSystem", "extent")
-        return np.array(value(written) if written is not None else SQUARE, dtype=float)
+        """Corners of the diagram, (2, 2): its own, else those of the first base class that states some."""
+        stated = self._stated_extent(of)
+        return np.array(SQUARE if stated is None else value(stated), dtype=float)
 
-    def parts(self, of: Class, unplaced: list[str] | None = None) -> list[Placed]:
-        """Components with a Placement, inherited ones first; names of models and connectors without go to a list."""
-        parts = [part for base in self.lookup.bases(of) for part in self.parts(base, unplaced)]
+    def _stated_extent(self, of: Class) -> Expression | None:
+        written = _argument(of.definition.annotation, "Diagram", "coordinateSystem", "extent")
+        inherited = (self._stated_extent(base) for base in self.lookup.bases(of))
+        return written or next((extent for extent in inherited if extent is not None), None)
+
+    def parts(self, of: Class, unplaced: list[str] | None = None, layer: str = "Diagram") -> list[Placed]:
+        """Components with a Placement, inherited ones first, where they stand in the diagram or in the icon.
+
+        Names of models, blocks and connectors without one go to a list; not those of ``outer`` ones, which refer to a
+        component of an enclosing class.
+        """
+        parts = [part for base in self.lookup.bases(of) for part in self.parts(base, unplaced, layer)]
         for component in of.definition.components.values():
             kind = self.lookup.find(self.lookup.inside(of), component.type.names)
-            extent, origin, rotation = (
-                _argument(component.annotation, "Placement", "transformation", key)
-                for key in ("extent", "origin", "rotation")
-            )
+            where = _transformation(component, layer)
+            extent, origin, rotation = (_argument(where, key) for key in ("extent", "origin", "rotation"))
             if kind is not None and extent is not None:
                 start = np.array(value(origin) if origin else (0, 0), dtype=float)
                 angle = float(value(rotation)) if rotation else 0.0
                 parts.append(Placed(component.name, kind, np.array(value(extent), dtype=float), start, angle))
-            elif kind is not None and kind.definition.kind in ("model", "connector") and unplaced is not None:
+            elif kind is not None and _must_be_placed(kind, component) and unplaced is not None:
                 unplaced.append(component.name)
         return parts
 
     def lines(self, of: Class) -> list[tuple[Connect, Shape | None]]:
         """The connections of a class itself, each with its line."""
-        equations = [e for s in of.definition.sections for e in s.equations if isinstance(e, Connect)]
-        return [(e, _line(of.definition.source, e.annotation)) for e in equations]
+        found = [c for section in of.definition.sections for c in _connections(section.equations)]
+        return [(c, _line(of.definition.source, c.annotation)) for c in found]
+
+    def drawn_lines(self, of: Class) -> list[Shape]:
+        """The lines of a class's connections, inherited ones first."""
+        inherited = [line for base in self.lookup.bases(of) for line in self.drawn_lines(base)]
+        return inherited + [line for _, line in self.lines(of) if line is not None]
+
+
+def _connections(equations: Sequence[Equation]) -> Iterator[Connect]:
+    """Those in loops too."""
+    for equation in equations:
+        if isinstance(equation, Connect):
+            yield equation
+        elif isinstance(equation, For):
+            yield from _connections(equation.body)
+
+
+def _must_be_placed(kind: Class, component: ComponentDeclaration) -> bool:
+    return kind.definition.kind in DRAWN and "outer" not in component.prefixes
+
+
+def _transformation(component: ComponentDeclaration, layer: str) -> Modification:
+    """Where a component stands in a layer; the icon has a place of its own only where one is stated."""
+    placement = component.annotation.argument("Placement")
+    if placement is None:
+        return EMPTY
+    keys = ("iconTransformation", "transformation") if layer == "Icon" else ("transformation",)
+    stated = (placement.modification.argument(key) for key in keys)
+    return next((argument.modification for argument in stated if argument is not None), EMPTY)
 
 
 def _argument(modification: Modification, *path: str) -> Expression | None:
@@ -206,7 +256,7 @@ def _arrow(axes: Axes, ends: Points, colour: tuple[float, ...], width: float, sc
 def draw_icon(axes: Axes, pictures: Pictures, of: Class, at: Map, name: str, scale: float) -> None:
     """The icon of a class and those of its connectors on it."""
     draw(axes, pictures.shapes(of), at, name, scale)
-    for part in pictures.parts(of):
+    for part in pictures.parts(of, layer="Icon"):
         if part.of.definition.kind == "connector":
             draw(axes, pictures.shapes(part.of), lambda p, part=part: at(part.at(p)), part.name, scale)
 
@@ -219,7 +269,7 @@ def diagram(pictures: Pictures, name: str, wide: float = 8.0) -> Figure:
     axes = _frame(figure.add_axes((0, 0, 1, 1)), low, high)
     scale = wide * 72 / (high[0] - low[0])
     draw(axes, pictures.shapes(of, "Diagram"), lambda p: p, of.definition.name, scale / 2)
-    draw(axes, [line for _, line in pictures.lines(of) if line is not None], lambda p: p, "", scale)
+    draw(axes, pictures.drawn_lines(of), lambda p: p, "", scale)
     for part in pictures.parts(of):
         draw_icon(axes, pictures, part.of, part.at, part.name, scale / 2)
     return figure

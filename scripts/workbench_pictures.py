@@ -7,6 +7,7 @@ independent rig, with a spring law that the catalogue lacks.
 from __future__ import annotations
 
 import io
+import shutil
 import sys
 import tempfile
 import time
@@ -17,13 +18,11 @@ from typing import Any
 from PIL import Image, ImageChops
 from playwright.sync_api import sync_playwright
 
-from rig.measurement import measure, write_data_set
-from rig.named import effect_of
-from rig.plan import default_plan
 from scripts.browser import MISSING, chromium, serving
-from scripts.stories import HIDDEN, HIDDEN_TITLE
 
-PICTURES = Path(__file__).resolve().parent.parent / "docs" / "pictures"
+ROOT = Path(__file__).resolve().parent.parent
+PICTURES = ROOT / "docs" / "pictures"
+DATA = ROOT / "examples" / "hidden-spring"
 SIZE = {"width": 1280, "height": 800}
 SMALL = (960, 600)  # px, of the moving picture
 COLOURS = 80
@@ -74,7 +73,7 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as place, sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=program, args=["--no-sandbox"])
         folder = Path(place) / "my-rig"
-        write_data_set(folder, measure(default_plan(), [effect_of(HIDDEN)], seed=1), title=HIDDEN_TITLE)
+        shutil.copytree(DATA, folder)
         with serving(folder) as (address, _):
             cut(browser, address)
         with serving(folder) as (address, _):

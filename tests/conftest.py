@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import gc
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Generator
 from pathlib import Path
 
 import pytest
@@ -13,6 +14,17 @@ from pam_cosim import study
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--full", action="store_true", help="also run the tests marked 'full'")
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Generator[None, object, object]:
+    """What is loaded here stays to the end: to look through it for waste takes as long as to load it."""
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.freeze()
+        gc.enable()
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
@@ -39,5 +51,5 @@ def bench() -> Callable[[str], Path]:
 
 @pytest.fixture(scope="session")
 def workers() -> int | None:
-    """One process for each diagnosis where the tests themselves run side by side."""
-    return 1 if "PYTEST_XDIST_WORKER" in os.environ else None
+    """No further process for a diagnosis where the tests themselves run side by side."""
+    return 0 if "PYTEST_XDIST_WORKER" in os.environ else None

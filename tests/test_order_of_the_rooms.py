@@ -27,7 +27,10 @@ FLOORS = (
     ("cli",),
 )
 FLOOR = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
-ROOMS = sorted({path.stem for path in PACKAGE.iterdir() if path.name != "py.typed" and path.name[0] != "_"})
+ROOMS = sorted(
+    {path.name for path in PACKAGE.iterdir() if any(path.glob("*.py"))} - {"__pycache__"}
+    | {path.stem for path in PACKAGE.glob("*.py") if path.name[0] != "_"}
+)  # not what an older version left behind
 
 
 def imported_rooms(file: Path) -> set[str]:

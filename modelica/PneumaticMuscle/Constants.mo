@@ -8,6 +8,7 @@ package Constants "Constants of air and of the earth"
   constant Types.Acceleration g = 9.80665 "Standard gravity";
   constant Real pi(unit="1") = 3.14159265358979 "Ratio of a circle's circumference to its diameter";
   annotation (Documentation(info="<html>
-<p>R = 287.05 J/(kg.K), gamma = 1.4 (DP Table 1), c_p and c_v by DP (23), standard gravity.</p>
+<p>R = 287.05 J/(kg.K), gamma = 1.4 (<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> Table 1), c_p
+and c_v by DP (23), standard gravity.</p>
 </html>"));
 end Constants;

@@ -3,12 +3,16 @@ record Domain "How results are told in this field: its balances, its phases, and
   extends Icons.Record;
   constant String balances[:] = {"force", "mass", "energy"} "Balances, in the order in which they are opened and drawn";
   constant String confused[:, 3] = {{"mass", "energy",
-    "a law of the gas that keeps books of its energy explains the samples as well: unless a signal that shows the temperature is fitted, missing mass and missing heat cannot be told apart"}}
-    "Where the first balance fails and a law hides the second, a law that keeps books of the second is tried too; what to say where both explain the samples";
+    "a law of the gas that keeps books of its energy explains the samples as well: unless a signal that shows "
+    + "the temperature is fitted, missing mass and missing heat cannot be told apart"}}
+    "Where the first balance fails and a law hides the second, a law that keeps books of the second is tried too; "
+    + "what to say where both explain the samples";
   constant String phases[:, 4] = {{"Pa", "filling", "holding", "venting"}}
     "Unit of the output whose course divides a run, and what it is called to rise, to rest and to fall";
-  constant String moving[:] = {"m"} "Units of outputs of which it matters whether they grow, rest or shrink, and how fast";
-  constant String axes[:] = {"x", "T_excess", "p_gauge", "v"} "Variables that a missing term is drawn against, the telling ones first";
+  constant String moving[:] = {"m"}
+    "Units of outputs of which it matters whether they grow, rest or shrink, and how fast";
+  constant String axes[:] = {"x", "T_excess", "p_gauge", "v"}
+    "Variables that a missing term is drawn against, the telling ones first";
   constant String planes[:, 2] = {{"x", "p_gauge"}, {"T_excess", "p_gauge"}, {"p_rate", "p_gauge"}}
     "Pairs of variables that a missing term is drawn over; the first that a term has both of counts";
   constant String tested = "pressures, loads and speeds" "What a tested range is a range of";
@@ -17,7 +21,8 @@ record Domain "How results are told in this field: its balances, its phases, and
     {"pressure_sensor_lag", "the reading of the pressure comes late"},
     {"position_sensor", "the reading of the position is off, or comes late"},
     {"force_sensor", "the reading of the force is off, or comes late"},
-    {"temperature_sensor", "the reading of the temperature is off by an amount that follows from the temperature alone"},
+    {"temperature_sensor",
+    "the reading of the temperature is off by an amount that follows from the temperature alone"},
     {"thermocouple_lag", "the reading of the temperature comes late"},
     {"saturation", "a reading ends at a limit where its signal goes on"},
     {"clock_offset", "the record of all readings is shifted in time against that of the inputs"}}

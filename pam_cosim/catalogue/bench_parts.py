@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from pathlib import Path
 
 from pam_cosim.catalogue.effects import component_name
@@ -67,15 +68,16 @@ def rig_parts(tree: ClassTree) -> list[BenchPart]:
     return parts
 
 
-def _declared(tree: ClassTree) -> list[BenchPart]:
-    return [
+@lru_cache(maxsize=8)
+def _declared(tree: ClassTree) -> tuple[BenchPart, ...]:
+    return tuple(
         _part(tree, name, role, library)
         for role, interface in ROLES.items()
         for library in libraries(tree)
         if f"{library}.{interface}" in tree.classes
         for name in tree.subtypes(f"{library}.{interface}")
         if not tree.classes[name].partial and tree.classes[name].kind in ("model", "block", "class")
-    ]
+    )
 
 
 def chosen(parts: Sequence[BenchPart], role: str, name: str | None) -> BenchPart:

@@ -26,6 +26,7 @@ from pam_cosim.catalogue.bench_parts import (
     split,
 )
 from pam_cosim.catalogue.place import surrounds
+from pam_cosim.catalogue.rig_signals import declarations
 from pam_cosim.compiler import ClassTree, names
 from pam_cosim.compiler.class_tree import ComponentInfo
 from pam_cosim.compiler.printing import string_text
@@ -72,9 +73,7 @@ _CLEAR = 15  # below what stands side by side, for a line across
 class _Draft:
     """The lines of a rig."""
 
-    inputs: list[str] = field(default_factory=list)
-    outputs: list[str] = field(default_factory=list)
-    signals: list[tuple[str, str]] = field(default_factory=list)
+    outputs: dict[str, ComponentInfo] = field(default_factory=dict)
     components: list[str] = field(default_factory=list)
     equations: list[str] = field(default_factory=list)
 
@@ -306,24 +305,26 @@ class _Composer:
             for c in measured_outputs(self.tree, reader.part.qualified_name)
             if _numbered(c.name, reader.number) == signal
         )
-        self.draft.outputs.append(_declaration("output", declared, signal))
+        self.draft.outputs[signal] = declared
         self.draft.equations.append(f"{signal} = {reader.name}.{declared.name}")
-        self.draft.signals.append((signal, declared.description))
 
     def _text(self, name: str, frame: str, everything: Sequence[_Placed]) -> str:
         draft = self.draft
-        draft.inputs = [_declaration("input", d, signal) for signal, (_, _, d) in self.inputs.items()]
+        low = (-190, min(one.corner[1] for one in everything) - 20)
+        high = (160 + 320 * (len(self.numbers) - 1), 120)
+        imposed = {signal: declared for signal, (_, _, declared) in self.inputs.items()}
+        inputs = declarations(self.tree, "input", imposed, low, high)
+        outputs = declarations(self.tree, "output", draft.outputs, low, high)
         says = "; ".join([self.hold.description, *map(_lower, (self.feed.description, self.held.description))])
         bindings = self._bindings(frame, everything)
         lines = [f"model {name} {string_text(says)}"]
         lines.append(f"  extends {frame}({', '.join(bindings)});" if bindings else f"  extends {frame};")
-        lines += [f"  {line};" for line in (*draft.inputs, *draft.outputs, *draft.components)]
+        lines += [f"  {line};" for line in (*inputs, *outputs, *draft.components)]
         lines += ["equation", *(f"  {line};" for line in draft.equations)]
         experiment = self.tree.classes[frame].annotations.get("experiment")
         info = string_text("\n".join(self._documentation()))
-        right = 160 + 320 * (len(self.numbers) - 1)
-        low = min(one.corner[1] for one in everything) - 20
-        diagram = f"Diagram(coordinateSystem(preserveAspectRatio=true, extent={{{{-190,{low}}},{{{right},120}}}}))"
+        extent = f"{{{{{low[0]},{low[1]}}},{{{high[0]},{high[1]}}}}}"
+        diagram = f"Diagram(coordinateSystem(preserveAspectRatio=true, extent={extent}))"
         notes = ",\n    ".join(filter(None, (diagram, experiment, f"Documentation(info={info})")))
         return "\n".join([*lines, f"  annotation ({notes});", f"end {name};", ""])
 
@@ -333,8 +334,8 @@ class _Composer:
         yield "<ul>"
         for signal, (_, _, declared) in self.inputs.items():
             yield f"<li>input <code>{escape(signal)}</code>: {escape(declared.description)}</li>"
-        for signal, description in self.draft.signals:
-            yield f"<li>output <code>{escape(signal)}</code>: {escape(description)}</li>"
+        for signal, declared in self.draft.outputs.items():
+            yield f"<li>output <code>{escape(signal)}</code>: {escape(declared.description)}</li>"
         yield "</ul>"
         used = ", ".join(f"<code>{escape(p.qualified_name)}</code>" for p in (self.feed, self.hold, self.held))
         yield f"<p>Equations and sources: {used}.</p>"
@@ -376,15 +377,6 @@ def _asked(measure: str | Sequence[str]) -> list[str]:
 
 def _lower(text: str) -> str:
     return text[:1].lower() + text[1:]
-
-
-def _declaration(prefix: str, declared: ComponentInfo, name: str) -> str:
-    """A signal of a part as one of the rig, without its value."""
-    attributes = declared.text
-    if declared.value:
-        attributes = attributes.removesuffix(f"={declared.value}").removesuffix(f"= {declared.value}").strip()
-    sizes = f"[{', '.join(declared.dimensions)}]" if declared.dimensions else ""
-    return f"{prefix} {declared.type} {name}{sizes}{attributes} {string_text(declared.description)}"
 
 
 def _outers(tree: ClassTree, name: str, seen: set[str]) -> set[tuple[str, str]]:

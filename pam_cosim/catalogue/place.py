@@ -42,11 +42,8 @@ def _is_effect_base(name: str) -> bool:
 def benches(tree: ClassTree) -> list[str]:
     """Full names of the benches."""
     homes = [f"{library}.{BENCHES}" for library in libraries(tree)]
-    return [
-        name
-        for name, info in tree.classes.items()
-        if names.parent(name) in homes and info.kind == "model" and not info.partial
-    ]
+    inside = [name for name in tree.classes if names.parent(name) in homes]
+    return [name for name in inside if tree.classes[name].kind == "model" and not tree.classes[name].partial]
 
 
 def qualified(tree: ClassTree, model: str) -> str:
@@ -63,8 +60,14 @@ def meant(model: str, packages: Sequence[str]) -> list[str]:
 
 
 def is_connector(tree: ClassTree, name: str) -> bool:
-    """Whether a class is a connector."""
-    return name in tree.classes and tree.classes[name].kind == "connector"
+    """Whether a class is a connector of potentials and flows; a signal such as RealInput is none."""
+    return name in tree.classes and tree.classes[name].kind == "connector" and not is_signal(tree, name)
+
+
+def is_signal(tree: ClassTree, name: str) -> bool:
+    """Whether a class is the connector of an input or an output, as RealInput of Modelica.Blocks is."""
+    info = tree.classes.get(name)
+    return info is not None and info.kind == "connector" and not info.prefixes.isdisjoint(("input", "output"))
 
 
 def surrounds(tree: ClassTree, model: str, needed: Iterable[tuple[str, str]]) -> bool:

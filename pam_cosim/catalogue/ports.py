@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 from pam_cosim.catalogue.bench_parts import BenchPart, chosen, connectors, free_inputs, measured_outputs, rig_parts
 from pam_cosim.catalogue.place import benches
@@ -33,11 +34,12 @@ class Ports:
     rank: int = 0
 
 
-def ports(tree: ClassTree) -> list[Ports]:
+@lru_cache(maxsize=8)
+def ports(tree: ClassTree) -> tuple[Ports, ...]:
     """Those of every bench, then those of every rig of one muscle that can be put together."""
     parts = rig_parts(tree)
     usual = _kinds_of_muscle(tree, parts)
-    ready = [
+    ready = (
         Ports(
             name,
             _variables(tree, free_inputs(tree, name)),
@@ -46,9 +48,9 @@ def ports(tree: ClassTree) -> list[Ports]:
             _foreign(tree, name, usual),
         )
         for name in benches(tree)
-    ]
+    )
     readings = {part.library: _readings(tree, parts, part.library) for part in parts}
-    rigs = [
+    rigs = (
         Ports(
             f"{feed.name} and {hold.name}",
             _variables(tree, [*free_inputs(tree, feed.qualified_name), *free_inputs(tree, hold.qualified_name)]),
@@ -60,8 +62,8 @@ def ports(tree: ClassTree) -> list[Ports]:
         for hold in parts
         if (feed.role, hold.role, feed.library) == ("pneumatics", "mechanics", hold.library)
         and len(connectors(tree, hold.qualified_name)) == 1
-    ]
-    return ready + rigs
+    )
+    return (*ready, *rigs)
 
 
 def _readings(tree: ClassTree, parts: list[BenchPart], library: str) -> dict[str, Variable]:

@@ -5,6 +5,7 @@ What it loads takes a second, in which it can be interrupted too: so it loads li
 
 from __future__ import annotations
 
+import io
 import os
 import signal
 import sys
@@ -92,6 +93,7 @@ class _Command:
 
 def run() -> None:
     """Entry point of the command line."""
+    _print_what_can_be_printed()
     command = _Command()
     try:
         status = command.run()
@@ -102,6 +104,13 @@ def run() -> None:
     if command.number:  # threads of libraries may wait for processes that have been ended
         _later(_LAST, os._exit, status)
     sys.exit(status)
+
+
+def _print_what_can_be_printed() -> None:
+    """A letter that a terminal of Windows, or a file for it, does not have becomes a question mark and ends nothing."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper) and stream.errors == "strict":
+            stream.reconfigure(errors="replace")
 
 
 def _later(seconds: float, function: Callable[..., None], *arguments: object) -> None:

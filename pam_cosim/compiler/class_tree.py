@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from typing import TypeAlias
 
@@ -11,12 +12,13 @@ from pam_cosim.compiler import names
 from pam_cosim.compiler.budget import bounded
 from pam_cosim.compiler.instance import Class
 from pam_cosim.compiler.instantiation import PRIMITIVES
-from pam_cosim.compiler.library import Library
+from pam_cosim.compiler.library import Library, Signature, files_of, modelica_files, signature
 from pam_cosim.compiler.lookup import Lookup
 from pam_cosim.compiler.printing import argument_text, expression_text, modification_text
 from pam_cosim.compiler.syntax import (
     Argument,
     Array,
+    Binary,
     ClassDefinition,
     ComponentDeclaration,
     Constraint,
@@ -50,7 +52,8 @@ class ComponentInfo:
     Attributes:
         name: as declared.
         type: full name of its class, or a built-in type; as written if it cannot be found.
-        prefixes: ``parameter``, ``input``, ``inner``, ``replaceable``, ``protected``, ...
+        prefixes: ``parameter``, ``input``, ``inner``, ``replaceable``, ``protected``, ..., with those of a short class
+            that is its type.
         modifications: text by (dotted) name; ``value`` is the binding.
         text: the whole modification as text.
         dimensions: sizes as text.
@@ -94,6 +97,7 @@ class ClassInfo:
     Attributes:
         name: full name.
         kind: ``model``, ``package``, ``function``, ``connector``, ``record``, ``type`` or ``block``.
+        prefixes: of a short class, ``input`` in ``connector RealInput = input Real``.
         annotations: top-level annotations as text, by name, but for graphics.
         documentation: the ``info`` string of the Documentation annotation.
     """
@@ -105,6 +109,7 @@ class ClassInfo:
     extends: tuple[BaseInfo, ...]
     components: tuple[ComponentInfo, ...]
     replaceables: tuple[ReplaceableInfo, ...]
+    prefixes: frozenset[str]
     annotations: dict[str, str]
     documentation: str
     file: Path | str
@@ -245,6 +250,7 @@ class ClassTree:
             replaceables=tuple(
                 self._replaceable(node, nested) for nested in node.classes.values() if "replaceable" in nested.prefixes
             ),
+            prefixes=node.alias_prefixes,
             annotations={a.name: argument_text(a) for a in node.annotation.arguments if a.name not in _GRAPHICAL},
             documentation=value.value if isinstance(value, Literal) and isinstance(value.value, str) else "",
             file=node.source.file,
@@ -263,7 +269,7 @@ class ClassTree:
         return ComponentInfo(
             name=component.name,
             type=type_,
-            prefixes=component.prefixes,
+            prefixes=component.prefixes | self._alias_prefixes(type_),
             modifications=_modifications(component.modification),
             value="" if value is None else expression_text(value),
             text=modification_text(component.modification),
@@ -277,6 +283,13 @@ class ClassTree:
             line=line,
             position=_position(component.annotation),
         )
+
+    def _alias_prefixes(self, type_: str) -> frozenset[str]:
+        """Prefixes that the short classes behind a type add to its variables (Modelica 3.6, section 4.5.1)."""
+        node = self._definitions.get(type_)
+        if node is None or node.alias is None:
+            return frozenset()
+        return node.alias_prefixes | self._alias_prefixes(self._resolved(node.parent, node.alias.type))
 
     def _replaceable(self, node: ClassDefinition, nested: ClassDefinition) -> ReplaceableInfo:
         default = nested.qualified_name
@@ -297,9 +310,12 @@ class ClassTree:
 
 
 def _literal(value: Expression | None) -> Constant | None:
-    """The value of a literal, or of an array of them."""
+    """The value of a literal, of texts joined with ``+``, or of an array of them."""
     if isinstance(value, Literal):
         return value.value
+    if isinstance(value, Binary) and value.operator == "+":
+        first, second = _literal(value.left), _literal(value.right)
+        return first + second if isinstance(first, str) and isinstance(second, str) else None
     if not isinstance(value, Array) or value.iterators:
         return None
     items = [_literal(item) for item in value.items]
@@ -348,14 +364,30 @@ def _entries(argument: Argument, name: str) -> dict[str, str]:
     return texts
 
 
-@bounded
 def read_library(root: Path | None = None, files: Sequence[Path] = ()) -> ClassTree:
     """The class tree of the library directory ``root`` (by default the project's own) and of the user's files.
+
+    Where no file has changed it is the same tree: what was found out about its classes is known already.
 
     Raises:
         ModelError: a syntax error, or a class of the user's that extends what does not exist, with its place.
     """
-    library = Library(modelica_root() if root is None else root, files)
+    base, named = modelica_root() if root is None else root, tuple(Path(file) for file in files)
+    try:
+        every = [*modelica_files(base), *(part for file in named for part in files_of(file.absolute()))]
+        return _tree(base, named, signature(every))
+    except OSError:
+        return _read(base, named)
+
+
+@lru_cache(maxsize=8)
+def _tree(root: Path, files: tuple[Path, ...], of: Signature) -> ClassTree:
+    return _read(root, files)
+
+
+@bounded
+def _read(root: Path, files: tuple[Path, ...]) -> ClassTree:
+    library = Library(root, files)
     lookup = Lookup(library)
     for definition in (node for classes in library.user_classes.values() for node in classes):
         for clause in definition.extends:

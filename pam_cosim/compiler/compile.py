@@ -20,7 +20,7 @@ from pam_cosim.compiler.evaluation import Calls
 from pam_cosim.compiler.flattening import FlatModel, Residual, flatten
 from pam_cosim.compiler.functions import call
 from pam_cosim.compiler.index_reduction import EquationSystem, reduce_index, select_states
-from pam_cosim.compiler.initialization import StartAttribute, initial_values
+from pam_cosim.compiler.initialization import InitialProblem, InitialValues, StartAttribute, initial_values
 from pam_cosim.compiler.instance import Class, Instance
 from pam_cosim.compiler.instantiation import Instantiator
 from pam_cosim.compiler.library import Library
@@ -133,7 +133,9 @@ class _Assembly:
         )
         return Ode(
             interface=interface,
-            states=tuple(self._state_variable(name, value) for name, value in zip(self.states, initial, strict=True)),
+            states=tuple(
+                self._state_variable(name, value) for name, value in zip(self.states, initial.states, strict=True)
+            ),
             t=symbols.t,
             x=_column([system.variables[name] for name in self.states]),
             u=_column(list(symbols.inputs.values())),
@@ -141,13 +143,15 @@ class _Assembly:
             derivatives=derivatives,
             outputs=values,
             locals=others,
-            initial=_column(initial),
+            initial=_column(initial.states),
             description=root.ancestors[0].definition.description,
             d=_column(delayed.delayed),
             delays=tuple(delayed.delays),
             parts=parts_of(root),
             libraries=metadata.libraries(root),
             statements=statements,
+            resting=initial.resting,
+            following=tuple(initial.following.items()),
         )
 
     # ---- the system of equations --------------------------------------------------------------------------
@@ -234,21 +238,25 @@ class _Assembly:
 
     # ---- initial values -----------------------------------------------------------------------------------
 
-    def _initial(self) -> list[ca.SX]:
-        constants = self.instantiator.constants
-        starts = {name: self._start(name) for name in self.states}
-        for name, leaf in self._leaves().items():
-            if name not in starts and metadata.is_fixed(leaf, constants):
-                starts[name] = self._start(name)
-        symbols = self.flat.symbols
-        equations = [self._not_yet(r) for r in self.flat.initial]
-        system = replace(self.system, residuals=[self._not_yet(r) for r in self.system.residuals])
-        present = frozenset(leaf.name for leaf in symbols.inputs)
-        values, late = initial_values(
-            system, self.states, starts, equations, (self.p, self.p_values), symbols.late, present
+    def _initial(self) -> InitialValues:
+        constants, symbols = self.instantiator.constants, self.flat.symbols
+        fixed = [name for name, leaf in self._leaves().items() if metadata.is_fixed(leaf, constants)]
+        begin = initial_values(
+            InitialProblem(
+                system=replace(self.system, residuals=[self._not_yet(r) for r in self.system.residuals]),
+                states=self.states,
+                solved=self.solved,
+                start=self._start,
+                declared=list(dict.fromkeys([*self.states, *fixed])),
+                started=[name for name, leaf in self._leaves().items() if "start" in leaf.attributes],
+                equations=[self._not_yet(r) for r in self.flat.initial],
+                defaults=(self.p, self.p_values),
+                late=symbols.late,
+                present=frozenset(leaf.name for leaf in symbols.inputs),
+            )
         )
-        self.beginning = beginning(late, symbols.late, symbols.comparisons, symbols.t)
-        return values
+        self.beginning = beginning(begin.parameters, symbols.late, symbols.comparisons, symbols.t)
+        return begin
 
     def _not_yet(self, residual: Residual) -> Residual:
         """At the start, when no time has passed since the start."""
@@ -280,13 +288,14 @@ class _Assembly:
     def _start(self, name: str) -> StartAttribute:
         leaf = self._leaf(name)
         if leaf is None:
-            return StartAttribute(ca.SX(0), False, name)
+            return StartAttribute(ca.SX(0), False, name, given=False)
         bound = leaf.attributes.get("start")
         value = ca.SX(0) if bound is None else ca.SX(self.flat.symbols.bound(bound))
         for symbol in ca.symvar(value):
             if symbol.name() in self.system.variables or symbol.name() in self.system.inputs:
                 raise ModelError(f"the start value of '{name}' depends on the variable '{symbol.name()}'")
-        return StartAttribute(value, metadata.is_fixed(leaf, self.instantiator.constants), f"start value of '{name}'")
+        fixed = metadata.is_fixed(leaf, self.instantiator.constants)
+        return StartAttribute(value, fixed, f"start value of '{name}'", given=bound is not None)
 
 
 def _names(expression: ca.SX) -> set[str]:

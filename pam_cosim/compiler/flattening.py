@@ -84,9 +84,11 @@ class _Flattener:
         for leaf in root.leaves():
             if leaf in self.symbols.unknowns and leaf.binding is not None:
                 self._binding(leaf)
-        for node in root.nodes():
-            for section, scope in node.sections:
-                self._section(section, scope, node)
+        for initial in (False, True):  # how a model begins has no part in the order of its states
+            for node in root.nodes():
+                for section, scope in node.sections:
+                    if section.initial == initial:
+                        self._section(section, scope, node)
         for connected in self.connections.sets(root):
             self._connection_set(connected)
         return self.flat

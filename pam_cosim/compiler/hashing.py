@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Sequence
+from functools import lru_cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-from pam_cosim.compiler.library import modelica_files, package_folder, source_bytes
+from pam_cosim.compiler.library import Signature, modelica_files, package_folder, signature, source_bytes
 from pam_cosim.errors import ModelError
 from pam_cosim.model.references import is_modelica
 from pam_cosim.resources import modelica_root
@@ -46,9 +47,15 @@ def flat_hash(model: str, *, files: Sequence[Path] = (), root: Path | None = Non
 
 def library_hash(root: Path | None = None) -> str:
     """SHA-256, in hexadecimal, of the library's sources, this compiler and CasADi's version."""
-    digest = hashlib.sha256()
     base = modelica_root() if root is None else root
-    for file in modelica_files(base):
+    return _hash_of_library(base, signature(modelica_files(base)))
+
+
+@lru_cache(maxsize=8)
+def _hash_of_library(base: Path, of: Signature) -> str:
+    """Read again only when a file has changed."""
+    digest = hashlib.sha256()
+    for file in (Path(name) for name, _, _ in of):
         _add(digest, file.relative_to(base).as_posix().encode())
         _add(digest, file.read_bytes())
     for file in sorted(Path(__file__).parent.glob("*.py")):

@@ -1,8 +1,11 @@
-"""Initial values of the states as functions of the parameters, and of the inputs as they are at the start."""
+"""Initial values of the states as functions of the parameters, and of the inputs as they are at the start.
+
+States that begin at rest are the exception: they are found when a run begins, see ``rest.py``.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import casadi as ca
@@ -12,6 +15,7 @@ from pam_cosim.compiler.blocks import solve
 from pam_cosim.compiler.flattening import Residual
 from pam_cosim.compiler.index_reduction import EquationSystem
 from pam_cosim.compiler.matching import Matching
+from pam_cosim.compiler.rest import AtRest, at_rest, leans_on, refuse_parameters, variable_at_rest
 from pam_cosim.errors import ModelError
 
 _CONSISTENT = 1e-9
@@ -19,70 +23,177 @@ _CONSISTENT = 1e-9
 
 @dataclass(frozen=True)
 class StartAttribute:
-    """The start attribute of a variable: a guess, or an equation if ``fixed``."""
+    """The start attribute of a variable: a guess, or an equation if ``fixed``; ``given``: it is not the usual zero."""
 
     value: ca.SX
     fixed: bool
     place: str
+    given: bool = True
 
 
-def initial_values(
-    system: EquationSystem,
-    states: Sequence[str],
-    starts: Mapping[str, StartAttribute],
-    equations: Sequence[Residual],
-    defaults: tuple[ca.SX, ca.SX],
-    late: Mapping[str, ca.SX],
-    present: frozenset[str] = frozenset(),
-) -> tuple[list[ca.SX], dict[str, ca.SX]]:
-    """One expression for each state, in terms of parameters and inputs, and one for each parameter that is not fixed.
+@dataclass(frozen=True)
+class InitialValues:
+    """Where states and parameters that are not fixed begin.
 
-    At the start all equations of the model hold, and so many more as there are states and parameters that are not
-    fixed: the fixed starts, then the initial equations; what these leave open is determined by the starts of states
-    that are not fixed. The parameters may depend on time, which is then that of the start.
+    Attributes:
+        states: one expression for each state, in terms of parameters and inputs.
+        parameters: by name; they may depend on time, which is then that of the start.
+        resting: names of the states that begin at rest; their expressions are where the rest is sought from.
+        following: of states whose initial values depend on those at rest, by name, in terms of these besides.
+    """
 
-    Args:
+    states: list[ca.SX]
+    parameters: dict[str, ca.SX]
+    resting: tuple[str, ...]
+    following: dict[str, ca.SX]
+
+
+@dataclass(frozen=True)
+class InitialProblem:
+    """What is to be found.
+
+    Attributes:
         system: the equations after index reduction.
         states: names of the states.
-        starts: the start values, by name, of states and of all variables with a fixed start.
+        solved: every other unknown as an expression of them.
+        start: the start value of a variable.
+        declared: names of the states and of all variables with a fixed start.
+        started: names of all variables that have a start value.
         equations: initial equations.
         defaults: the parameters' symbols and values, to judge superfluous equations.
         late: symbols of the parameters that are not fixed.
         present: inputs on which states may depend, as they are at the start.
+    """
+
+    system: EquationSystem
+    states: Sequence[str]
+    solved: Mapping[str, ca.SX]
+    start: Callable[[str], StartAttribute]
+    declared: Sequence[str]
+    started: Sequence[str]
+    equations: Sequence[Residual]
+    defaults: tuple[ca.SX, ca.SX]
+    late: Mapping[str, ca.SX]
+    present: frozenset[str] = frozenset()
+
+    @property
+    def unknown(self) -> dict[str, ca.SX]:
+        """Symbols of all that is to be found."""
+        return {**self.system.variables, **self.late}
+
+
+def initial_values(problem: InitialProblem) -> InitialValues:
+    """At the start all equations of the model hold, and so many more as there are states and parameters that are not
+    fixed: the fixed starts, then the initial equations; what these leave open is determined by the starts of states
+    that are not fixed.
 
     Raises:
         ModelError: initial equations that contradict each other or cannot be solved.
     """
-    unknown = {**system.variables, **late}
-    fixed = [_start_equation(system, name, start) for name, start in starts.items() if start.fixed]
-    free = [_start_equation(system, name, start) for name, start in starts.items() if not start.fixed]
-    chosen = list(system.residuals)
-    superfluous: list[Residual] = []
-    incidence = [_names(residual, unknown) for residual in chosen]
-    matching: Matching[str] = Matching()
-    for i in range(len(chosen)):
-        matching.add(i, incidence.__getitem__)
-    for number, equation in enumerate([*fixed, *equations, *free]):
-        incidence.append(_names(equation, unknown))
-        if len(chosen) < len(unknown) and matching.add(len(chosen), incidence.__getitem__):
-            chosen.append(equation)
-            continue
-        incidence.pop()
-        if number < len(fixed) + len(equations):
-            superfluous.append(equation)
-    wanted = dict.fromkeys([*states, *late, *(name for r in superfluous for name in _names(r, unknown))])
+    starts = {name: problem.start(name) for name in problem.declared}
+    fixed = [_start_equation(problem.system, name, start) for name, start in starts.items() if start.fixed]
+    free = [_start_equation(problem.system, name, start) for name, start in starts.items() if not start.fixed]
+    still = [(variable_at_rest(e, problem.system.derivative_of), e) for e in problem.equations]
+    said = [*fixed, *(equation for name, equation in still if name is None)]
+    rest = _rest(problem, said, [(name, equation) for name, equation in still if name is not None])
+    time, following = problem.system.time, dict[str, ca.SX]()
     try:
-        solved = solve([_at_start(r, system, late) for r in chosen], list(unknown), unknown, wanted)
+        values = _solution(problem, [*said, *rest.others, *rest.equations], free, problem.unknown)
+    except ModelError:
+        if not rest.states:
+            raise
+        values, following = _sought(problem, said, rest, free)
+    _refuse_inputs(problem, values)
+    return InitialValues(
+        [ca.substitute(values[name], time, ca.SX(0)) for name in problem.states],
+        {name: values[name] for name in problem.late},
+        tuple(name for name in problem.states if name in rest.states),
+        {name: ca.substitute(value, time, ca.SX(0)) for name, value in following.items()},
+    )
+
+
+def _rest(problem: InitialProblem, said: Sequence[Residual], still: Sequence[tuple[str, Residual]]) -> AtRest:
+    """Which states the equations ``der(x) = 0`` put at rest, beside what is said otherwise."""
+    if not still:
+        return AtRest()
+    chosen = _Chosen(problem.system.residuals, problem.unknown)
+    for equation in said:
+        chosen.add(equation)
+    starts = [(name, equation, problem.start(name)) for name, equation in still]
+    return at_rest(
+        [(name, equation, _start_equation(problem.system, name, start)) for name, equation, start in starts],
+        problem.states,
+        lambda name: {symbol.name() for symbol in ca.symvar(problem.solved[name])},
+        chosen.add,
+    )
+
+
+def _sought(
+    problem: InitialProblem, said: Sequence[Residual], rest: AtRest, free: Sequence[Residual]
+) -> tuple[dict[str, ca.SX], dict[str, ca.SX]]:
+    """The values from which the states at rest are sought, those of the others, and what follows the states at rest.
+
+    A state without a start value follows from the start values of other variables, a mass from a temperature.
+    """
+    others = {name: symbol for name, symbol in problem.unknown.items() if name not in rest.states}
+    values = _solution(problem, [*said, *rest.others], free, others)
+    following = {name: value for name, value in values.items() if leans_on(value, rest.states)}
+    refuse_parameters(following, problem.late)
+    own = [guess for name, guess in zip(rest.states, rest.guesses, strict=True) if problem.start(name).given]
+    further = [] if len(own) == len(rest.states) else problem.started
+    others_start = [_start_equation(problem.system, name, problem.start(name)) for name in further]
+    guesses = [*own, *others_start, *rest.guesses, *free]
+    guessed = _solution(problem, [*said, *rest.others], guesses, problem.unknown)
+    return values | {name: guessed[name] for name in (*rest.states, *following)}, following
+
+
+class _Chosen:
+    """Equations that determine the unknowns, each of which adds something to those before it."""
+
+    def __init__(self, equations: Sequence[Residual], unknown: Mapping[str, ca.SX]) -> None:
+        self.unknown = unknown
+        self.equations = list(equations)
+        self._incidence = [_names(equation, unknown) for equation in equations]
+        self._matching: Matching[str] = Matching()
+        for i in range(len(equations)):
+            self._matching.add(i, self._incidence.__getitem__)
+
+    def add(self, equation: Residual) -> bool:
+        """Whether it determines something that those before it do not."""
+        self._incidence.append(_names(equation, self.unknown))
+        is_new = len(self.equations) < len(self.unknown)
+        if is_new and self._matching.add(len(self.equations), self._incidence.__getitem__):
+            self.equations.append(equation)
+            return True
+        self._incidence.pop()
+        return False
+
+
+def _solution(
+    problem: InitialProblem, said: Sequence[Residual], free: Sequence[Residual], unknown: Mapping[str, ca.SX]
+) -> dict[str, ca.SX]:
+    """The states and parameters among the unknowns, from what is said and, where that is not enough, what is free."""
+    chosen = _Chosen(problem.system.residuals, unknown)
+    superfluous = [equation for equation in said if not chosen.add(equation)]
+    for equation in free:
+        chosen.add(equation)
+    asked = [name for name in (*problem.states, *problem.late) if name in unknown]
+    wanted = dict.fromkeys([*asked, *(name for r in superfluous for name in _names(r, unknown))])
+    try:
+        equations = [_at_start(r, problem.system, problem.late) for r in chosen.equations]
+        solved = solve(equations, list(unknown), unknown, wanted)
     except ModelError as error:
         raise ModelError(f"initial values: {error.message}") from None
-    _check_superfluous(superfluous, solved, unknown, defaults)
-    for name in (*states, *late):
-        refused = system.inputs - present if name in states else system.inputs
-        inputs = [symbol.name() for symbol in ca.symvar(solved[name]) if symbol.name() in refused]
+    _check_superfluous(superfluous, solved, unknown, problem.defaults)
+    return {name: solved[name] for name in asked}
+
+
+def _refuse_inputs(problem: InitialProblem, values: Mapping[str, ca.SX]) -> None:
+    for name, value in values.items():
+        refused = problem.system.inputs - (problem.present if name in problem.states else frozenset())
+        inputs = [symbol.name() for symbol in ca.symvar(value) if symbol.name() in refused]
         if inputs:
             raise ModelError(f"the initial value of '{name}' depends on the input '{inputs[0]}'")
-    values = [ca.substitute(solved[name], system.time, ca.SX(0)) for name in states]
-    return values, {name: solved[name] for name in late}
 
 
 def _at_start(residual: Residual, system: EquationSystem, late: Mapping[str, ca.SX]) -> Residual:

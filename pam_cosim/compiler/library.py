@@ -16,7 +16,7 @@ from pam_cosim.errors import ModelError
 from pam_cosim.files import read_file
 from pam_cosim.wording import closest
 
-_Signature = tuple[tuple[str, int, int], ...]
+Signature = tuple[tuple[str, int, int], ...]
 
 
 class Library:
@@ -36,13 +36,13 @@ class Library:
             if not root.is_dir():
                 raise ModelError("the Modelica library directory does not exist", root)
             self.files += modelica_files(root)
-            self.top.update(_packages(root, _signature(self.files)))
+            self.top.update(_packages(root, signature(self.files)))
         read: dict[Path, list[ClassDefinition]] = {}
         for file in files:  # one that is named twice, or in two ways, is one file
             folder = package_folder(file)
             place = (folder or file).resolve()
             if place not in read:
-                self.files += [file] if folder is None else modelica_files(folder)
+                self.files += files_of(file)
                 read[place] = self._read_user_file(file) if folder is None else self._read_user_package(folder)
             self.user_classes[file] = read[place]
 
@@ -75,7 +75,7 @@ class Library:
         return f"; did you mean {' or '.join(near)}?" if near else ""
 
     def _read_user_package(self, folder: Path) -> list[ClassDefinition]:
-        package = _package(folder, _signature(modelica_files(folder)))
+        package = _package(folder, signature(modelica_files(folder)))
         if package.name in self.top:
             raise package.source.error(f"a class '{package.name}' exists already: choose another name", package.at)
         self.top[package.name] = package
@@ -139,16 +139,23 @@ def package_folder(file: Path) -> Path | None:
 
 def modelica_files(folder: Path) -> list[Path]:
     """Every ``.mo`` file below a folder, in a fixed order."""
-    return sorted(Path(at, name) for at, _, names in os.walk(folder) for name in names if name.endswith(".mo"))
+    found = [os.path.join(at, name) for at, _, names in os.walk(folder) for name in names if name.endswith(".mo")]
+    return [Path(file) for file in sorted(found, key=lambda file: file.split(os.sep))]
 
 
-def _signature(files: Sequence[Path]) -> _Signature:
+def files_of(file: Path) -> list[Path]:
+    """What belongs to a user's file: itself, or all files of the package that is kept in its folder."""
+    folder = package_folder(file)
+    return [file] if folder is None else modelica_files(folder)
+
+
+def signature(files: Sequence[Path]) -> Signature:
     """What changes when a file does."""
     return tuple((str(f), s.st_mtime_ns, s.st_size) for f in files for s in [os.stat(f)])
 
 
 @lru_cache(maxsize=8)
-def _package(folder: Path, signature: _Signature) -> ClassDefinition:
+def _package(folder: Path, of: Signature) -> ClassDefinition:
     """The package in a folder; parsed again only when a file has changed."""
     if not (folder / "package.mo").is_file():
         raise ModelError("the folder is no Modelica package: it has no package.mo", folder)
@@ -156,7 +163,7 @@ def _package(folder: Path, signature: _Signature) -> ClassDefinition:
 
 
 @lru_cache(maxsize=8)
-def _packages(root: Path, signature: _Signature) -> dict[str, ClassDefinition]:
+def _packages(root: Path, of: Signature) -> dict[str, ClassDefinition]:
     """The packages below ``root``; parsed again only when a file has changed."""
     top = {}
     for entry in sorted(root.iterdir()):

@@ -17,6 +17,7 @@ class Lookup:
         self.library = library
         self._static: dict[ClassDefinition, Scope] = {}
         self._static_bases: dict[ClassDefinition, list[Class]] = {}
+        self._static_members: dict[tuple[ClassDefinition, str], Class | None] = {}
         self._depth = 0
 
     def static_scope(self, definition: ClassDefinition) -> Scope:
@@ -75,6 +76,14 @@ class Lookup:
         Raises:
             ModelError: classes inherit from or import one another without end.
         """
+        if scope is not self._static.get(scope.definition):
+            return self._bounded_member(scope, name)
+        key = (scope.definition, name)  # there nothing can be redeclared: the answer is always the same
+        if key not in self._static_members:
+            self._static_members[key] = self._bounded_member(scope, name)
+        return self._static_members[key]
+
+    def _bounded_member(self, scope: Scope, name: str) -> Class | None:
         definition = scope.definition
         if self._depth >= LIMITS.classes:
             text = f"'{name[:60]}' is looked for without end: {definition.qualified_name} inherits or imports itself"
@@ -91,8 +100,7 @@ class Lookup:
         definition = scope.definition
         if name in definition.classes:
             return Class(definition.classes[name], scope)
-        inserted = self.library.inserted.get(f"{definition.qualified_name}.{name}")
-        if inserted is not None:
+        if self.library.inserted and (inserted := self.library.inserted.get(f"{definition.qualified_name}.{name}")):
             return Class(inserted, scope)
         if scope.instance is None:
             for base in self.bases(Class(definition, scope.outer)):

@@ -56,11 +56,14 @@ def is_fixed(instance: Instance, constants: Evaluator) -> bool:
 
 
 def state_preference(instance: Instance, constants: Evaluator) -> float:
-    """How much a variable wants to be a state: ``stateSelect`` first, then a fixed start."""
+    """How much a variable wants to be a state: ``stateSelect`` first, then a start of which it is said if it is fixed.
+
+    A class may let a parameter say so; the states are the same in either case.
+    """
     chosen = _attribute(instance, "stateSelect", constants)
     name = chosen.name if isinstance(chosen, EnumerationLiteral) else "default"
     weight = {"never": -1000.0, "avoid": -100.0, "default": 0.0, "prefer": 100.0, "always": 1000.0}[name]
-    return weight + (3.0 if is_fixed(instance, constants) else 0.0)
+    return weight + (3.0 if "fixed" in instance.attributes else 0.0)
 
 
 def experiment(instance: Instance) -> dict[str, Any]:

@@ -63,6 +63,9 @@ class Ode:
         parts: the components of the model that are no variables, with the classes that they consist of.
         libraries: packages that the model is made of, with their versions.
         statements: what must hold while the model runs.
+        resting: names of the states that begin at rest, where their rates vanish beside the others' initial values
+            under the first inputs; in ``initial`` stands where that is sought from.
+        following: names of states that begin where those at rest are, and their initial values in terms of these too.
     """
 
     interface: Interface
@@ -82,8 +85,20 @@ class Ode:
     parts: tuple[Part, ...] = ()
     libraries: tuple[tuple[str, str], ...] = ()
     statements: tuple[Statement, ...] = ()
+    resting: tuple[str, ...] = ()
+    following: tuple[tuple[str, ca.SX], ...] = ()
 
     @property
     def core(self) -> int:
         """How many of the states are the model's own; those after them are sensitivities."""
         return len(self.states) // (1 + len(self.sensitivities))
+
+    @property
+    def start_rates(self) -> ca.SX:
+        """What vanishes at the start, of the states that rest and of those that follow them; else the derivatives."""
+        follows, rates = dict(self.following), ca.vertsplit(ca.SX(self.derivatives[: self.core]))
+        own = [
+            follows[s.name] - self.x[i] if s.name in follows else rates[i]
+            for i, s in enumerate(self.states[: self.core])
+        ]
+        return ca.vertcat(ca.SX(0, 1), *own)

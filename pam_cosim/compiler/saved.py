@@ -35,6 +35,8 @@ def ode_bytes(ode: Ode) -> bytes:
         "delays": [delay.input for delay in ode.delays],
         "parts": [asdict(part) for part in ode.parts],
         "libraries": ode.libraries,
+        "resting": ode.resting,
+        "following": [name for name, _ in ode.following],
         "statements": [
             {"texts": s.texts, "digits": [digits for _, digits in s.values], "error": s.is_error, "start": s.at_start}
             for s in ode.statements
@@ -45,12 +47,14 @@ def ode_bytes(ode: Ode) -> bytes:
 
 
 def _further(ode: Ode) -> Iterator[ca.SX]:
-    """The expressions of delays and statements, in the order in which ``read_ode`` takes them."""
+    """The expressions of delays, statements and what follows a rest, in the order in which ``read_ode`` takes them."""
     for delay in ode.delays:
         yield ca.SX(delay.time)
     for s in ode.statements:
         yield ca.SX(s.condition)
         yield from (ca.SX(value) for value, _ in s.values)
+    for _, value in ode.following:
+        yield ca.SX(value)
 
 
 def _stated(variable: Variable) -> dict[str, Any]:
@@ -74,6 +78,8 @@ def read_ode(content: bytes) -> Ode:
         parts=tuple(_part(part) for part in about["parts"]),
         libraries=tuple((name, version) for name, version in about["libraries"]),
         statements=tuple([_statement(s, further) for s in about["statements"]]),
+        resting=tuple(about["resting"]),
+        following=tuple([(name, next(further)) for name in about["following"]]),
     )
 
 

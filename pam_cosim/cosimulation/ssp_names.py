@@ -1,4 +1,4 @@
-"""Names of the System Structure and Parameterization standard, SSP 1.0."""
+"""Names of the System Structure and Parameterization standard, SSP 1.0 and 2.0: the later one kept the namespaces."""
 
 DESCRIPTION = "SystemStructure.ssd"
 NAMESPACES = {
@@ -8,6 +8,9 @@ NAMESPACES = {
     "ssm": "http://ssp-standard.org/SSP1/SystemStructureParameterMapping",
 }
 FMU_TYPE = "application/x-fmu-sharedlibrary"
+VERSIONS = ("1.0", "2.0")
+REALS = {"1.0": "Real", "2.0": "Float64"}
+"""The element of a real number; SSP 2.0 takes the names of FMI 3.0 and the former one."""
 
 
 def tag(prefix: str, name: str) -> str:

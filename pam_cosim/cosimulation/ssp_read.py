@@ -1,4 +1,4 @@
-"""A system of FMUs as another tool describes it: an archive of SSP 1.0, ``.ssp``.
+"""A system of FMUs as another tool describes it: an archive of SSP 1.0 or 2.0, ``.ssp``.
 
 What the archive holds is data. Its FMUs are found by name among its entries and written under names of our own, so
 nothing in it becomes a path.
@@ -11,6 +11,7 @@ import posixpath
 import zipfile
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote, urlsplit
@@ -80,7 +81,7 @@ def read_ssp(file: Path, folder: Path, made: Callable[[str, Path], CoupledFmu]) 
         made: the component of a name and an FMU's file.
 
     Raises:
-        InputError: no archive of SSP 1.0, or one with parts that are not FMUs.
+        InputError: no archive of SSP 1.0 or 2.0, or one with parts that are not FMUs.
     """
     try:
         with zipfile.ZipFile(file) as archive:
@@ -123,12 +124,34 @@ class _Entries:
             raise InputError(f"{shown(source)} is not XML: {problem}", self.file) from problem
         if root.getroottree().docinfo.doctype:
             raise InputError(f"{shown(source)} declares a document type, which SSP does not have", self.file)
-        try:
-            validate_tree(root, schema)
-        except Exception as problem:  # FMPy raises it bare
-            message = str(problem).split("\n")[-1]
-            raise InputError(f"{shown(source)} is not valid by SSP 1.0: {message}", self.file) from problem
+        version, fault_in = ("2.0", _later_fault) if root.get("version") == "2.0" else ("1.0", _first_fault)
+        fault = fault_in(root, schema)
+        if fault:
+            raise InputError(f"{shown(source)} is not valid by SSP {version}: {fault}", self.file)
+        if next(root.iter(f"{{{NAMESPACES['ssc']}}}Dimension"), None) is not None:
+            raise InputError(f"{shown(source)} has arrays; only single numbers are read", self.file)
         return root
+
+
+def _first_fault(root: Any, schema: str) -> str:
+    """What is wrong by SSP 1.0; empty: nothing."""
+    try:
+        validate_tree(root, schema)
+    except Exception as problem:  # FMPy raises it bare
+        return str(problem).split("\n")[-1]
+    return ""
+
+
+def _later_fault(root: Any, schema: str) -> str:
+    """What is wrong by SSP 2.0; empty: nothing."""
+    read = _later_schema(schema)
+    return "" if read.validate(root) else str(read.error_log[-1].message)
+
+
+@cache
+def _later_schema(name: str) -> etree.XMLSchema:
+    """A schema of SSP 2.0.1, as the project published it under the 2-Clause BSD licence."""
+    return etree.XMLSchema(file=str(Path(__file__).parent / "ssp_schema" / name))
 
 
 def _described(entries: _Entries) -> _Description:
@@ -232,11 +255,16 @@ def _plain(text: str) -> str:
 
 
 def _value(entries: _Entries, parameter: Any) -> Setting:
-    real = parameter.find("ssv:Real", NAMESPACES)
-    if real is None:
+    kinds = (parameter.find(f"ssv:{kind}", NAMESPACES) for kind in ("Real", "Float64", "Float32"))
+    real = next((one for one in kinds if one is not None), None)
+    try:
+        value = math.nan if real is None else float(real.get("value"))
+    except ValueError:  # SSP 2.0: several, of an array
+        value = math.nan
+    if real is None or math.isnan(value):
         raise InputError(f"parameter '{_plain(parameter.get('name'))}' is no real number", entries.file)
     unit = real.get("unit")
-    return f"{float(real.get('value'))!r} {unit}" if unit and unit != "1" else float(real.get("value"))
+    return f"{value!r} {unit}" if unit and unit != "1" else value
 
 
 def _unpacked(

@@ -1,4 +1,4 @@
-"""A system of FMUs as an archive of SSP 1.0 that other tools open."""
+"""A system of FMUs as an archive of SSP 1.0 or 2.0 that other tools open."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pathlib import Path
 from xml.etree import ElementTree as Xml
 
 from pam_cosim.cosimulation.parts import Controller, CoupledFmu, joined
-from pam_cosim.cosimulation.ssp_names import DESCRIPTION, FMU_TYPE, NAMESPACES, tag
+from pam_cosim.cosimulation.ssp_names import DESCRIPTION, FMU_TYPE, NAMESPACES, REALS, VERSIONS, tag
 from pam_cosim.cosimulation.system import System
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, write_bytes
@@ -19,12 +19,20 @@ from pam_cosim.units import UnitError, base_unit
 _FIXED = (1980, 1, 1, 0, 0, 0)  # so that the same system gives the same bytes
 
 
-def write_ssp(system: System, file: Path, stop_time: float | None = None) -> Path:
+def write_ssp(system: System, file: Path, stop_time: float | None = None, version: str = "1.0") -> Path:
     """Writes the archive: the description, every FMU, and their parameter values as ``.ssv``.
 
+    Args:
+        system: the components and their connections.
+        file: the archive.
+        stop_time: of the default experiment [s]; None: that of the system.
+        version: of the standard, "1.0" or "2.0".
+
     Raises:
-        InputError: a component that is not an FMU, or the file cannot be written.
+        InputError: a component that is not an FMU, another version, or the file cannot be written.
     """
+    if version not in VERSIONS:
+        raise InputError(f"there is no SSP {version} to write; choose from {', '.join(VERSIONS)}", file)
     check_writable(file)
     parts: dict[str, CoupledFmu] = {}
     for name, part in system.components.items():
@@ -33,11 +41,11 @@ def write_ssp(system: System, file: Path, stop_time: float | None = None) -> Pat
         parts[name] = part
     content = io.BytesIO()
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
-        _add(archive, DESCRIPTION, _description(system, parts, stop_time or system.stop_time))
+        _add(archive, DESCRIPTION, _description(system, parts, stop_time or system.stop_time, version))
         for name, part in parts.items():
             _add(archive, f"resources/{name}.fmu", part.path.read_bytes())
             if system.values.get(name):
-                _add(archive, f"resources/{name}.ssv", _values(name, part, system.values[name]))
+                _add(archive, f"resources/{name}.ssv", _values(name, part, system.values[name], version))
     write_bytes(file, content.getvalue())
     return file
 
@@ -56,15 +64,16 @@ def _document(root: Xml.Element) -> bytes:
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{text}\n'.encode()
 
 
-def _description(system: System, parts: Mapping[str, CoupledFmu], stop_time: float | None) -> bytes:
+def _description(system: System, parts: Mapping[str, CoupledFmu], stop_time: float | None, version: str) -> bytes:
     title = system.title or "system"
-    root = Xml.Element(tag("ssd", "SystemStructureDescription"), version="1.0", name=title, generationTool="pam-cosim")
+    about = {"version": version, "name": title, "generationTool": "pam-cosim"}
+    root = Xml.Element(tag("ssd", "SystemStructureDescription"), about)
     top = Xml.SubElement(root, tag("ssd", "System"), name="system")
     elements = Xml.SubElement(top, tag("ssd", "Elements"))
     for name, part in parts.items():
         source = f"resources/{name}.fmu"
         component = Xml.SubElement(elements, tag("ssd", "Component"), name=name, source=source, type=FMU_TYPE)
-        _connectors(component, part)
+        _connectors(component, part, REALS[version])
         if system.values.get(name):
             bindings = Xml.SubElement(component, tag("ssd", "ParameterBindings"))
             Xml.SubElement(bindings, tag("ssd", "ParameterBinding"), source=f"resources/{name}.ssv")
@@ -91,16 +100,16 @@ def _ports(part: CoupledFmu) -> Iterable[Variable]:
     return [*part.interface.inputs.values(), *part.interface.outputs.values()]
 
 
-def _connectors(component: Xml.Element, part: CoupledFmu) -> None:
+def _connectors(component: Xml.Element, part: CoupledFmu, real: str) -> None:
     listed = Xml.SubElement(component, tag("ssd", "Connectors"))
     for kind, variables in (("input", part.interface.inputs), ("output", part.interface.outputs)):
         for variable in variables.values():
             connector = Xml.SubElement(listed, tag("ssd", "Connector"), name=variable.name, kind=kind)
-            Xml.SubElement(connector, tag("ssc", "Real"), {"unit": variable.unit} if _known(variable) else {})
+            Xml.SubElement(connector, tag("ssc", real), {"unit": variable.unit} if _known(variable) else {})
 
 
-def _values(name: str, part: CoupledFmu, values: Mapping[str, float]) -> bytes:
-    root = Xml.Element(tag("ssv", "ParameterSet"), version="1.0", name=name)
+def _values(name: str, part: CoupledFmu, values: Mapping[str, float], version: str) -> bytes:
+    root = Xml.Element(tag("ssv", "ParameterSet"), version=version, name=name)
     listed = Xml.SubElement(root, tag("ssv", "Parameters"))
     used = []
     for variable_name, value in values.items():
@@ -108,7 +117,7 @@ def _values(name: str, part: CoupledFmu, values: Mapping[str, float]) -> bytes:
         used.append(variable)
         parameter = Xml.SubElement(listed, tag("ssv", "Parameter"), name=variable_name)
         unit = {"unit": variable.unit} if _known(variable) else {}
-        Xml.SubElement(parameter, tag("ssv", "Real"), {"value": repr(value), **unit})
+        Xml.SubElement(parameter, tag("ssv", REALS[version]), {"value": repr(value), **unit})
     _units(root, "ssv", used)
     return _document(root)
 

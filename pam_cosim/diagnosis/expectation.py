@@ -162,7 +162,7 @@ class PredictedModel:
     exchanged: str = ""
     beside: LinearisedNeighbourhood | None = None
 
-    @property
+    @cached_property
     def effects(self) -> tuple[str, ...]:
         """All effects."""
         return (*(e for e in self.start if e != self.exchanged), *(a.effect for a in self.added))
@@ -198,8 +198,19 @@ class LinearisedNeighbourhood:
         shared, self._along = own.T @ additions.columns, additions.columns.T @ left
         self._gram = additions.gram - shared.T @ shared + _NOTHING_NEW * np.eye(len(self._along))
 
-    def _gain(self, at: Array) -> float:
-        return float(self._along[at] @ np.linalg.solve(self._gram[np.ix_(at, at)], self._along[at]))
+    def _gains(self, places: Sequence[Array]) -> list[float]:
+        """What the columns at each of these places can do together; those of one number are solved for at once."""
+        gains = [0.0] * len(places)
+        of_size: dict[int, list[int]] = {}
+        for n, at in enumerate(places):
+            of_size.setdefault(len(at), []).append(n)
+        for numbers in of_size.values():
+            at = np.array([places[n] for n in numbers])
+            along = self._along[at]
+            steps = np.linalg.solve(self._gram[at[:, :, None], at[:, None, :]], along[:, :, None])[:, :, 0]
+            for n, one, step in zip(numbers, along, steps, strict=True):
+                gains[n] = float(one @ step)
+        return gains
 
     def within_bounds(self, shapes: Sequence[EffectShape]) -> tuple[float, dict[str, float]]:
         """With effects of these shapes: the reduction when all parameters keep to their bounds, and their values then.
@@ -229,12 +240,13 @@ class LinearisedNeighbourhood:
 
     def _single(self, own_family: bool) -> list[tuple[float, EffectDirections, Array]]:
         taken = {self.family[e] for e in self.effects}
-        some = zip(self.additions.every, self.additions.at, strict=True)
-        return [
-            (self._gain(at), a, at)
-            for a, at in some
+        some = [
+            (a, at)
+            for a, at in zip(self.additions.every, self.additions.at, strict=True)
             if (a.family in taken) is own_family and a.effect not in self.effects
         ]
+        gains = self._gains([at for _, at in some])
+        return [(gain, a, at) for gain, (a, at) in zip(gains, some, strict=True)]
 
     def with_one(self) -> list[PredictedModel]:
         """One further effect of another family."""
@@ -243,11 +255,16 @@ class LinearisedNeighbourhood:
     def with_two(self, first: int) -> list[PredictedModel]:
         """Two further effects of other families, one of them among so many that do most by themselves."""
         best = sorted(self._single(False), key=lambda entry: (-entry[0], entry[1].effect))
-        return [
-            PredictedModel(self.effects, (a, b), self._gain(np.concatenate([at, bt])), beside=self)
+        pairs = [
+            ((a, b), np.concatenate([at, bt]))
             for n, (_, a, at) in enumerate(best[:first])
             for _, b, bt in best[n + 1 :]
             if b.family != a.family
+        ]
+        gains = self._gains([at for _, at in pairs])
+        return [
+            PredictedModel(self.effects, added, gain, beside=self)
+            for gain, (added, _) in zip(gains, pairs, strict=True)
         ]
 
     def with_another_form(self) -> list[PredictedModel]:

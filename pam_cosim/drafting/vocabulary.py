@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from dataclasses import dataclass
+from functools import lru_cache
 from math import inf
 
 from pam_cosim.measurement.table import is_unit
@@ -154,6 +155,7 @@ def says_no_load(text: str) -> bool:
     return any(word in plain for word in _NO_LOAD)
 
 
+@lru_cache(maxsize=4096)
 def read_variable(name: str, description: str, unit: str) -> Meaning | None:
     """What an input or output of a bench is, by its unit and what is said of it."""
     said = [folded(word) for word in split_words(description)]
@@ -170,9 +172,10 @@ def known_unit(unit: str) -> str:
     return text if text and is_unit(text) and not text.isdigit() else usual
 
 
-def kinds_of(word: str) -> list[str]:
+@lru_cache(maxsize=4096)
+def kinds_of(word: str) -> tuple[str, ...]:
     """What a word in small letters means."""
-    return [kind for kind, listed in _KINDS.items() if _among(word, listed)]
+    return tuple(kind for kind, listed in _KINDS.items() if _among(word, listed))
 
 
 def usual_unit(kind: str, largest: float) -> str:
@@ -180,6 +183,7 @@ def usual_unit(kind: str, largest: float) -> str:
     return next((unit for most, unit in _USUAL.get(kind, ()) if largest <= most), "")
 
 
+@lru_cache(maxsize=4096)
 def fits(unit: str, kind: str) -> bool:
     """Whether numbers of this unit are of that kind."""
     try:
@@ -249,10 +253,10 @@ def _kinds_in(words: list[str]) -> list[str]:
     return [kind for i, word in enumerate(words) for kind in _kinds_of(word, i)]
 
 
-def _kinds_of(word: str, place: int) -> list[str]:
+def _kinds_of(word: str, place: int) -> tuple[str, ...]:
     """What a word means; one letter means something at the beginning only."""
     if len(word) == 1 and place > 0:
-        return []
+        return ()
     return kinds_of(word)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -15,6 +16,7 @@ from pam_cosim.wording import shown
 
 _SSC = "http://ssp-standard.org/SSP1/SystemStructureCommon"
 _SSV = "http://ssp-standard.org/SSP1/SystemStructureParameterValues"
+_REALS = tuple(f"{{{_SSV}}}{kind}" for kind in ("Real", "Float64", "Float32"))  # SSP 1.0, and 2.0 besides
 
 
 def write_parameters(path: Path, fit: Fit) -> None:
@@ -33,26 +35,36 @@ def write_parameters(path: Path, fit: Fit) -> None:
 
 
 def _ssv(fit: Fit) -> str:
+    shared = {name: estimate for name, estimate in fit.parameters.items() if not estimate.run}
+    return parameter_set(fit.model, {name: (estimate.value, estimate.unit) for name, estimate in shared.items()})
+
+
+def parameter_set(title: str, values: Mapping[str, tuple[float, str]]) -> str:
+    """System Structure Parameter Values 1.0.
+
+    Args:
+        title: of the set.
+        values: number and unit of each parameter by its name in the model.
+    """
     ElementTree.register_namespace("ssv", _SSV)
     ElementTree.register_namespace("ssc", _SSC)
-    root = ElementTree.Element(f"{{{_SSV}}}ParameterSet", version="1.0", name=fit.model)
+    root = ElementTree.Element(f"{{{_SSV}}}ParameterSet", version="1.0", name=title)
     listed = ElementTree.SubElement(root, f"{{{_SSV}}}Parameters")
-    shared = {name: estimate for name, estimate in fit.parameters.items() if not estimate.run}
-    named = {text: _definition(text) for text in dict.fromkeys(e.unit for e in shared.values() if e.unit)}
+    named = {text: _definition(text) for text in dict.fromkeys(unit for _, unit in values.values() if unit)}
     defined = [unit for unit in named.values() if unit is not None]
-    for name, estimate in shared.items():
+    for name, (value, unit) in values.items():
         parameter = ElementTree.SubElement(listed, f"{{{_SSV}}}Parameter", name=name)
         ElementTree.SubElement(
             parameter,
             f"{{{_SSV}}}Real",
-            {"value": repr(estimate.value)} | ({"unit": estimate.unit} if named.get(estimate.unit) else {}),
+            {"value": repr(value)} | ({"unit": unit} if named.get(unit) else {}),
         )
     units = ElementTree.SubElement(root, f"{{{_SSV}}}Units") if defined else root
-    for unit in defined:  # a parameter may only refer to a unit that the file defines
-        base = {name: str(exponent) for name, exponent in unit.exponents}
-        base |= {"factor": repr(unit.factor)} if unit.factor != 1 else {}
-        base |= {"offset": repr(unit.offset)} if unit.offset != 0 else {}
-        definition = ElementTree.SubElement(units, f"{{{_SSC}}}Unit", name=unit.name)
+    for known in defined:  # a parameter may only refer to a unit that the file defines
+        base = {name: str(exponent) for name, exponent in known.exponents}
+        base |= {"factor": repr(known.factor)} if known.factor != 1 else {}
+        base |= {"offset": repr(known.offset)} if known.offset != 0 else {}
+        definition = ElementTree.SubElement(units, f"{{{_SSC}}}Unit", name=known.name)
         ElementTree.SubElement(definition, f"{{{_SSC}}}BaseUnit", base)
     ElementTree.indent(root)
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + ElementTree.tostring(root, encoding="unicode") + "\n"
@@ -109,11 +121,11 @@ def _from_ssv(path: Path) -> dict[str, float]:
     try:
         root = ElementTree.fromstring(read_file(path, MOST_TEXT))
         values = {
-            p.attrib["name"]: float(p.find(f"{{{_SSV}}}Real").attrib["value"])  # type: ignore[union-attr]
+            p.attrib["name"]: float(next(one for one in p if one.tag in _REALS).attrib["value"])
             for p in root.iter(f"{{{_SSV}}}Parameter")
         }
     except OSError as problem:
         raise InputError(f"cannot be read: {problem.strerror}", path) from problem
-    except (ElementTree.ParseError, LookupError, ValueError, AttributeError) as problem:
+    except (ElementTree.ParseError, LookupError, ValueError, StopIteration) as problem:
         raise InputError("is not an SSV file with real parameters", path) from problem
     return {name: _number(name, value, path) for name, value in values.items()}

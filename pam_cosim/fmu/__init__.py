@@ -2,7 +2,16 @@
 
 from pam_cosim.fmu.build import build_fmu, cached_fmu
 from pam_cosim.fmu.compile import PLATFORMS, CompilerError
-from pam_cosim.fmu.library import build_model, build_source
+from pam_cosim.fmu.library import build_model, build_source, source_ode
 from pam_cosim.fmu.read import read_interface
 
-__all__ = ["PLATFORMS", "CompilerError", "build_fmu", "build_model", "build_source", "cached_fmu", "read_interface"]
+__all__ = [
+    "PLATFORMS",
+    "CompilerError",
+    "build_fmu",
+    "build_model",
+    "build_source",
+    "cached_fmu",
+    "read_interface",
+    "source_ode",
+]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import zipfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from importlib.metadata import PackageNotFoundError, version
@@ -38,7 +38,8 @@ FMI_VERSIONS = ("2.0", "3.0")
 
 _CORE = (
     "pam_cosimulation.c", "pam_equilibrium.c", "pam_exchange.c", "pam_history.c", "pam_instance.c", "pam_lifecycle.c",
-    "pam_log.c", "pam_sensitivity.c", "pam_snapshot.c", "pam_solver.c", "pam_statements.c", "pam_values.c",
+    "pam_log.c", "pam_sensitivity.c", "pam_snapshot.c", "pam_solver.c", "pam_start.c", "pam_statements.c",
+    "pam_values.c",
 )  # fmt: skip
 _SHELLS = {"2.0": "pam_fmi2.c", "3.0": "pam_fmi3.c"}
 
@@ -149,7 +150,11 @@ def _as_data(bare: Ode, model: TapedModel) -> dict[str, bytes]:
 
 def fmu_bytes(ode: Ode, names: Sequence[str], fmi: str = "2.0") -> bytes:
     """The archive for the named platforms."""
-    files = _contents(ode, names, fmi)
+    return archived(_contents(ode, names, fmi))
+
+
+def archived(files: Mapping[str, bytes]) -> bytes:
+    """An archive of files by their names in it; the same files give the same bytes."""
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
         for name in sorted(files):

@@ -54,6 +54,21 @@ def model_functions(ode: Ode, lean: bool = False) -> list[ca.Function]:
         _function("pam_delay", [p, sp], [delays, ca.jtimes(delays, p, sp)]),
         *check,
         *([] if lean else _directional(known, seed, (f, y, w), x0)),
+        *(_at_start(ode, [t, own, u, d, du, dd, p], chosen, None if lean else seed) if ode.following else []),
+    ]
+
+
+def _at_start(ode: Ode, given: Sequence[ca.SX], chosen: ca.SX, seed: Sequence[ca.SX] | None) -> list[ca.Function]:
+    """As ``pam_lin``, ``pam_variation`` and ``pam_jvp``, of what vanishes where the model begins."""
+    (t, own, u, d, du, dd, p), rates = given, ode.start_rates
+    total = ca.jtimes(rates, ca.vertcat(t, u, d), ca.vertcat(ca.SX(1), du, dd))
+    slopes = ca.jacobian(rates, own)
+    known = [t, ode.x, u, d, p]
+    along = [] if seed is None else [ca.jtimes(rates, ca.vertcat(*known), ca.vertcat(*seed))]
+    return [
+        _function("pam_start_lin", given, [rates, slopes, total]),
+        _function("pam_start_variation", [t, own, u, d, p], [slopes, ca.jacobian(rates, chosen).T]),
+        *([] if seed is None else [_function("pam_start_jvp", [*known, *seed], along)]),
     ]
 
 
@@ -104,7 +119,7 @@ def model_source(ode: Ode, guid: str, lean: bool = False) -> str:
         f"    guid, {', '.join(str(numbers[name]) for name in SIZES)},",
         f"    {numbers['tolerance']!r}, {numbers['max_step']!r},",
         "    state_names, state_nominals, input_starts, parameter_starts, delayed_inputs, direct_inputs,",
-        "    start_of,",
+        "    start_of, resting,",
         f"    {', '.join(_slots({f.name() for f in functions}))},",
         "    statements,",
         "};\n",
@@ -135,6 +150,7 @@ def numbers_of(ode: Ode, functions: Sequence[ca.Function]) -> dict[str, Any]:
         "delayed_inputs": [-1 if d.input is None else d.input for d in ode.delays],
         "direct_inputs": [int(direct) for direct in _direct_inputs(ode)],
         "start_of": _start_of(ode),
+        "resting": _resting(ode),
         "statements": [
             {"is_error": int(s.is_error), "at_start": int(s.at_start), "texts": list(s.texts),
              "digits": [digits for _, digits in s.values]}
@@ -146,9 +162,10 @@ def numbers_of(ode: Ode, functions: Sequence[ca.Function]) -> dict[str, Any]:
 # In the order of ``pam_model``.
 SIZES = ("nx", "nu", "nd", "ny", "np", "nw", "nc", "ns", "na", "nm", "size_iw", "size_w")
 _DOUBLES = ("state_nominals", "input_starts", "parameter_starts")
-_INTEGERS = ("delayed_inputs", "direct_inputs", "start_of")
+_INTEGERS = ("delayed_inputs", "direct_inputs", "start_of", "resting")
 FUNCTIONS = ("pam_rhs", "pam_out", "pam_loc", "pam_core_rhs", "pam_lin", "pam_variation", "pam_jvp", "pam_init",
-              "pam_init_jvp", "pam_delay", "pam_check")  # fmt: skip
+              "pam_init_jvp", "pam_delay", "pam_check", "pam_start_lin", "pam_start_variation",
+              "pam_start_jvp")  # fmt: skip
 
 
 def _slots(there: Set[str]) -> list[str]:
@@ -169,6 +186,13 @@ def _start_of(ode: Ode) -> list[int]:
     """For each sensitivity, the number of the state whose start value it is with respect to; -1: of a parameter."""
     states = [state.name for state in ode.states[: ode.core]]
     return [states.index(name) if name in states else -1 for name in ode.sensitivities]
+
+
+def _resting(ode: Ode) -> list[int]:
+    """Of each state 1 where it begins at rest, 2 where it follows what does."""
+    following = dict(ode.following)
+    names = [state.name for state in ode.states[: ode.core]]
+    return [1 if name in ode.resting else 2 if name in following else 0 for name in names]
 
 
 def _direct_inputs(ode: Ode) -> list[bool]:

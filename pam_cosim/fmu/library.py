@@ -66,6 +66,26 @@ def _recipe(
     return digest(key, str(where_smooth), *sensitivities), make
 
 
+def source_ode(model: str, text: str, files: Sequence[Path] = ()) -> Ode:
+    """The equations of a model whose Modelica source is at hand as text; compiled once and kept in the cache.
+
+    Args:
+        model: name of the class in ``text``.
+        text: Modelica source.
+        files: further ``.mo`` files that it may use.
+
+    Raises:
+        ModelError: the model cannot be compiled.
+    """
+    own = [*files, _source(text)]
+    return cached_ode(flat_hash(model, files=own), lambda: compile_model(model, files=own))
+
+
+def _source(text: str) -> Path:
+    """A file that holds a text."""
+    return cached("sources", digest(text), ".mo", text.encode)
+
+
 def build_source(
     model: str,
     text: str,
@@ -90,8 +110,7 @@ def build_source(
     Raises:
         ModelError: the model cannot be compiled.
     """
-    source = cached("sources", digest(text), ".mo", text.encode)
-    key, make = _recipe(model, [*files, source], sensitivities, where_smooth=True, library=library)
+    key, make = _recipe(model, [*files, _source(text)], sensitivities, where_smooth=True, library=library)
     if brief:
         return cached_taped_model(key, make)
     return cached_lean_model(key, make) if lean else cached_fmu(key, make)

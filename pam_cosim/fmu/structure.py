@@ -42,7 +42,12 @@ def continuous_dependencies(ode: Ode, entries: Sequence[VariableEntry]) -> Depen
 
 
 def initial_dependencies(ode: Ode, entries: Sequence[VariableEntry]) -> Dependencies:
-    """The same at initialization, where calculated states follow from the parameters, which are known variables."""
+    """The same at initialization, where calculated states follow from the parameters, which are known variables.
+
+    Where states begin at rest nothing is said: an unknown may then depend on everything.
+    """
+    if ode.resting:
+        return {}
     exact = {e.index for e in entries if e.kind is Kind.STATE and e.initial == "exact"}
     initial = ca.vertsplit(ca.SX(ode.initial)) if ode.states else []
     start = ca.vertcat(*[ode.x[i] if i in exact else initial[i] for i in range(len(initial))])

@@ -56,8 +56,12 @@ class VariableEntry:
 
 
 def constant_starts(ode: Ode) -> list[float | None]:
-    """Start values of the states that do not depend on parameters; None for the others."""
-    return [float(x0) if x0.is_constant() else None for x0 in ca.vertsplit(ca.SX(ode.initial))]
+    """Start values of the states that are known beforehand; None for those that depend on parameters or are sought."""
+    found = {*ode.resting, *(name for name, _ in ode.following)}
+    own = [state.name in found for state in ode.states[: ode.core]]
+    sought = [*own, *(rests for rests in own for _ in ode.sensitivities)]
+    values = ca.vertsplit(ca.SX(ode.initial))
+    return [float(x0) if x0.is_constant() and not s else None for x0, s in zip(values, sought, strict=True)]
 
 
 def derivative_name(state: str) -> str:

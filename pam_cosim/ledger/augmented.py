@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from pam_cosim.catalogue import (
     Composition,
     EffectClass,
-    compose,
     compose_on,
     origins,
     qualified,
     unknown_terms,
 )
-from pam_cosim.compiler import ClassTree, Ode, compile_model, read_structure
+from pam_cosim.compiler import ClassTree, Ode, Structure, read_structure
+from pam_cosim.fmu import source_ode
 
 TERM = "missing"
 """What every class of an unknown input calls its term."""
@@ -80,34 +80,37 @@ def augmented_models(
         ModelError: the model cannot be compiled.
     """
     structure = read_structure(qualified(tree, model), files=files)
-    terms = unknown_terms(tree, origins(structure.parts))
-    placed = [t for t in terms if compose_on(tree, structure, [*effects, t.name]) is not None]
-    beside = [t for t in placed if _lies_beside(tree, model, effects, t, files)]
-    models = [_augmented(tree, model, effects, beside, False, files)]
-    for term in placed:
+    place = partial(_placed, tree, structure, effects)
+    found = [(t, place([t])) for t in unknown_terms(tree, origins(structure.parts))]
+    placed = [(t, composition) for t, composition in found if composition is not None]
+    beside = [t for t, composition in placed if _lies_beside(t, composition)]
+    models = [_augmented(tree, place(beside), beside, False, files)]
+    for term, _ in placed:
         if term not in beside:
-            others = [t for t in beside if t.balance != term.balance]
-            models.append(_augmented(tree, model, effects, [*others, term], True, files))
+            terms = [*(t for t in beside if t.balance != term.balance), term]
+            models.append(_augmented(tree, place(terms), terms, True, files))
     return models
 
 
-def _lies_beside(tree: ClassTree, model: str, effects: Sequence[str], term: EffectClass, files: Sequence[Path]) -> bool:
-    composition = compose(tree, model, [*effects, term.name], files=files)
-    assert composition is not None
+def _placed(
+    tree: ClassTree, structure: Structure, effects: Sequence[str], terms: Sequence[EffectClass]
+) -> Composition | None:
+    return compose_on(tree, structure, [*effects, *(t.name for t in terms)], _CLASS)
+
+
+def _lies_beside(term: EffectClass, composition: Composition) -> bool:
     return all(p.startswith(term.component_name) for p in composition.parameters[term.name])
 
 
 def _augmented(
     tree: ClassTree,
-    model: str,
-    effects: Sequence[str],
+    composition: Composition | None,
     terms: Sequence[EffectClass],
     replaced: bool,
     files: Sequence[Path],
 ) -> AugmentedModel:
-    composition = compose(tree, model, [*effects, *(t.name for t in terms)], _CLASS, files=files)
     assert composition is not None
-    ode = _compiled(composition, files)
+    ode = source_ode(composition.name, composition.text, files)
     unknown_inputs = []
     for term in terms:
         name = composition.parameters[term.name][0]
@@ -116,10 +119,3 @@ def _augmented(
         own = [c.name for c in tree.classes[base].components if c.name != TERM]
         unknown_inputs.append(UnknownInput(name, term.balance, variable.unit, variable.description, base, tuple(own)))
     return AugmentedModel(ode, tuple(unknown_inputs), replaced)
-
-
-def _compiled(composition: Composition, files: Sequence[Path]) -> Ode:
-    with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder, "composition.mo")
-        file.write_text(composition.text, encoding="utf-8")
-        return compile_model(composition.name, files=[*files, file])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 import casadi as ca
@@ -10,6 +11,8 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.compiler import Ode
+from pam_cosim.ledger.grid import Grid
+from pam_cosim.ledger.rest import settled
 
 _FEW = 64  # rows, up to which a function for so many is kept
 
@@ -41,16 +44,32 @@ class Model:
         self._rates = _AtPoints("rates", arguments, [f, ca.jacobian(f, by)])
         both = ca.vertcat(f, h)
         self._all = _AtPoints("all", arguments, [both, ca.jacobian(both, by)])
+        begin = ode.start_rates
+        self._start_rates = _AtPoints("begin", arguments, [begin, ca.jacobian(begin, ode.x)])
         self._initial = ca.Function("initial", [ode.p, ode.u], [ode.initial])
         self._locals = _AtPoints("others", arguments, [ca.vertcat(ode.outputs, ode.locals)])
 
-    def initial(self, parameters: Array, inputs: Array, given: Array) -> Array:
-        """States at the start, (R, n), for each row of parameters (R, P) and first inputs (R, U).
+    def initial(self, parameters: Array, grid: Grid) -> Array:
+        """States at the starts of the runs, (R, n), with parameters (R, P) under the first inputs.
 
-        Those that are given (R, n) as numbers stay.
+        Those that the grid has as numbers stay; those of a model that begins at rest come to rest beside them.
         """
+        nodes = grid.first[:-1]
+        inputs = grid.node_inputs[nodes]
         own = [np.array(self._initial(p, u)).ravel() for p, u in zip(parameters, inputs, strict=True)]
-        return np.where(np.isnan(given), np.array(own), given)
+        begin = np.where(np.isnan(grid.starts), np.array(own), grid.starts)
+        found = {*self.ode.resting, *(name for name, _ in self.ode.following)}
+        rests = np.isnan(grid.starts) & np.array([s.name in found for s in self.ode.states], dtype=bool)
+        size = np.array([s.nominal or 1.0 for s in self.ode.states])
+        for run in np.flatnonzero(rests.any(axis=1)).tolist():
+            at, p = slice(nodes[run], nodes[run] + 1), parameters[run : run + 1]
+            place = grid.time[at], grid.node_inputs[at], grid.node_delayed[at], p
+            begin[run] = settled(partial(self._rates_at, *place), begin[run], rests[run], size)
+        return begin
+
+    def _rates_at(self, t: Array, u: Array, d: Array, p: Array, x: Array) -> tuple[Array, Array]:
+        value, by = self._start_rates(t, x[None], u, d, p)
+        return value.reshape(-1), by.reshape(self.states, self.states).T
 
     def rates(self, t: Array, x: Array, u: Array, d: Array, p: Array) -> Slopes:
         """f at K points, given by rows."""

@@ -22,7 +22,7 @@ def integrate(model: Model, grid: Grid, parameters: Array) -> tuple[Array, Array
     Where the iteration breaks down, a state stays what it was: what follows is a start for the smoother, no more.
     """
     count = np.diff(grid.first)
-    x = model.initial(parameters, grid.node_inputs[grid.first[:-1]], grid.starts)
+    x = model.initial(parameters, grid)
     nodes, stages = np.empty((grid.first[-1], x.shape[1])), np.empty((len(grid.left), x.shape[1]))
     nodes[grid.first[:-1]] = x
     first_step = grid.first[:-1] - np.arange(len(count))

@@ -266,7 +266,7 @@ def linearise(problem: SmoothingProblem, point: Point, slack: float = _SLACK) ->
 
     # the starts of the runs, and what is known of the free parameters
     first = grid.first[:-1]
-    begins = model.initial(problem.parameters(point.free), grid.node_inputs[first], grid.starts)
+    begins = model.initial(problem.parameters(point.free), grid)
     start = (point.x[first] - begins) / scale / _START
     diagonal[first, :n, :n] += np.eye(n) / _START**2
     gradient[first, :n] += start / _START

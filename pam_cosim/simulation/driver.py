@@ -72,6 +72,7 @@ class _Run(ctypes.Structure):
         ("tolerance", ctypes.c_double),
         ("max_seconds", ctypes.c_double),
         ("follow", ctypes.c_void_p),
+        ("keep_starts", ctypes.c_void_p),
         ("plain", ctypes.c_int32),
         ("settle_start", ctypes.c_int32),
         ("settle_at", ctypes.c_void_p),
@@ -234,6 +235,7 @@ class Driver:
         self._names = [name or "" for name in names.values()]
         self._addresses = {slot: _address(library, name) for slot, name in names.items()}
         self._follow = _address(library, "pam_follow_sensitivities")
+        self._keep_starts = _address(library, "pam_keep_starts")
         self._settle_at = _address(library, "pam_settle_start")
         self._instance, self._slopes, self._version = instance, slopes, version
         self.settles = self._addresses["settle"] is not None
@@ -262,6 +264,7 @@ class Driver:
             tolerance=tolerance or 0.0,
             max_seconds=request.max_seconds or 0.0,
             follow=self._follow,
+            keep_starts=self._keep_starts,
             plain=request.plain,
             settle_start=_SETTLING[request.settle],
             settle_at=self._settle_at,

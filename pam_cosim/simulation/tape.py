@@ -42,6 +42,7 @@ class _Model(ctypes.Structure):
         ("delayed_inputs", ctypes.c_void_p),
         ("direct_inputs", ctypes.c_void_p),
         ("start_of", ctypes.c_void_p),
+        ("resting", ctypes.c_void_p),
         *((name, ctypes.c_void_p) for name in FUNCTIONS),
         ("statements", ctypes.POINTER(_Statement)),
     ]
@@ -70,7 +71,7 @@ class _Given:
             max_step=tables["max_step"],
             state_names=self._texts(tables["state_names"]),
             **{n: self._array(tables[n], float) for n in ("state_nominals", "input_starts", "parameter_starts")},
-            **{n: self._array(tables[n], np.intc) for n in ("delayed_inputs", "direct_inputs", "start_of")},
+            **{n: self._array(tables[n], np.intc) for n in ("delayed_inputs", "direct_inputs", "start_of", "resting")},
             statements=self._statements(tables["statements"]),
         )
         self.tapes = (_Tape * len(tapes))(*map(self._tape, tapes))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from pam_cosim.simulation.models import build, describe
+    from pam_cosim.study.actuators import actuator
     from pam_cosim.study.additions import add
     from pam_cosim.study.comparisons import compare
     from pam_cosim.study.coupling import couple, read_system, start, write_system
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from pam_cosim.study.diagnoses import check, diagnose, draw, live
     from pam_cosim.study.dynamics import frequency_response, linearise, linearise_along, observe
     from pam_cosim.study.fits import fit, profile
+    from pam_cosim.study.judged_fmu import build_with_data, evidence
     from pam_cosim.study.library import bench, benches, effects, rig_parts
     from pam_cosim.study.many_runs import sweep
     from pam_cosim.study.products import load, save
@@ -22,10 +24,12 @@ if TYPE_CHECKING:
     from pam_cosim.study.tracking import track
 
 __all__ = [
+    "actuator",
     "add",
     "bench",
     "benches",
     "build",
+    "build_with_data",
     "check",
     "compare",
     "couple",
@@ -33,6 +37,7 @@ __all__ = [
     "diagnose",
     "draw",
     "effects",
+    "evidence",
     "fit",
     "frequency_response",
     "linearise",
@@ -56,12 +61,14 @@ __all__ = [
 # The homes of the functions, by module.
 _MODULES = {
     "pam_cosim.simulation.models": ("build", "describe"),
+    "pam_cosim.study.actuators": ("actuator",),
     "pam_cosim.study.additions": ("add",),
     "pam_cosim.study.comparisons": ("compare",),
     "pam_cosim.study.coupling": ("couple", "read_system", "start", "write_system"),
     "pam_cosim.study.data_sets": ("new", "read"),
     "pam_cosim.study.diagnoses": ("check", "diagnose", "draw", "live"),
     "pam_cosim.study.dynamics": ("frequency_response", "linearise", "linearise_along", "observe"),
+    "pam_cosim.study.judged_fmu": ("build_with_data", "evidence"),
     "pam_cosim.study.fits": ("fit", "profile"),
     "pam_cosim.study.library": ("bench", "benches", "effects", "rig_parts"),
     "pam_cosim.study.many_runs": ("sweep",),

@@ -70,6 +70,20 @@ def add(
         return _added(fitted, to, output, values or {}, [*as_paths(files), file], term.modelica_source)
 
 
+def add_fitted(fitted: FittedModel, output: Path, files: Paths = ()) -> str:
+    """As ``add``, of a model whose effects and values are known.
+
+    Args:
+        fitted: the model.
+        output: as in ``add``.
+        files: further Modelica files.
+
+    Raises:
+        InputError: as in ``add``.
+    """
+    return _added(fitted, None, output, {}, as_paths(files))
+
+
 def _added(
     fitted: FittedModel,
     to: str | None,

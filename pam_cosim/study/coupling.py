@@ -165,13 +165,18 @@ def _from_ssp(
         raise problem if problem.file else InputError(problem.message, file) from problem
 
 
-def write_system(system: System, path: Path | str) -> Path:
-    """Writes a system as an archive of SSP 1.0, ``.ssp``, with its FMUs and parameter values.
+def write_system(system: System, path: Path | str, *, ssp: str = "1.0") -> Path:
+    """Writes a system as an archive of SSP, ``.ssp``, with its FMUs and parameter values.
+
+    Args:
+        system: the components and their connections.
+        path: the archive.
+        ssp: version of the standard, "1.0" or "2.0".
 
     Raises:
-        InputError: a controller in Python, which an archive cannot hold; the file cannot be written.
+        InputError: a controller in Python, which an archive cannot hold; the file cannot be written; no such version.
     """
     file = Path(path)
     if file.suffix != ".ssp":
         raise InputError("a system is written as SSP: name a file that ends in .ssp", file)
-    return write_ssp(system, file)
+    return write_ssp(system, file, version=ssp)

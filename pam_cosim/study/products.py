@@ -8,6 +8,10 @@ from __future__ import annotations
 
 import io
 import json
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from functools import cache
 from pathlib import Path
 from typing import Any, get_args
 
@@ -41,6 +45,7 @@ Product = (
 )
 _KINDS: dict[str, type[Any]] = {kind.__name__: kind for kind in get_args(Product)}
 _TEXT = "product"
+_VERSION = 1  # of the form of the file; every earlier one is read (docs/versions.md)
 _DAMAGED = "is no saved product of a study, or was damaged"
 
 
@@ -55,11 +60,12 @@ def save(product: Product, path: Path | str) -> Path:
     kind = type(product).__name__
     if _KINDS.get(kind) is not type(product):
         raise InputError(f"a {kind} cannot be saved; only {', '.join(_KINDS)}", target)
-    arrays: dict[bytes, Any] = {}
-    content = {"kind": kind, "content": _converter(arrays).unstructure(product)}
+    arrays: dict[bytes, tuple[int, np.ndarray]] = {}
+    with _at_hand(arrays):
+        content = {"kind": kind, "version": _VERSION, "content": _converter().unstructure(product)}
     text = np.frombuffer(json.dumps(content).encode(), dtype=np.uint8)
     file = io.BytesIO()
-    named: dict[str, Any] = {_TEXT: text} | {f"array_{i}": a for i, a in enumerate(arrays.values())}
+    named: dict[str, Any] = {_TEXT: text} | {f"array_{number}": array for number, array in arrays.values()}
     np.savez_compressed(file, **named)
     write_bytes(target, file.getvalue())
     return target
@@ -69,7 +75,7 @@ def load(path: Path | str) -> Any:
     """What ``save`` wrote: a product of a study.
 
     Raises:
-        InputError: no such file, or not such a file.
+        InputError: no such file, not such a file, or one of a later version.
     """
     source = Path(path)
     try:
@@ -79,33 +85,66 @@ def load(path: Path | str) -> Any:
     try:
         arrays = arrays_in(content)
         document = json.loads(bytes(arrays.pop(_TEXT)).decode())
+        _check_version(document.get("version", _VERSION), source)
         check_plain(document["content"], arrays)
-        product = _converter(arrays).structure(document["content"], _KINDS[document["kind"]])
+        with _at_hand(arrays):
+            product = _converter().structure(document["content"], _KINDS[document["kind"]])
         str(product)  # what cannot say what it is holds numbers that do not belong together
         if hasattr(product, "as_dict"):
             product.as_dict()
+    except InputError:
+        raise
     except Exception as problem:  # whatever readers of archives, arrays and JSON raise for what they do not know
         raise InputError(_DAMAGED, source) from problem
     return product
 
 
-def _converter(arrays: dict[Any, Any]) -> Converter:
-    """Products to plain data and back; ``arrays`` by their bytes while saving, by name while loading."""
+def _check_version(version: object, source: Path) -> None:
+    if isinstance(version, int) and version > _VERSION:
+        raise InputError(
+            f"was saved by a later pam-cosim (form {version} of the file; this one reads up to {_VERSION}): "
+            "pip install --upgrade pam-cosim",
+            source,
+        )
+
+
+_arrays: ContextVar[dict[Any, Any]] = ContextVar("arrays")
+"""Of the file at hand: by their bytes while it is saved, by name while it is loaded."""
+
+
+@contextmanager
+def _at_hand(arrays: dict[Any, Any]) -> Iterator[None]:
+    token = _arrays.set(arrays)
+    try:
+        yield
+    finally:
+        _arrays.reset(token)
+
+
+def _put(array: np.ndarray) -> dict[str, str]:
+    """The array among those of the file, once; what stands in the text for it."""
+    arrays = _arrays.get()
+    key = array.dtype.str.encode() + repr(array.shape).encode() + np.ascontiguousarray(array).tobytes()
+    number, _ = arrays.setdefault(key, (len(arrays), array))
+    return {"array": f"array_{number}"}
+
+
+def _taken(reference: Any) -> Any:
+    """The array of the file that the text refers to."""
+    return _arrays.get()[reference["array"]]
+
+
+@cache
+def _converter() -> Converter:
+    """Products to plain data and back: one for all, since to make it takes longer than to use it."""
     converter = Converter()
-    numbers: dict[bytes, int] = {}
-
-    def put(array: np.ndarray) -> dict[str, str]:
-        key = array.dtype.str.encode() + repr(array.shape).encode() + np.ascontiguousarray(array).tobytes()
-        arrays.setdefault(key, array)
-        return {"array": f"array_{numbers.setdefault(key, len(numbers))}"}
-
-    converter.register_unstructure_hook_func(_is_array, put)
-    converter.register_structure_hook_func(_is_array, lambda reference, _: arrays[reference["array"]])
+    converter.register_unstructure_hook_func(_is_array, _put)
+    converter.register_structure_hook_func(_is_array, lambda reference, _: _taken(reference))
     converter.register_unstructure_hook(
-        Leeway, lambda v: {"cost": v.cost, "shifts": [[*key, put(shift)] for key, shift in v.shifts.items()]}
+        Leeway, lambda v: {"cost": v.cost, "shifts": [[*key, _put(shift)] for key, shift in v.shifts.items()]}
     )
     converter.register_structure_hook(
-        Leeway, lambda v, _: Leeway({(r, s): arrays[a["array"]] for r, s, a in v["shifts"]}, float(v["cost"]))
+        Leeway, lambda v, _: Leeway({(r, s): _taken(a) for r, s, a in v["shifts"]}, float(v["cost"]))
     )
     converter.register_unstructure_hook(Path, str)
     converter.register_structure_hook(Path, lambda text, _: Path(text))

@@ -214,7 +214,8 @@ def _opened(path: Path) -> BinaryIO:
         InputError: it cannot be written, or another process has it.
     """
     try:
-        file = os.fdopen(os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o666), "r+b")
+        flags = os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
+        file = os.fdopen(os.open(path, flags, 0o666), "r+b")
     except OSError as problem:
         raise InputError(f"cannot be written: {problem.strerror}", path) from problem
     with suppress(ImportError):  # Windows has another lock

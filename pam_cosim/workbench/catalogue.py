@@ -31,6 +31,7 @@ _EQUATIONS = re.compile(
 )
 _FINGERPRINT = re.compile(r"<p>\s*Fingerprint:\s*(.*?)</p>", re.S)
 _SOURCE = re.compile(r"Source:\s*(.*?)(?:\.\s+[A-Z]|</p>)", re.S)
+_LINK = re.compile(r"</?a\b[^>]*>")
 _TAG = re.compile(r"<[^>]*>")
 
 
@@ -121,5 +122,5 @@ def _equations(effect: EffectClass) -> str:
 
 
 def _said(documentation: str, part: re.Pattern[str]) -> str:
-    said = part.search(documentation)
+    said = part.search(_LINK.sub("", documentation))
     return "" if said is None else " ".join(unescape(_TAG.sub("", said.group(1))).split())

@@ -119,7 +119,7 @@ class Worker:
         process = self._process
         if process is None or process.poll() is not None:
             return False
-        with contextlib.suppress(OSError):
+        with contextlib.suppress(OSError, AttributeError):  # a platform without such signals
             os.killpg(process.pid, getattr(signal, name))
             return True
         return False

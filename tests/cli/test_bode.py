@@ -13,8 +13,8 @@ from tests.cli.conftest import Outcome
 Command = Callable[..., Outcome]
 
 
-def test_files(process: Command, place: Path) -> None:
-    done = process("bode", "LumpedLinear", "--by", "p_in", "--of", "F", "--amplitude", "0.5 bar", "--frequencies",
+def test_files(command: Command, place: Path) -> None:
+    done = command("bode", "LumpedLinear", "--by", "p_in", "--of", "F", "--amplitude", "0.5 bar", "--frequencies",
                    "0.1:20:5", "--json", "b.json", "-o", "b.csv", "--plot", "b.png")  # fmt: skip
     assert done.status == 0 and "which swings by 50 kPa" in done.out, done.err
     read = json.loads((place / "b.json").read_text())

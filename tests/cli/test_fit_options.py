@@ -11,13 +11,13 @@ from tests.cli.conftest import Outcome, everything
 Command = Callable[..., Outcome]
 
 
-def test_resumed_command_says_the_same(process: Command, data: Path, place: Path) -> None:
-    first = process("fit", data, "--resume", "fit.progress", "-o", "p.json")
+def test_resumed_command_says_the_same(command: Command, data: Path, place: Path) -> None:
+    first = command("fit", data, "--resume", "fit.progress", "-o", "p.json")
     assert first.status == 0, first.err
     answers = json.loads((place / "fit.progress").read_text())
     answers["answers"] = answers["answers"][:3]  # as it stands when a fit is killed early
     (place / "fit.progress").write_text(json.dumps(answers))
-    again = process("fit", data, "--resume", "fit.progress", "-o", "q.json")
+    again = command("fit", data, "--resume", "fit.progress", "-o", "q.json")
     assert again.status == 0 and again.out == first.out
     assert (place / "p.json").read_bytes() == (place / "q.json").read_bytes()
 

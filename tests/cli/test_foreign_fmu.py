@@ -13,27 +13,30 @@ from pathlib import Path
 
 import pytest
 
+from pam_cosim.simulation.isolated import TIME_LIMIT
 from tests.cli.conftest import ROOT, Outcome
 from tests.simulation.misbehaving import hanging, patched, processes_of
 
 Command = Callable[..., Outcome]
+PROMPT = TIME_LIMIT / 2  # [s]: long before the limit would have ended it, also on a machine that does other things
 
 needs_proc = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="reads /proc")
 
 
-def test_run_that_hangs_is_reported(process: Command, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_run_that_hangs_is_reported(command: Command, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("HANG", "fmi2DoStep")
-    outcome = process("simulate", hanging(place), "--timeout", "1", "-o", "run.csv")
+    outcome = command("simulate", hanging(place), "--timeout", "2", "-o", "run.csv")
     assert (outcome.status, outcome.out) == (1, "")
-    assert "pam-cosim: the simulation failed: Hanging.fmu was ended: no progress for 1 s, fmi2DoStep" in outcome.err
+    assert "pam-cosim: the simulation failed: Hanging.fmu was ended: no progress for 2 s, fmi2DoStep" in outcome.err
     assert "Traceback" not in outcome.err and not (place / "run.csv").exists()
 
 
-def test_sweep_goes_on(process: Command, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("HANG_ABOVE", "1")
-    outcome = process("sweep", hanging(place), "--vary", "tau=0.5,2,0.7", "--timeout", "1", "-o", "sweep.csv")
+def test_sweep_goes_on(command: Command, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("HANG_ABOVE", "1")  # of which processes that wait for work know nothing: none is asked
+    here = ("--workers", "1", "-o", "sweep.csv")
+    outcome = command("sweep", hanging(place), "--vary", "tau=0.5,2,0.7", "--timeout", "2", *here)
     assert outcome.status == 0 and "2 of 3 runs done" in outcome.out
-    assert "no progress for 1 s, fmi2SetReal" in outcome.err.replace("\n", " ")
+    assert "no progress for 2 s, fmi2SetReal" in outcome.err.replace("\n", " ")
     rows = (place / "sweep.csv").read_text().splitlines()[1:]
     counts = Counter(float(row.split(",")[0]) for row in rows)
     assert counts[0.5] == counts[0.7] == 101 and counts[2.0] <= 1  # a line without values for the one that failed
@@ -48,7 +51,7 @@ def test_nothing_spins_on(place: Path, monkeypatch: pytest.MonkeyPatch, where: s
     temporary = place / "temporary"
     temporary.mkdir()
     path = hanging(place)
-    environment = {**os.environ, "PYTHONPATH": str(ROOT), "HANG": where, "TMPDIR": str(temporary)}
+    environment = {**os.environ, "PYTHONPATH": str(ROOT), "HANG": where, "SPIN": "", "TMPDIR": str(temporary)}
     command = subprocess.Popen(
         [sys.executable, "-m", "pam_cosim", "simulate", str(path)],
         env=environment,
@@ -59,11 +62,10 @@ def test_nothing_spins_on(place: Path, monkeypatch: pytest.MonkeyPatch, where: s
         worker = _spinning(path)
         begin = time.monotonic()
         os.killpg(command.pid, how)  # as a terminal does
-        command.communicate(timeout=20)
-        while processes_of(path) and time.monotonic() - begin < 20:
+        command.communicate(timeout=PROMPT)
+        while processes_of(path) and time.monotonic() - begin < PROMPT:
             time.sleep(0.02)
         assert worker not in processes_of(path) and processes_of(path) == []
-        assert time.monotonic() - begin < 5
         assert os.listdir(temporary) == []
     finally:
         command.kill()
@@ -82,9 +84,9 @@ def _spinning(path: Path) -> int:
     raise AssertionError("the FMU was not loaded")
 
 
-def test_an_fmu_that_reads_finds_nothing(process: Command, place: Path) -> None:
+def test_an_fmu_that_reads_finds_nothing(command: Command, place: Path) -> None:
     """What it would read is not meant for it."""
     step = "c->core.phase = INSTANTIATED;"
     reading = patched(place, "pam_lifecycle.c", step, step + " char b[8]; while (fread(b, 1, 8, stdin)) {}")
-    outcome = process("simulate", reading, "--timeout", "20")
+    outcome = command("simulate", reading, "--timeout", "20")
     assert (outcome.status, outcome.err) == (0, "")

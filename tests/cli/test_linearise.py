@@ -13,8 +13,8 @@ from tests.cli.conftest import Outcome
 Command = Callable[..., Outcome]
 
 
-def test_files(process: Command, place: Path) -> None:
-    done = process("linearise", "LumpedLinear", "--json", "l.json", "-o", "l.csv", "--plot", "l.png")
+def test_files(command: Command, place: Path) -> None:
+    done = command("linearise", "LumpedLinear", "--json", "l.json", "-o", "l.csv", "--plot", "l.png")
     assert done.status == 0 and "time constant 0.1 s" in done.out, done.err
     read = json.loads((place / "l.json").read_text())
     assert read["A"][2] == pytest.approx([-2.8619e-4, -4280.9, -30])

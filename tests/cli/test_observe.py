@@ -26,10 +26,10 @@ def recording(place: Path) -> Path:
     return path
 
 
-def test_files(process: Command, recording: Path, place: Path) -> None:
+def test_files(command: Command, recording: Path, place: Path) -> None:
     told = ("--noise", "p=0.5 kPa", "--noise", "x=0.2 mm", "--unknown", "F_ext=5 N,5 N", "--held")
     files = ("--json", "o.json", "-o", "o.csv", "--plot", "o.png")
-    done = process("observe", MODEL, "r.csv", *told, "--of", "F", *files)
+    done = command("observe", MODEL, "r.csv", *told, "--of", "F", *files)
     assert done.status == 0 and "consistent" in done.out, done.err
     read = json.loads((place / "o.json").read_text())
     assert read["outputs"] == ["F"] and len(read["values"]["F"]) == 20 and read["consistency"]["consistent"]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 import signal
 import subprocess
 import sys
@@ -17,14 +16,14 @@ import xarray
 
 from tests.cli.test_bad_input import refused
 
-PROGRAM = shutil.which("pam-cosim", path=str(Path(sys.executable).parent)) or "pam-cosim"
+PROGRAM = (sys.executable, "-m", "pam_cosim")
 WORDS = ["sweep", "Isotonic", "--vary", "u_in=0.25:0.45:30", "--vary", "p_supply=150 kPa:300 kPa:50"]
 WORDS += ["--scalar", "filling time=time_to(p, 90 %)", "--scalar", "steady(x)", "--stop-time", "10"]
 
 
 def _started(place: Path, *more: str) -> subprocess.Popen[str]:
     return subprocess.Popen(
-        [PROGRAM, *WORDS, "-o", "s.csv", *more], cwd=place, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        [*PROGRAM, *WORDS, "-o", "s.csv", *more], cwd=place, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     )
 
 
@@ -57,7 +56,7 @@ def test_a_sweep_that_is_stopped_goes_on(
     assert out.startswith("1500 of 1500 runs done") and [p.name for p in place.iterdir()] == ["s.csv"]
     whole = pandas.read_csv(place / "s.csv")
     done = subprocess.run(
-        [PROGRAM, *WORDS, "-o", "t.csv", "--workers", "1"], cwd=place, capture_output=True, timeout=300, check=True
+        [*PROGRAM, *WORDS, "-o", "t.csv", "--workers", "1"], cwd=place, capture_output=True, timeout=300, check=True
     )
     assert done.returncode == 0
     pandas.testing.assert_frame_equal(whole, pandas.read_csv(place / "t.csv"), check_exact=True)

@@ -28,9 +28,9 @@ def four(data: Path) -> Path:
     return data
 
 
-def test_files(process: Command, four: Path, place: Path) -> None:
+def test_files(command: Command, four: Path, place: Path) -> None:
     words = ("--json", "c.json", "--table-csv", "t.csv", "--table-plot", "t.png")
-    done = process("compare", four, "--table", "tank.V", "orifice.d", *words)
+    done = command("compare", four, "--table", "tank.V", "orifice.d", *words)
     assert done.status == 0, done.err
     assert "correlation of measured and modelled p" in done.out and "mean ± sd" in done.out
     written = json.loads((place / "c.json").read_text())

@@ -29,8 +29,8 @@ def sources(place: Path) -> Path:
     return place
 
 
-def test_files(process: Command, sources: Path) -> None:
-    done = process("track", "Slide.mo", "--controller", "law.py:law", *TOLD, "--json", "t.json", "-o", "t.csv",
+def test_files(command: Command, sources: Path) -> None:
+    done = command("track", "Slide.mo", "--controller", "law.py:law", *TOLD, "--json", "t.json", "-o", "t.csv",
                    "--plot", "t.png")  # fmt: skip
     assert done.status == 0 and "follows" in done.out, done.err
     read = json.loads((sources / "t.json").read_text())

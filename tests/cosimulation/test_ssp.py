@@ -1,4 +1,4 @@
-"""Systems as files: SSP 1.0 out and in, also against FMPy's reading of it; TOML; whatever a file holds is data."""
+"""Systems as files: SSP 1.0 and 2.0 out and in, also against FMPy's reading; TOML; what a file holds is data."""
 
 from __future__ import annotations
 
@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 from fmpy.ssp.simulation import simulate_ssp
-from fmpy.ssp.ssd import read_ssd
+from fmpy.ssp.ssd import read_ssd, validate_tree
+from lxml import etree
 
 import pam_cosim as pam
-from pam_cosim.cosimulation import System
+from pam_cosim.cosimulation import System, ssp_read
 from pam_cosim.errors import InputError
 from tests.cosimulation.systems import CUT, written
 from tests.fmu import models
@@ -62,14 +63,54 @@ def system(elements: str, connections: str = "", before: str = "") -> str:
     return f'{HEAD}<ssd:System name="top">{inside}</ssd:System></ssd:SystemStructureDescription>'
 
 
-def test_written_and_read_again_runs_alike(tmp_path: Path) -> None:
+@pytest.mark.parametrize("version", ["1.0", "2.0"])
+def test_written_and_read_again_runs_alike(version: str, tmp_path: Path) -> None:
     made = chain(tmp_path)
-    again = pam.read_system(pam.write_system(made, tmp_path / "chain.ssp"))
+    again = pam.read_system(pam.write_system(made, tmp_path / "chain.ssp", ssp=version))
     assert again.title == "a chain" and [str(c) for c in again.connections] == ["first.y -> second.u"]
     assert again.values == {"first": {"u": 3.0}, "second": {"tau": 0.2}}
     here, there = (one.simulate(1, step=0.05).trajectory for one in (made, again))
     assert here["second.y"].tolist() == there["second.y"].tolist() and here["second.y"][-1] > 0.001
-    assert (tmp_path / "chain.ssp").read_bytes() == pam.write_system(again, tmp_path / "twice.ssp").read_bytes()
+    assert (tmp_path / "chain.ssp").read_bytes() == pam.write_system(
+        again, tmp_path / "twice.ssp", ssp=version
+    ).read_bytes()
+
+
+def later(description: str) -> str:
+    """The same of SSP 2.0."""
+    return description.replace('version="1.0"', 'version="2.0"').replace("ssc:Real", "ssc:Float64")
+
+
+def test_version_2_is_valid_by_its_own_schema_and_not_by_the_first(tmp_path: Path) -> None:
+    file = pam.write_system(chain(tmp_path), tmp_path / "chain.ssp", ssp="2.0")
+    with zipfile.ZipFile(file) as content:
+        description = etree.fromstring(content.read("SystemStructure.ssd"))
+        values = etree.fromstring(content.read("resources/first.ssv"))
+    assert description.get("version") == values.get("version") == "2.0"
+    folder = Path(ssp_read.__file__).parent / "ssp_schema"
+    for root, name in ((description, "Description"), (values, "ParameterValues")):
+        etree.XMLSchema(file=str(folder / f"SystemStructure{name}.xsd")).assertValid(root)
+        with pytest.raises(Exception, match="version"):
+            validate_tree(root, f"SystemStructure{name}.xsd")
+    assert {etree.QName(one).localname for one in values.iter() if one.get("value")} == {"Float64"}
+    with pytest.raises(InputError, match="no SSP 3.0"):
+        pam.write_system(chain(tmp_path), tmp_path / "later.ssp", ssp="3.0")
+
+
+@pytest.mark.parametrize(
+    ("description", "message"),
+    [
+        (later(system(component("a"), before="<ssd:Nothing/>")), "not valid by SSP 2.0: .*Nothing"),
+        (
+            later(system(component("a"))).replace("</ssd:Connector>", '<ssc:Dimension size="3"/></ssd:Connector>'),
+            "arrays",
+        ),
+        (later(system(component("a"))).replace('version="2.0"', 'version="3.0"'), "not valid by SSP 1.0"),
+    ],
+)
+def test_version_2_that_cannot_be_read(description: str, message: str, tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=message):
+        pam.read_system(archive(tmp_path / "bad.ssp", description))
 
 
 def test_fmpy_reads_the_same_and_its_master_comes_to_the_same(tmp_path: Path) -> None:

@@ -6,11 +6,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-import nbformat
 import numpy as np
 import pytest
 import xarray
-from nbclient import NotebookClient
 
 ROOT = Path(__file__).parents[2]
 
@@ -33,6 +31,9 @@ def test_calibration_of_the_valve(tmp_path: Path) -> None:
 
 @pytest.mark.full
 def test_the_notebook_runs_from_top_to_bottom() -> None:
+    import nbformat
+    from nbclient import NotebookClient
+
     notebook = nbformat.read(ROOT / "examples" / "tour.ipynb", as_version=4)
     NotebookClient(
         notebook, timeout=300, kernel_name="python3", resources={"metadata": {"path": ROOT / "examples"}}

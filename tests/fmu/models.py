@@ -193,7 +193,12 @@ def delayed_mix() -> Ode:
 _FOLDER = tempfile.TemporaryDirectory(prefix="pam-cosim-tests-")
 
 
+def folder() -> Path:
+    """Where models are built; it goes when the session ends."""
+    return Path(_FOLDER.name)
+
+
 @cache
 def fmu(make: Callable[[], Ode], fmi: str = "2.0") -> Path:
     """The FMU of one of these models, built once per session."""
-    return build_fmu(make(), Path(_FOLDER.name, f"{make.__name__}-{fmi}.fmu"), fmi=fmi)
+    return build_fmu(make(), folder() / f"{make.__name__}-{fmi}.fmu", fmi=fmi)

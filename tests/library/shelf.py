@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from functools import cache
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
 import numpy as np
 
-from pam_cosim.catalogue import Composition, EffectClass, compose, effect_classes
-from pam_cosim.compiler import ClassTree, compile_model, read_library
+from pam_cosim.catalogue import Composition, EffectClass, compose_on, effect_classes
+from pam_cosim.compiler import ClassTree, Ode, Structure, read_library, read_structure
 from pam_cosim.errors import ModelError
-from pam_cosim.fmu import build_model, build_source
+from pam_cosim.fmu import build_model, build_source, source_ode
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.simulation import Inputs, Simulator
 
@@ -65,15 +64,21 @@ def qualified(effect: str) -> str:
 
 
 @cache
+def structure(bench: str) -> Structure:
+    """What a bench consists of, for all effects that are put into it."""
+    return read_structure(bench)
+
+
+@cache
 def composed(bench: str, effect: str) -> Composition | None:
     """The bench with an effect; None where it finds no place."""
-    return compose(tree(), bench, [effect])
+    return compose_on(tree(), structure(bench), [effect])
 
 
 @cache
 def law_bench(effect: str) -> str:
     """The one bench on which an effect's law is tested; elsewhere it only has to find its place."""
-    return next(b for b in (BENCH, *benches()) if (c := composed(b, effect)) and not _needs_rate_of_input(c))
+    return next(b for b in (BENCH, *benches()) if compiled(b, effect) is not None)
 
 
 def on_bench(effect: str, bench: str = "") -> Composition:
@@ -90,21 +95,24 @@ def homes(effect: str) -> dict[str, Composition]:
     Where a bench imposes a contraction or a pressure without its rate, what depends on the rate has none; nor has a
     reading that begins at rest where it follows an input at once.
     """
-    all_composed = {bench: composed(bench, effect) for bench in benches()}
-    return {b: c for b, c in all_composed.items() if c is not None and not _needs_rate_of_input(c)}
+    found = {bench: composed(bench, effect) for bench in benches()}
+    return {b: c for b, c in found.items() if c is not None and _equations(c) is not None}
 
 
-def _needs_rate_of_input(composition: Composition) -> bool:
-    with TemporaryDirectory() as folder:
-        file = Path(folder) / f"{composition.name}.mo"
-        file.write_text(composition.text)
-        try:
-            compile_model(str(file))
-        except ModelError as problem:
-            if any(text in problem.message for text in ("needs the derivative of its input", "depends on the input")):
-                return True
-            raise
-    return False
+@cache
+def compiled(bench: str, effect: str) -> Ode | None:
+    """The equations of the bench with an effect, if it finds a place there and needs no rate of an input."""
+    composition = composed(bench, effect)
+    return None if composition is None else _equations(composition)
+
+
+def _equations(composition: Composition) -> Ode | None:
+    try:
+        return source_ode(composition.name, composition.text)
+    except ModelError as problem:
+        if any(text in problem.message for text in ("needs the derivative of its input", "depends on the input")):
+            return None
+        raise
 
 
 def values(effect: EffectClass, composition: Composition, own: dict[str, float]) -> dict[str, float]:

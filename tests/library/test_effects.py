@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import casadi as ca
 import numpy as np
 import pytest
 
 from pam_cosim.catalogue import EffectClass
-from pam_cosim.compiler import Ode, compile_model
+from pam_cosim.compiler import Ode
 from pam_cosim.fmu import read_interface
 from tests.library.shelf import (
     base,
     benches,
     built,
+    compiled,
     composed,
     effects,
     homes,
@@ -142,11 +141,9 @@ def _vanish(effect: EffectClass, bench: str) -> None:
 
 
 @every_effect
-def test_derivatives_are_finite_at_rest_and_at_the_bounds(effect: EffectClass, tmp_path: Path) -> None:
-    composition = on_bench(effect.name)
-    file = tmp_path / f"{composition.name}.mo"
-    file.write_text(composition.text)
-    ode = compile_model(str(file))
+def test_derivatives_are_finite_at_rest_and_at_the_bounds(effect: EffectClass) -> None:
+    composition, ode = on_bench(effect.name), compiled(law_bench(effect.name), effect.name)
+    assert ode is not None
     variables = ode.interface.parameters
     rates = ca.Function("rates", [ode.t, ode.x, ode.u, ode.d, ode.p], [ode.derivatives])
     slopes = rates.jacobian()

@@ -84,7 +84,7 @@ file = "map.csv"
 hold_out = {{ p = ["180 kPa", "450 kPa"] }}
 """
     )
-    verdict = pam.diagnose(pam.read(tmp_path), workers=1)
+    verdict = pam.diagnose(pam.read(tmp_path), workers=0)
     assert verdict.verdict.families == ("end_shape",), str(verdict)
     assert [c.effect for c in verdict.path] == ["ElasticBraid"]
     found = verdict.final.parameters["muscle.braid.e_f"]

@@ -22,7 +22,7 @@ def _kind(name: str) -> str:
 
 CLASSES = [n for n, c in tree().classes.items() if c.kind != "type" and _kind(n.rpartition(".")[0]) in ("", "package")]
 FAMILIES = [n for n in CLASSES if n.startswith("PneumaticMuscle.Effects.") and n.count(".") == 2]
-REVIEWED = "PneumaticMuscle.Examples.ReviewedBench"
+MODELS = [name for name, info in tree().classes.items() if info.kind in ("model", "block")]
 SHAPES = {"Line", "Polygon", "Rectangle", "Ellipse", "Text"}
 """Modelica 3.6, section 18.6.5; without Bitmap, which would need a file."""
 
@@ -54,19 +54,24 @@ def test_connectors_stand_on_the_edge_of_the_icon() -> None:
 def _has_connectors_on_the_edge(name: str) -> None:
     of = PICTURES.of(name)
     unplaced: list[str] = []
-    places = [part for part in PICTURES.parts(of, unplaced) if part.of.definition.kind == "connector"]
+    places = [part for part in PICTURES.parts(of, unplaced, "Icon") if part.of.definition.kind == "connector"]
     for part in places:
         assert np.abs(part.corners.mean(axis=0)).max() == 100, part.name
     connectors = {c.name for c in tree().components(name) if _kind(c.type) == "connector"}
     assert connectors <= {part.name for part in places}, unplaced
 
 
-@pytest.mark.parametrize("bench", [*benches(), REVIEWED])
-def test_bench_has_everything_in_a_place_of_its_own(bench: str) -> None:
-    of = PICTURES.of(bench)
+def test_components_have_places_of_their_own() -> None:
+    composed = [name for name in MODELS if PICTURES.parts(PICTURES.of(name))]
+    assert len(composed) > 200
+    check_each(_has_everything_in_a_place_of_its_own, MODELS)
+
+
+def _has_everything_in_a_place_of_its_own(name: str) -> None:
+    of = PICTURES.of(name)
     unplaced: list[str] = []
-    parts = PICTURES.parts(of, unplaced)
-    assert unplaced == []
+    parts = [part for part in PICTURES.parts(of, unplaced) if part.of.definition.kind != "connector"]
+    assert not unplaced, unplaced
     low, high = PICTURES.extent(of)
     for part in parts:
         assert (part.corners[0] >= low).all() and (part.corners[1] <= high).all(), part.name
@@ -75,23 +80,32 @@ def test_bench_has_everything_in_a_place_of_its_own(bench: str) -> None:
         assert apart.any(), (one.name, other.name)
 
 
-@pytest.mark.parametrize("bench", [*benches(), REVIEWED])
-def test_lines_of_a_bench_lead_from_connector_to_connector(bench: str) -> None:
-    of = PICTURES.of(bench)
+def test_every_connection_is_drawn_from_connector_to_connector() -> None:
+    assert sum(len(PICTURES.lines(PICTURES.of(name))) for name in tree().classes) > 200
+    check_each(_draws_its_connections, tree().classes)
+
+
+def _draws_its_connections(name: str) -> None:
+    of = PICTURES.of(name)
     parts = {part.name: part for part in PICTURES.parts(of)}
     for connection, line in PICTURES.lines(of):
-        assert line is not None and line[0] == "Line"
+        between = f"connect({connection.left.text}, {connection.right.text})"
+        assert line is not None and line[0] == "Line", between
         points = np.array(line[1]["points"], dtype=float)
-        ends = [_place(parts, connection.left), _place(parts, connection.right)]
-        assert points[[0, -1]] == pytest.approx(np.array(ends), abs=1e-9)
-        assert (np.diff(points, axis=0) == 0).any(axis=1).all()  # level or upright
+        ends = np.array([_place(parts, connection.left), _place(parts, connection.right)])
+        assert points[[0, -1]] == pytest.approx(ends, abs=1e-9), between
+        assert (np.diff(points, axis=0) == 0).any(axis=1).all(), between  # level or upright
 
 
 def _place(parts: dict[str, Placed], of: Reference) -> np.ndarray:
-    component, connector = (name for name, _ in of.parts)
-    inner = {part.name: part for part in PICTURES.parts(parts[component].of)}
-    middle: np.ndarray = parts[component].at(inner[connector].corners.mean(axis=0, keepdims=True))[0]
-    return middle
+    """The middle of a connector of the class itself, or of one of its components."""
+    first, *inside = (name for name, _ in of.parts)
+    middle = np.zeros((1, 2))
+    for connector in inside:
+        inner = {part.name: part for part in PICTURES.parts(parts[first].of, layer="Icon")}
+        middle = inner[connector].corners.mean(axis=0, keepdims=True)
+    place: np.ndarray = parts[first].at(middle)[0]
+    return place
 
 
 def test_pictures_are_drawn() -> None:
@@ -99,7 +113,8 @@ def test_pictures_are_drawn() -> None:
     assert len(figure.axes) == 22 and all(axes.patches for axes in figure.axes)
     (axes,) = diagram(PICTURES, benches()[0]).axes
     names = {text.get_text() for text in axes.texts}
-    assert {part.name for part in PICTURES.parts(PICTURES.of(benches()[0]))} <= names
+    parts = PICTURES.parts(PICTURES.of(benches()[0]))
+    assert {part.name for part in parts if part.of.definition.kind != "connector"} <= names
 
 
 def test_a_component_that_is_turned_is_drawn_turned() -> None:

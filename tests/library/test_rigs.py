@@ -11,6 +11,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from pam_cosim.catalogue import compose_on, rig_parts
+from pam_cosim.catalogue.place import is_signal
 from pam_cosim.compiler import compile_model, read_library, read_structure
 from pam_cosim.errors import InputError
 from pam_cosim.fmu import build_model
@@ -360,8 +361,12 @@ def test_parts_are_chosen_by_class_too() -> None:
 def test_the_diagram_has_everything_in_its_place_and_lines_that_meet_connectors(of: tuple[str, ...]) -> None:
     made = rig(*of)
     declared = r"^  (PneumaticMuscle\.\S+) (\w+)(?:\(.*\))? \".*\"\n.*extent=\{\{(-?\d+),(-?\d+)\}"
-    parts = {name: (kind, (float(x), float(y))) for kind, name, x, y in re.findall(declared, made.text, re.MULTILINE)}
-    assert len(parts) > 6
+    placed = {name: (kind, (float(x), float(y))) for kind, name, x, y in re.findall(declared, made.text, re.MULTILINE)}
+    signals = {name: at for name, (kind, at) in placed.items() if is_signal(tree(), kind)}
+    parts = {name: placed[name] for name in placed.keys() - signals}
+    assert signals.keys() == {*made.inputs, *made.outputs} and len(parts) > 6
+    for (x, y), (a, b) in combinations(signals.values(), 2):
+        assert abs(x - a) >= 20 or abs(y - b) >= 20
     for (_, (x, y)), (_, (a, b)) in combinations(parts.values(), 2):
         assert abs(x - a) >= 40 or abs(y - b) >= 40
     lines = re.findall(r"connect\((\w+)\.(\w+), (\w+)\.(\w+)\)\n.*points=\{(.*)\}\)\);", made.text)

@@ -39,7 +39,7 @@ def differences(fmu: Path, file: Path, parameters: Mapping[str, float] | None = 
 
 
 def test_nothing_is_left_out() -> None:
-    assert (len(CLASSES), len(EFFECTS)) == (38, 75)
+    assert (len(CLASSES), len(EFFECTS), len(RESTING)) == (38, 75, 6)
 
 
 @pytest.mark.parametrize("name", CLASSES)
@@ -70,3 +70,19 @@ def test_start_values_of_an_fmu() -> None:
     values = {"muscle.gas.p": 219325.0, "load.s": 0.031, "load.v": 0.02, "u_in": 0.3}
     apart = differences(build_model(BENCH), HERE / "started" / "Muscle.csv", values)
     assert max(apart.values()) < ADDED_UP * 1e-9, apart
+
+
+RESTING = sorted(p.stem for p in (HERE / "resting").glob("*.csv"))
+
+
+@pytest.mark.parametrize("name", RESTING)
+def test_where_models_begin_at_rest(name: str) -> None:
+    """All states and outputs of what begins at rest under open valves, from the same guess."""
+    fmu = build_model(f"Resting.{name}", files=[HERE / "resting" / "Resting.mo"])
+    header, values = (HERE / "resting" / f"{name}.csv").read_text().split()
+    theirs = dict(zip(header.split(","), map(float, values.split(",")), strict=True))
+    with Simulator(fmu) as simulator:
+        assert set(theirs) == {*simulator.interface.states, *simulator.interface.outputs}
+        ours = simulator.run([0.0], outputs=list(theirs))
+    for variable, value in theirs.items():
+        assert ours[variable][0] == pytest.approx(value, rel=1e-9, abs=1e-12), variable

@@ -44,6 +44,7 @@ def test_each_verdict_is_said_and_explained_in_its_own_words():
     assert "do not trust them as physical values" in texts["unknown"]
 
 
+@pytest.mark.usefixtures("without_pictures")
 def test_a_fault_of_an_instrument_is_not_called_physics():
     diagnosis = make_diagnosis("identified")
     families = {
@@ -189,6 +190,7 @@ def test_nothing_tried_and_nothing_free():
 
 
 @pytest.mark.full
+@pytest.mark.usefixtures("without_pictures")
 def test_a_family_whose_form_is_open_is_said_to_be_so() -> None:
     plain = make_diagnosis("identified")
     assert "in a form that is open" not in checked(diagnosis_report(plain)).text
@@ -196,6 +198,7 @@ def test_a_family_whose_form_is_open_is_said_to_be_so() -> None:
     assert "in a form that is open" in text
 
 
+@pytest.mark.usefixtures("without_pictures")
 def test_families_that_were_not_looked_for_are_named():
     known = {"creep": "excluded", "leak": "excluded", "force_sensor": "the model has no place for them"}
     text = checked(diagnosis_report(replace(make_diagnosis("identified"), not_tried=known))).text

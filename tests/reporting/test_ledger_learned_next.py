@@ -68,6 +68,7 @@ def test_which_balance_fails_is_said_drawn_and_tabled():
 
 
 @pytest.mark.full
+@pytest.mark.usefixtures("without_pictures")
 def test_a_ledger_that_does_not_close_or_finds_nothing_says_so():
     def text(**changes):
         return checked(diagnosis_report(make_diagnosis("unknown", ledger=make_ledger(**changes)))).text
@@ -78,6 +79,7 @@ def test_a_ledger_that_does_not_close_or_finds_nothing_says_so():
 
 
 @pytest.mark.full
+@pytest.mark.usefixtures("without_pictures")
 def test_effects_of_another_balance_than_the_ledger_names_are_pointed_out():
     diagnosis = make_diagnosis("identified", ledger=make_ledger(failing=("mass",)))
     text = checked(diagnosis_report(diagnosis)).text
@@ -86,10 +88,11 @@ def test_effects_of_another_balance_than_the_ledger_names_are_pointed_out():
     assert "act in the force balance" not in agreed
 
 
-def test_a_learned_term_is_shown_with_its_source_and_its_limits():
+def test_a_learned_term_is_shown_with_its_source_and_its_limits(request):
     data = make_data()
     diagnosis = make_diagnosis("unknown", data, learned=make_learned(data))
-    page = checked(diagnosis_report(diagnosis))
+    page = checked(diagnosis_report(diagnosis))  # with its pictures; what follows is about words
+    request.getfixturevalue("without_pictures")
     assert "missing force = 5.1 N (exp(x/(40 mm)) - 1)" in page.text
     assert "explains 97 % of the mean square of the missing term of the force balance" in page.text
     assert "This is a description, not a cause" in page.text
@@ -105,12 +108,14 @@ def test_a_learned_term_is_shown_with_its_source_and_its_limits():
 
 
 @pytest.mark.full
+@pytest.mark.usefixtures("without_pictures")
 def test_outliers_are_among_the_notes():
     text = checked(diagnosis_report(make_diagnosis("identified", outliers={"p": 3, "x": 1}))).text
     assert "3 samples of p, far off the neighbours, were set aside as outliers" in text
     assert "1 sample of x, far off the neighbours, was set aside as an outlier" in text
 
 
+@pytest.mark.usefixtures("without_pictures")
 def test_the_next_run_is_ready_to_make():
     text = checked(diagnosis_report(make_diagnosis("ambiguous", next_experiment=PLAN))).text
     assert "Start from run run-2 Change load.m times 1.5 Set load.m = 3.000 kg" in text

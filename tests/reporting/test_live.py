@@ -6,9 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import nbformat
 import pytest
-from nbclient import NotebookClient
 
 import pam_cosim as pam
 from pam_cosim.diagnosis import BaseFitted, CandidateTried, Judged
@@ -52,6 +50,9 @@ def test_a_notebook_draws_it(tmp_path: Path) -> None:
         "import pam_cosim as pam\nfrom pam_cosim.fitting import Standing\ntell = pam.live()\n"
         "for i in range(3):\n    tell(Standing(i, 1.5, {'p': 500.0}, {'p': 'Pa'}))\n    import time; time.sleep(0.4)"
     )
+    import nbformat
+    from nbclient import NotebookClient
+
     book: Any = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(code)])
     NotebookClient(book, timeout=120).execute(cwd=str(tmp_path))
     (output,) = book.cells[0].outputs

@@ -15,7 +15,7 @@ from pam_cosim.resources import fmu_runtime
 from tests.fmu import models
 
 # Never returns from the function that ALWAYS or the environment names, nor from fmi2SetReal with a value above
-# HANG_ABOVE; takes 0.15 s for each step where it says DAWDLE.
+# HANG_ABOVE: it waits for ever, or works for ever where it says SPIN. Takes 0.15 s for each step where it says DAWDLE.
 _HANG = """
 #define _POSIX_C_SOURCE 199309L
 #define ALWAYS "{always}"
@@ -23,7 +23,8 @@ _HANG = """
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-static void spin(void) { for (volatile int i = 1; i;) {} }
+#include <unistd.h>
+static void spin(void) { for (volatile int i = 1; i;) if (!getenv("SPIN")) pause(); }
 static void hang(const char *function) {
     const char *chosen = getenv("HANG");
     if (!strcmp(ALWAYS, function) || (chosen && !strcmp(chosen, function))) spin();
@@ -84,7 +85,7 @@ def _hanging_binary(always: str) -> bytes:
 
 
 def hanging(folder: Path, always: str = "") -> Path:
-    """The lag, which hangs where the environment says: ``HANG``, ``HANG_ABOVE``, ``DAWDLE``.
+    """The lag, which hangs where the environment says: ``HANG``, ``HANG_ABOVE``, ``DAWDLE``, ``SPIN``.
 
     Processes that were started before know nothing of that, a pool's among them: for them there is ``always``.
     """

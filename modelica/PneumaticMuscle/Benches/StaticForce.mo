@@ -1,9 +1,15 @@
 within PneumaticMuscle.Benches;
 model StaticForce "Pull of a muscle by pressure and contraction ratio, without any motion, AM Figs. 4-6"
   extends Icons.Bench;
-  input Types.GaugePressure p(start=6e5) "Gauge pressure in the muscle";
-  input Real eps(start=0.1, unit="1") "Contraction ratio";
-  output Types.Force F "Pull of the muscle";
+  Interfaces.Signals.GaugePressureInput p(start=6e5) "Gauge pressure in the muscle"
+    annotation (Placement(transformation(extent={{-110,0},{-90,20}}),
+      iconTransformation(extent={{-110,30},{-90,50}})));
+  Interfaces.Signals.RealInput eps(start=0.1, unit="1") "Contraction ratio"
+    annotation (Placement(transformation(extent={{-110,-70},{-90,-50}}),
+      iconTransformation(extent={{-110,-50},{-90,-30}})));
+  Interfaces.Signals.ForceOutput F "Pull of the muscle"
+    annotation (Placement(transformation(extent={{90,-35},{110,-15}}),
+      iconTransformation(extent={{90,-10},{110,10}})));
   replaceable model ForceChannel = Sensors.DirectForce constrainedby Interfaces.ForceChannel
     "Measuring channel of the force"
     annotation (choicesAllMatching=true);
@@ -11,19 +17,24 @@ model StaticForce "Pull of a muscle by pressure and contraction ratio, without a
     annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-70,-20},{-30,20}})));
-  Components.HeldMuscle muscle(p_gauge=p, eps=eps) "Muscle"
+  Components.HeldMuscle muscle "Muscle"
     annotation (Placement(transformation(extent={{10,-20},{50,20}})));
-  ForceChannel channel_F(u=muscle.F) "Measuring channel of the force"
+  ForceChannel channel_F(u=muscle.F, dynamics=ambient.dynamics) "Measuring channel of the force"
     annotation (Placement(transformation(extent={{-80,-100},{-40,-60}})));
   Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{-20,-100},{20,-60}})));
 equation
-  F = channel_F.y;
+  connect(p, muscle.p_gauge)
+    annotation (Line(points={{-100,10}, {-75,10}, {-75,25}, {5,25}, {5,8}, {10,8}}, color={0,0,127}));
+  connect(eps, muscle.eps)
+    annotation (Line(points={{-100,-60}, {-85,-60}, {-85,-25}, {5,-25}, {5,-8}, {10,-8}}, color={0,0,127}));
+  connect(channel_F.y, F)
+    annotation (Line(points={{-40,-80}, {-25,-80}, {-25,-29}, {95,-29}, {95,-25}, {100,-25}}, color={0,0,127}));
   annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-100,-110},{100,60}})),
     experiment(StopTime=1, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
-<p>AM, theoretical force equations 1 to 3: Kang's force with q = 1 + 3 exp(-2e-6 P), D0 = 1 cm, 23 degrees, 30 cm. Each
-sample of the inputs is a point of a data sheet's grid of force by pressure and contraction, so a grid can be compared
-and fitted as if it were a course of time.</p>
+<p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">AM</a>, theoretical force equations 1 to 3: Kang's force
+with q = 1 + 3 exp(-2e-6 P), D0 = 1 cm, 23 degrees, 30 cm. Each sample of the inputs is a point of a data sheet's grid
+of force by pressure and contraction, so a grid can be compared and fitted as if it were a course of time.</p>
 <p>About 6 bar and 10 % strain the stated parameters give F = 205.67 N, dF/dP = 5.7239e-4 m2 and dF/dL = 8061.8 N/m. AM
 Fig. 7 has 5.7238e-5 and 8061.8: the stiffness is confirmed, the other coefficient is ten times too small in print.</p>
 </html>"));

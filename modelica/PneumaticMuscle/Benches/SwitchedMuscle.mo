@@ -1,12 +1,24 @@
 within PneumaticMuscle.Benches;
 model SwitchedMuscle "A muscle of imposed contraction that on-off valves fill from a source whose pressure is measured"
   extends Icons.Bench;
-  input Real u_in(start=1, unit="1") "Command of the inlet valve: 0 shut, 1 open";
-  input Real u_out(start=0, unit="1") "Command of the exhaust valve: 0 shut, 1 open";
-  input Types.GaugePressure p_supply(start=500e3, min=-101e3) "Gauge pressure of the source, as it droops";
-  input Types.Length s(start=0.02) "Imposed contraction";
-  output Types.GaugePressure p "Gauge pressure in the muscle";
-  output Types.Temperature T "Temperature reading in the muscle";
+  Interfaces.Signals.RealInput u_in(start=1, unit="1") "Command of the inlet valve: 0 shut, 1 open"
+    annotation (Placement(transformation(extent={{-200,75},{-180,95}}),
+      iconTransformation(extent={{-110,65},{-90,85}})));
+  Interfaces.Signals.RealInput u_out(start=0, unit="1") "Command of the exhaust valve: 0 shut, 1 open"
+    annotation (Placement(transformation(extent={{-200,5},{-180,25}}),
+      iconTransformation(extent={{-110,15},{-90,35}})));
+  Interfaces.Signals.GaugePressureInput p_supply(start=500e3, min=-101e3) "Gauge pressure of the source, as it droops"
+    annotation (Placement(transformation(extent={{-200,-65},{-180,-45}}),
+      iconTransformation(extent={{-110,-35},{-90,-15}})));
+  Interfaces.Signals.LengthInput s(start=0.02) "Imposed contraction"
+    annotation (Placement(transformation(extent={{-200,-135},{-180,-115}}),
+      iconTransformation(extent={{-110,-85},{-90,-65}})));
+  Interfaces.Signals.GaugePressureOutput p "Gauge pressure in the muscle"
+    annotation (Placement(transformation(extent={{100,25},{120,45}}),
+      iconTransformation(extent={{90,30},{110,50}})));
+  Interfaces.Signals.TemperatureOutput T "Temperature reading in the muscle"
+    annotation (Placement(transformation(extent={{100,-85},{120,-65}}),
+      iconTransformation(extent={{90,-50},{110,-30}})));
   replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"
     annotation (choicesAllMatching=true);
   replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"
@@ -23,7 +35,7 @@ model SwitchedMuscle "A muscle of imposed contraction that on-off valves fill fr
     annotation (choicesAllMatching=true);
   inner Components.Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
-  Components.Supply supply(p_gauge=p_supply) "Source"
+  Components.Supply supply "Source"
     annotation (Placement(transformation(extent={{-170,20},{-130,60}})));
   Components.Atmosphere atmosphere "Outlet"
     annotation (Placement(transformation(extent={{-170,-60},{-130,-20}})));
@@ -35,15 +47,15 @@ model SwitchedMuscle "A muscle of imposed contraction that on-off valves fill fr
     annotation (Placement(transformation(extent={{30,-20},{70,20}})));
   Components.Fixed ceiling(s0=muscle.L0) "Where the muscle is fixed"
     annotation (Placement(transformation(extent={{30,60},{70,100}})));
-  Components.ImposedPosition drive(s_wanted=s, tau=1e-3) "What moves the load end"
+  Components.ImposedPosition drive(tau=1e-3) "What moves the load end"
     annotation (Placement(transformation(extent={{30,-95},{70,-55}})));
   Manometer manometer "Pressure transducer"
     annotation (Placement(transformation(extent={{-50,60},{-10,100}})));
   Thermometer thermometer(T_start=ambient.T, m_flow=muscle.port.m_flow) "Thermometer"
     annotation (Placement(transformation(extent={{-110,60},{-70,100}})));
-  PressureChannel channel_p(u=manometer.p) "Measuring channel of the pressure"
+  PressureChannel channel_p(dynamics=ambient.dynamics) "Measuring channel of the pressure"
     annotation (Placement(transformation(extent={{-170,-150},{-130,-110}})));
-  TemperatureChannel channel_T(u=thermometer.T) "Measuring channel of the temperature"
+  TemperatureChannel channel_T(dynamics=ambient.dynamics) "Measuring channel of the temperature"
     annotation (Placement(transformation(extent={{-110,-150},{-70,-110}})));
   Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{-50,-150},{-10,-110}})));
@@ -66,13 +78,24 @@ equation
     annotation (Line(points={{50,-20}, {50,-55}}, color={0,110,60}));
   connect(muscle.flange_b, ceiling.flange)
     annotation (Line(points={{50,20}, {50,60}}, color={0,110,60}));
-  p = channel_p.y;
-  T = channel_T.y;
+  connect(p_supply, supply.p_gauge)
+    annotation (Line(points={{-190,-55}, {-175,-55}, {-175,40}, {-170,40}}, color={0,0,127}));
+  connect(s, drive.s_wanted)
+    annotation (Line(points={{-190,-125}, {-175,-125}, {-175,-75}, {30,-75}}, color={0,0,127}));
+  connect(manometer.p, channel_p.u)
+    annotation (Line(points={{-10,80}, {-5,80}, {-5,-71}, {-179,-71}, {-179,-130}, {-170,-130}}, color={0,0,127}));
+  connect(thermometer.T, channel_T.u)
+    annotation (Line(points={{-70,80}, {-65,80}, {-65,-105}, {-115,-105}, {-115,-130}, {-110,-130}}, color={0,0,127}));
+  connect(channel_p.y, p)
+    annotation (Line(points={{-130,-130}, {-119,-130}, {-119,-41}, {105,-41}, {105,35}, {110,35}}, color={0,0,127}));
+  connect(channel_T.y, T)
+    annotation (Line(points={{-70,-130}, {-55,-130}, {-55,-100}, {105,-100}, {105,-75}, {110,-75}}, color={0,0,127}));
   annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-160},{110,120}})),
     experiment(StopTime=0.5, Interval=0.001, Tolerance=1e-6), Documentation(info="<html>
-<p>As <code>Isometric</code> with valves that are open or shut: a command of 1 opens 10 <code>valve.C_A</code> mm2, so that
-<code>valve.C_A</code> is the effective area of the open valve. A finite tank needs no model of its own where the
-pressure before the valve is measured: it is the input <code>p_supply</code>, with its droop. The contraction passes a
-critically damped filter of 1 ms, <code>Components.ImposedPosition</code>.</p>
+<p>As <a href=\"modelica://PneumaticMuscle.Benches.Isometric\">Isometric</a> with valves that are open or shut: a
+command of 1 opens 10 <code>valve.C_A</code> mm2, so that <code>valve.C_A</code> is the effective area of the open
+valve. A finite tank needs no model of its own where the pressure before the valve is measured: it is the input
+<code>p_supply</code>, with its droop. The contraction passes a critically damped filter of 1 ms,
+<a href=\"modelica://PneumaticMuscle.Components.ImposedPosition\">Components.ImposedPosition</a>.</p>
 </html>"));
 end SwitchedMuscle;

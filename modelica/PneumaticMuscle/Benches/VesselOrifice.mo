@@ -1,8 +1,12 @@
 within PneumaticMuscle.Benches;
 model VesselOrifice "A vessel that empties or fills through a plain orifice"
   extends Icons.Bench;
-  output Types.GaugePressure p "Gauge pressure in the vessel";
-  output Types.Temperature T "Temperature reading in the vessel";
+  Interfaces.Signals.GaugePressureOutput p "Gauge pressure in the vessel"
+    annotation (Placement(transformation(extent={{100,45},{120,65}}),
+      iconTransformation(extent={{90,30},{110,50}})));
+  Interfaces.Signals.TemperatureOutput T "Temperature reading in the vessel"
+    annotation (Placement(transformation(extent={{100,-45},{120,-25}}),
+      iconTransformation(extent={{90,-50},{110,-30}})));
   parameter Types.GaugePressure p_outside(min=-1.01e5, max=1e8) = 0 "Gauge pressure outside"
     annotation (Dialog(group="Surroundings"));
   replaceable model PressureChannel = Sensors.DirectPressure constrainedby Interfaces.PressureChannel
@@ -29,9 +33,9 @@ model VesselOrifice "A vessel that empties or fills through a plain orifice"
     annotation (Placement(transformation(extent={{-30,60},{10,100}})));
   Thermometer thermometer(T_start=tank.T_start, m_flow=tank.port.m_flow) "Thermometer"
     annotation (Placement(transformation(extent={{-80,60},{-40,100}})));
-  PressureChannel channel_p(u=manometer.p) "Measuring channel of the pressure"
+  PressureChannel channel_p(dynamics=ambient.dynamics) "Measuring channel of the pressure"
     annotation (Placement(transformation(extent={{-130,-90},{-90,-50}})));
-  TemperatureChannel channel_T(u=thermometer.T) "Measuring channel of the temperature"
+  TemperatureChannel channel_T(dynamics=ambient.dynamics) "Measuring channel of the temperature"
     annotation (Placement(transformation(extent={{-70,-90},{-30,-50}})));
   Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{-10,-90},{30,-50}})));
@@ -44,8 +48,14 @@ equation
     annotation (Line(points={{30,0}, {10,0}, {10,45}, {-10,45}, {-10,60}}, color={0,90,160}));
   connect(tank.port, thermometer.port)
     annotation (Line(points={{30,0}, {10,0}, {10,45}, {-60,45}, {-60,60}}, color={0,90,160}));
-  p = channel_p.y;
-  T = channel_T.y;
+  connect(manometer.p, channel_p.u)
+    annotation (Line(points={{10,80}, {15,80}, {15,29}, {-135,29}, {-135,-70}, {-130,-70}}, color={0,0,127}));
+  connect(thermometer.T, channel_T.u)
+    annotation (Line(points={{-40,80}, {-35,80}, {-35,25}, {-75,25}, {-75,-70}, {-70,-70}}, color={0,0,127}));
+  connect(channel_p.y, p)
+    annotation (Line(points={{-90,-70}, {-79,-70}, {-79,-25}, {105,-25}, {105,55}, {110,55}}, color={0,0,127}));
+  connect(channel_T.y, T)
+    annotation (Line(points={{-30,-70}, {-15,-70}, {-15,-35}, {110,-35}}, color={0,0,127}));
   annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-150,-100},{110,120}})),
     experiment(StopTime=60, Interval=0.06, Tolerance=1e-6), Documentation(info="<html>
 <p>The polytropic law starts from the state of the vessel: T = T_start (p/p_start)^((n - 1)/n), absolute

@@ -6,24 +6,36 @@ model MuscleAndLoad "A muscle without its gas that lifts a hanging mass; the pre
   output Types.Volume V "Volume of the gas";
   output Types.VolumeFlowRate V_flow "Rate of the volume";
   output Types.Area A "Area of the wall that exchanges heat with the gas";
-  inner Components.Ambient ambient "Surroundings";
-  Components.Supply gas(p_gauge=p) "Gas at the pressure that comes from outside";
-  Sleeve muscle "Muscle without its gas";
-  Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs";
-  Components.Load load(s_start=-load.m*Constants.g/stop.k) "Hanging mass, at rest on the stop";
-  Components.Stop stop(L0=muscle.L0) "Full extension";
+  inner Components.Ambient ambient "Surroundings"
+    annotation (Placement(transformation(extent={{-80,40},{-40,80}})));
+  Components.Supply gas(p_gauge=p) "Gas at the pressure that comes from outside"
+    annotation (Placement(transformation(extent={{-80,-20},{-40,20}})));
+  Sleeve muscle "Muscle without its gas"
+    annotation (Placement(transformation(extent={{-20,-20},{20,20}})));
+  Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs"
+    annotation (Placement(transformation(extent={{-20,40},{20,80}})));
+  Components.Load load(s_start=-load.m*Constants.g/stop.k) "Hanging mass, at rest on the stop"
+    annotation (Placement(transformation(extent={{-20,-85},{20,-45}})));
+  Components.Stop stop(L0=muscle.L0) "Full extension"
+    annotation (Placement(transformation(extent={{40,-20},{80,20}})));
 equation
-  connect(gas.port, muscle.port);
-  connect(muscle.flange_a, load.flange);
-  connect(muscle.flange_b, ceiling.flange);
-  connect(muscle.flange_a, stop.flange_a);
-  connect(muscle.flange_b, stop.flange_b);
+  connect(gas.port, muscle.port)
+    annotation (Line(points={{-40,0}, {-20,0}}, color={0,90,160}));
+  connect(muscle.flange_a, load.flange)
+    annotation (Line(points={{0,-20}, {0,-45}}, color={0,110,60}));
+  connect(muscle.flange_b, ceiling.flange)
+    annotation (Line(points={{0,20}, {0,40}}, color={0,110,60}));
+  connect(muscle.flange_a, stop.flange_a)
+    annotation (Line(points={{0,-20}, {0,-25}, {60,-25}, {60,-20}}, color={0,110,60}));
+  connect(muscle.flange_b, stop.flange_b)
+    annotation (Line(points={{0,20}, {0,25}, {60,25}, {60,20}}, color={0,110,60}));
   x = load.s;
   V = muscle.braid.V;
   V_flow = der(V);
   A = muscle.A;
   annotation (experiment(StopTime=1, Interval=0.01, Tolerance=1e-8), Documentation(info="<html>
-<p>DP (1), (16)-(17), (68)-(71). Of the outputs none depends at once on the pressure: they follow from position and speed of
-the load. Alone, without pressure, the mass rests on the stop.</p>
+<p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (1), (16)-(17), (68)-(71). Of the outputs none
+depends at once on the pressure: they follow from position and speed of the load. Alone, without pressure, the mass
+rests on the stop.</p>
 </html>"));
 end MuscleAndLoad;

@@ -21,24 +21,38 @@ protected
   final parameter Types.Area A_fibre = w*(fibres*sqrt(L0^2 + (turns*Constants.pi*D0)^2) - z*crossings/2)
     "Area of contact between fibres and bladder, DP (48)";
 public
-  Braid braid(L0=L0, D0=D0, turns=turns, t_wall=t_wall) "Sleeve";
-  Laws.Frictions.FibreFriction fibreFriction(L0=L0, D0=D0, turns=turns, t_wall=t_wall, A_ff=crossings*w*z, mu_d=mu_d, K_f=K_f)
-    "Friction of fibre on fibre";
+  Braid braid(L0=L0, D0=D0, turns=turns, t_wall=t_wall) "Sleeve"
+    annotation (Placement(transformation(extent={{-15,-15},{15,15}})));
+  Laws.Frictions.FibreFriction fibreFriction(L0=L0, D0=D0, turns=turns, t_wall=t_wall, A_ff=crossings*w*z, mu_d=mu_d,
+    K_f=K_f)
+    "Friction of fibre on fibre"
+    annotation (Placement(transformation(extent={{25,-15},{55,15}})));
   Laws.Frictions.BladderFriction bladderFriction(L0=L0, D0=D0, turns=turns, t_wall=t_wall, A_fb=A_fibre, mu_fb=mu_fb)
-    "Friction between fibres and bladder";
+    "Friction between fibres and bladder"
+    annotation (Placement(transformation(extent={{65,-15},{95,15}})));
 equation
   A = max(0, Constants.pi*braid.D*braid.L - A_fibre);
-  connect(port, braid.port);
-  connect(port, fibreFriction.port);
-  connect(port, bladderFriction.port);
-  connect(flange_a, braid.flange_a);
-  connect(flange_a, fibreFriction.flange_a);
-  connect(flange_a, bladderFriction.flange_a);
-  connect(flange_b, braid.flange_b);
-  connect(flange_b, fibreFriction.flange_b);
-  connect(flange_b, bladderFriction.flange_b);
+  connect(port, braid.port)
+    annotation (Line(points={{-100,0}, {-15,0}}, color={0,90,160}));
+  connect(port, fibreFriction.port)
+    annotation (Line(points={{-100,0}, {-20,0}, {-20,20}, {20,20}, {20,0}, {25,0}}, color={0,90,160}));
+  connect(port, bladderFriction.port)
+    annotation (Line(points={{-100,0}, {-20,0}, {-20,20}, {60,20}, {60,0}, {65,0}}, color={0,90,160}));
+  connect(flange_a, braid.flange_a)
+    annotation (Line(points={{0,-100}, {0,-15}}, color={0,110,60}));
+  connect(flange_a, fibreFriction.flange_a)
+    annotation (Line(points={{0,-100}, {0,-20}, {40,-20}, {40,-15}}, color={0,110,60}));
+  connect(flange_a, bladderFriction.flange_a)
+    annotation (Line(points={{0,-100}, {0,-20}, {80,-20}, {80,-15}}, color={0,110,60}));
+  connect(flange_b, braid.flange_b)
+    annotation (Line(points={{0,100}, {0,15}}, color={0,110,60}));
+  connect(flange_b, fibreFriction.flange_b)
+    annotation (Line(points={{0,100}, {0,24}, {40,24}, {40,15}}, color={0,110,60}));
+  connect(flange_b, bladderFriction.flange_b)
+    annotation (Line(points={{0,100}, {0,24}, {80,24}, {80,15}}, color={0,110,60}));
   annotation (Documentation(info="<html>
-<p>Force DP (1), friction DP (68)-(71), area of the wall DP (48), as in <code>Components.Muscle</code>. The port is a pressure
-tap: the gas is in another model.</p>
+<p>Force <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (1), friction DP (68)-(71), area of the
+wall DP (48), as in <a href=\"modelica://PneumaticMuscle.Components.Muscle\">Components.Muscle</a>. The port is a
+pressure tap: the gas is in another model.</p>
 </html>"));
 end Sleeve;

@@ -5,7 +5,8 @@ model ButylMuscle "McKibben muscle of Doumit and Pardoel with a bladder of butyl
 protected
   final parameter Data.MuscleData data = Data.Butyl() "Table of the paper";
   annotation (Documentation(info="<html>
-<p>DP find that its slow contraction is not explained by friction: the elasticity of the thick bladder is missing
-(<code>Validation.ButylSlowRise</code>).</p>
+<p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> find that its slow contraction is not explained
+by friction: the elasticity of the thick bladder is missing
+(<a href=\"modelica://PneumaticMuscle.Validation.ButylSlowRise\">Validation.ButylSlowRise</a>).</p>
 </html>"));
 end ButylMuscle;

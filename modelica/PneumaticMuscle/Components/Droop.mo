@@ -7,6 +7,7 @@ model Droop "A pressure that is lost in proportion to the mass flow"
 equation
   m_flow = (port_a.p - port_b.p)/R;
   annotation (Documentation(info="<html>
-<p>p_a - p_b = R m_flow, in both directions: the flow characteristic of a regulator (ISO 6953) as a straight line.</p>
+<p>p_a - p_b = R m_flow, in both directions: the flow characteristic of a regulator
+(<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">ISO 6953</a>) as a straight line.</p>
 </html>"));
 end Droop;

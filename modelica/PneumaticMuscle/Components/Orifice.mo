@@ -6,6 +6,7 @@ model Orifice "An orifice with isentropic flow whose effective area is given fro
 equation
   m_flow = Functions.isentropicFlow(port_a.p, port_b.p, T_up, A);
   annotation (Documentation(info="<html>
-<p>m_flow = K p_up A N/sqrt(T_up), DP (40)-(42), <code>Functions.isentropicFlow</code>.</p>
+<p>m_flow = K p_up A N/sqrt(T_up), <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (40)-(42),
+<a href=\"modelica://PneumaticMuscle.Functions.isentropicFlow\">Functions.isentropicFlow</a>.</p>
 </html>"));
 end Orifice;

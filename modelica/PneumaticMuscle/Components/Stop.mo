@@ -21,7 +21,8 @@ equation
   flange_a.f = -f;
   flange_b.f = f;
   annotation (Documentation(info="<html>
-<p>max(0, -k x - d v) for x &lt; 0, zero otherwise. At zero gauge pressure nothing in DP (17) carries the load; the
-braid does. Engages over 0.01 mm, below what a displacement sensor resolves.</p>
+<p>max(0, -k x - d v) for x &lt; 0, zero otherwise. At zero gauge pressure nothing in
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (17) carries the load; the braid does. Engages over
+0.01 mm, below what a displacement sensor resolves.</p>
 </html>"));
 end Stop;

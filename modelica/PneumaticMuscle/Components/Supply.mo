@@ -3,7 +3,8 @@ model Supply "An air supply at a given gauge pressure and ambient temperature"
   extends Icons.GasSource;
   Interfaces.GasPort port "Gas port"
     annotation (Placement(transformation(extent={{90,-10},{110,10}})));
-  input Types.GaugePressure p_gauge "Gauge pressure of the supply";
+  Interfaces.Signals.GaugePressureInput p_gauge "Gauge pressure of the supply"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
   outer Ambient ambient "Surroundings";
 equation
   port.p = ambient.p + p_gauge;

@@ -15,20 +15,31 @@ model Tank "A rigid vessel"
     annotation (choicesAllMatching=true);
   replaceable model Wall = Laws.Heat.MetalWall constrainedby Interfaces.Wall "Law of the wall"
     annotation (choicesAllMatching=true);
-  replaceable model Surroundings = Laws.Heat.StillAir constrainedby Interfaces.Surroundings "What the wall gives its heat to"
+  replaceable model Surroundings = Laws.Heat.StillAir constrainedby Interfaces.Surroundings
+    "What the wall gives its heat to"
     annotation (choicesAllMatching=true);
-  outer Ambient ambient "Surroundings";
-  final parameter Types.Area A = 2.5*Constants.pi*(2*V/Constants.pi)^(2/3) "Inner surface of a cylinder twice as long as wide";
+  outer Ambient ambient "Surroundings"
+    annotation (Placement(transformation(extent={{50,50},{90,90}})));
+  final parameter Types.Area A = 2.5*Constants.pi*(2*V/Constants.pi)^(2/3)
+    "Inner surface of a cylinder twice as long as wide";
   Gas gas(V=V, n=n, p_start=ambient.p + p_start, T_start=T_start,
     p_reference=if startIsReference then ambient.p + p_start else ambient.p,
-    T_reference=if startIsReference then T_start else ambient.T, h_film=0) "Gas in the vessel";
-  Wall wall(A=A, h_film=gas.h_wall, k=50, t=0.01) "Wall of the vessel";
-  Surroundings surroundings "What the wall gives its heat to";
+    T_reference=if startIsReference then T_start else ambient.T, h_film=0, dynamics=ambient.dynamics)
+      "Gas in the vessel"
+    annotation (Placement(transformation(extent={{-50,0},{-10,40}})));
+  Wall wall(A=A, h_film=gas.h_wall, k=50, t=0.01) "Wall of the vessel"
+    annotation (Placement(transformation(extent={{0,-70},{40,-30}})));
+  Surroundings surroundings "What the wall gives its heat to"
+    annotation (Placement(transformation(extent={{55,-70},{95,-30}})));
 equation
-  connect(port, gas.port);
-  connect(gas.heatPort, wall.heatPort);
-  connect(wall.outside, surroundings.heatPort);
+  connect(port, gas.port)
+    annotation (Line(points={{-100,0}, {-55,0}, {-55,20}, {-50,20}}, color={0,90,160}));
+  connect(gas.heatPort, wall.heatPort)
+    annotation (Line(points={{-30,0}, {-30,-50}, {0,-50}}, color={190,30,0}));
+  connect(wall.outside, surroundings.heatPort)
+    annotation (Line(points={{40,-50}, {55,-50}}, color={190,30,0}));
   annotation (Documentation(info="<html>
-<p>DP (63)-(66). The base gas takes no heat from the wall: its polytropic exponent stands for the heat.</p>
+<p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (63)-(66). The base gas takes no heat from the
+wall: its polytropic exponent stands for the heat.</p>
 </html>"));
 end Tank;

@@ -19,6 +19,7 @@ record MuscleData "What DP Tables 1 and 2 say of a muscle; defaults are what the
     annotation (Dialog(group="Friction"));
   parameter Types.Mass m = 2.27 "Hanging mass" annotation (Dialog(group="Load"));
   annotation (Documentation(info="<html>
-<p>DP Tables 1 and 2. They print the conductivity without a unit; W/(m.K) is meant.</p>
+<p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> Tables 1 and 2. They print the conductivity
+without a unit; W/(m.K) is meant.</p>
 </html>"));
 end MuscleData;

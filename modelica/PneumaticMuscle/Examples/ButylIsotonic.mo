@@ -6,6 +6,7 @@ model ButylIsotonic "The isotonic bench with the butyl muscle"
 protected
   final parameter Data.MuscleData data = Data.Butyl() "Table of the paper";
   annotation (experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
-<p><code>Benches.Isotonic</code> with the parameters of DP Table 2.</p>
+<p><a href=\"modelica://PneumaticMuscle.Benches.Isotonic\">Benches.Isotonic</a> with the parameters of
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> Table 2.</p>
 </html>"));
 end ButylIsotonic;

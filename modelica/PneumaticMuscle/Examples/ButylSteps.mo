@@ -4,10 +4,20 @@ model ButylSteps "The butyl muscle is inflated and deflated, DP Figs. 7, 9 and 1
   output Types.GaugePressure p = bench.p "Gauge pressure in the muscle";
   output Types.Length x = bench.x "Contraction";
   output Types.Temperature T = bench.T "Temperature in the muscle";
-  Sources.Pulse inlet(start=-1, stop=5) "Current of the inlet valve";
-  Sources.Pulse outlet(start=5, stop=100) "Current of the exhaust valve";
-  ButylIsotonic bench(u_in=inlet.y, u_out=outlet.y, p_supply=207e3) "Muscle with hanging mass";
+  Sources.Pulse inlet(start=-1, stop=5) "Current of the inlet valve"
+    annotation (Placement(transformation(extent={{-70,20},{-30,60}})));
+  Sources.Pulse outlet(start=5, stop=100) "Current of the exhaust valve"
+    annotation (Placement(transformation(extent={{-70,-60},{-30,-20}})));
+  ButylIsotonic bench(p_supply=207e3) "Muscle with hanging mass"
+    annotation (Placement(transformation(extent={{30,-20},{70,20}})));
+equation
+  connect(inlet.y, bench.u_in)
+    annotation (Line(points={{-30,40}, {25,40}, {25,12}, {30,12}}, color={0,0,127}));
+  connect(outlet.y, bench.u_out)
+    annotation (Line(points={{-30,-40}, {25,-40}, {25,0}, {30,0}}, color={0,0,127}));
   annotation (experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
-<p>As <code>LatexSteps</code> with DP Table 2. The model contracts at once; DP measure a gradual contraction.</p>
+<p>As <a href=\"modelica://PneumaticMuscle.Examples.LatexSteps\">LatexSteps</a> with
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> Table 2. The model contracts at once; DP measure a
+gradual contraction.</p>
 </html>"));
 end ButylSteps;

@@ -12,8 +12,8 @@ algorithm
   l := 0.5*log(u^2 + width^2);
   y := u*exp(l*(a + b*l));
   annotation (Documentation(info="<html>
-<p>y = u |u|^(a + b ln|u|): ln|y| is a parabola in ln|u|, a power law where b = 0. Source: the log-normal (log-parabolic)
-law, the next term after the power law in the expansion of ln y by ln u. Never changes its sign, however a and b are
-chosen; all derivatives are finite.</p>
+<p>y = u |u|^(a + b ln|u|): ln|y| is a parabola in ln|u|, a power law where b = 0. Source: the log-normal
+(log-parabolic) law, the next term after the power law in the expansion of ln y by ln u. Never changes its sign, however
+a and b are chosen; all derivatives are finite.</p>
 </html>"));
 end curvedPower;

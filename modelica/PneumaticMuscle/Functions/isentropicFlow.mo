@@ -25,7 +25,8 @@ algorithm
   annotation (Documentation(info="<html>
 <p>m_flow = K p_up A N(r)/sqrt(T_up), with r = p_down/p_up, N = 1 below the critical ratio 0.5283 and
 N^2 = 2/(gamma - 1) ((gamma + 1)/2)^((gamma + 1)/(gamma - 1)) (r^(2/gamma) - r^((gamma + 1)/gamma)) above it,
-DP (40)-(42). Upstream is the side with the higher pressure.</p>
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (40)-(42). Upstream is the side with the higher
+pressure.</p>
 <p>N has an infinite slope at r = 1. The factor z/(z^2 + z_laminar^2)^(1/4) takes the place of sqrt(z), z = 1 - r:
 laminar where the pressure drop is below 3e-4 of the pressure, and lower by (1 + (z_laminar/z)^2)^(-1/4) beyond:
 by 0.25 % at ten times that, by 0.1 % at sixteen times.

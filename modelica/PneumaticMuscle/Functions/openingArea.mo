@@ -6,6 +6,7 @@ function openingArea "Effective area of a valve by its current, uncalibrated, DP
 algorithm
   A := max(0, 1.80e-6*u - 2.61e-7);
   annotation (Documentation(info="<html>
-<p>A(u) = max(0, 1.80e-6 u - 2.61e-7) m2, u in A, DP (62).</p>
+<p>A(u) = max(0, 1.80e-6 u - 2.61e-7) m2, u in A, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a>
+(62).</p>
 </html>"));
 end openingArea;

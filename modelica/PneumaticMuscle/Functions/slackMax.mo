@@ -10,7 +10,8 @@ algorithm
   c := min(max(0.5*(a/width + 1), 0), 1);
   y := width*c^2 + max(a - width, 0);
   annotation (Documentation(info="<html>
-<p>A parabola between a = -width and a = width, which meets 0 and a with their slopes. As <code>smoothMax</code>, of which
-width^2/(4 |a|) is left far below the corner: a slack muscle under no load has nothing to hold it against such a rest.</p>
+<p>A parabola between a = -width and a = width, which meets 0 and a with their slopes. As <code>smoothMax</code>, of
+which width^2/(4 |a|) is left far below the corner: a slack muscle under no load has nothing to hold it against such a
+rest.</p>
 </html>"));
 end slackMax;

@@ -26,11 +26,12 @@ algorithm
   f := F_sleeve - slackMax(F_sleeve - F_wall, F_smooth);
   annotation (Documentation(info="<html>
 <p>f = min(p_gauge A(L), A(L0) (p_0 + p_w (1 - exp(-eps/eps_w)))), A(L) = (3 L^2 - b^2)/(4 pi n^2), L = L0 - x: no more
-than the cylinder pulls, DP (1), so that the muscle never pushes. A muscle longer than at rest has the wall's stiffness at
-rest.</p>
-<p>The exponential is what formulas that are fitted to fluidic muscles have in common: a force without pressure that comes
-within a few percent of contraction and then stays, (a_2 exp(a_3 eps) + a_6) of Sarosi 2012, c_0 (exp(-c_1 e) - 1) of
-Bolen and others 2026. Neither names a cause; that it is the thick wall, which must be bent open, is a reading. p_0 is the
-threshold of pressure.</p>
+than the cylinder pulls, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (1), so that the muscle
+never pushes. A muscle longer than at rest has the wall's stiffness at rest.</p>
+<p>The exponential is what formulas that are fitted to fluidic muscles have in common: a force without pressure that
+comes within a few percent of contraction and then stays, (a_2 exp(a_3 eps) + a_6) of
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Sarosi 2012</a>, c_0 (exp(-c_1 e) - 1) of
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Bolen and others 2026</a>. Neither names a cause; that it
+is the thick wall, which must be bent open, is a reading. p_0 is the threshold of pressure.</p>
 </html>"));
 end wallForce;

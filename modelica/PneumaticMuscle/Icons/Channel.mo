@@ -2,7 +2,8 @@ within PneumaticMuscle.Icons;
 partial class Channel "A measuring channel"
   extends Named;
   annotation (Icon(coordinateSystem(preserveAspectRatio=true, extent={{-100,-100},{100,100}}), graphics={
-    Rectangle(extent={{-60,-40}, {60,40}}, lineColor={110,60,140}, fillColor={245,245,245}, fillPattern=FillPattern.Solid,
+    Rectangle(extent={{-60,-40}, {60,40}}, lineColor={110,60,140}, fillColor={245,245,245},
+    fillPattern=FillPattern.Solid,
       lineThickness=1),
     Line(points={{-100,0}, {-60,0}}, color={110,60,140}, thickness=0.5),
     Line(points={{60,0}, {95,0}}, color={110,60,140}, thickness=0.5, arrow={Arrow.None, Arrow.Filled}, arrowSize=12),

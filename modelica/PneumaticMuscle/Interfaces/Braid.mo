@@ -16,7 +16,8 @@ equation
   port.H_flow = 0;
   annotation (Documentation(info="<html>
 <p>The fibre length closes the geometry at rest, b = sqrt(L0^2 + (n pi D0)^2). The fibre length L_y = 0.25 m of
-DP Table 1 does not close with L0, D0 and n of the same table (they give 0.271 m) and is not used.</p>
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> Table 1 does not close with L0, D0 and n of the same
+table (they give 0.271 m) and is not used.</p>
 <p>Left to the extending class: D, V and F.</p>
 </html>"));
 end Braid;

@@ -1,8 +1,13 @@
 within PneumaticMuscle.Interfaces;
 partial model ForceChannel "From what a transducer of force gives to what is recorded"
   extends Icons.Channel;
-  input Types.Force u "What the transducer gives";
-  Types.Force y "What is recorded";
+  Interfaces.Signals.ForceInput u "What the transducer gives"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
+  Interfaces.Signals.ForceOutput y "What is recorded"
+    annotation (Placement(transformation(extent={{90,-10},{110,10}})));
+  parameter Types.Dynamics dynamics = Types.Dynamics.FixedInitial
+    "How it begins: fixed, at rest, or as nothing else says"
+    annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   annotation (Documentation(info="<html>
 <p>The measuring channel behind a transducer: amplifier, filter, converter. Left to the extending class: the equation of
 y.</p>

@@ -22,8 +22,8 @@ equation
   annotation (Documentation(info="<html>
 <p>The equation that defines f is the only one left to the extending class. The gas port is a pressure tap.</p>
 <p>In motion v_slip is the speed v. On a branch of quasi-static points the speed vanishes while its sign does not, and
-friction that depends on the sign alone has the limit F_c sgn(v) for v to 0: there v_slip is a large speed of that sign, by
-which a rounded sign, tanh(v_slip/v_s) or Dahl's equation, has its full size. What depends on the size of the speed takes v,
-which is zero there.</p>
+friction that depends on the sign alone has the limit F_c sgn(v) for v to 0: there v_slip is a large speed of that sign,
+by which a rounded sign, tanh(v_slip/v_s) or Dahl's equation, has its full size. What depends on the size of the speed
+takes v, which is zero there.</p>
 </html>"));
 end ForceElement;

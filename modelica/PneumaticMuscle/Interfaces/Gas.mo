@@ -15,14 +15,22 @@ partial model Gas "The gas in a volume: how pressure and temperature follow from
     annotation (Dialog(group="Start"));
   parameter Types.CoefficientOfHeatTransfer h_film "Film coefficient that the owner assumes"
     annotation (Dialog(group="Heat"));
-  Types.AbsolutePressure p(start=p_start, fixed=true) "Absolute pressure";
+  parameter Types.Dynamics dynamics = Types.Dynamics.FixedInitial
+    "How it begins: fixed, at rest, or as nothing else says"
+    annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
+  Types.AbsolutePressure p(start=p_start, fixed=dynamics == Types.Dynamics.FixedInitial) "Absolute pressure";
   Types.Temperature T "Temperature";
   Types.CoefficientOfHeatTransfer h_wall "Film coefficient at the wall";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(p) = 0;
+  end if;
 equation
   port.p = p;
   port.T = T;
   heatPort.T = T;
   annotation (Documentation(info="<html>
-<p>Left to the extending class: the equation of the pressure, of the temperature and of h_wall.</p>
+<p>Left to the extending class: the equation of the pressure, of the temperature and of h_wall; and, where it stores
+more than the pressure tells, how that begins, by <code>dynamics</code>.</p>
 </html>"));
 end Gas;

@@ -7,6 +7,7 @@ partial model LoadedRig "What stands around a rig whose muscle must know the loa
   inner Components.Excitation excitation(F_load=F_start, frequency=frequency) "Load and frequency of the run"
     annotation (Placement(transformation(extent={{-50,70},{-10,110}})));
   annotation (experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
-<p>F and f of DY (10)-(11). The static load is what the mechanics pull with at the start.</p>
+<p>F and f of <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DY</a> (10)-(11). The static load is what the
+mechanics pull with at the start.</p>
 </html>"));
 end LoadedRig;

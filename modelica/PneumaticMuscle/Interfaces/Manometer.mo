@@ -3,7 +3,8 @@ partial model Manometer "What the instrument makes of the gas pressure"
   extends Icons.Manometer;
   GasPort port "Pressure tap"
     annotation (Placement(transformation(extent={{-10,-110},{10,-90}})));
-  Types.GaugePressure p "Reading";
+  Interfaces.Signals.GaugePressureOutput p "Reading"
+    annotation (Placement(transformation(extent={{90,-10},{110,10}})));
   outer Components.Ambient ambient "Surroundings";
 equation
   port.m_flow = 0;

@@ -5,8 +5,12 @@ partial model Mechanics "What holds the load ends of one or several muscles"
     annotation (Dialog(group="Start"));
   parameter Types.Length x_start "Contraction at which the muscle carries that force without pressure"
     annotation (Dialog(group="Start"));
+  parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
+    annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
+  outer Components.Ambient ambient "Surroundings";
   annotation (Documentation(info="<html>
-<p>Each <code>Interfaces.Flange</code> of an extending class is the load end of one muscle. Left to the extending class:
-the flanges, the equations of motion, and the value of F_start; x_start is the muscle's.</p>
+<p>Each <a href=\"modelica://PneumaticMuscle.Interfaces.Flange\">Interfaces.Flange</a> of an extending class is the load
+end of one muscle. Left to the extending class: the flanges, the equations of motion, and the value of F_start; x_start
+is the muscle's.</p>
 </html>"));
 end Mechanics;

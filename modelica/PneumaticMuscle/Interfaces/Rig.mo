@@ -7,8 +7,11 @@ partial model Rig "What stands around the parts of a rig: the surroundings and t
     annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
   Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{-110,70},{-70,110}})));
-  annotation (experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
-<p>A bench that is put together from <code>Pneumatics</code>, <code>Muscles</code>, <code>Mechanics</code> and
-<code>Instruments</code> extends it.</p>
+  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-180},{160,120}})),
+    experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
+<p>A bench that is put together from <a href=\"modelica://PneumaticMuscle.Pneumatics\">Pneumatics</a>,
+<a href=\"modelica://PneumaticMuscle.Muscles\">Muscles</a>,
+<a href=\"modelica://PneumaticMuscle.Mechanics\">Mechanics</a> and
+<a href=\"modelica://PneumaticMuscle.Instruments\">Instruments</a> extends it.</p>
 </html>"));
 end Rig;

@@ -5,7 +5,11 @@ partial model Thermometer "What the instrument makes of the gas temperature"
     annotation (Placement(transformation(extent={{-10,-110},{10,-90}})));
   input Types.MassFlowRate m_flow = 0 "Gas that flows past it";
   parameter Types.Temperature T_start "Reading at the start" annotation (Dialog(group="Start"));
-  Types.Temperature T "Reading";
+  parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
+    annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
+  outer Components.Ambient ambient "Surroundings";
+  Interfaces.Signals.TemperatureOutput T "Reading"
+    annotation (Placement(transformation(extent={{90,-10},{110,10}})));
 equation
   port.m_flow = 0;
   port.H_flow = 0;

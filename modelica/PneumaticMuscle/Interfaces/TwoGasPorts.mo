@@ -15,7 +15,8 @@ equation
   port_a.H_flow = m_flow*Constants.cp*T_up;
   port_b.H_flow = -m_flow*Constants.cp*T_up;
   annotation (Documentation(info="<html>
-<p>No storage: what flows in flows out, with the enthalpy c_p T of the side it comes from, DP (51). Left to the
-extending class: the equation of m_flow.</p>
+<p>No storage: what flows in flows out, with the enthalpy c_p T of the side it comes from,
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (51). Left to the extending class: the equation of
+m_flow.</p>
 </html>"));
 end TwoGasPorts;

@@ -12,12 +12,16 @@ model AntagonisticPair "A pulley that two muscles pull against each other"
   parameter Real d(unit="N.m.s/rad", min=0, max=100) = 0.02 "Bearing friction" annotation (Dialog(group="Mechanics"));
   parameter Types.Length x_0(min=0, max=1) = 0.03 "Contraction of both muscles in the middle position"
     annotation (Dialog(group="Geometry"));
-  Components.Pulley wheel(r=r, J=J, d=d, x_0=x_0) "Wheel";
+  Components.Pulley wheel(r=r, J=J, d=d, x_0=x_0) "Wheel"
+    annotation (Placement(transformation(extent={{-40,-40},{40,40}})));
 equation
-  connect(flange_1, wheel.flange_1);
-  connect(flange_2, wheel.flange_2);
+  connect(flange_1, wheel.flange_1)
+    annotation (Line(points={{-60,100}, {-60,45}, {-24,45}, {-24,40}}, color={0,110,60}));
+  connect(flange_2, wheel.flange_2)
+    annotation (Line(points={{60,100}, {60,45}, {24,45}, {24,40}}, color={0,110,60}));
   annotation (defaultComponentName="pulley", Documentation(info="<html>
-<p>J phi_ddot = r (F_1 - F_2) - d phi_dot, <code>Components.Pulley</code>. The contractions are x_0 + r phi and x_0 - r phi, so
-that one of them says the angle.</p>
+<p>J phi_ddot = r (F_1 - F_2) - d phi_dot,
+<a href=\"modelica://PneumaticMuscle.Components.Pulley\">Components.Pulley</a>. The contractions are x_0 + r phi and x_0
+- r phi, so that one of them says the angle.</p>
 </html>"));
 end AntagonisticPair;

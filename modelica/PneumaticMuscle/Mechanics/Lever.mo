@@ -4,13 +4,21 @@ model Lever "A mass on a lever that the muscle lifts"
   extends Icons.Load;
   Interfaces.Flange flange "Load end of the muscle"
     annotation (Placement(transformation(extent={{-10,90},{10,110}})));
-  parameter Types.Length r(min=1e-3, max=10) = 0.15 "From the pivot to the muscle" annotation (Dialog(group="Geometry"));
+  parameter Types.Length r(min=1e-3, max=10) = 0.15 "From the pivot to the muscle"
+    annotation (Dialog(group="Geometry"));
   parameter Types.Length l(min=1e-3, max=10) = 0.3 "From the pivot to the mass" annotation (Dialog(group="Geometry"));
   parameter Types.Mass m(min=0.001, max=1000) = 1.5 "Mass" annotation (Dialog(group="Load"));
-  parameter Real J(unit="kg.m2", min=0, max=100) = 1e-3 "Moment of inertia of the lever" annotation (Dialog(group="Load"));
+  parameter Real J(unit="kg.m2", min=0, max=100) = 1e-3 "Moment of inertia of the lever"
+    annotation (Dialog(group="Load"));
   parameter Real d(unit="N.m.s/rad", min=0, max=100) = 0.1 "Bearing friction" annotation (Dialog(group="Mechanics"));
-  Real phi(unit="rad", displayUnit="deg", start=asin(x_start/r), fixed=true) "Angle, zero where the lever is level";
-  Real w(unit="rad/s", start=0, fixed=true) "Angular velocity";
+  Real phi(unit="rad", displayUnit="deg", start=asin(x_start/r), fixed=dynamics == Types.Dynamics.FixedInitial)
+    "Angle, zero where the lever is level";
+  Real w(unit="rad/s", start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Angular velocity";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(phi) = 0;
+    der(w) = 0;
+  end if;
 equation
   assert(phi > -1.5 and phi < 1.5, "the lever is upright: the muscle contracts by more than its arm r");
   flange.s = r*sin(phi);

@@ -12,36 +12,44 @@ protected
     + (if sleeve.turns > 0 then 1 else 0) + (if sleeve.b > 0 then 1 else 0) + (if sleeve.alpha_0 > 0 then 1 else 0)
     "Number of measures that are stated";
   final parameter Types.Length L_s = max(sleeve.L0 - sleeve.fittings, 0) "What of the stated length contracts";
-  final parameter Types.Length around = sleeve.turns*Constants.pi*sleeve.D0 "Way of a fibre about the muscle, if stated";
+  final parameter Types.Length around = sleeve.turns*Constants.pi*sleeve.D0
+    "Way of a fibre about the muscle, if stated";
   final parameter Real alpha(unit="rad") = max(1e-3, if sleeve.alpha_0 > 0 then sleeve.alpha_0
     else if sleeve.b > 0 and L_s > 0 then acos(min(1, L_s/max(sleeve.b, least)))
     else if sleeve.b > 0 then asin(min(1, around/max(sleeve.b, least)))
     else atan(around/max(L_s, least))) "Angle between fibres and axis";
-  final parameter Types.Length L = if L_s > 0 then L_s else if sleeve.b > 0 then sleeve.b*cos(alpha) else around/tan(alpha)
+  final parameter Types.Length L = if L_s > 0 then L_s else if sleeve.b > 0 then sleeve.b*cos(alpha)
+    else around/tan(alpha)
     "Length that contracts";
-  final parameter Types.Length D = if sleeve.D0 > 0 then sleeve.D0 else L*tan(alpha)/(Constants.pi*max(sleeve.turns, least))
+  final parameter Types.Length D = if sleeve.D0 > 0 then sleeve.D0
+    else L*tan(alpha)/(Constants.pi*max(sleeve.turns, least))
     "Diameter of the fibres";
-  final parameter Real n(unit="1") = if sleeve.turns > 0 then sleeve.turns else L*tan(alpha)/(Constants.pi*max(sleeve.D0, least))
+  final parameter Real n(unit="1") = if sleeve.turns > 0 then sleeve.turns
+    else L*tan(alpha)/(Constants.pi*max(sleeve.D0, least))
     "Turns of a fibre";
 equation
   assert(stated > 2.5 and (sleeve.D0 > 0 or sleeve.turns > 0),
-    "the sleeve is not determined: state three of L0, D0, turns, b and alpha_0, with D0 or turns among them; stated are L0 = "
+    "the sleeve is not determined: state three of L0, D0, turns, b and alpha_0, with D0 or turns among them; "
+    + "stated are L0 = "
     + String(sleeve.L0) + " m, D0 = " + String(sleeve.D0) + " m, turns = " + String(sleeve.turns) + ", b = "
     + String(sleeve.b) + " m, alpha_0 = " + String(sleeve.alpha_0) + " rad (0: not stated)");
   assert(sleeve.fittings < sleeve.L0 or sleeve.L0 <= 0 and sleeve.fittings <= 0,
     "fittings are a part of L0: state L0, and fittings shorter than that");
   assert(abs(n*Constants.pi*D - L*tan(alpha)) < tolerance*L*tan(alpha)
     and abs(L - (if sleeve.b > 0 then sleeve.b*cos(alpha) else L)) < tolerance*L,
-    "the measures of the sleeve contradict each other: L0 - fittings = b cos(alpha_0) and turns pi D0 = b sin(alpha_0), "
+    "the measures of the sleeve contradict each other: "
+    + "L0 - fittings = b cos(alpha_0) and turns pi D0 = b sin(alpha_0), "
     + "but stated are L0 = " + String(sleeve.L0) + " m, fittings = " + String(sleeve.fittings) + " m, D0 = "
     + String(sleeve.D0) + " m, turns = " + String(sleeve.turns) + ", b = " + String(sleeve.b) + " m, alpha_0 = "
     + String(sleeve.alpha_0) + " rad; set to 0 what shall follow from the others");
   annotation (defaultComponentName="muscle", Documentation(info="<html>
-<p>L0 - fittings = b cos(alpha_0), n pi D0 = b sin(alpha_0), the cylinder of DP (1): <code>sleeve</code> states any three
-of L0, D0, turns, b and alpha_0 with D0 or turns among them, and the others, which are zero, follow. More may be stated if
-they agree within 2 %; the angle is then taken from alpha_0 before b, and from b before turns. A run ends at its start
-with a message where they do not agree, or do not determine the sleeve.</p>
-<p>Fittings count in the length that a ruler measures and do not contract: the contraction ratio is that of the rest. In a
-muscle whose fittings are not known the effect <code>TonduEnds</code> finds them, fittings = L0 (1 - 1/k).</p>
+<p>L0 - fittings = b cos(alpha_0), n pi D0 = b sin(alpha_0), the cylinder of
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (1): <code>sleeve</code> states any three of L0, D0,
+turns, b and alpha_0 with D0 or turns among them, and the others, which are zero, follow. More may be stated if they
+agree within 2 %; the angle is then taken from alpha_0 before b, and from b before turns. A run ends at its start with a
+message where they do not agree, or do not determine the sleeve.</p>
+<p>Fittings count in the length that a ruler measures and do not contract: the contraction ratio is that of the rest. In
+a muscle whose fittings are not known the effect
+<a href=\"modelica://PneumaticMuscle.Effects.EndShape.TonduEnds\">TonduEnds</a> finds them, fittings = L0 (1 - 1/k).</p>
 </html>"));
 end AnyGeometry;

@@ -4,6 +4,7 @@ model Empirical300 "The muscle of 300 mm, Dzahir and Yamamoto"
 protected
   final parameter Data.EmpiricalMuscleData data = Data.EmpiricalMuscle300() "What the paper says of it";
   annotation (defaultComponentName="muscle", Documentation(info="<html>
-<p>DY section 2, <code>Data.EmpiricalMuscle300</code>.</p>
+<p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DY</a> section 2,
+<a href=\"modelica://PneumaticMuscle.Data.EmpiricalMuscle300\">Data.EmpiricalMuscle300</a>.</p>
 </html>"));
 end Empirical300;

@@ -4,6 +4,7 @@ model Empirical530 "The muscle of 530 mm, Dzahir and Yamamoto"
 protected
   final parameter Data.EmpiricalMuscleData data = Data.EmpiricalMuscle530() "What the paper says of it";
   annotation (defaultComponentName="muscle", Documentation(info="<html>
-<p>DY section 2, <code>Data.EmpiricalMuscle530</code>.</p>
+<p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DY</a> section 2,
+<a href=\"modelica://PneumaticMuscle.Data.EmpiricalMuscle530\">Data.EmpiricalMuscle530</a>.</p>
 </html>"));
 end Empirical530;

@@ -2,6 +2,7 @@ within PneumaticMuscle.Muscles;
 model Latex "Muscle with a latex balloon, Doumit and Pardoel"
   extends Physical(usual=false);
   annotation (defaultComponentName="muscle", Documentation(info="<html>
-<p>DP Table 1, <code>Data.Latex</code>.</p>
+<p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> Table 1,
+<a href=\"modelica://PneumaticMuscle.Data.Latex\">Data.Latex</a>.</p>
 </html>"));
 end Latex;

@@ -1,9 +1,12 @@
 within PneumaticMuscle.Pneumatics;
-model ProportionalDirectionalValve "A proportional valve whose opening to the supply or to the exhaust a voltage commands"
+model ProportionalDirectionalValve
+  "A proportional valve whose opening to the supply or to the exhaust a voltage commands"
   extends Interfaces.PneumaticsWithLine(shows="p");
   extends Icons.Valve;
-  input Types.Voltage u(start=6) "Command of the valve";
-  input Types.GaugePressure p_supply(start=600e3, min=-101e3) "Gauge pressure of the supply";
+  Interfaces.Signals.VoltageInput u(start=6) "Command of the valve"
+    annotation (Placement(transformation(extent={{-110,30},{-90,50}})));
+  Interfaces.Signals.GaugePressureInput p_supply(start=600e3, min=-101e3) "Gauge pressure of the supply"
+    annotation (Placement(transformation(extent={{-110,-50},{-90,-30}})));
   parameter Types.Voltage u_mid(min=-10, max=10) = 5 "Command of the closed valve" annotation (Dialog(group="Signal"));
   parameter Types.Voltage u_full(min=0.1, max=20) = 5 "Command beyond that which opens it fully"
     annotation (Dialog(group="Signal"));
@@ -14,30 +17,50 @@ model ProportionalDirectionalValve "A proportional valve whose opening to the su
     annotation (Dialog(group="Flow"));
   replaceable model Feed = Laws.Lines.DirectFeed constrainedby Interfaces.Feed "What lies before the valve"
     annotation (choicesAllMatching=true);
-  Real y(unit="1", start=0, fixed=true) "Place of the spool, 1: open to the supply, -1: to the exhaust";
-  Components.Supply supply(p_gauge=p_supply) "Air supply";
-  Components.Atmosphere atmosphere "Outlet";
-  Feed feed "What lies before the valve";
-  Components.Orifice inlet(A=A_open*(y - overlap + sqrt((y - overlap)^2 + closed^2))/(2*(1 - overlap))) "From the supply";
-  Components.Orifice outlet(A=A_open*(sqrt((y + overlap)^2 + closed^2) - y - overlap)/(2*(1 - overlap))) "To the exhaust";
+  Real y(unit="1", start=0, fixed=dynamics == Types.Dynamics.FixedInitial)
+    "Place of the spool, 1: open to the supply, -1: to the exhaust";
+  Components.Supply supply "Air supply"
+    annotation (Placement(transformation(extent={{-90,45},{-60,75}})));
+  Components.Atmosphere atmosphere "Outlet"
+    annotation (Placement(transformation(extent={{-90,-75},{-60,-45}})));
+  Feed feed "What lies before the valve"
+    annotation (Placement(transformation(extent={{-50,45},{-20,75}})));
+  Components.Orifice inlet(A=A_open*(y - overlap + sqrt((y - overlap)^2 + closed^2))/(2*(1 - overlap)))
+    "From the supply"
+    annotation (Placement(transformation(extent={{-10,45},{20,75}})));
+  Components.Orifice outlet(A=A_open*(sqrt((y + overlap)^2 + closed^2) - y - overlap)/(2*(1 - overlap)))
+    "To the exhaust"
+    annotation (Placement(transformation(extent={{5,-75},{-25,-45}})));
 protected
   constant Real closed(unit="1") = 1e-3 "Part of the stroke on which corners are rounded";
   Real told(unit="1") "Place that the command asks for";
   Real wanted(unit="1") "The same within the stroke";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(y) = 0;
+  end if;
 equation
   told = (u - u_mid)/u_full;
   wanted = (sqrt((told + 1)^2 + closed^2) - sqrt((told - 1)^2 + closed^2))/2;
   tau*der(y) = wanted - y;
-  connect(supply.port, feed.port_a);
-  connect(feed.port_b, inlet.port_a);
-  connect(inlet.port_b, line.port_a);
-  connect(line.port_a, outlet.port_a);
-  connect(outlet.port_b, atmosphere.port);
+  connect(supply.port, feed.port_a)
+    annotation (Line(points={{-60,60}, {-50,60}}, color={0,90,160}));
+  connect(feed.port_b, inlet.port_a)
+    annotation (Line(points={{-20,60}, {-10,60}}, color={0,90,160}));
+  connect(inlet.port_b, line.port_a)
+    annotation (Line(points={{20,60}, {25,60}, {25,0}, {30,0}}, color={0,90,160}));
+  connect(line.port_a, outlet.port_a)
+    annotation (Line(points={{30,0}, {10,0}, {10,-60}, {5,-60}}, color={0,90,160}));
+  connect(outlet.port_b, atmosphere.port)
+    annotation (Line(points={{-25,-60}, {-60,-60}}, color={0,90,160}));
+  connect(p_supply, supply.p_gauge)
+    annotation (Line(points={{-100,-40}, {-95,-40}, {-95,60}, {-90,60}}, color={0,0,127}));
   annotation (defaultComponentName="valve", Documentation(info="<html>
-<p>A spool valve with its own position control (the function of an electro-pneumatic continuous flow control valve, ISO
-10041-1): y = (u - u_mid)/u_full within the stroke, behind a lag tau, and effective areas in proportion to what y is beyond the
-overlap, with the flow of DP (40)-(42). An overlap below zero, a valve that bleeds in the middle, is left out. All
-sizes are for illustration: take them from the data sheet, or fit them. A closed valve bleeds what a thousandth of its stroke
-opens.</p>
+<p>A spool valve with its own position control (the function of an electro-pneumatic continuous flow control valve,
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">ISO 10041</a>-1): y = (u - u_mid)/u_full within the stroke,
+behind a lag tau, and effective areas in proportion to what y is beyond the overlap, with the flow of
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (40)-(42). An overlap below zero, a valve that
+bleeds in the middle, is left out. All sizes are for illustration: take them from the data sheet, or fit them. A closed
+valve bleeds what a thousandth of its stroke opens.</p>
 </html>"));
 end ProportionalDirectionalValve;

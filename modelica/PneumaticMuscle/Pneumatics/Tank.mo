@@ -2,9 +2,12 @@ within PneumaticMuscle.Pneumatics;
 model Tank "Valves driven by currents, from a tank that droops and is refilled through a throttle"
   extends Interfaces.PneumaticsWithLine(shows="p, T");
   extends Icons.Valve;
-  input Types.Current u_in(start=0.35) "Current of the inlet valve";
-  input Types.Current u_out(start=0) "Current of the exhaust valve";
-  input Types.GaugePressure p_supply(start=207e3, min=-101e3) "Gauge pressure of what refills the tank";
+  Interfaces.Signals.CurrentInput u_in(start=0.35) "Current of the inlet valve"
+    annotation (Placement(transformation(extent={{-110,50},{-90,70}})));
+  Interfaces.Signals.CurrentInput u_out(start=0) "Current of the exhaust valve"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
+  Interfaces.Signals.GaugePressureInput p_supply(start=207e3, min=-101e3) "Gauge pressure of what refills the tank"
+    annotation (Placement(transformation(extent={{-110,-70},{-90,-50}})));
   parameter Real C_A(unit="1", min=0.1, max=3) = 0.699 "Calibration of the effective area, both valves"
     annotation (Dialog(group="Flow"));
   parameter Types.Volume V(min=1e-5, max=10) = 0.5e-3 "Volume of the tank" annotation (Dialog(group="Geometry"));
@@ -12,20 +15,38 @@ model Tank "Valves driven by currents, from a tank that droops and is refilled t
     annotation (Dialog(group="Start"));
   parameter Types.Length d(min=1e-6, max=0.1) = 0.3e-3 "Diameter of the throttle before the tank"
     annotation (Dialog(group="Geometry"));
-  Components.Supply supply(p_gauge=p_supply) "What refills the tank";
-  Components.PlainOrifice throttle(d=d) "Throttle before the tank";
-  Components.Tank tank(V=V, p_start=p_start, startIsReference=true) "Tank";
-  Components.Atmosphere atmosphere "Outlet";
-  Components.ValvePair pair(u_in=u_in, u_out=u_out, C_A=C_A) "Inlet and exhaust valve";
+  Components.Supply supply "What refills the tank"
+    annotation (Placement(transformation(extent={{-90,45},{-60,75}})));
+  Components.PlainOrifice throttle(d=d) "Throttle before the tank"
+    annotation (Placement(transformation(extent={{-45,45},{-15,75}})));
+  Components.Tank tank(V=V, p_start=p_start, startIsReference=true) "Tank"
+    annotation (Placement(transformation(extent={{10,45},{40,75}})));
+  Components.Atmosphere atmosphere "Outlet"
+    annotation (Placement(transformation(extent={{-90,-65},{-60,-35}})));
+  Components.ValvePair pair(C_A=C_A) "Inlet and exhaust valve"
+    annotation (Placement(transformation(extent={{-40,-20},{0,20}})));
 equation
-  connect(supply.port, throttle.port_a);
-  connect(throttle.port_b, tank.port);
-  connect(tank.port, pair.supply);
-  connect(pair.exhaust, atmosphere.port);
-  connect(pair.port, line.port_a);
+  connect(supply.port, throttle.port_a)
+    annotation (Line(points={{-60,60}, {-45,60}}, color={0,90,160}));
+  connect(throttle.port_b, tank.port)
+    annotation (Line(points={{-15,60}, {10,60}}, color={0,90,160}));
+  connect(tank.port, pair.supply)
+    annotation (Line(points={{10,60}, {-10,60}, {-10,25}, {-45,25}, {-45,12}, {-40,12}}, color={0,90,160}));
+  connect(pair.exhaust, atmosphere.port)
+    annotation (Line(points={{-40,-12}, {-55,-12}, {-55,-50}, {-60,-50}}, color={0,90,160}));
+  connect(pair.port, line.port_a)
+    annotation (Line(points={{0,0}, {30,0}}, color={0,90,160}));
+  connect(p_supply, supply.p_gauge)
+    annotation (Line(points={{-100,-60}, {-95,-60}, {-95,29}, {-91,29}, {-91,60}, {-90,60}}, color={0,0,127}));
+  connect(u_in, pair.u_in)
+    annotation (Line(points={{-100,60}, {-95,60}, {-95,33}, {-28,33}, {-28,20}}, color={0,0,127}));
+  connect(u_out, pair.u_out)
+    annotation (Line(points={{-100,0}, {-49,0}, {-49,29}, {-12,29}, {-12,20}}, color={0,0,127}));
   annotation (defaultComponentName="valve", Documentation(info="<html>
-<p>DP (40)-(42), (62) and, for the tank, (63)-(66): its pressure falls with what the muscle takes, V p_dot = n R T
-(m_in - m_out). A throttle of the least diameter is a tank that nothing refills. Where the pressure before the valves was
-recorded, <code>Valves</code> needs no model of the tank. Size and throttle are for illustration.</p>
+<p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (40)-(42), (62) and, for the tank, (63)-(66): its
+pressure falls with what the muscle takes, V p_dot = n R T (m_in - m_out). A throttle of the least diameter is a tank
+that nothing refills. Where the pressure before the valves was recorded,
+<a href=\"modelica://PneumaticMuscle.Pneumatics.Valves\">Valves</a> needs no model of the tank. Size and throttle are
+for illustration.</p>
 </html>"));
 end Tank;

@@ -2,19 +2,36 @@ within PneumaticMuscle.Pneumatics;
 model Valves "An inlet and an exhaust valve driven by currents, from a supply whose pressure is known"
   extends Interfaces.PneumaticsWithLine(shows="p, T");
   extends Icons.Valve;
-  input Types.Current u_in(start=0.35) "Current of the inlet valve";
-  input Types.Current u_out(start=0) "Current of the exhaust valve";
-  input Types.GaugePressure p_supply(start=207e3, min=-101e3) "Gauge pressure of the supply";
+  Interfaces.Signals.CurrentInput u_in(start=0.35) "Current of the inlet valve"
+    annotation (Placement(transformation(extent={{-110,50},{-90,70}})));
+  Interfaces.Signals.CurrentInput u_out(start=0) "Current of the exhaust valve"
+    annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
+  Interfaces.Signals.GaugePressureInput p_supply(start=207e3, min=-101e3) "Gauge pressure of the supply"
+    annotation (Placement(transformation(extent={{-110,-70},{-90,-50}})));
   parameter Real C_A(unit="1", min=0.1, max=3) = 0.699 "Calibration of the effective area, both valves"
     annotation (Dialog(group="Flow"));
-  Components.Supply supply(p_gauge=p_supply) "Air supply";
-  Components.Atmosphere atmosphere "Outlet";
-  Components.ValvePair pair(u_in=u_in, u_out=u_out, C_A=C_A) "Inlet and exhaust valve";
+  Components.Supply supply "Air supply"
+    annotation (Placement(transformation(extent={{-90,35},{-60,65}})));
+  Components.Atmosphere atmosphere "Outlet"
+    annotation (Placement(transformation(extent={{-90,-65},{-60,-35}})));
+  Components.ValvePair pair(C_A=C_A) "Inlet and exhaust valve"
+    annotation (Placement(transformation(extent={{-40,-20},{0,20}})));
 equation
-  connect(supply.port, pair.supply);
-  connect(pair.exhaust, atmosphere.port);
-  connect(pair.port, line.port_a);
+  connect(supply.port, pair.supply)
+    annotation (Line(points={{-60,50}, {-45,50}, {-45,12}, {-40,12}}, color={0,90,160}));
+  connect(pair.exhaust, atmosphere.port)
+    annotation (Line(points={{-40,-12}, {-55,-12}, {-55,-50}, {-60,-50}}, color={0,90,160}));
+  connect(pair.port, line.port_a)
+    annotation (Line(points={{0,0}, {30,0}}, color={0,90,160}));
+  connect(p_supply, supply.p_gauge)
+    annotation (Line(points={{-100,-60}, {-95,-60}, {-95,25}, {-91,25}, {-91,50}, {-90,50}}, color={0,0,127}));
+  connect(u_in, pair.u_in)
+    annotation (Line(points={{-100,60}, {-95,60}, {-95,29}, {-28,29}, {-28,20}}, color={0,0,127}));
+  connect(u_out, pair.u_out)
+    annotation (Line(points={{-100,0}, {-49,0}, {-49,25}, {-12,25}, {-12,20}}, color={0,0,127}));
   annotation (defaultComponentName="valve", Documentation(info="<html>
-<p>DP (40)-(42) and (62), <code>Components.ValvePair</code>. The supply is as measured before the valves.</p>
+<p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (40)-(42) and (62),
+<a href=\"modelica://PneumaticMuscle.Components.ValvePair\">Components.ValvePair</a>. The supply is as measured before
+the valves.</p>
 </html>"));
 end Valves;

@@ -2,6 +2,7 @@ within PneumaticMuscle;
 package Pneumatics "What feeds a muscle in a rig"
   extends Icons.Package;
   annotation (Documentation(info="<html>
-<p>Each extends <code>Interfaces.Pneumatics</code>; <code>pam-cosim bench</code> joins one with <code>Mechanics</code>.</p>
+<p>Each extends <a href=\"modelica://PneumaticMuscle.Interfaces.Pneumatics\">Interfaces.Pneumatics</a>; <code>pam-cosim
+bench</code> joins one with <a href=\"modelica://PneumaticMuscle.Mechanics\">Mechanics</a>.</p>
 </html>"));
 end Pneumatics;

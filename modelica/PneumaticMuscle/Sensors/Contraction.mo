@@ -3,7 +3,8 @@ model Contraction "A displacement transducer at the load end"
   extends Icons.Ruler;
   Interfaces.Flange flange "Load end"
     annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
-  Types.Length x "Reading";
+  Interfaces.Signals.LengthOutput x "Reading"
+    annotation (Placement(transformation(extent={{90,-10},{110,10}})));
 equation
   x = flange.s;
   flange.f = 0;

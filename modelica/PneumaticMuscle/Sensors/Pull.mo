@@ -5,7 +5,8 @@ model Pull "A load cell between two flanges"
     annotation (Placement(transformation(extent={{-10,90},{10,110}})));
   Interfaces.Flange flange_b "Side of what it pulls on"
     annotation (Placement(transformation(extent={{-10,-110},{10,-90}})));
-  Types.Force F "Reading, positive in pull";
+  Interfaces.Signals.ForceOutput F "Reading, positive in pull"
+    annotation (Placement(transformation(extent={{90,-10},{110,10}})));
 equation
   flange_a.s = flange_b.s;
   flange_a.f + flange_b.f = 0;

@@ -1,13 +1,16 @@
 within PneumaticMuscle.Unknowns;
 partial model BalancedGasTerm "Gas that keeps books of mass and energy, and a further heat flow into it"
-  extends Interfaces.Gas(T(start=T_start, fixed=true));
+  extends Interfaces.Gas(T(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial));
   extends Icons.Unknown;
   Types.Power missing "Heat flow, positive into the gas";
   Types.Mass m(nominal=1e-3) "Mass of the gas";
   Types.GaugePressure p_gauge "Gauge pressure";
   Real T_excess(unit="K") "Temperature of the gas above that of the surroundings";
   Types.MassFlowRate m_rate "Rate of the mass";
-  outer Components.Ambient ambient "Surroundings";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(m) = 0;
+  end if;
 equation
   der(m) = port.m_flow;
   m_rate = port.m_flow;
@@ -17,8 +20,9 @@ equation
   p_gauge = p - ambient.p;
   T_excess = T - ambient.T;
   annotation (Documentation(info="<html>
-<p>Ideal gas with mass and energy balance, DP (43), (53), (54), (59), in the place of a law that fixes the temperature by
-the pressure. Left to the extending class: the equation of <code>missing</code>, the heat that must come through
-the wall beyond the film coefficient that the owner assumes. It is not zero where the polytropic law was right.</p>
+<p>Ideal gas with mass and energy balance, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (43),
+(53), (54), (59), in the place of a law that fixes the temperature by the pressure. Left to the extending class: the
+equation of <code>missing</code>, the heat that must come through the wall beyond the film coefficient that the owner
+assumes. It is not zero where the polytropic law was right.</p>
 </html>"));
 end BalancedGasTerm;

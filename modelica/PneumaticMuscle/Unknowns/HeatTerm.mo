@@ -14,6 +14,8 @@ equation
   port.H_flow = -missing;
   annotation (Documentation(info="<html>
 <p>Energy without mass. Left to the extending class: the equation of <code>missing</code>. A law of the gas whose
-exponent stands for the heat, such as <code>Laws.Gases.PolytropicVesselGas</code>, does not feel it.</p>
+exponent stands for the heat, such as
+<a href=\"modelica://PneumaticMuscle.Laws.Gases.PolytropicVesselGas\">Laws.Gases.PolytropicVesselGas</a>, does not feel
+it.</p>
 </html>"));
 end HeatTerm;

@@ -13,6 +13,7 @@ equation
   annotation (Documentation(info="<html>
 <p>Left to the extending class: the equation of <code>missing</code>. The gas comes and goes with the temperature of
 the gas that is there. A law of the gas that asks for the enthalpy flow alone, such as
-<code>Laws.Gases.PolytropicMuscleGas</code>, cannot tell it from a heat flow of c_p T m_flow.</p>
+<a href=\"modelica://PneumaticMuscle.Laws.Gases.PolytropicMuscleGas\">Laws.Gases.PolytropicMuscleGas</a>, cannot tell it
+from a heat flow of c_p T m_flow.</p>
 </html>"));
 end MassFlowTerm;

@@ -2,20 +2,37 @@ within PneumaticMuscle.UsersGuide;
 class Overview "What is where"
   extends Icons.Information;
   annotation (Documentation(info="<html>
-<p>A <b>bench</b> (<code>Benches</code>) is a test rig: plain inputs are what is driven, plain outputs what instruments
-read. Pressures are absolute inside the components and gauge pressures in the signals of a bench.</p>
-<p>A bench of one's own is put together from parts by <code>pam-cosim bench</code>: one of <code>Pneumatics</code> that feeds the
-muscle, one of <code>Muscles</code>, one of <code>Mechanics</code> that it pulls, and <code>Instruments</code>.</p>
-<p>A bench is put together from <b>components</b>. Gas flows through <code>Interfaces.GasPort</code>: volumes and sources
-set pressure and temperature, resistances set mass and enthalpy flow; the two alternate. Muscles end in
-<code>Interfaces.Flange</code> as the Modelica Standard Library has it, positive in contraction.</p>
+<p>A <b>bench</b> (<a href=\"modelica://PneumaticMuscle.Benches\">Benches</a>) is a test rig: its inputs are what is
+driven, its outputs what instruments read. Both are connectors of
+<a href=\"modelica://PneumaticMuscle.Interfaces.Signals\">Interfaces.Signals</a>, to which blocks connect. Pressures are
+absolute inside the components and gauge pressures in the signals of a bench.</p>
+<p>A bench of one's own is put together from parts by <code>pam-cosim bench</code>: one of
+<a href=\"modelica://PneumaticMuscle.Pneumatics\">Pneumatics</a> that feeds the muscle, one of
+<a href=\"modelica://PneumaticMuscle.Muscles\">Muscles</a>, one of
+<a href=\"modelica://PneumaticMuscle.Mechanics\">Mechanics</a> that it pulls, and
+<a href=\"modelica://PneumaticMuscle.Instruments\">Instruments</a>.</p>
+<p>A bench is put together from <b>components</b>. Gas flows through
+<a href=\"modelica://PneumaticMuscle.Interfaces.GasPort\">Interfaces.GasPort</a>: volumes and sources set pressure and
+temperature, resistances set mass and enthalpy flow; the two alternate. Muscles end in
+<a href=\"modelica://PneumaticMuscle.Interfaces.Flange\">Interfaces.Flange</a> as the Modelica Standard Library has it,
+positive in contraction.</p>
 <p>Where the papers differ, a component has a replaceable law with a constraining class: the <code>Gas</code>, the
-<code>Wall</code> and the <code>Braid</code> of a muscle, the <code>Drive</code> and the <code>Area</code> of the valves, the
-instruments of a bench with the measuring channels behind them and the clock of the record. <code>Laws</code> holds those that the papers review, <code>Effects</code> those that a
-diagnosis tries on a measurement.</p>
+<code>Wall</code> and the <code>Braid</code> of a muscle, the <code>Drive</code> and the <code>Area</code> of the
+valves, the instruments of a bench with the measuring channels behind them and the clock of the record.
+<a href=\"modelica://PneumaticMuscle.Laws\">Laws</a> holds those that the papers review,
+<a href=\"modelica://PneumaticMuscle.Effects\">Effects</a> those that a diagnosis tries on a measurement.</p>
+<p>How what is stored begins is said by the parameter <code>dynamics</code>, of every class with states and, for all
+of a bench at once, of its <code>ambient</code>, in the words of Modelica.Fluid: <code>FixedInitial</code>, with the
+start values (usual: no pressure, shut valves, a load on its stop; what follows something begins where that is);
+<code>SteadyStateInitial</code>, at rest under the first inputs, sought from the start values, the valves as their
+currents have them; <code>DynamicFreeInitial</code>, as nothing else says, from the start values. So
+<code>Benches.Isotonic(ambient(dynamics=Types.Dynamics.SteadyStateInitial))</code> begins under the pressure that its
+open valves hold. Dry friction rests anywhere: it begins at its start values unless they are free.</p>
 <p>No model has events. Corners, signs and stops are rounded over less than an instrument resolves; where, is said
 in the class. All expressions have finite derivatives throughout the range of operation.</p>
-<p>Two laws of the base model contradict each other as printed: the energy balance DP (59) and the polytropic temperature
-DP (60). The base model keeps both, since that is the published model; <code>Effects.GasEnergy.EnergyGas</code> mends it.</p>
+<p>Two laws of the base model contradict each other as printed: the energy balance
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (59) and the polytropic temperature DP (60). The
+base model keeps both, since that is the published model;
+<a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.EnergyGas\">Effects.GasEnergy.EnergyGas</a> mends it.</p>
 </html>"));
 end Overview;

@@ -79,6 +79,9 @@ VariablesOption = Annotated[
     list[str] | None, typer.Option("--output", help="A variable to keep beside the model's outputs; can be repeated.")
 ]
 Data = Annotated[Path, typer.Argument(help="Folder of a data set, or what 'diagnose --save' wrote.")]
+DataOrFmu = Annotated[
+    Path, typer.Argument(help="Folder of a data set, what 'diagnose --save' wrote, or an .fmu of 'build --with-data'.")
+]
 
 
 def check_results(*outputs: Path | None, sources: Iterable[Path | str | None] = (), new_folder: bool = False) -> None:

@@ -8,12 +8,12 @@ from typing import Annotated
 
 import typer
 
-from pam_cosim import study
+from pam_cosim import reporting, study
 from pam_cosim.cli.arguments import parse_pairs
 from pam_cosim.cli.commands.common import (
     BeginOption,
     CutOption,
-    Data,
+    DataOrFmu,
     FilesOption,
     JsonOption,
     ModelOption,
@@ -26,15 +26,16 @@ from pam_cosim.cli.commands.common import (
     say_written,
 )
 from pam_cosim.comparison import write_tables
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_json
-from pam_cosim.reporting import comparison_report, plot_tables, write_report
+from pam_cosim.model.references import is_fmu
 from pam_cosim.study.fitted_model import read_fitted_model
 from pam_cosim.study.tables import against_lines, read_comparison
 
 
 def compare(
-    data: Data,
+    data: DataOrFmu,
     model: ModelOption = None,
     params: Annotated[
         Path | None, typer.Option(help="Fitted parameters: of 'fit -o', 'diagnose --json', or a saved product.")
@@ -61,9 +62,17 @@ def compare(
     check_results(json, report, table_csv, table_plot, sources=[model, params, *(against or []), *(files or [])])
     values: dict[str, float | str] = {**(_values_of(params, model) if params else {}), **parse_pairs(settings or [])}
     earlier = [(path.stem, read_comparison(path)) for path in against or []]
-    read = read_data(data, model, files, roles, cuts, begins)
+    carried = study.evidence(data) if is_fmu(str(data)) else None
+    if carried is not None:
+        if roles or cuts or begins:
+            raise InputError("recordings in an FMU are compared as they were judged", data)
+        model, values = (str(data), {**carried.values, **values}) if model is None else (model, values)
+        typer.echo(f"{carried}\n")
+    read = read_data(data, model, files, roles, cuts, begins) if carried is None else carried.data
     comparison = study.compare(read, model, values, files=files or [], timeout=timeout)
     typer.echo(str(comparison))
+    if carried is not None and model == str(data) and not settings and params is None:
+        typer.echo(_repeated(carried.deviation(comparison)))
     for line in against_lines(comparison, earlier):
         typer.echo(line)
     tables = [comparison.table(*table, signal) for signal in comparison.scores["all"]] if table else []
@@ -72,13 +81,20 @@ def compare(
     if json:
         write_json(json, comparison.as_dict() | ({"tables": [one.as_dict() for one in tables]} if tables else {}))
     if report:
-        write_report(report, comparison_report(comparison))
+        reporting.write_report(report, reporting.comparison_report(comparison))
     if table_csv:
         write_tables(table_csv, tables)
     if table_plot:
-        plot_tables(tables, table_plot)
+        reporting.plot_tables(tables, table_plot)
     for path in (json, report, table_csv, table_plot):
         say_written(path)
+
+
+def _repeated(deviation: float) -> str:
+    """Whether the errors are those that the FMU states."""
+    if deviation <= CRITERIA.run.repeated:
+        return "The judgement is repeated: these are the errors that the FMU states."
+    return f"The judgement is NOT repeated: an error differs by {100 * deviation:.2g} % from what the FMU states."
 
 
 def _values_of(params: Path, model: str | None) -> dict[str, float]:

@@ -8,12 +8,12 @@ from typing import Annotated, Any
 import typer
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
+from pam_cosim import reporting
 from pam_cosim.cli.arguments import parse_settings
 from pam_cosim.cli.commands.common import FilesOption, SetOption, TimeoutOption, check_results, console, say_written
 from pam_cosim.cosimulation import Controller, ControllerError, CoupledRun, CouplingFailure
 from pam_cosim.cosimulation.python_file import controller_from
 from pam_cosim.errors import InputError
-from pam_cosim.reporting import plot_trajectory
 from pam_cosim.study import coupling
 from pam_cosim.study.input_sources import read_inputs
 from pam_cosim.units import format_quantity
@@ -22,7 +22,7 @@ _ADAPTIVE = 1e-3  # relative error of a step, where nobody says another
 
 
 def couple(
-    system: Annotated[Path, typer.Argument(help="SYSTEM.toml as a person writes it, or SYSTEM.ssp of SSP 1.0.")],
+    system: Annotated[Path, typer.Argument(help="SYSTEM.toml as a person writes it, or SYSTEM.ssp of SSP 1.0 or 2.0.")],
     method: Annotated[str, typer.Option(help="jacobi or gauss-seidel.")] = "gauss-seidel",
     step: Annotated[str | None, typer.Option(help='Between communication points, such as "1 ms".')] = None,
     adaptive: Annotated[bool, typer.Option("--adaptive", help="Choose steps by their error.")] = False,
@@ -44,6 +44,7 @@ def couple(
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the trajectory as CSV.")] = None,
     plot: Annotated[Path | None, typer.Option(help="Draw the trajectory as PNG.")] = None,
     ssp: Annotated[Path | None, typer.Option(help="Write the system as an SSP archive.")] = None,
+    ssp_version: Annotated[str, typer.Option("--ssp-version", help="Of that archive: 1.0 or 2.0.")] = "1.0",
     files: FilesOption = None,
     timeout: TimeoutOption = None,
 ) -> None:
@@ -56,7 +57,7 @@ def couple(
     course = read_inputs(inputs, read.interface) if inputs else None
     options: dict[str, Any] = {"method": method, "extrapolation": extrapolation, "loops": loops}
     if ssp:
-        coupling.write_system(read, ssp)
+        coupling.write_system(read, ssp, ssp=ssp_version)
         say_written(ssp)
     columns = (TextColumn("coupling"), BarColumn(), TimeElapsedColumn(), TimeRemainingColumn())
     with Progress(*columns, console=console, disable=not console.is_terminal) as progress:
@@ -84,7 +85,7 @@ def _write(run: CoupledRun, output: Path | None, plot: Path | None) -> None:
     if output:
         run.trajectory.to_csv(output)
     if plot and run.trajectory.time.size > 1:
-        plot_trajectory(run.trajectory, plot)
+        reporting.plot_trajectory(run.trajectory, plot)
     say_written(output)
     say_written(plot)
 

@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from pam_cosim import study
+from pam_cosim import reporting, study
 from pam_cosim.cli.arguments import parse_pairs
 from pam_cosim.cli.commands.common import (
     BeginOption,
@@ -33,7 +33,6 @@ from pam_cosim.cli.commands.common import (
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_json, write_text
-from pam_cosim.reporting import diagnosis_report, diagnosis_text, write_report
 from pam_cosim.study import products
 from pam_cosim.study.fitted_model import fitted_model
 from pam_cosim.study.tables import write_next_run
@@ -95,7 +94,7 @@ def diagnose(
             free=free,
             start=parse_pairs(start or []),
         )
-    typer.echo(diagnosis_text(diagnosis))
+    typer.echo(reporting.diagnosis_text(diagnosis))
     if output:
         study.add(diagnosis, output=output, files=files or [])
     if save:
@@ -103,7 +102,7 @@ def diagnose(
     if json:
         write_json(json, diagnosis.as_dict())
     if report:
-        write_report(report, diagnosis_report(diagnosis))
+        reporting.write_report(report, reporting.diagnosis_report(diagnosis))
     if output:
         _say_model(diagnosis, data, save, output, files or [])
     say_written(save)

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from pam_cosim import study
+from pam_cosim import reporting, study
 from pam_cosim.cli.arguments import parse_pairs
 from pam_cosim.cli.commands.common import (
     BeginOption,
@@ -27,7 +27,6 @@ from pam_cosim.cli.commands.common import (
 )
 from pam_cosim.files import write_json
 from pam_cosim.fitting import METHODS, FitOptions, summary, write_parameters
-from pam_cosim.reporting import plot_fit
 
 
 def fit(
@@ -93,7 +92,7 @@ def fit(
     if json:
         write_json(json, fitted.as_dict() | ({"profiles": made.as_dict()} if made else {}))
     if plot:
-        plot_fit(fitted, plot)
+        reporting.plot_fit(fitted, plot)
     if profile and made:
         study.draw(made, profile)
     for path in (output, json, plot, profile, resume):

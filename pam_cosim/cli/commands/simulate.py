@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from pam_cosim import study
+from pam_cosim import reporting, study
 from pam_cosim.cli.arguments import parse_settings
 from pam_cosim.cli.commands.common import (
     FilesOption,
@@ -18,7 +18,6 @@ from pam_cosim.cli.commands.common import (
     check_results,
     say_written,
 )
-from pam_cosim.reporting import plot_trajectory
 
 
 def simulate(
@@ -56,7 +55,7 @@ def simulate(
     if output:
         trajectory.save(output)
     if plot:
-        plot_trajectory(trajectory, plot)
+        reporting.plot_trajectory(trajectory, plot)
     for line in repr(trajectory).splitlines()[1:]:
         typer.echo(line.strip())
     say_written(output)

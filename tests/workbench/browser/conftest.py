@@ -17,7 +17,7 @@ from scripts.browser import serving as served
 sync_api = pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
 Browser, BrowserContext, Page = sync_api.Browser, sync_api.BrowserContext, sync_api.Page
 
-PATIENCE = 30_000  # ms, on a machine that does other things too
+PATIENCE = 120_000  # ms, on a machine that does other things too
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:

@@ -41,7 +41,7 @@ def drag(page: Any, parameter: str, share: float) -> None:
     page.mouse.up()
 
 
-def until(page: Any, holds: Callable[[], bool], seconds: float = 30.0) -> None:
+def until(page: Any, holds: Callable[[], bool], seconds: float = 120.0) -> None:
     """Waits until something holds; the page's policy lets no script be made from text, so it is asked from here."""
     end = time.monotonic() + seconds
     while not holds():
@@ -49,6 +49,15 @@ def until(page: Any, holds: Callable[[], bool], seconds: float = 30.0) -> None:
         page.wait_for_timeout(50)
 
 
-def quiet(page: Any, seconds: float = 60.0) -> None:
+def settled(page: Any, value: Callable[[], float]) -> float:
+    """What a value is when it no longer changes."""
+    seen, now = None, value()
+    while now != seen:
+        page.wait_for_timeout(500)
+        seen, now = now, value()
+    return now
+
+
+def quiet(page: Any, seconds: float = 240.0) -> None:
     """Waits until nothing runs."""
     until(page, lambda: page.locator("#stop").is_disabled() and page.locator("body.busy").count() == 0, seconds)

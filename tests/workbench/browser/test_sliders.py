@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from tests.workbench.browser.conftest import serving
-from tests.workbench.browser.looking import drag, error, picture, until
+from tests.workbench.browser.looking import drag, error, picture, settled, until
 
 Open = Callable[..., Any]
 
@@ -34,8 +34,7 @@ def test_a_slider_moves_curve_and_error(opened: Open, address: str) -> None:
 def test_undo_takes_the_value_back(opened: Open, address: str) -> None:
     page = opened(address)
     page.get_by_role("button", name="Reset").click()
-    page.wait_for_timeout(500)
-    before = error(page, "p")
+    before = settled(page, lambda: error(page, "p"))
     drag(page, "valve.C_A", 0.1)
     until(page, lambda: error(page, "p") != before)
     page.get_by_role("button", name="Undo").click()
@@ -91,16 +90,13 @@ def test_charts_zoom_together_and_a_rule_lights_up_its_times(opened: Open, addre
     page.locator(".stack").focus()
     for key in ("+", "+", "ArrowRight"):
         page.keyboard.press(key)
-    page.wait_for_timeout(200)
-    assert all(picture(page, i) != whole[i] for i in range(3))
+    until(page, lambda: all(picture(page, i) != whole[i] for i in range(3)))
     page.keyboard.press("Home")
-    page.wait_for_timeout(200)
-    assert [picture(page, i) for i in range(3)] == whole
+    until(page, lambda: [picture(page, i) for i in range(3)] == whole)
     rule = page.locator(".rules button").first
     rule.click()
-    page.wait_for_timeout(200)
+    until(page, lambda: all(picture(page, i) != whole[i] for i in range(3)))
     assert rule.get_attribute("aria-pressed") == "true"
-    assert all(picture(page, i) != whole[i] for i in range(3))
 
 
 def test_all_can_be_reached_by_keys_and_is_seen(opened: Open, address: str) -> None:

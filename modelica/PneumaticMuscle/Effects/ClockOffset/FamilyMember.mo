@@ -3,6 +3,7 @@ partial model FamilyMember "What every member of the family says of itself"
   extends Interfaces.Effect(final family="clock_offset", final balance="sensor");
   extends Icons.ClockOffset;
   annotation (Documentation(info="<html>
-<p>A member also extends <code>Interfaces.Recorder</code>, whose place it takes, and gives its equations.</p>
+<p>A member also extends <a href=\"modelica://PneumaticMuscle.Interfaces.Recorder\">Interfaces.Recorder</a>, whose place
+it takes, and gives its equations.</p>
 </html>"));
 end FamilyMember;

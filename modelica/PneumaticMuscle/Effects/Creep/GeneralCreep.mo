@@ -1,5 +1,6 @@
 within PneumaticMuscle.Effects.Creep;
-model GeneralCreep "The bladder's spring, of any law, relaxes over decades of time, recovers in another, and faster when warm"
+model GeneralCreep
+  "The bladder's spring, of any law, relaxes over decades of time, recovers in another, and faster when warm"
   extends FamilyMember(final general=true, final absent="k_1=0, k_2=0, k_3=0");
   parameter Types.TranslationalStiffness k_1(min=0, max=2e4, nominal=300) = 150 "Stiffness that relaxes first"
     annotation (Dialog(group="Effect"));
@@ -11,17 +12,20 @@ model GeneralCreep "The bladder's spring, of any law, relaxes over decades of ti
     annotation (Dialog(group="Effect"));
   parameter Real spread(unit="1", min=2, max=12, nominal=5) = 7 "How many times later each next one relaxes"
     annotation (Dialog(group="Effect"));
-  parameter Real thinning(unit="1", min=0, max=10, nominal=0.3) = 0.03 "How much faster they relax at a load of the reference contraction"
+  parameter Real thinning(unit="1", min=0, max=10, nominal=0.3) = 0.03
+    "How much faster they relax at a load of the reference contraction"
     annotation (Dialog(group="Effect"));
   parameter Real recovery(unit="1", min=0.1, max=10, nominal=1) = 1 "Times of recovery by those of relaxation"
     annotation (Dialog(group="Effect"));
-  parameter Real a(unit="1", min=-1, max=2.5, nominal=0.3) = 0 "Relative growth of all stiffnesses per eighth of the length"
+  parameter Real a(unit="1", min=-1, max=2.5, nominal=0.3) = 0
+    "Relative growth of all stiffnesses per eighth of the length"
     annotation (Dialog(group="Effect"));
   parameter Real b(unit="1", min=-0.3, max=0.5, nominal=0.1) = 0 "Half of the change of that growth"
     annotation (Dialog(group="Effect"));
   parameter Real h(unit="1", min=-1, max=2, nominal=0.3) = 0 "Exponent of the pressure in all stiffnesses"
     annotation (Dialog(group="Effect"));
-  parameter Real warm(unit="1", min=-1, max=1, nominal=0.2) = 0 "What the logarithm of all rates gains per 10 K of the gas above ambient temperature"
+  parameter Real warm(unit="1", min=-1, max=1, nominal=0.2) = 0
+    "What the logarithm of all rates gains per 10 K of the gas above ambient temperature"
     annotation (Dialog(group="Effect"));
   Types.Length q[3] "Parts of the spring's load that have relaxed, as contractions";
 protected
@@ -33,9 +37,14 @@ protected
   Real by[3](each unit="1") "Factor on the times: 1 in relaxation, recovery where the load has fallen";
   Real s(unit="1") = 8*x/L0 - 1 "Contraction beyond the reference, an eighth of the length, by the reference";
   Real quick(unit="1") = exp(warm*(port.T - ambient.T)/T_step) "Factor on the rates";
-  Types.Length y = x*exp(s*(a + b*s) + h*log(max(1 + p_gauge/p_reference, q_least))) "Contraction that a linear spring would need for the same load";
+  Types.Length y = x*exp(s*(a + b*s) + h*log(max(1 + p_gauge/p_reference, q_least)))
+    "Contraction that a linear spring would need for the same load";
 initial equation
-  q = {y, y, y};
+  if dynamics == Types.Dynamics.FixedInitial then
+    q = {y, y, y};
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(q) = zeros(3);
+  end if;
 equation
   for i in 1:3 loop
     by[i] = 0.5*(1 + recovery) + 0.5*(1 - recovery)*(y - q[i])/sqrt((y - q[i])^2 + y_smooth^2);
@@ -43,12 +52,16 @@ equation
   end for;
   f = k_1*(y - q[1]) + k_2*(y - q[2]) + k_3*(y - q[3]);
   annotation (defaultComponentName="creep", Documentation(info="<html>
-<p>f = sum of k_i (y - q_i), tau_i q_i_dot = (y - q_i) (1 + thinning (y - q_i)^2/(10 mm)^2), tau_i = tau spread^(i-1), times
-recovery where y < q_i, y = x (1 + p_gauge/100 kPa)^h exp(a s + b s^2), s = 8 x/L0 - 1; all
-rates times exp(warm (T - T_atm)/10 K). Source: the quasi-linear viscoelasticity of Fung 1981,
-where the load that a spring of any law would carry relaxes by one reduced function of time; that function as in
-FlexibleCreep, which is the case a = b = h = warm = 0, recovery = 1; the shift of time by temperature (Ferry 1980), here by that of the gas; filled rubber recovers more
-slowly than it relaxes. Typical as there, a 0 to 1, recovery 1 to 5.</p>
-<p>Fingerprint: as FlexibleCreep, larger (or smaller) at large contraction than in proportion.</p>
+<p>f = sum of k_i (y - q_i), tau_i q_i_dot = (y - q_i) (1 + thinning (y - q_i)^2/(10 mm)^2), tau_i = tau spread^(i-1),
+times recovery where y &lt; q_i, y = x (1 + p_gauge/100 kPa)^h exp(a s + b s^2), s = 8 x/L0 - 1; all
+rates times exp(warm (T - T_atm)/10 K). Source: the quasi-linear viscoelasticity of
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Fung 1981</a>, where the load that a spring of any law
+would carry relaxes by one reduced function of time; that function as in
+<a href=\"modelica://PneumaticMuscle.Effects.Creep.FlexibleCreep\">FlexibleCreep</a>, which is the case a = b = h = warm
+= 0, recovery = 1; the shift of time by temperature (<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Ferry
+1980</a>), here by that of the gas; filled rubber recovers more slowly than it relaxes. Typical as there, a 0 to 1,
+recovery 1 to 5.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.Creep.FlexibleCreep\">FlexibleCreep</a>, larger (or
+smaller) at large contraction than in proportion.</p>
 </html>"));
 end GeneralCreep;

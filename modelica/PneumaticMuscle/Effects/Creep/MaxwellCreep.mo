@@ -7,13 +7,19 @@ model MaxwellCreep "The bladder has a part whose stress relaxes"
     annotation (Dialog(group="Effect"));
   Types.Length q "Part of the contraction that has relaxed";
 initial equation
-  q = x;
+  if dynamics == Types.Dynamics.FixedInitial then
+    q = x;
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(q) = 0;
+  end if;
 equation
   tau*der(q) = x - q;
   f = k*(x - q);
   annotation (defaultComponentName="creep", Documentation(info="<html>
-<p>A spring and a dashpot in series, f = k (x - q), tau q_dot = x - q. Source: Maxwell's element (Ferry 1980), the
-viscoelastic branch of Reynolds and others 2003 and of later models of muscles, DP (6). Typical: a tenth to the whole of the
+<p>A spring and a dashpot in series, f = k (x - q), tau q_dot = x - q. Source: Maxwell's element
+(<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Ferry 1980</a>), the viscoelastic branch of
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Reynolds and others 2003</a> and of later models of
+muscles, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (6). Typical: a tenth to the whole of the
 bladder's stiffness, 0.5 s to hours. Below 0.1 s it is a damper and not called creep.</p>
 <p>Fingerprint: after a fast change the contraction goes on creeping in the hold while the pressure rests; at
 the end of the hold nothing is left of the error. After venting it creeps back.</p>

@@ -9,15 +9,20 @@ model PronyCreep "The bladder relaxes with two time constants, a decade apart"
     annotation (Dialog(group="Effect"));
   Types.Length q[2] "Parts of the contraction that have relaxed";
 initial equation
-  q = {x, x};
+  if dynamics == Types.Dynamics.FixedInitial then
+    q = {x, x};
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(q) = zeros(2);
+  end if;
 equation
   tau*der(q[1]) = x - q[1];
   10*tau*der(q[2]) = x - q[2];
   f = k_1*(x - q[1]) + k_2*(x - q[2]);
   annotation (defaultComponentName="creep", Documentation(info="<html>
 <p>Two Maxwell elements in parallel. Source: the generalised Maxwell model, a Prony series with one term a
-decade as is usual for rubber (Ferry 1980). Typical as for
-MaxwellCreep.</p>
-<p>Fingerprint: as MaxwellCreep, fast at first and slow later, like the logarithm of time.</p>
+decade as is usual for rubber (<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Ferry 1980</a>). Typical as
+for <a href=\"modelica://PneumaticMuscle.Effects.Creep.MaxwellCreep\">MaxwellCreep</a>.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.Creep.MaxwellCreep\">MaxwellCreep</a>, fast at first and
+slow later, like the logarithm of time.</p>
 </html>"));
 end PronyCreep;

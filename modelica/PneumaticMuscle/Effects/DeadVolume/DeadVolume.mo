@@ -9,8 +9,8 @@ equation
   port.H_flow = V_d/(Constants.gamma - 1)*der(port.p);
   annotation (defaultComponentName="deadVolume", Documentation(info="<html>
 <p>Ideal gas of the pressure and temperature of the host's: mass m = p V_d/(R T), internal energy p V_d/(gamma -
-1). Source: the balances DP (43) and (59) for a volume that does not change. Typical 1 to 30 mL for a muscle, as
-much as some percent of a vessel.</p>
+1). Source: the balances <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (43) and (59) for a volume
+that does not change. Typical 1 to 30 mL for a muscle, as much as some percent of a vessel.</p>
 <p>Fingerprint: filling and venting are slower by a factor that is largest while the muscle is long and its own
 volume small; against a smaller C_A the beginning is slower than the end. The holds are right.</p>
 </html>"));

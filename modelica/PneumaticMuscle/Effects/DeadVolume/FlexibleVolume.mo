@@ -13,9 +13,11 @@ equation
   port.m_flow = der(m);
   port.H_flow = (V + Constants.gamma*port.p*V_p/p_reference)/(Constants.gamma - 1)*der(port.p);
   annotation (defaultComponentName="deadVolume", Documentation(info="<html>
-<p>As DeadVolume, V = V_0 + V_p p_gauge/100 kPa; the enthalpy that flows in is the internal energy gained and the
-work done, p dV. Source: the balances DP (43) and (59); a hose stretches in proportion to pressure as long as it is
-elastic. Typical 1 to 30 mL for a muscle, V_p a tenth of V_0 for a rubber hose.</p>
-<p>Fingerprint: as DeadVolume, slower towards the end of filling.</p>
+<p>As <a href=\"modelica://PneumaticMuscle.Effects.DeadVolume.DeadVolume\">DeadVolume</a>, V = V_0 + V_p p_gauge/100
+kPa; the enthalpy that flows in is the internal energy gained and the work done, p dV. Source: the balances
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (43) and (59); a hose stretches in proportion to
+pressure as long as it is elastic. Typical 1 to 30 mL for a muscle, V_p a tenth of V_0 for a rubber hose.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.DeadVolume.DeadVolume\">DeadVolume</a>, slower towards
+the end of filling.</p>
 </html>"));
 end FlexibleVolume;

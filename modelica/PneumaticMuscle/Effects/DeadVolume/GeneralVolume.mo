@@ -1,31 +1,41 @@
 within PneumaticMuscle.Effects.DeadVolume;
-model GeneralVolume "Gas that takes no part in contraction, behind an opening, in a space that grows by any law of its pressure"
+model GeneralVolume
+  "Gas that takes no part in contraction, behind an opening, in a space that grows by any law of its pressure"
   extends FamilyMember(final general=true, final absent="V_0=1e-7, V_p=0, G=1e-7");
   parameter Types.Volume V_0(min=1e-7, max=1e-3, nominal=1e-5) = 1e-5 "Volume at ambient pressure"
     annotation (Dialog(group="Effect"));
-  parameter Types.Volume V_p(min=0, max=1e-3, nominal=1e-5) = 2e-6 "What the first 100 kPa add to it, at the rate of the start"
+  parameter Types.Volume V_p(min=0, max=1e-3, nominal=1e-5) = 2e-6
+    "What the first 100 kPa add to it, at the rate of the start"
     annotation (Dialog(group="Effect"));
   parameter Real n(unit="1", min=-0.9, max=1, nominal=0.3) = 0 "Exponent by which that grows with the absolute pressure"
     annotation (Dialog(group="Effect"));
-  parameter Real G(unit="kg/(s.Pa)", min=1e-11, max=1e-7, nominal=1e-9) = 5e-9 "Conductance of the opening at ambient pressure"
+  parameter Real G(unit="kg/(s.Pa)", min=1e-11, max=1e-7, nominal=1e-9) = 5e-9
+    "Conductance of the opening at ambient pressure"
     annotation (Dialog(group="Effect"));
   parameter Real a(unit="1", min=-0.6, max=0.5, nominal=0.2) = 0 "Exponent of that, by a drop of 100 kPa"
     annotation (Dialog(group="Effect"));
   parameter Real c(unit="1", min=-1.5, max=1, nominal=0.3) = 0 "Exponent of the pressure upstream in it"
     annotation (Dialog(group="Effect"));
-  parameter Types.ThermalConductance UA(min=0, max=50, nominal=0.02) = 0.01 "Conductance from its gas to what stays at ambient temperature"
+  parameter Types.ThermalConductance UA(min=0, max=50, nominal=0.02) = 0.01
+    "Conductance from its gas to what stays at ambient temperature"
     annotation (Dialog(group="Effect"));
-  Types.AbsolutePressure p_s "Pressure in it";
-  Types.Temperature T_s "Temperature in it";
+  Types.AbsolutePressure p_s(start=ambient.p) "Pressure in it";
+  Types.Temperature T_s(start=ambient.T) "Temperature in it";
   Types.Mass m(nominal=1e-5) "Mass of the gas in it";
 protected
   constant Types.Pressure p_reference = 1e5 "Pressure to which V_p refers, and drop to which G refers";
-  Real q(unit="1") = Functions.smoothMax((p_s - ambient.p)/p_reference, 2e-3) "Gauge pressure in it by the reference, not below zero";
+  Real q(unit="1") = Functions.smoothMax((p_s - ambient.p)/p_reference, 2e-3)
+    "Gauge pressure in it by the reference, not below zero";
   Real u(unit="1") = (port.p^2 - p_s^2)/(2*ambient.p*p_reference) "Drop at the opening by the reference";
   Types.Volume V = V_0 + V_p*q*exp(n*log(1 + q)) "Volume";
 initial equation
-  p_s = port.p;
-  T_s = port.T;
+  if dynamics == Types.Dynamics.FixedInitial then
+    p_s = port.p;
+    T_s = port.T;
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(p_s) = 0;
+    der(m) = 0;
+  end if;
 equation
   der(m) = port.m_flow;
   p_s*V = m*Constants.R*T_s;
@@ -33,10 +43,15 @@ equation
   port.m_flow = G*p_reference*Functions.curvedPower(u, a, 0, 3e-3)*exp(c*log(max(max(port.p, p_s), 1.0)/ambient.p));
   port.H_flow = port.m_flow*Constants.cp*Functions.upstreamTemperature(port.p, p_s, port.T, T_s);
   annotation (defaultComponentName="deadVolume", Documentation(info="<html>
-<p>As SideVolume, with V = V_0 + V_p q (1 + q)^n, q the gauge pressure in it by 100 kPa, and the work p dV of its growth;
-m_flow = G 100 kPa u |u|^a (p_up/p_atm)^c, u = (p^2 - p_s^2)/(2 p_atm 100 kPa). Source: the balances DP (43), (53) and
-(59); a hose or a bellows stretches in proportion to pressure at first, and less (n below 0) or more as it goes on; the
-opening is a power law, as in GeneralLine. Typical as SideVolume, V_p a tenth of V_0 for a rubber hose.</p>
-<p>Fingerprint: as SideVolume, slower towards the end of filling.</p>
+<p>As <a href=\"modelica://PneumaticMuscle.Effects.DeadVolume.SideVolume\">SideVolume</a>, with V = V_0 + V_p q (1 +
+q)^n, q the gauge pressure in it by 100 kPa, and the work p dV of its growth; m_flow = G 100 kPa u |u|^a (p_up/p_atm)^c,
+u = (p^2 - p_s^2)/(2 p_atm 100 kPa). Source: the balances
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (43), (53) and (59); a hose or a bellows stretches
+in proportion to pressure at first, and less (n below 0) or more as it goes on; the opening is a power law, as in
+<a href=\"modelica://PneumaticMuscle.Effects.SupplyLine.GeneralLine\">GeneralLine</a>. Typical as
+<a href=\"modelica://PneumaticMuscle.Effects.DeadVolume.SideVolume\">SideVolume</a>, V_p a tenth of V_0 for a rubber
+hose.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.DeadVolume.SideVolume\">SideVolume</a>, slower towards
+the end of filling.</p>
 </html>"));
 end GeneralVolume;

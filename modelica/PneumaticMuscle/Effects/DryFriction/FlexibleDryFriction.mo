@@ -6,11 +6,13 @@ model FlexibleDryFriction "Dry friction that grows with pressure and gives way i
   parameter Types.Force F_p(min=0, max=500, nominal=5) = 2 "What 100 kPa add to it" annotation (Dialog(group="Effect"));
   parameter Types.Length d(min=4e-5, max=8e-3, nominal=1e-3) = 1e-3 "Travel of the part that slips last"
     annotation (Dialog(group="Effect"));
-  parameter Real share(unit="1", min=0, max=1, nominal=0.3) = 0.5 "Share of the part that slips first, after a tenth of it"
+  parameter Real share(unit="1", min=0, max=1, nominal=0.3) = 0.5
+    "Share of the part that slips first, after a tenth of it"
     annotation (Dialog(group="Effect"));
   parameter Real rise(unit="1", min=-0.7, max=2, nominal=0.3) = 0 "What slow motion adds to it, by that of fast motion"
     annotation (Dialog(group="Effect"));
-  Real r[2](each start=0, each fixed=true, each unit="1", each nominal=1) "Shares of their forces that both parts carry";
+  Real r[2](each start=0, each fixed=dynamics <> Types.Dynamics.DynamicFreeInitial, each unit="1", each nominal=1)
+    "Shares of their forces that both parts carry";
 protected
   constant Types.Pressure p_reference = 1e5 "Pressure at which F_p is added";
   constant Types.Velocity v_smooth = 1e-6 "Speed below which the size of v is rounded";
@@ -24,13 +26,15 @@ equation
     *(1 + rise*exp(-(v/v_slow)^2));
   annotation (defaultComponentName="dryFriction", Documentation(info="<html>
 <p>f = (F_0 + F_p p_gauge/100 kPa) (share r_1 + (1 - share) r_2), d_i r_i_dot = v - |v| r_i |r_i|, d_1 = d/10, d_2 =
-d. all times 1 + rise exp(-(v/10 mm/s)^2). Source: the Maxwell-slip model DP (12) with two of its elements, each a
-smooth one (Dahl's with an exponent of 2), and the normal force that DP (68) and (71) take from the pressure; the curve of
-Stribeck 1902 by what slow motion adds, within 1 % where it falls over 15 mm/s. With a small d it is
-Coulomb's law, within 3 %; Maxwell-slip models of ten elements are met within 5 %, of four within 7 %, one that slips
-with a corner after 1 mm within 11 %, over large and small loops under a rising pressure. Typical F_0 and F_p 1 to 30
-N, d 0.1 to 5 mm.</p>
-<p>Fingerprint: as MaxwellSlipFriction; contraction against pressure is a loop that widens (or not) with the
-pressure.</p>
+d. all times 1 + rise exp(-(v/10 mm/s)^2). Source: the Maxwell-slip model
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (12) with two of its elements, each a smooth one
+(Dahl's with an exponent of 2), and the normal force that DP (68) and (71) take from the pressure; the curve of
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Stribeck 1902</a> by what slow motion adds, within 1 %
+where it falls over 15 mm/s. With a small d it is Coulomb's law, within 3 %; Maxwell-slip models of ten elements are met
+within 5 %, of four within 7 %, one that slips with a corner after 1 mm within 11 %, over large and small loops under a
+rising pressure. Typical F_0 and F_p 1 to 30 N, d 0.1 to 5 mm.</p>
+<p>Fingerprint: as
+<a href=\"modelica://PneumaticMuscle.Effects.DryFriction.MaxwellSlipFriction\">MaxwellSlipFriction</a>; contraction
+against pressure is a loop that widens (or not) with the pressure.</p>
 </html>"));
 end FlexibleDryFriction;

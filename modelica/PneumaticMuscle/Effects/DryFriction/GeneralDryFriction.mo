@@ -22,7 +22,8 @@ model GeneralDryFriction "Dry friction of any smooth dependence on pressure, con
     annotation (Dialog(group="Effect"));
   parameter Real side(unit="1", min=-1, max=1, nominal=0.3) = 0 "What contraction gains and extension loses, by it"
     annotation (Dialog(group="Effect"));
-  Real r[2](each start=0, each fixed=true, each unit="1", each nominal=1) "Shares of their forces that both parts carry";
+  Real r[2](each start=0, each fixed=dynamics <> Types.Dynamics.DynamicFreeInitial, each unit="1", each nominal=1)
+    "Shares of their forces that both parts carry";
 protected
   constant Types.Pressure p_reference = 1e5 "Pressure at which F_p is added";
   constant Types.Velocity v_smooth = 1e-6 "Speed below which the size of v is rounded";
@@ -30,17 +31,20 @@ protected
   constant Real e_reference(unit="1") = 0.125 "Contraction to which the growth refers, by the length";
   Types.Velocity v_size = sqrt(v_slip^2 + v_smooth^2) "Rounded size of the speed";
   Real q(unit="1") = Functions.smoothMax(p_gauge/p_reference, 1e-3) "Gauge pressure by the reference, not below zero";
-  Real s(unit="1") = Functions.smoothMax(x/(e_reference*L0), 0.02) "Contraction by the reference, zero beyond full length";
+  Real s(unit="1") = Functions.smoothMax(x/(e_reference*L0), 0.02)
+    "Contraction by the reference, zero beyond full length";
   Real carried(unit="1") = share*r[1] + (1 - share)*r[2] "Share of the whole force";
 equation
   first*d*der(r[1]) = v_slip - v_size*r[1]*sqrt(r[1]^2 + r_smooth^2);
   d*der(r[2]) = v_slip - v_size*r[2]*sqrt(r[2]^2 + r_smooth^2);
   f = (F_0 + F_p*exp(n*log(q)))*exp(s*(growth + bow*s))*carried*(1 + side*carried)*(1 + rise*exp(-(v/v_slow)^2));
   annotation (defaultComponentName="dryFriction", Documentation(info="<html>
-<p>f = (F_0 + F_p (p_gauge/100 kPa)^n) exp(growth s + bow s^2) r (1 + side r) (1 + rise exp(-(v/v_slow)^2)), r = share r_1 +
-(1 - share) r_2, d_i r_i_dot = v - |v| r_i |r_i|, d_1 = first d, d_2 = d, s = 8 x/L0. Source: FlexibleDryFriction, see there, with
-a free exponent of the pressure, any growth with the contraction, a free Stribeck speed, and another force in extension than in
-contraction. Typical as there, v_slow 2 to 50 mm/s, n 0.5 to 2.</p>
-<p>Fingerprint: as FlexibleDryFriction.</p>
+<p>f = (F_0 + F_p (p_gauge/100 kPa)^n) exp(growth s + bow s^2) r (1 + side r) (1 + rise exp(-(v/v_slow)^2)), r = share
+r_1 + (1 - share) r_2, d_i r_i_dot = v - |v| r_i |r_i|, d_1 = first d, d_2 = d, s = 8 x/L0. Source:
+<a href=\"modelica://PneumaticMuscle.Effects.DryFriction.FlexibleDryFriction\">FlexibleDryFriction</a>, see there, with
+a free exponent of the pressure, any growth with the contraction, a free Stribeck speed, and another force in extension
+than in contraction. Typical as there, v_slow 2 to 50 mm/s, n 0.5 to 2.</p>
+<p>Fingerprint: as
+<a href=\"modelica://PneumaticMuscle.Effects.DryFriction.FlexibleDryFriction\">FlexibleDryFriction</a>.</p>
 </html>"));
 end GeneralDryFriction;

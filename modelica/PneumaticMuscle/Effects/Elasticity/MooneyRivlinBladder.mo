@@ -19,9 +19,11 @@ equation
   f = -V_wall*(C_10*I1_L + C_01*I2_L);
   annotation (defaultComponentName="bladder", Documentation(info="<html>
 <p>Virtual work f = -dU/dL of U = V_wall (C_10 (I1 - 3) + C_01 (I2 - 3)) for an incompressible thin wall with
-the stretches of the sleeve, L/L0 along and D/D0 around. Source: Wang, Wereley and Pillsbury 2015, discussed after DP (12).
-Typical for soft rubber: C_10 0.05 to 0.5 MPa, C_01 a tenth of that.</p>
-<p>Fingerprint: as YoungBladder, with the curve of real rubber: stiff at first, softer, stiff again. C_01 is
-known only from large contractions.</p>
+the stretches of the sleeve, L/L0 along and D/D0 around. Source:
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Wang, Wereley and Pillsbury 2015</a>, discussed after
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (12). Typical for soft rubber: C_10 0.05 to 0.5 MPa,
+C_01 a tenth of that.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.Elasticity.YoungBladder\">YoungBladder</a>, with the
+curve of real rubber: stiff at first, softer, stiff again. C_01 is known only from large contractions.</p>
 </html>"));
 end MooneyRivlinBladder;

@@ -10,10 +10,13 @@ model PolynomialBladder "The bladder is a spring whose stiffness changes with co
 equation
   f = k1*x + k2*x^2 + k3*x^3;
   annotation (defaultComponentName="bladder", Documentation(info="<html>
-<p>f = k1 x + k2 x^2 + k3 x^3. Source: Cao's polynomial model, DP (7) and its reference 20, third order added so that a rubber that
-stiffens with stretch is covered. Typical k1 as k of LinearBladder, k2 and k3 such that they add as much again
-at a third of the length; a negative one softens the spring. Bounded where softening would make the muscle run
-away by itself.</p>
-<p>Fingerprint: as LinearBladder, with an error that grows faster (or slower) than the contraction.</p>
+<p>f = k1 x + k2 x^2 + k3 x^3. Source: Cao's polynomial model,
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (7) and its reference 20, third order added so that
+a rubber that stiffens with stretch is covered. Typical k1 as k of
+<a href=\"modelica://PneumaticMuscle.Effects.Elasticity.LinearBladder\">LinearBladder</a>, k2 and k3 such that they add
+as much again at a third of the length; a negative one softens the spring. Bounded where softening would make the muscle
+run away by itself.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.Elasticity.LinearBladder\">LinearBladder</a>, with an
+error that grows faster (or slower) than the contraction.</p>
 </html>"));
 end PolynomialBladder;

@@ -15,9 +15,10 @@ equation
   annotation (defaultComponentName="bladder", Documentation(info="<html>
 <p>Virtual work f = dU/dx of the strain energy U = 2/3 E V_wall (e_a^2 + e_a e_h + e_h^2): plane stress,
 Poisson's ratio 1/2, axial strain e_a = L/L0 - 1, hoop strain e_h = D/D0 - 1, with the diameter of the sleeve.
-Source: Ferraresi, Franco and Bertetto 2001, discussed after DP (12). Typical 0.5 to 5 MPa: latex 1,
-butyl rubber 2; the bound, 50 MPa, is a hard rubber.</p>
-<p>Fingerprint: as LinearBladder; the force follows the diameter more than the length, so it rises faster than
-the contraction.</p>
+Source: <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Ferraresi, Franco and Bertetto 2001</a>, discussed
+after <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (12). Typical 0.5 to 5 MPa: latex 1, butyl
+rubber 2; the bound, 50 MPa, is a hard rubber.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.Elasticity.LinearBladder\">LinearBladder</a>; the force
+follows the diameter more than the length, so it rises faster than the contraction.</p>
 </html>"));
 end YoungBladder;

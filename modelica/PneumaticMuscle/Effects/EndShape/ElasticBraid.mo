@@ -18,14 +18,19 @@ equation
   V = L*(b_f^2 - L^2)/(4*Constants.pi*turns^2);
   F = p_gauge*(3*L^2 - b_f^2)/(4*Constants.pi*turns^2);
   annotation (Documentation(info="<html>
-<p>A cylinder whose fibres have the length b_f = b (1 + e_f T/(1 kN)), Hooke's law, with the tension T of all fibres together. What
-the pressure presses apart across the diameter, p D L, crosses every fibre at two windings: p D L = 2 n T sin(theta), where
-D = b_f sin(theta)/(n pi), so that T = p L b_f/(2 pi n^2). Both together give b_f = b/(1 - e_f p L b/(2 pi n^2)/(1 kN)),
-and the pull T cos(theta) - p pi D^2/4 is that of DP (1) with b_f. The number of windings stays. Source: Chambers and Wereley
-2022 measured that an inelastic braid underestimates the diameter by up to 30 % and overestimates the pull by up to 70 %;
-the balance of forces is that of Schulte 1961, which Gaylord's force, DP (1), follows from too. e_f is one over the
-tensile stiffness of all fibres together: typical 0.001 to 0.005 for stiff yarns, 0.01 and more for soft or crimped ones. Strains beyond 100 % do not occur: there the law is bent. Below ambient pressure fibres are slack.</p>
-<p>Fingerprint: the pull falls short in proportion to the square of the pressure, at short length to nothing: the muscle stops earlier the
-higher the pressure is; it also takes more gas. A factor on the strain (TonduEnds) is the same at all pressures.</p>
+<p>A cylinder whose fibres have the length b_f = b (1 + e_f T/(1 kN)), Hooke's law, with the tension T of all fibres
+together. What the pressure presses apart across the diameter, p D L, crosses every fibre at two windings: p D L = 2 n T
+sin(theta), where D = b_f sin(theta)/(n pi), so that T = p L b_f/(2 pi n^2). Both together give b_f = b/(1 - e_f p L
+b/(2 pi n^2)/(1 kN)), and the pull T cos(theta) - p pi D^2/4 is that of
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (1) with b_f. The number of windings stays. Source:
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Chambers and Wereley 2022</a> measured that an inelastic
+braid underestimates the diameter by up to 30 % and overestimates the pull by up to 70 %; the balance of forces is that
+of <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Schulte 1961</a>, which Gaylord's force, DP (1), follows
+from too. e_f is one over the tensile stiffness of all fibres together: typical 0.001 to 0.005 for stiff yarns, 0.01 and
+more for soft or crimped ones. Strains beyond 100 % do not occur: there the law is bent. Below ambient pressure fibres
+are slack.</p>
+<p>Fingerprint: the pull falls short in proportion to the square of the pressure, at short length to nothing: the muscle
+stops earlier the higher the pressure is; it also takes more gas. A factor on the strain
+(<a href=\"modelica://PneumaticMuscle.Effects.EndShape.TonduEnds\">TonduEnds</a>) is the same at all pressures.</p>
 </html>"));
 end ElasticBraid;

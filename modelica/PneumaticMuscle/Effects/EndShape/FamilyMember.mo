@@ -3,6 +3,7 @@ partial model FamilyMember "What every member of the family says of itself"
   extends Interfaces.Effect(final family="end_shape", final balance="force");
   extends Icons.EndShape;
   annotation (Documentation(info="<html>
-<p>A member also extends <code>Interfaces.Cylinder</code>, whose place it takes, and gives its equations.</p>
+<p>A member also extends <a href=\"modelica://PneumaticMuscle.Interfaces.Cylinder\">Interfaces.Cylinder</a>, whose place
+it takes, and gives its equations.</p>
 </html>"));
 end FamilyMember;

@@ -25,12 +25,15 @@ equation
   annotation (Documentation(info="<html>
 <p>F = p_gauge (A(L) + A(L0) (a_0 + a_1 e + a_2 e^2) exp(-s q - r q^2)), A(L) = (3 L^2 - b^2)/(4 pi n^2), q =
 p_gauge/100 kPa, e = strain/0.25; beyond 40 % of strain the excess ends, so that no coefficients make the muscle pull
-itself together. Source: A(L) itself is a parabola, DP (1), and so is what the factor on the strain of Tondu, Boitier
-and Lopez 1994 makes of it, DY (1)-(2); the exponential is that of Kang and others 2009, DY (3)-(4), with one more term. It holds Tondu's law exactly, Kang's within 1 %, a
-factor of any parabola in the strain on the whole pull within 2 %, ends of fixed size within 2 %, and ends that close
-in proportion to the pressure within 1 %; what grows or falls with the inverse of pressure within 4 to 7 %; a factor that
-dies away within a tenth of the length (KerscherEnds) within 10 %. The volume keeps the cylinder's law. Typical -0.3
-to 0.3 for the a, s 0 to 2, r -0.05 to 0.1.</p>
+itself together. Source: A(L) itself is a parabola, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a>
+(1), and so is what the factor on the strain of <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Tondu,
+Boitier and Lopez 1994</a> makes of it, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DY</a> (1)-(2); the
+exponential is that of <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Kang and others 2009</a>, DY
+(3)-(4), with one more term. It holds Tondu's law exactly, Kang's within 1 %, a factor of any parabola in the strain on
+the whole pull within 2 %, ends of fixed size within 2 %, and ends that close in proportion to the pressure within 1 %;
+what grows or falls with the inverse of pressure within 4 to 7 %; a factor that dies away within a tenth of the length
+(<a href=\"modelica://PneumaticMuscle.Effects.EndShape.KerscherEnds\">KerscherEnds</a>) within 10 %. The volume keeps
+the cylinder's law. Typical -0.3 to 0.3 for the a, s 0 to 2, r -0.05 to 0.1.</p>
 <p>Fingerprint: pull and length at rest are wrong in proportion to the pressure, by a share that depends on the
 contraction alone (s = 0) or is largest at low pressure.</p>
 </html>"));

@@ -1,5 +1,6 @@
 within PneumaticMuscle.Effects.EndShape;
-model GeneralEnds "The pull differs from the cylinder's by any smooth law of contraction, one part of which fades with pressure"
+model GeneralEnds
+  "The pull differs from the cylinder's by any smooth law of contraction, one part of which fades with pressure"
   extends Interfaces.Cylinder;
   extends FamilyMember(final general=true,
     final absent="a_0=0, a_1=0, a_2=0, c_0=0, c_1=0, c_2=0");
@@ -11,7 +12,8 @@ model GeneralEnds "The pull differs from the cylinder's by any smooth law of con
     annotation (Dialog(group="Effect"));
   parameter Real s(unit="1", min=0, max=5, nominal=0.5) = 0.5 "Rate at which it fades, per 100 kPa"
     annotation (Dialog(group="Effect"));
-  parameter Real w(unit="1", min=0.02, max=2, nominal=0.3) = 0.1 "Inverse of the power by which it fades in the end; 0.02 is an exponential"
+  parameter Real w(unit="1", min=0.02, max=2, nominal=0.3) = 0.1
+    "Inverse of the power by which it fades in the end; 0.02 is an exponential"
     annotation (Dialog(group="Effect"));
   parameter Real c_0(unit="1", min=-0.5, max=0.3, nominal=0.1) = 0 "Excess that stays, at full length"
     annotation (Dialog(group="Effect"));
@@ -35,8 +37,10 @@ equation
   F = p_gauge*(3*L^2 - b^2 + excess*(3*L0^2 - b^2))/(4*Constants.pi*turns^2);
   annotation (Documentation(info="<html>
 <p>F = p_gauge (A(L) + A(L0) ((a_0 + a_1 e + a_2 e^2) (1 + s w q)^(-1/w) + c_0 + c_1 e + c_2 e^2 + c_3 e^3)), q =
-p_gauge/100 kPa, e = strain/0.25. Source: FlexibleEnds, see there; ends that keep their shape and a pull that comes with
-pressure, be it exponentially (w near 0), be it as 1/(1 + p/p_0) (w = 1), together. Fillets of a tenth of the strain are met within 3 % of what they change. Typical coefficients below 0.3, s 0.3 to 3.</p>
-<p>Fingerprint: as FlexibleEnds.</p>
+p_gauge/100 kPa, e = strain/0.25. Source:
+<a href=\"modelica://PneumaticMuscle.Effects.EndShape.FlexibleEnds\">FlexibleEnds</a>, see there; ends that keep their
+shape and a pull that comes with pressure, be it exponentially (w near 0), be it as 1/(1 + p/p_0) (w = 1), together.
+Fillets of a tenth of the strain are met within 3 % of what they change. Typical coefficients below 0.3, s 0.3 to 3.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.EndShape.FlexibleEnds\">FlexibleEnds</a>.</p>
 </html>"));
 end GeneralEnds;

@@ -12,9 +12,12 @@ protected
 equation
   F = p_gauge*(3*L_e^2 - b^2)/(4*Constants.pi*turns^2);
   annotation (Documentation(info="<html>
-<p>As TonduEnds with q(p) = 1 + c_1 exp(c_2 p) in the place of k, c_2 = -1/p_0. Source: Kang and others 2009,
-DP (4), DY (3)-(4) and (6). Typical c_1 0.1 to 3, p_0 50 to 500 kPa (c_2 = -2e-6 1/Pa is 500 kPa). The volume
-keeps the cylinder's law.</p>
-<p>Fingerprint: as TonduEnds, large at low pressure and gone at high pressure.</p>
+<p>As <a href=\"modelica://PneumaticMuscle.Effects.EndShape.TonduEnds\">TonduEnds</a> with q(p) = 1 + c_1 exp(c_2 p) in
+the place of k, c_2 = -1/p_0. Source: <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Kang and others
+2009</a>, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (4),
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DY</a> (3)-(4) and (6). Typical c_1 0.1 to 3, p_0 50 to 500
+kPa (c_2 = -2e-6 1/Pa is 500 kPa). The volume keeps the cylinder's law.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.EndShape.TonduEnds\">TonduEnds</a>, large at low
+pressure and gone at high pressure.</p>
 </html>"));
 end KangEnds;

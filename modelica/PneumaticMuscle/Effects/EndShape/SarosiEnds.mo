@@ -1,5 +1,6 @@
 within PneumaticMuscle.Effects.EndShape;
-model SarosiEnds "The pull of a fluidic muscle: linear in pressure, exponential and linear in contraction, never below zero"
+model SarosiEnds
+  "The pull of a fluidic muscle: linear in pressure, exponential and linear in contraction, never below zero"
   extends Interfaces.PullingSleeve;
   extends FamilyMember;
   parameter Real a_5(unit="1", min=0.2, max=3, nominal=1) = 1 "Pull at full length, by the cylinder's"
@@ -16,17 +17,21 @@ model SarosiEnds "The pull of a fluidic muscle: linear in pressure, exponential 
     annotation (Dialog(group="Effect"));
 protected
   constant Real eps_end(unit="1") = 0.425 "Contraction beyond all that a muscle reaches, where the pull ends";
-  final parameter Types.Area A_0 = (3*L0^2 - b^2)/(4*Constants.pi*turns^2) "Pull of the cylinder at full length by pressure";
+  final parameter Types.Area A_0 = (3*L0^2 - b^2)/(4*Constants.pi*turns^2)
+    "Pull of the cylinder at full length by pressure";
   Real gone(unit="1") = exp(-max(eps, 0)/eps_w) - min(eps, 0)/eps_w "1 at full length, 0 where the exponential is gone";
 equation
   F_law = A_0*((a_1*p_gauge + p_w)*gone + p_gauge*(a_5 - a_1 - a_4*eps)/(1 + (eps/eps_end)^24) - p_w - p_0);
   annotation (Documentation(info="<html>
-<p>F = max(0, (c_1 p + c_2) exp(c_3 eps) + c_4 p eps + c_5 p + c_6), Source: Sarosi 2012, <code>Laws.Forces.Sarosi</code>,
-with coefficients by the pull A of the cylinder at full length, so that they are of one size for all muscles: c_1 = A a_1,
-c_2 = A p_w, c_3 = -1/eps_w, c_4 = -A a_4, c_5 = A (a_5 - a_1), c_6 = -A (p_w + p_0). Typical for fluidic muscles of 10
-and 20 mm: a_5 1.0 to 1.1, a_4 3.4, a_1 near 0, p_0 40 kPa, p_w 80 to 200 kPa, eps_w 0.015 to 0.035. Beyond 40 % of
-contraction the pull ends, as in FlexibleEnds. It leaves 4.3 N rms of Table A1 of Martens and Boblan 2017, 1654 N, and 1.3
-N of Table A2, 542 N. The volume keeps the cylinder's law. No set of values gives the base law back.</p>
+<p>F = max(0, (c_1 p + c_2) exp(c_3 eps) + c_4 p eps + c_5 p + c_6), Source:
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Sarosi 2012</a>,
+<a href=\"modelica://PneumaticMuscle.Laws.Forces.Sarosi\">Laws.Forces.Sarosi</a>, with coefficients by the pull A of the
+cylinder at full length, so that they are of one size for all muscles: c_1 = A a_1, c_2 = A p_w, c_3 = -1/eps_w, c_4 =
+-A a_4, c_5 = A (a_5 - a_1), c_6 = -A (p_w + p_0). Typical for fluidic muscles of 10 and 20 mm: a_5 1.0 to 1.1, a_4 3.4,
+a_1 near 0, p_0 40 kPa, p_w 80 to 200 kPa, eps_w 0.015 to 0.035. Beyond 40 % of contraction the pull ends, as in
+<a href=\"modelica://PneumaticMuscle.Effects.EndShape.FlexibleEnds\">FlexibleEnds</a>. It leaves 4.3 N rms of Table A1
+of <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Martens and Boblan 2017</a>, 1654 N, and 1.3 N of Table
+A2, 542 N. The volume keeps the cylinder's law. No set of values gives the base law back.</p>
 <p>Fingerprint: as StiffWall; beyond the first percent the pull falls in a straight line with contraction.</p>
 </html>"));
 end SarosiEnds;

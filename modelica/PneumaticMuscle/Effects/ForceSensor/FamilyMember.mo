@@ -3,6 +3,7 @@ partial model FamilyMember "What every member of the family says of itself"
   extends Interfaces.Effect(final family="force_sensor", final balance="sensor");
   extends Icons.ForceSensor;
   annotation (Documentation(info="<html>
-<p>A member also extends <code>Interfaces.ForceChannel</code>, whose place it takes, and gives its equations.</p>
+<p>A member also extends <a href=\"modelica://PneumaticMuscle.Interfaces.ForceChannel\">Interfaces.ForceChannel</a>,
+whose place it takes, and gives its equations.</p>
 </html>"));
 end FamilyMember;

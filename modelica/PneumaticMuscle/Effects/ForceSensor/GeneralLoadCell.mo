@@ -20,8 +20,13 @@ protected
   Real w(unit="1") "Signal by the reference";
   Types.Force shown "What the reading would be without lag";
 initial equation
-  z = shown;
-  y = shown;
+  if dynamics == Types.Dynamics.FixedInitial then
+    z = shown;
+    y = shown;
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(z) = 0;
+    der(y) = 0;
+  end if;
 equation
   w = u/reference;
   shown = offset + reference*w*(gain + w*(bend + c*w));
@@ -29,8 +34,9 @@ equation
   r*tau*der(y) = z - y;
   annotation (Documentation(info="<html>
 <p>Y = offset + 100 N (gain w + bend w^2 + c w^3), w = u/100 N, tau z_dot = Y - z, r tau y_dot = z - y. Source:
-FlexibleLoadCell and ForceLag in one, see there, with a third power and a second pole of the filter. Typical as
-there.</p>
+<a href=\"modelica://PneumaticMuscle.Effects.ForceSensor.FlexibleLoadCell\">FlexibleLoadCell</a> and
+<a href=\"modelica://PneumaticMuscle.Effects.ForceSensor.ForceLag\">ForceLag</a> in one, see there, with a third power
+and a second pole of the filter. Typical as there.</p>
 <p>Fingerprint: as those.</p>
 </html>"));
 end GeneralLoadCell;

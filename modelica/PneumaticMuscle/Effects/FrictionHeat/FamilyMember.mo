@@ -3,6 +3,7 @@ partial model FamilyMember "What every member of the family says of itself"
   extends Interfaces.Effect(final family="friction_heat", final balance="energy");
   extends Icons.FrictionHeat;
   annotation (Documentation(info="<html>
-<p>A member also extends <code>Interfaces.FrictionHeat</code>, whose place it takes, and gives its equations.</p>
+<p>A member also extends <a href=\"modelica://PneumaticMuscle.Interfaces.FrictionHeat\">Interfaces.FrictionHeat</a>,
+whose place it takes, and gives its equations.</p>
 </html>"));
 end FamilyMember;

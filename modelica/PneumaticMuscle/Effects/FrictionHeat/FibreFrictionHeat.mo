@@ -7,8 +7,9 @@ model FibreFrictionHeat "The work of friction of fibre on fibre heats the gas"
 equation
   heatPort.Q_flow = -share*P_fibre;
   annotation (Documentation(info="<html>
-<p>Q_flow = share f_ff v. Source: DP (68)-(69), whose work is positive both ways. Typical 0.3 to 1.</p>
-<p>Fingerprint: as FrictionHeat, with heating in extension as well as in contraction, in proportion to the
-square of slow speeds.</p>
+<p>Q_flow = share f_ff v. Source: <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (68)-(69), whose
+work is positive both ways. Typical 0.3 to 1.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.FrictionHeat.FrictionHeat\">FrictionHeat</a>, with
+heating in extension as well as in contraction, in proportion to the square of slow speeds.</p>
 </html>"));
 end FibreFrictionHeat;

@@ -3,6 +3,7 @@ partial model FamilyMember "What every member of the family says of itself"
   extends Interfaces.Effect(final family="gas_energy", final balance="energy");
   extends Icons.GasEnergy;
   annotation (Documentation(info="<html>
-<p>A member also extends <code>Interfaces.Gas</code>, whose place it takes, and gives its equations.</p>
+<p>A member also extends <a href=\"modelica://PneumaticMuscle.Interfaces.Gas\">Interfaces.Gas</a>, whose place it takes,
+and gives its equations.</p>
 </html>"));
 end FamilyMember;

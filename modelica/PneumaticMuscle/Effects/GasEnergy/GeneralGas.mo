@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.GasEnergy;
 model GeneralGas "Mass and energy balance of any gas, with any smooth law of its heat exchange"
-  extends Interfaces.Gas(T(start=T_start, fixed=true));
+  extends Interfaces.Gas(T(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial));
   extends FamilyMember(final general=true);
   parameter Types.CoefficientOfHeatTransfer h_0(min=0.01, max=500, nominal=10) = 5 "Film coefficient of gas at rest"
     annotation (Dialog(group="Effect"));
@@ -18,18 +18,24 @@ model GeneralGas "Mass and energy balance of any gas, with any smooth law of its
     annotation (Dialog(group="Effect"));
   parameter Types.Time tau_jet(min=2e-3, max=5, nominal=0.05) = 0.05 "Time in which a jet dies away"
     annotation (Dialog(group="Effect"));
-  parameter Real b(unit="m3/kg", min=-0.05, max=0.05, nominal=1e-3) = 0 "Volume that the gas itself takes, less what its attraction saves"
+  parameter Real b(unit="m3/kg", min=-0.05, max=0.05, nominal=1e-3) = 0
+    "Volume that the gas itself takes, less what its attraction saves"
     annotation (Dialog(group="Effect"));
   parameter Real e(unit="1", min=0, max=1, nominal=1) = 0.6 "Share of it that counts in the internal energy"
     annotation (Dialog(group="Effect"));
   Types.Mass m(nominal=1e-3) "Mass of the gas";
-  Types.MassFlowRate m_jet(start=0, fixed=true) "Flow that the gas still feels";
+  Types.MassFlowRate m_jet(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Flow that the gas still feels";
 protected
   constant Types.MassFlowRate m_reference = 1e-4 "Flow at which h_1 is added";
   constant Types.MassFlowRate m_smooth = 1e-7 "Flow below which its size is rounded";
   constant Types.Volume V_reference = 1e-4 "Volume at which h_0 and h_1 are meant";
   constant Real T_reference_difference(unit="K") = 10 "Temperature difference at which h_0 is meant";
   constant Real T_smooth(unit="K") = 1 "Temperature difference below which its size is rounded";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(m) = 0;
+    der(m_jet) = 0;
+  end if;
 equation
   der(m) = port.m_flow;
   p*(V - b*m) = m*Constants.R*T;
@@ -39,10 +45,14 @@ equation
       + 0.5*n_d*log(((T - T_reference)^2 + T_smooth^2)/T_reference_difference^2))
     + h_1*exp(0.5*n_m*log((m_jet^2 + m_smooth^2)/m_reference^2)));
   annotation (Documentation(info="<html>
-<p>As RealGas with h = (T/T_atm)^n_T (V/0.1 L)^n_V (h_0 (p/p_atm)^n_p (|T - T_atm|/10 K)^n_d + h_1 (|m_jet|/0.1 g/s)^n_m),
-tau_jet m_jet_dot = m_flow - m_jet. Source: FlexibleGas and RealGas, see there; Nusselt numbers are products of powers of
-the gas' properties, of the size of the space and of the flow (McAdams 1954). DP (60) falls
-away, so that no value of the parameters gives the base law back. Typical as there, n_T and n_V -1 to 1.</p>
-<p>Fingerprint: as FlexibleGas.</p>
+<p>As <a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.RealGas\">RealGas</a> with h = (T/T_atm)^n_T (V/0.1 L)^n_V
+(h_0 (p/p_atm)^n_p (|T - T_atm|/10 K)^n_d + h_1 (|m_jet|/0.1 g/s)^n_m), tau_jet m_jet_dot = m_flow - m_jet. Source:
+<a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.FlexibleGas\">FlexibleGas</a> and
+<a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.RealGas\">RealGas</a>, see there; Nusselt numbers are products of
+powers of the gas' properties, of the size of the space and of the flow
+(<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">McAdams 1954</a>).
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (60) falls away, so that no value of the parameters
+gives the base law back. Typical as there, n_T and n_V -1 to 1.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.FlexibleGas\">FlexibleGas</a>.</p>
 </html>"));
 end GeneralGas;

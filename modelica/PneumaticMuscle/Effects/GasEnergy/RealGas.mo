@@ -1,27 +1,35 @@
 within PneumaticMuscle.Effects.GasEnergy;
 model RealGas "Mass and energy balance of a gas that is not ideal"
-  extends Interfaces.Gas(T(start=T_start, fixed=true));
+  extends Interfaces.Gas(T(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial));
   extends FamilyMember;
   parameter Types.CoefficientOfHeatTransfer h(min=0.01, max=500, nominal=10) = 10 "Film coefficient at ambient pressure"
     annotation (Dialog(group="Effect"));
   parameter Real n_p(unit="1", min=-0.5, max=1.5, nominal=0.5) = 0.2 "Exponent of the pressure in it"
     annotation (Dialog(group="Effect"));
-  parameter Real b(unit="m3/kg", min=-0.05, max=0.05, nominal=1e-3) = -4e-4 "Volume that the gas itself takes, less what its attraction saves"
+  parameter Real b(unit="m3/kg", min=-0.05, max=0.05, nominal=1e-3) = -4e-4
+    "Volume that the gas itself takes, less what its attraction saves"
     annotation (Dialog(group="Effect"));
   parameter Real e(unit="1", min=0, max=1, nominal=1) = 0.6 "Share of it that counts in the internal energy"
     annotation (Dialog(group="Effect"));
   Types.Mass m(nominal=1e-3) "Mass of the gas";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(m) = 0;
+  end if;
 equation
   der(m) = port.m_flow;
   p*(V - b*m) = m*Constants.R*T;
   (V - e*b*m)*der(p) = -Constants.gamma*p*(der(V) - e*b*der(m)) + (Constants.gamma - 1)*(heatPort.Q_flow + port.H_flow);
   h_wall = h*exp(n_p*log(max(p, 1.0)/p_reference));
   annotation (Documentation(info="<html>
-<p>As EnergyGas with p (V - b m) = m R T, that is Z = 1 + b p/(R T), U = p (V - e b m)/(gamma - 1), and h
-(p/p_atm)^n_p in place of h. Source: the virial equation to its second term, and van der Waals' equation, of which e
-is 1 for the volume of the molecules and 2 - gamma = 0.6 for their attraction; b = -3e-4 m3/kg for air and -3e-3 to
-7e-3 for other gases at room temperature (Dymond and Smith 1980). The film is that of free convection, Nu ~ Gr^n, n_p = 2 n. DP (60) falls away, so that no value
-of the parameters gives the base law back. Typical h 5 to 50 W/(m2.K), n_p 0 to 0.67.</p>
-<p>Fingerprint: as EnergyGas, and in dense gas the temperature is off in proportion to the pressure, in holds too.</p>
+<p>As <a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.EnergyGas\">EnergyGas</a> with p (V - b m) = m R T, that is
+Z = 1 + b p/(R T), U = p (V - e b m)/(gamma - 1), and h (p/p_atm)^n_p in place of h. Source: the virial equation to its
+second term, and van der Waals' equation, of which e is 1 for the volume of the molecules and 2 - gamma = 0.6 for their
+attraction; b = -3e-4 m3/kg for air and -3e-3 to 7e-3 for other gases at room temperature
+(<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Dymond and Smith 1980</a>). The film is that of free
+convection, Nu ~ Gr^n, n_p = 2 n. <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (60) falls away,
+so that no value of the parameters gives the base law back. Typical h 5 to 50 W/(m2.K), n_p 0 to 0.67.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.EnergyGas\">EnergyGas</a>, and in dense gas
+the temperature is off in proportion to the pressure, in holds too.</p>
 </html>"));
 end RealGas;

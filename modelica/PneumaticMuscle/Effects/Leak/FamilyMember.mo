@@ -3,6 +3,7 @@ partial model FamilyMember "What every member of the family says of itself"
   extends Interfaces.GasPortEffect(final family="leak");
   extends Icons.Leak;
   annotation (Documentation(info="<html>
-<p>Left to the extending class: the equations of port.m_flow and port.H_flow, positive into the effect, and its parameters.</p>
+<p>Left to the extending class: the equations of port.m_flow and port.H_flow, positive into the effect, and its
+parameters.</p>
 </html>"));
 end FamilyMember;

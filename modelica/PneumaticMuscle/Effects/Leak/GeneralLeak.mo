@@ -6,11 +6,14 @@ model GeneralLeak "Gas escapes by any smooth law of gauge pressure, contraction 
     annotation (Dialog(group="Effect"));
   parameter Real a(unit="1", min=-1, max=2.5, nominal=0.5) = 0 "Exponent of the conductance at 100 kPa"
     annotation (Dialog(group="Effect"));
-  parameter Real b(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "Half of what the exponent gains where the pressure grows by e"
+  parameter Real b(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0
+    "Half of what the exponent gains where the pressure grows by e"
     annotation (Dialog(group="Effect"));
-  parameter Real g(unit="1", min=-4, max=2, nominal=0.3) = 0 "What the logarithm of the conductance gains per 100 kPa beyond 100 kPa"
+  parameter Real g(unit="1", min=-4, max=2, nominal=0.3) = 0
+    "What the logarithm of the conductance gains per 100 kPa beyond 100 kPa"
     annotation (Dialog(group="Effect"));
-  parameter Real growth(unit="1", min=-2, max=3, nominal=0.3) = 0.1 "What it gains with the contraction, per eighth of the length"
+  parameter Real growth(unit="1", min=-2, max=3, nominal=0.3) = 0.1
+    "What it gains with the contraction, per eighth of the length"
     annotation (Dialog(group="Effect"));
   parameter Real bend(unit="1", min=-0.5, max=0.5, nominal=0.1) = 0 "Half of what that gains there"
     annotation (Dialog(group="Effect"));
@@ -32,14 +35,17 @@ equation
   flange_a.f = 0;
   flange_b.f = 0;
   annotation (defaultComponentName="leak", Documentation(info="<html>
-<p>m_flow = G 100 kPa r |r|^(a + b ln|r|) exp(g (q - 1) + growth s + bend s^2) (T/T_atm)^n_T, q = p_gauge/100 kPa, r = q -
-p_open/100 kPa beyond p_open and 0 below, rounded over 3 kPa, s = 8 x/L0: as FlexibleLeak from a threshold on, times
+<p>m_flow = G 100 kPa r |r|^(a + b ln|r|) exp(g (q - 1) + growth s + bend s^2) (T/T_atm)^n_T, q = p_gauge/100 kPa, r = q
+- p_open/100 kPa beyond p_open and 0 below, rounded over 3 kPa, s = 8 x/L0: as
+<a href=\"modelica://PneumaticMuscle.Effects.Leak.FlexibleLeak\">FlexibleLeak</a> from a threshold on, times
 exponentials of the pressure and of the contraction and a power of the temperature. A relief valve or a lip opens at a
 pressure; viscosity and density of the gas go with its temperature. Source: first terms of the expansion of the
 logarithm of the conductance; lips are pressed shut or open by the pressure, pores and end fittings open as the bladder
-is stretched. What
-pressure presses shut, p exp(-p/p_0), and what opens with the exponential of the contraction are met exactly, one that
-opens at 50 kPa within 3 %. Gas flows out where the pressure is above the ambient one, whatever the coefficients are. Typical as FlexibleLeak, g -1 to 0.5, growth 0 to 1.</p>
-<p>Fingerprint: as FlexibleLeak, another at another contraction.</p>
+is stretched. What pressure presses shut, p exp(-p/p_0), and what opens with the exponential of the contraction are met
+exactly, one that opens at 50 kPa within 3 %. Gas flows out where the pressure is above the ambient one, whatever the
+coefficients are. Typical as <a href=\"modelica://PneumaticMuscle.Effects.Leak.FlexibleLeak\">FlexibleLeak</a>, g -1 to
+0.5, growth 0 to 1.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.Leak.FlexibleLeak\">FlexibleLeak</a>, another at another
+contraction.</p>
 </html>"));
 end GeneralLeak;

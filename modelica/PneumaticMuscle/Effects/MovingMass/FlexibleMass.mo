@@ -22,11 +22,14 @@ equation
 <p>f = d/dt(m(x) v) - m'(x) v^2/2 + w(x) = m(x) v_dot + m'(x) v^2/2 + w(x), m(x) = m (1 + s)^a, w(x) = m share g exp(c
 s + d s^2), s = 8 x/L0: the inertia is positive and the weight hangs, whatever the coefficients are. Source:
 Lagrange's equation of a mass whose path y(x) a lever, a cam or a drum prescribes, inertia m y'^2, weight m y' g,
-balanced or not; for a = c = d = 0 it is DP (17), share = 1 then is HangingMass, 0 is BalancedMass. A lever of the
-ratio 1 + x/80 mm, a drum whose inertia grows by 1 + x/40 mm and an arm that turns by 0.7 rad are met within 1 % of
-what they change in the readings. Typical 0.1 to 20 kg, a -1 to 2, c -0.3 to 0.7.
-The run starts where the load alone rests, see HangingMass: a weight of 40 N settles by 0.2 mm.</p>
-<p>Fingerprint: as HangingMass, with jumps that are slower or faster than its weight lets expect, more so at another
-contraction.</p>
+balanced or not; for a = c = d = 0 it is <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (17), share
+= 1 then is <a href=\"modelica://PneumaticMuscle.Effects.MovingMass.HangingMass\">HangingMass</a>, 0 is
+<a href=\"modelica://PneumaticMuscle.Effects.MovingMass.BalancedMass\">BalancedMass</a>. A lever of the ratio 1 + x/80
+mm, a drum whose inertia grows by 1 + x/40 mm and an arm that turns by 0.7 rad are met within 1 % of what they change in
+the readings. Typical 0.1 to 20 kg, a -1 to 2, c -0.3 to 0.7. The run starts where the load alone rests, see
+<a href=\"modelica://PneumaticMuscle.Effects.MovingMass.HangingMass\">HangingMass</a>: a weight of 40 N settles by 0.2
+mm.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.MovingMass.HangingMass\">HangingMass</a>, with jumps
+that are slower or faster than its weight lets expect, more so at another contraction.</p>
 </html>"));
 end FlexibleMass;

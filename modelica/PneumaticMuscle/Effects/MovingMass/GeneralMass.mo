@@ -1,6 +1,8 @@
 within PneumaticMuscle.Effects.MovingMass;
 model GeneralMass "Moving parts of any inertia and weight, and a part that is dragged along with slip"
   extends FamilyMember(final general=true, final absent="m=0, m_weight=0, m_slip=0");
+  parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
+    annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   parameter Types.Mass m(min=0, max=100, nominal=1) = 1 "Inertia at full length, referred to the load end"
     annotation (Dialog(group="Effect"));
   parameter Real a(unit="1", min=-1, max=2, nominal=0.3) = 0 "Relative growth of the inertia per reference contraction"
@@ -17,20 +19,27 @@ model GeneralMass "Moving parts of any inertia and weight, and a part that is dr
     annotation (Dialog(group="Effect"));
   parameter Types.Time tau(min=2e-3, max=10, nominal=0.1) = 0.1 "Time in which it takes up the speed"
     annotation (Dialog(group="Effect"));
-  Types.Velocity w(start=0, fixed=true) "Speed of what is dragged along";
+  Types.Velocity w(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Speed of what is dragged along";
 protected
   constant Real e_reference(unit="1") = 0.125 "Reference contraction, by the length";
   constant Real e_smooth(unit="1") = 0.01 "Contraction over which the growth begins";
   Types.Length x_size = sqrt(x^2 + (e_smooth*L0)^2) "Rounded size of the contraction";
   Real s(unit="1") = 0.5*(x + x_size)/(e_reference*L0) "Contraction by the reference, zero beyond full length";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(w) = 0;
+  end if;
 equation
   tau*der(w) = v - w;
-  f = m*exp(s*(a + b*s))*(der(v) + 0.5*(a + 2*b*s)*s/x_size*v^2) + m_weight*Constants.g*exp(s*(c + d*s)) + m_slip*(v - w)/tau;
+  f = m*exp(s*(a + b*s))*(der(v) + 0.5*(a + 2*b*s)*s/x_size*v^2) + m_weight*Constants.g*exp(s*(c + d*s))
+    + m_slip*(v - w)/tau;
   annotation (defaultComponentName="movingMass", Documentation(info="<html>
-<p>f = m(x) v_dot + m'(x) v^2/2 + w(x) + m_slip (v - w)/tau, tau w_dot = v - w, m(x) = m exp(a s + b s^2), w(x) = m_weight
-g exp(c s + d s^2), s = 8 x/L0. Source: Lagrange's equation as in FlexibleMass, see there, with one more term of the
-inertia; a body that a fluid, a belt or a cord drags along with a slip in proportion to the force is a Maxwell
+<p>f = m(x) v_dot + m'(x) v^2/2 + w(x) + m_slip (v - w)/tau, tau w_dot = v - w, m(x) = m exp(a s + b s^2), w(x) =
+m_weight g exp(c s + d s^2), s = 8 x/L0. Source: Lagrange's equation as in
+<a href=\"modelica://PneumaticMuscle.Effects.MovingMass.FlexibleMass\">FlexibleMass</a>, see there, with one more term
+of the inertia; a body that a fluid, a belt or a cord drags along with a slip in proportion to the force is a Maxwell
 element whose spring is replaced by its inertia. Typical as there, m_slip 0.1 to 20 kg, tau 0.02 to 1 s.</p>
-<p>Fingerprint: as FlexibleMass; slow motion feels all of the inertia, a jerk only a part.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.MovingMass.FlexibleMass\">FlexibleMass</a>; slow motion
+feels all of the inertia, a jerk only a part.</p>
 </html>"));
 end GeneralMass;

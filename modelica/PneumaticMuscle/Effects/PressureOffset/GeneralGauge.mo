@@ -3,7 +3,8 @@ model GeneralGauge "The pressure reading is any smooth function of the pressure"
   extends Interfaces.Manometer;
   extends FamilyMember(final general=true,
     final absent="offset=0, gain=1, bend=0, c=0, d=0");
-  parameter Types.GaugePressure offset(min=-5e4, max=5e4, nominal=1e3) = 1e3 "What the reading has too much at ambient pressure"
+  parameter Types.GaugePressure offset(min=-5e4, max=5e4, nominal=1e3) = 1e3
+    "What the reading has too much at ambient pressure"
     annotation (Dialog(group="Effect"));
   parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.01 "Slope of the reading at ambient pressure"
     annotation (Dialog(group="Effect"));
@@ -20,7 +21,8 @@ equation
   p = offset + p_reference*q*(gain + q*(bend + q*(c + d*q)));
   annotation (Documentation(info="<html>
 <p>p = offset + 100 kPa (gain q + bend q^2 + c q^3 + d q^4), q = p_gauge/100 kPa. Source: zero, span and linearity error
-of a transducer's data sheet, the last as a polynomial. Typical as FlexibleGauge.</p>
-<p>Fingerprint: as FlexibleGauge.</p>
+of a transducer's data sheet, the last as a polynomial. Typical as
+<a href=\"modelica://PneumaticMuscle.Effects.PressureOffset.FlexibleGauge\">FlexibleGauge</a>.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.PressureOffset.FlexibleGauge\">FlexibleGauge</a>.</p>
 </html>"));
 end GeneralGauge;

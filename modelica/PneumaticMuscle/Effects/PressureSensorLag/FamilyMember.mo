@@ -3,6 +3,8 @@ partial model FamilyMember "What every member of the family says of itself"
   extends Interfaces.Effect(final family="pressure_sensor_lag", final balance="sensor");
   extends Icons.PressureSensorLag;
   annotation (Documentation(info="<html>
-<p>A member also extends <code>Interfaces.PressureChannel</code>, whose place it takes, and gives its equations.</p>
+<p>A member also extends
+<a href=\"modelica://PneumaticMuscle.Interfaces.PressureChannel\">Interfaces.PressureChannel</a>, whose place it takes,
+and gives its equations.</p>
 </html>"));
 end FamilyMember;

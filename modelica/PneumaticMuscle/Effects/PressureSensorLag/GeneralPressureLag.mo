@@ -18,10 +18,17 @@ protected
   constant Types.GaugePressure d_smooth = 100 "Difference over which rising and falling change roles";
   Types.GaugePressure d "What the first lag still lacks";
 initial equation
-  z = u;
-  z_2 = u;
-  z_3 = u;
-  w = 0;
+  if dynamics == Types.Dynamics.FixedInitial then
+    z = u;
+    z_2 = u;
+    z_3 = u;
+    w = 0;
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(z) = 0;
+    der(z_2) = 0;
+    der(z_3) = 0;
+    der(w) = 0;
+  end if;
 equation
   d = u - z;
   (0.5*(1 + ratio) + 0.5*(1 - ratio)*d/sqrt(d^2 + d_smooth^2))*tau*der(z) = d;
@@ -31,8 +38,9 @@ equation
   y = z_2 - dead_time*w;
   annotation (Documentation(info="<html>
 <p>tau z_dot = u - z, with ratio tau where the pressure falls; r tau z_2_dot = z - z_2; then the dead time of
-PressureDelay. Source: those of the family in one; a snubber with a check ball, or whose resistance depends on the
-density, is slower one way. Typical as there.</p>
+<a href=\"modelica://PneumaticMuscle.Effects.PressureSensorLag.PressureDelay\">PressureDelay</a>. Source: those of the
+family in one; a snubber with a check ball, or whose resistance depends on the density, is slower one way. Typical as
+there.</p>
 <p>Fingerprint: as those.</p>
 </html>"));
 end GeneralPressureLag;

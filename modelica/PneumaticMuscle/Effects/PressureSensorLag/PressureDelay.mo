@@ -7,8 +7,13 @@ model PressureDelay "The pressure reading comes late by a dead time"
   Types.GaugePressure z "What the second-order lag in it gives";
   Real w(unit="Pa/s", nominal=1e6) "Its rate";
 initial equation
-  z = u;
-  w = 0;
+  if dynamics == Types.Dynamics.FixedInitial then
+    z = u;
+    w = 0;
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(z) = 0;
+    der(w) = 0;
+  end if;
 equation
   der(z) = w;
   dead_time^2*der(w) = 12*(u - z) - 6*dead_time*w;

@@ -5,7 +5,11 @@ model PressureLag "The pressure reading lags"
   parameter Types.Time tau(min=1e-4, max=5, nominal=0.05) = 0.05 "Time constant"
     annotation (Dialog(group="Effect"));
 initial equation
-  y = u;
+  if dynamics == Types.Dynamics.FixedInitial then
+    y = u;
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(y) = 0;
+  end if;
 equation
   tau*der(y) = u - y;
   annotation (Documentation(info="<html>

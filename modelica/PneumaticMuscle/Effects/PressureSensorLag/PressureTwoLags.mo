@@ -8,14 +8,20 @@ model PressureTwoLags "The pressure reading lags twice"
     annotation (Dialog(group="Effect"));
   Types.GaugePressure z "Pressure behind the first lag";
 initial equation
-  z = u;
-  y = u;
+  if dynamics == Types.Dynamics.FixedInitial then
+    z = u;
+    y = u;
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(z) = 0;
+    der(y) = 0;
+  end if;
 equation
   tau*der(z) = u - z;
   r*tau*der(y) = z - y;
   annotation (Documentation(info="<html>
 <p>tau z_dot = u - z, r tau y_dot = z - y. Source: a snubber in front of the diaphragm and a filter behind it. Typical 1
 to 200 ms, 0.05 to 1.</p>
-<p>Fingerprint: as PressureLag, with a soft beginning.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.PressureSensorLag.PressureLag\">PressureLag</a>, with a
+soft beginning.</p>
 </html>"));
 end PressureTwoLags;

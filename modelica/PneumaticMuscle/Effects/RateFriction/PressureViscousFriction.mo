@@ -6,8 +6,9 @@ model PressureViscousFriction "Friction in proportion to speed and gauge pressur
 equation
   f = c_p*p_gauge*v;
   annotation (defaultComponentName="damper", Documentation(info="<html>
-<p>f = c_p p_gauge v. Source: the fibre friction DP (68) for slow motion, with its strength left free. Typical
-1e-4 to 1e-2 N.s/(m.Pa).</p>
-<p>Fingerprint: as ViscousFriction, stronger at high pressure.</p>
+<p>f = c_p p_gauge v. Source: the fibre friction <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a>
+(68) for slow motion, with its strength left free. Typical 1e-4 to 1e-2 N.s/(m.Pa).</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.RateFriction.ViscousFriction\">ViscousFriction</a>,
+stronger at high pressure.</p>
 </html>"));
 end PressureViscousFriction;

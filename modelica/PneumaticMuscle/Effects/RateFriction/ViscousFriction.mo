@@ -6,7 +6,8 @@ model ViscousFriction "Friction in proportion to speed"
 equation
   f = c*v;
   annotation (defaultComponentName="damper", Documentation(info="<html>
-<p>f = c v. Source: the viscous term of DP (5). Typical 20 to 1000 N.s/m.</p>
+<p>f = c v. Source: the viscous term of <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (5). Typical
+20 to 1000 N.s/m.</p>
 <p>Fingerprint: the contraction lags while it moves and is right when it rests.</p>
 </html>"));
 end ViscousFriction;

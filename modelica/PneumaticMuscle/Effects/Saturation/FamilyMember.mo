@@ -3,7 +3,8 @@ partial model FamilyMember "What every member of the family says of itself"
   extends Interfaces.Effect(final family="saturation", final balance="sensor");
   extends Icons.Saturation;
   annotation (Documentation(info="<html>
-<p>A member also extends the interface of its channel, such as <code>Interfaces.PressureChannel</code>, whose place it
-takes, and gives its equations.</p>
+<p>A member also extends the interface of its channel, such as
+<a href=\"modelica://PneumaticMuscle.Interfaces.PressureChannel\">Interfaces.PressureChannel</a>, whose place it takes,
+and gives its equations.</p>
 </html>"));
 end FamilyMember;

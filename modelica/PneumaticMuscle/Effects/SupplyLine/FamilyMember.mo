@@ -3,6 +3,8 @@ partial model FamilyMember "What every member of the family says of itself"
   extends Interfaces.Effect(final family="supply_line", final balance="mass");
   extends Icons.SupplyLine;
   annotation (Documentation(info="<html>
-<p>A member also extends <code>Interfaces.Line</code>, behind the valves, or <code>Interfaces.Feed</code>, before the inlet valve, whose place it takes, and gives its equations.</p>
+<p>A member also extends <a href=\"modelica://PneumaticMuscle.Interfaces.Line\">Interfaces.Line</a>, behind the valves,
+or <a href=\"modelica://PneumaticMuscle.Interfaces.Feed\">Interfaces.Feed</a>, before the inlet valve, whose place it
+takes, and gives its equations.</p>
 </html>"));
 end FamilyMember;

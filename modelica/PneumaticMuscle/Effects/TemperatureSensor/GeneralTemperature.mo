@@ -22,7 +22,8 @@ equation
   annotation (Documentation(info="<html>
 <p>y = T_atm + offset + 20 K (gain w + bend w^2 + c w^3 + d w^4), w = (u - T_atm)/20 K. Source: zero, span and linearity
 error of a transducer's data sheet, the last as a polynomial, as the tables of IEC 60584-1 are. Typical as
-FlexibleTemperature.</p>
-<p>Fingerprint: as FlexibleTemperature.</p>
+<a href=\"modelica://PneumaticMuscle.Effects.TemperatureSensor.FlexibleTemperature\">FlexibleTemperature</a>.</p>
+<p>Fingerprint: as
+<a href=\"modelica://PneumaticMuscle.Effects.TemperatureSensor.FlexibleTemperature\">FlexibleTemperature</a>.</p>
 </html>"));
 end GeneralTemperature;

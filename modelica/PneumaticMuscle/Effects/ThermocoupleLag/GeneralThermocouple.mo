@@ -1,19 +1,24 @@
 within PneumaticMuscle.Effects.ThermocoupleLag;
-model GeneralThermocouple "The temperature reading lags by any law of pressure and flow, behind a sheath, and is drawn to a stem and to the surroundings"
-  extends Interfaces.Thermometer(T(start=T_start, fixed=true));
+model GeneralThermocouple
+  "The temperature reading lags by any law of pressure and flow, "
+  + "behind a sheath, and is drawn to a stem and to the surroundings"
+  extends Interfaces.Thermometer(T(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial));
   extends FamilyMember(final general=true,
     final absent="tau=1e-3, n=0, b=0, loss=0, stem=0, r=1e-3");
   parameter Types.Time tau(min=1e-3, max=100, nominal=1) = 1 "Time constant in gas at rest at ambient pressure"
     annotation (Dialog(group="Effect"));
-  parameter Real n(unit="1", min=-0.5, max=1, nominal=0.3) = 0.3 "Exponent of the pressure in the heat exchange of the bead"
+  parameter Real n(unit="1", min=-0.5, max=1, nominal=0.3) = 0.3
+    "Exponent of the pressure in the heat exchange of the bead"
     annotation (Dialog(group="Effect"));
-  parameter Real b(unit="1", min=0, max=50, nominal=1) = 0.3 "What the reference flow adds to the heat exchange, by that at rest"
+  parameter Real b(unit="1", min=0, max=50, nominal=1) = 0.3
+    "What the reference flow adds to the heat exchange, by that at rest"
     annotation (Dialog(group="Effect"));
   parameter Real n_m(unit="1", min=0.2, max=1.2, nominal=0.5) = 0.5 "Exponent of the flow in that"
     annotation (Dialog(group="Effect"));
   parameter Real side(unit="1", min=-1, max=1, nominal=0.3) = 0 "What filling gains and venting loses in it, by that"
     annotation (Dialog(group="Effect"));
-  parameter Real loss(unit="1", min=0, max=2, nominal=0.03) = 0.02 "Conductance to the surroundings by that to gas at rest"
+  parameter Real loss(unit="1", min=0, max=2, nominal=0.03) = 0.02
+    "Conductance to the surroundings by that to gas at rest"
     annotation (Dialog(group="Effect"));
   parameter Real stem(unit="1", min=0, max=10, nominal=0.1) = 0.03 "Conductance to the stem by that to gas at rest"
     annotation (Dialog(group="Effect"));
@@ -21,23 +26,32 @@ model GeneralThermocouple "The temperature reading lags by any law of pressure a
     annotation (Dialog(group="Effect"));
   parameter Real r(unit="1", min=1e-3, max=1, nominal=0.1) = 0.03 "Time constant of the junction by that of its sheath"
     annotation (Dialog(group="Effect"));
-  Types.Temperature T_s(start=T_start, fixed=true) "Temperature of the sheath";
-  Types.Temperature T_stem(start=T_start, fixed=true) "Temperature of the stem";
+  Types.Temperature T_s(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial) "Temperature of the sheath";
+  Types.Temperature T_stem(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial) "Temperature of the stem";
 protected
   constant Types.MassFlowRate m_reference = 1e-4 "Flow at which b is added";
   constant Types.MassFlowRate m_smooth = 1e-7 "Flow over which filling and venting change roles";
   Real m(unit="1") = m_flow/m_reference "Flow by the reference";
   Real flow_size(unit="1") = sqrt(m^2 + (m_smooth/m_reference)^2) "Its size";
-  outer Components.Ambient ambient "Surroundings";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(T) = 0;
+    der(T_s) = 0;
+    der(T_stem) = 0;
+  end if;
 equation
-  tau*der(T_s) = (port.T - T_s)*(exp(n*log(max(port.p, 1.0)/ambient.p)) + b*exp(n_m*log(flow_size))*(1 + side*m/flow_size))
+  tau*der(T_s) = (port.T - T_s)*(exp(n*log(max(port.p, 1.0)/ambient.p))
+    + b*exp(n_m*log(flow_size))*(1 + side*m/flow_size))
     - loss*(T_s - ambient.T) - stem*(T_s - T_stem);
   r*tau*der(T) = T_s - T;
   tau_stem*der(T_stem) = port.T - T_stem;
   annotation (Documentation(info="<html>
-<p>tau T_s_dot = ((p/p_atm)^n + b (1 + side sgn m_flow) (|m_flow|/0.1 g/s)^n_m) (T_gas - T_s) - loss (T_s - T_atm) - stem
-(T_s - T_stem), tau_stem T_stem_dot = T_gas - T_stem, r tau T_dot = T_s - T. Source: FlexibleThermocouple, ThermocoupleStem and
-ThermocoupleSheath, see there, in one, with a free exponent of the flow. Typical as there.</p>
+<p>tau T_s_dot = ((p/p_atm)^n + b (1 + side sgn m_flow) (|m_flow|/0.1 g/s)^n_m) (T_gas - T_s) - loss (T_s - T_atm) -
+stem (T_s - T_stem), tau_stem T_stem_dot = T_gas - T_stem, r tau T_dot = T_s - T. Source:
+<a href=\"modelica://PneumaticMuscle.Effects.ThermocoupleLag.FlexibleThermocouple\">FlexibleThermocouple</a>,
+<a href=\"modelica://PneumaticMuscle.Effects.ThermocoupleLag.ThermocoupleStem\">ThermocoupleStem</a> and
+<a href=\"modelica://PneumaticMuscle.Effects.ThermocoupleLag.ThermocoupleSheath\">ThermocoupleSheath</a>, see there, in
+one, with a free exponent of the flow. Typical as there.</p>
 <p>Fingerprint: as those.</p>
 </html>"));
 end GeneralThermocouple;

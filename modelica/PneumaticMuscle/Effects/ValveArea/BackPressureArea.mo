@@ -14,8 +14,10 @@ equation
   end for;
   annotation (Documentation(info="<html>
 <p>A = A(u) (1 - beta p_down/p_up), the ratio of absolute pressures rounded at equal pressures. Source: the
-discharge coefficient of a sharp orifice falls with the pressure ratio, from 0.84 to 0.60 (Perry 1949), and pressure on the plunger of a proportional valve
-moves it; DP (62) was measured at one pressure. Typical 0.05 to 0.35.</p>
+discharge coefficient of a sharp orifice falls with the pressure ratio, from 0.84 to 0.60
+(<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Perry 1949</a>), and pressure on the plunger of a
+proportional valve moves it; <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (62) was measured at
+one pressure. Typical 0.05 to 0.35.</p>
 <p>Fingerprint: the beginning of filling is right and its end too slow; venting is too slow at low pressure.</p>
 </html>"));
 end BackPressureArea;

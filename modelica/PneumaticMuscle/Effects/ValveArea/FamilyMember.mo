@@ -3,6 +3,7 @@ partial model FamilyMember "What every member of the family says of itself"
   extends Interfaces.Effect(final family="valve_area", final balance="mass");
   extends Icons.ValveArea;
   annotation (Documentation(info="<html>
-<p>A member also extends <code>Interfaces.ValveArea</code>, whose place it takes, and gives its equations.</p>
+<p>A member also extends <a href=\"modelica://PneumaticMuscle.Interfaces.ValveArea\">Interfaces.ValveArea</a>, whose
+place it takes, and gives its equations.</p>
 </html>"));
 end FamilyMember;

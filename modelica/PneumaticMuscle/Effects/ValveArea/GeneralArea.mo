@@ -3,7 +3,8 @@ model GeneralArea "The effective area is any smooth function of pressure ratio, 
   extends Interfaces.ValveArea;
   extends FamilyMember(final general=true,
     final absent="b_r=0, b_2=0, b_4=0, b_6=0, b_8=0, b_p=0, b_s=0, b_u=0, b_v=0, u_p=0");
-  parameter Real b_r(unit="1", min=-1, max=2, nominal=0.1) = 0.1 "What the logarithm of the area loses with the pressure ratio"
+  parameter Real b_r(unit="1", min=-1, max=2, nominal=0.1) = 0.1
+    "What the logarithm of the area loses with the pressure ratio"
     annotation (Dialog(group="Effect"));
   parameter Real b_2(unit="1", min=-2, max=2, nominal=0.2) = 0 "What that gains beyond a ratio of 0.2"
     annotation (Dialog(group="Effect"));
@@ -15,17 +16,21 @@ model GeneralArea "The effective area is any smooth function of pressure ratio, 
     annotation (Dialog(group="Effect"));
   parameter Real b_p(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "What it loses with the pressure drop, per 100 kPa"
     annotation (Dialog(group="Effect"));
-  parameter Real b_s(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "What it gains with the upstream pressure, per 100 kPa beyond 200 kPa"
+  parameter Real b_s(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0
+    "What it gains with the upstream pressure, per 100 kPa beyond 200 kPa"
     annotation (Dialog(group="Effect"));
-  parameter Real b_u(unit="1", min=-1.5, max=1.5, nominal=0.1) = 0 "What it gains with the current, per 0.35 A beyond 0.35 A"
+  parameter Real b_u(unit="1", min=-1.5, max=1.5, nominal=0.1) = 0
+    "What it gains with the current, per 0.35 A beyond 0.35 A"
     annotation (Dialog(group="Effect"));
   parameter Real b_v(unit="1", min=-2, max=2, nominal=0.1) = 0 "What it gains with the square of that"
     annotation (Dialog(group="Effect"));
   parameter Real b_e(unit="1", min=-0.7, max=0.7, nominal=0.1) = 0 "What the exhaust gains and the inlet loses"
     annotation (Dialog(group="Effect"));
-  parameter Real b_f(unit="1", min=-0.7, max=0.7, nominal=0.1) = 0 "What the exhaust gains and the inlet loses with the current, per 0.35 A beyond 0.35 A"
+  parameter Real b_f(unit="1", min=-0.7, max=0.7, nominal=0.1) = 0
+    "What the exhaust gains and the inlet loses with the current, per 0.35 A beyond 0.35 A"
     annotation (Dialog(group="Effect"));
-  parameter Types.Current u_p(min=-0.02, max=0.1, nominal=0.01) = 0 "Current that a pressure drop of 100 kPa takes to hold the plunger"
+  parameter Types.Current u_p(min=-0.02, max=0.1, nominal=0.01) = 0
+    "Current that a pressure drop of 100 kPa takes to hold the plunger"
     annotation (Dialog(group="Effect"));
 protected
   constant Real z_smooth = 3e-4 "Relative pressure drop over which the sides change roles";
@@ -51,11 +56,14 @@ equation
       + (if i == 1 then -1 else 1)*(b_e + b_f*(u[i]/u_reference - 1)));
   end for;
   annotation (Documentation(info="<html>
-<p>As FlexibleArea, where the logarithm of the area is a smooth chain of straight lines in the pressure ratio r, with
-knots at 0.2, 0.4, 0.6 and 0.8, a parabola in the current, and another for either valve. Source: see there, and
-UnequalAreas; a chain of lines in r also says another law of flow than DP (40)-(41), with another critical ratio (ISO 6358
-states 0.2 to 0.5 for valves) or another curve beyond it; that of ISO 6358 with a critical ratio of 0.3 is met within 1 %
-of what it changes, as are squares of the ratio and of the current. Typical coefficients below 0.3.</p>
-<p>Fingerprint: as FlexibleArea.</p>
+<p>As <a href=\"modelica://PneumaticMuscle.Effects.ValveArea.FlexibleArea\">FlexibleArea</a>, where the logarithm of the
+area is a smooth chain of straight lines in the pressure ratio r, with knots at 0.2, 0.4, 0.6 and 0.8, a parabola in the
+current, and another for either valve. Source: see there, and
+<a href=\"modelica://PneumaticMuscle.Effects.ValveArea.UnequalAreas\">UnequalAreas</a>; a chain of lines in r also says
+another law of flow than <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (40)-(41), with another
+critical ratio (<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">ISO 6358</a> states 0.2 to 0.5 for valves)
+or another curve beyond it; that of ISO 6358 with a critical ratio of 0.3 is met within 1 % of what it changes, as are
+squares of the ratio and of the current. Typical coefficients below 0.3.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.ValveArea.FlexibleArea\">FlexibleArea</a>.</p>
 </html>"));
 end GeneralArea;

@@ -8,8 +8,10 @@ equation
   A[1] = C_A*Functions.openingArea(u[1]) + A_seat;
   A[2] = C_A*Functions.openingArea(u[2]);
   annotation (Documentation(info="<html>
-<p>A_in = A(u_in) + A_seat. Source: the seat leakage that data sheets of valves state; a notch, or dirt on the seat, is an orifice
-beside it, DP (40)-(42). That of the exhaust valve is OrificeLeak. Typical 1e-10 to 1e-8 m2.</p>
-<p>Fingerprint: the pressure rises while both valves are shut, towards the supply, and venting ends above ambient pressure.</p>
+<p>A_in = A(u_in) + A_seat. Source: the seat leakage that data sheets of valves state; a notch, or dirt on the seat, is
+an orifice beside it, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (40)-(42). That of the exhaust
+valve is <a href=\"modelica://PneumaticMuscle.Effects.Leak.OrificeLeak\">OrificeLeak</a>. Typical 1e-10 to 1e-8 m2.</p>
+<p>Fingerprint: the pressure rises while both valves are shut, towards the supply, and venting ends above ambient
+pressure.</p>
 </html>"));
 end LeakingSeat;

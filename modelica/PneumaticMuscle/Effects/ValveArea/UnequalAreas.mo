@@ -8,8 +8,9 @@ equation
   A[1] = C_A*Functions.openingArea(u[1]);
   A[2] = r*C_A*Functions.openingArea(u[2]);
   annotation (Documentation(info="<html>
-<p>A_out = r A_in at one current. Source: DP (62) takes both valves for equal and calibrates one of them by 30
-%; typical of valves of one make are differences of 5 to 20 %.</p>
+<p>A_out = r A_in at one current. Source: <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (62) takes
+both valves for equal and calibrates one of them by 30 %; typical of valves of one make are differences of 5 to 20
+%.</p>
 <p>Fingerprint: filling is right and venting too slow or too fast by one factor, or the other way round.</p>
 </html>"));
 end UnequalAreas;

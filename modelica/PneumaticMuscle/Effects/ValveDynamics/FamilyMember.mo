@@ -3,7 +3,8 @@ partial model FamilyMember "What every member of the family says of itself"
   extends Interfaces.Effect(final family="valve_dynamics", final balance="mass");
   extends Icons.ValveDynamics;
   annotation (Documentation(info="<html>
-<p>A member also extends <code>Interfaces.ValveDrive</code>, before the law of the area, or <code>Interfaces.ValveOpening</code>,
+<p>A member also extends <a href=\"modelica://PneumaticMuscle.Interfaces.ValveDrive\">Interfaces.ValveDrive</a>, before
+the law of the area, or <a href=\"modelica://PneumaticMuscle.Interfaces.ValveOpening\">Interfaces.ValveOpening</a>,
 behind it, whose place it takes, and gives its equations.</p>
 </html>"));
 end FamilyMember;

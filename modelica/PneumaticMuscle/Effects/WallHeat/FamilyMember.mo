@@ -3,6 +3,8 @@ partial model FamilyMember "What every member of the family says of itself"
   extends Interfaces.Effect(final family="wall_heat", final balance="energy");
   extends Icons.WallHeat;
   annotation (Documentation(info="<html>
-<p>A member also extends <code>Interfaces.Surroundings</code> or <code>Interfaces.Wall</code>, whose place it takes, and gives its equations.</p>
+<p>A member also extends <a href=\"modelica://PneumaticMuscle.Interfaces.Surroundings\">Interfaces.Surroundings</a> or
+<a href=\"modelica://PneumaticMuscle.Interfaces.Wall\">Interfaces.Wall</a>, whose place it takes, and gives its
+equations.</p>
 </html>"));
 end FamilyMember;

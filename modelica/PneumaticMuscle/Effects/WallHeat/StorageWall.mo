@@ -6,18 +6,23 @@ model StorageWall "A wall that stores heat between a film inside and a film outs
     annotation (Dialog(group="Effect"));
   parameter Real r(unit="1", min=0.01, max=50, nominal=1) = 1 "Film coefficient outside by that inside"
     annotation (Dialog(group="Effect"));
-  Types.Temperature T_w "Temperature of the wall";
+  Types.Temperature T_w(start=ambient.T) "Temperature of the wall";
 initial equation
-  T_w = outside.T;
+  if dynamics == Types.Dynamics.FixedInitial then
+    T_w = outside.T;
+  elseif dynamics == Types.Dynamics.SteadyStateInitial then
+    der(T_w) = 0;
+  end if;
 equation
   heatPort.Q_flow*(1 + h_film*t/(2*k)) = h_film*A*(heatPort.T - T_w);
   outside.Q_flow*(1 + r*h_film*t/(2*k)) = r*h_film*A*(outside.T - T_w);
   C*der(T_w) = heatPort.Q_flow + outside.Q_flow;
   annotation (Documentation(info="<html>
-<p>Film, half the wall, store of heat, half the wall, film. Source: DP (44)-(45) with the films of
-Laws.Heat.FilmWall; typical C as for WarmWall, r 0.2 to 2. Without a heat capacity and with r = 1 it is
-Laws.Heat.FilmWall; with a large one only the film inside resists.</p>
-<p>Fingerprint: as WarmWall, and twice the heat flow at the beginning of a filling. A vessel whose gas takes no
-heat from its wall does not feel it.</p>
+<p>Film, half the wall, store of heat, half the wall, film. Source:
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (44)-(45) with the films of Laws.Heat.FilmWall;
+typical C as for <a href=\"modelica://PneumaticMuscle.Effects.WallHeat.WarmWall\">WarmWall</a>, r 0.2 to 2. Without a
+heat capacity and with r = 1 it is Laws.Heat.FilmWall; with a large one only the film inside resists.</p>
+<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.WallHeat.WarmWall\">WarmWall</a>, and twice the heat
+flow at the beginning of a filling. A vessel whose gas takes no heat from its wall does not feel it.</p>
 </html>"));
 end StorageWall;

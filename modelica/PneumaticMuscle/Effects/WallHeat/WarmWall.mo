@@ -4,17 +4,23 @@ model WarmWall "The wall warms up as a whole"
   extends FamilyMember(final absent="C=1e5");
   parameter Types.HeatCapacity C(min=1e-2, max=1e5, nominal=1) = 1 "Heat capacity of the wall"
     annotation (Dialog(group="Effect"));
-  parameter Types.ThermalConductance G(min=0, max=50, nominal=0.02) = 0.02 "Conductance from the wall to the surroundings"
+  parameter Types.ThermalConductance G(min=0, max=50, nominal=0.02) = 0.02
+    "Conductance from the wall to the surroundings"
     annotation (Dialog(group="Effect"));
-  Types.Temperature T_w(start=ambient.T, fixed=true) "Temperature of the wall";
+  Types.Temperature T_w(start=ambient.T, fixed=dynamics == Types.Dynamics.FixedInitial) "Temperature of the wall";
+initial equation
+  if dynamics == Types.Dynamics.SteadyStateInitial then
+    der(T_w) = 0;
+  end if;
 equation
   heatPort.T = T_w;
   C*der(T_w) = heatPort.Q_flow - G*(T_w - ambient.T);
   annotation (Documentation(info="<html>
-<p>C T_w_dot = Q_flow - G (T_w - T_atm), behind the resistance of the base wall. Source: DP (44) takes the air
-outside for an infinite store of heat; C is mass times specific heat capacity, typical 0.5 to 6 J/K for 0.254 mm
-of latex, of which the fibres leave a part bare, and 5e3 J/K for a steel vessel of 16 L. G is area times an
-outer film of 5 to 20 W/(m2.K): 0.02 to 0.3 W/K for a muscle. At C = 1e5 J/K the wall stays cold.</p>
+<p>C T_w_dot = Q_flow - G (T_w - T_atm), behind the resistance of the base wall. Source:
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (44) takes the air outside for an infinite store of
+heat; C is mass times specific heat capacity, typical 0.5 to 6 J/K for 0.254 mm of latex, of which the fibres leave a
+part bare, and 5e3 J/K for a steel vessel of 16 L. G is area times an outer film of 5 to 20 W/(m2.K): 0.02 to 0.3 W/K
+for a muscle. At C = 1e5 J/K the wall stays cold.</p>
 <p>Fingerprint: pressure and temperature stay higher after filling and lower after venting than with a cold
 wall, the more so the sooner fillings follow each other. A vessel whose gas takes no heat from its wall does not
 feel it.</p>

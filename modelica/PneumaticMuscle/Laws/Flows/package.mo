@@ -2,6 +2,7 @@ within PneumaticMuscle.Laws;
 package Flows "Mass flow rate through an opening"
   extends Icons.Package;
   annotation (Documentation(info="<html>
-<p>Each extends <code>Flow</code> and is redeclared as the <code>Flow</code> of a pair of valves.</p>
+<p>Each extends <a href=\"modelica://PneumaticMuscle.Laws.Flows.Flow\">Flow</a> and is redeclared as the
+<a href=\"modelica://PneumaticMuscle.Laws.Flows.Flow\">Flow</a> of a pair of valves.</p>
 </html>"));
 end Flows;

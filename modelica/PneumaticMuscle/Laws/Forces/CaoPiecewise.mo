@@ -1,7 +1,8 @@
 within PneumaticMuscle.Laws.Forces;
 model CaoPiecewise "Linear in contraction and speed, other coefficients above 200 kPa than below, after DP (7)"
   extends Interfaces.Cylinder;
-  parameter Types.GaugePressure p_change(min=1e4, max=1e6) = 200e3 "Gauge pressure at which the slopes by pressure change"
+  parameter Types.GaugePressure p_change(min=1e4, max=1e6) = 200e3
+    "Gauge pressure at which the slopes by pressure change"
     annotation (Dialog(group="Law"));
   parameter Types.Force F_0(min=-1e3, max=1e3) = 0 "F at no pressure" annotation (Dialog(group="Law"));
   parameter Types.Area F_1(min=0, max=0.1, nominal=1e-3) = 6e-4 "F per gauge pressure below the change"
@@ -16,9 +17,11 @@ model CaoPiecewise "Linear in contraction and speed, other coefficients above 20
     annotation (Dialog(group="Law"));
   parameter Types.TranslationalDamping B_0(min=0, max=1e4) = 50 "Damping at no pressure"
     annotation (Dialog(group="Law"));
-  parameter Real B_1(unit="N.s/(m.Pa)", min=-0.1, max=0.1, nominal=1e-4) = 2e-4 "Damping per gauge pressure below the change"
+  parameter Real B_1(unit="N.s/(m.Pa)", min=-0.1, max=0.1, nominal=1e-4) = 2e-4
+    "Damping per gauge pressure below the change"
     annotation (Dialog(group="Law"));
-  parameter Real B_2(unit="N.s/(m.Pa)", min=-0.1, max=0.1, nominal=1e-4) = 1e-4 "Damping per gauge pressure above the change"
+  parameter Real B_2(unit="N.s/(m.Pa)", min=-0.1, max=0.1, nominal=1e-4) = 1e-4
+    "Damping per gauge pressure above the change"
     annotation (Dialog(group="Law"));
   Types.Length x = L0 - L "Contraction";
   Types.Velocity v = der(x) "Speed of contraction";
@@ -31,7 +34,7 @@ equation
   F = F_0 + F_1*p_1 + F_2*p_2 - (K_0 + K_1*p_1 + K_2*p_2)*x - (B_0 + B_1*p_1 + B_2*p_2)*v;
   annotation (Documentation(info="<html>
 <p>Cao's second model: one equation up to 200 kPa and one above, where the measured coefficients change their slope
-abruptly (text after DP (7)). Continuous at the change, its corner rounded over 1 kPa. No coefficients are given;
-the defaults are there to be fitted.</p>
+abruptly (text after <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (7)). Continuous at the change,
+its corner rounded over 1 kPa. No coefficients are given; the defaults are there to be fitted.</p>
 </html>"));
 end CaoPiecewise;

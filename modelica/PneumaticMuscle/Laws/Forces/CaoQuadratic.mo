@@ -25,8 +25,9 @@ equation
   F = F_0 + F_1*p_gauge + (B1_0 + B1_1*p_gauge)*v + (K1_0 + K1_1*p_gauge)*x + (K2_0 + K2_1*p_gauge)*x^2
     + (B2_0 + B2_1*p_gauge)*x*v;
   annotation (Documentation(info="<html>
-<p>F(P) + B1(P) v + K1(P) x + K2(P) x^2 + B2(P) x v = load + M x_ddot, DP (7), reference 20 there. With the signs as printed a restoring
-spring and a damper have negative coefficients. No coefficients are given; the defaults are of the size of the
+<p>F(P) + B1(P) v + K1(P) x + K2(P) x^2 + B2(P) x v = load + M x_ddot,
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (7), reference 20 there. With the signs as printed a
+restoring spring and a damper have negative coefficients. No coefficients are given; the defaults are of the size of the
 latex muscle of DP Table 1 and are there to be fitted.</p>
 </html>"));
 end CaoQuadratic;

@@ -21,11 +21,13 @@ protected
 equation
   F = mu*p_gauge*(3*L_e^2 - b^2)/(4*Constants.pi*turns^2);
   annotation (Documentation(info="<html>
-<p>F_s = mu(eps) pi D0^2 P/4 (3 (1 - k q(P) eps)^2/tan(alpha_0)^2 - 1/sin(alpha_0)^2), DY (1), (3), (5), with
-q(P) = 1 + c_1 exp(c_2 P), DY (6), and mu(eps) = c_3 exp(c_4 eps) + c_5, DY (7). With
-tan(alpha_0) = n pi D0/L0 this is mu P (3 L_e^2 - b^2)/(4 pi n^2) at the length L_e = L0 (1 - k q eps).
-DY (4) has a constant in the place of the 1 of (6); a constant other than 1 is the k here.</p>
-<p>Defaults: q of the slides (AM, theoretical force equation 1), mu chosen for illustration: DY tabulate no values.
-k, c_5 and the diameter are easily confused in a fit; keep two of them fixed.</p>
+<p>F_s = mu(eps) pi D0^2 P/4 (3 (1 - k q(P) eps)^2/tan(alpha_0)^2 - 1/sin(alpha_0)^2),
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DY</a> (1), (3), (5), with q(P) = 1 + c_1 exp(c_2 P), DY
+(6), and mu(eps) = c_3 exp(c_4 eps) + c_5, DY (7). With tan(alpha_0) = n pi D0/L0 this is mu P (3 L_e^2 - b^2)/(4 pi
+n^2) at the length L_e = L0 (1 - k q eps). DY (4) has a constant in the place of the 1 of (6); a constant other than 1
+is the k here.</p>
+<p>Defaults: q of the slides (<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">AM</a>, theoretical force
+equation 1), mu chosen for illustration: DY tabulate no values. k, c_5 and the diameter are easily confused in a fit;
+keep two of them fixed.</p>
 </html>"));
 end Empirical;

@@ -7,6 +7,7 @@ model BladderFriction "Friction between fibres and bladder, DP (71)"
 equation
   f = p_gauge*mu_fb*A_fb;
   annotation (Documentation(info="<html>
-<p>Printed as a constant that opposes contraction, DP (17) and (71), whichever way the muscle moves.</p>
+<p>Printed as a constant that opposes contraction, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a>
+(17) and (71), whichever way the muscle moves.</p>
 </html>"));
 end BladderFriction;

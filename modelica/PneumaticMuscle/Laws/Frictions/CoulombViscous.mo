@@ -11,7 +11,8 @@ model CoulombViscous "Coulomb and viscous friction by the rate of strain, DP (5)
 equation
   f = c_v*eps_dot + c_c*tanh(v_slip/L0/rate_smooth);
   annotation (Documentation(info="<html>
-<p>F = c_v eps_dot + c_c sgn(eps_dot), DP (5), DY (8)-(9). The sign is smoothed as DP (69) does, over 0.2 % of the
-length a second.</p>
+<p>F = c_v eps_dot + c_c sgn(eps_dot), <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (5),
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DY</a> (8)-(9). The sign is smoothed as DP (69) does, over
+0.2 % of the length a second.</p>
 </html>"));
 end CoulombViscous;

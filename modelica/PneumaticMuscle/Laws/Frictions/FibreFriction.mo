@@ -8,7 +8,8 @@ model FibreFriction "Friction of fibre on fibre, DP (68)-(69)"
 equation
   f = p_gauge*A_ff*mu_d*tanh(K_f*v);
   annotation (Documentation(info="<html>
-<p>f_ff = p_gauge A_ff mu_d tanh(K_f v), DP (68)-(69), with A_ff = q w z for all q crossings, DP (70) and (72). With
-K_f = 1 s/m, DP's value, it is viscous at the speeds of a muscle.</p>
+<p>f_ff = p_gauge A_ff mu_d tanh(K_f v), <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (68)-(69),
+with A_ff = q w z for all q crossings, DP (70) and (72). With K_f = 1 s/m, DP's value, it is viscous at the speeds of a
+muscle.</p>
 </html>"));
 end FibreFriction;

@@ -5,6 +5,7 @@ equation
   heatPort.Q_flow = h_film*A*(heatPort.T - outside.T);
   outside.Q_flow = -heatPort.Q_flow;
   annotation (Documentation(info="<html>
-<p>Q_flow = h A (T - T_outside), DP (44) with the film inside alone.</p>
+<p>Q_flow = h A (T - T_outside), <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (44) with the film
+inside alone.</p>
 </html>"));
 end MetalWall;

@@ -20,6 +20,7 @@ equation
     *exp(c*log(max(max(port_a.p, port_b.p), 1.0)/ambient.p) + side*u/sqrt(u^2 + width^2));
   annotation (Documentation(info="<html>
 <p>m_flow = G p_ref u |u|^(a + b ln|u|) (p_up/p_atm)^c exp(side sgn u), u = (p_a^2 - p_b^2)/(2 p_atm p_ref), p_ref = 100
-kPa, <code>Functions.curvedPower</code>. a = b = c = side = 0 is LaminarTube.</p>
+kPa, <a href=\"modelica://PneumaticMuscle.Functions.curvedPower\">Functions.curvedPower</a>. a = b = c = side = 0 is
+<a href=\"modelica://PneumaticMuscle.Laws.Lines.LaminarTube\">LaminarTube</a>.</p>
 </html>"));
 end CurvedTube;

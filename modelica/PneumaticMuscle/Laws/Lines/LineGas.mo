@@ -17,7 +17,7 @@ equation
   der(m) = port.m_flow;
   V*der(p) = (Constants.gamma - 1)*(port.H_flow - UA*(T - ambient.T));
   annotation (Documentation(info="<html>
-<p>Mass and energy balance of an ideal gas, DP (43) and (59) at constant volume, with heat UA (T - T_atm) lost to the
-surroundings. The start is left to the line.</p>
+<p>Mass and energy balance of an ideal gas, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (43) and
+(59) at constant volume, with heat UA (T - T_atm) lost to the surroundings. The start is left to the line.</p>
 </html>"));
 end LineGas;

@@ -13,7 +13,8 @@ equation
   m_flow = 2*drop/(laminar + sqrt(laminar^2
     + 4*Constants.R*T_up/A^2*sqrt(drop^2 + (2*ambient.p*p_smooth)^2)));
   annotation (Documentation(info="<html>
-<p>p_a^2 - p_b^2 = 2 p_atm/G m_flow + R T/A^2 m_flow |m_flow|, the law of Forchheimer 1901 for the isothermal flow of an
-ideal gas; solved for m_flow, the size of the left side rounded below 10 Pa of pressure drop.</p>
+<p>p_a^2 - p_b^2 = 2 p_atm/G m_flow + R T/A^2 m_flow |m_flow|, the law of
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Forchheimer 1901</a> for the isothermal flow of an ideal
+gas; solved for m_flow, the size of the left side rounded below 10 Pa of pressure drop.</p>
 </html>"));
 end RoughTube;

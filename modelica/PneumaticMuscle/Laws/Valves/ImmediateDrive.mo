@@ -4,6 +4,6 @@ model ImmediateDrive "The valves follow their currents at once, as DP assume"
 equation
   y = u;
   annotation (Documentation(info="<html>
-<p>y = u: DP leave out the dynamics of the valves.</p>
+<p>y = u: <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> leave out the dynamics of the valves.</p>
 </html>"));
 end ImmediateDrive;

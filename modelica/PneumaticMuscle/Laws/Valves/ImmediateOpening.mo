@@ -4,6 +4,7 @@ model ImmediateOpening "The valves are open as far as their currents say, as DP 
 equation
   A = A_set;
   annotation (Documentation(info="<html>
-<p>A = A_set: DP leave out the dynamics of the valves.</p>
+<p>A = A_set: <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> leave out the dynamics of the
+valves.</p>
 </html>"));
 end ImmediateOpening;

@@ -1,0 +1,1 @@
+"""What a release consists of, made on one machine; nothing is published."""

@@ -1,0 +1,1 @@
+"""FMUs on systems other than the one at hand: built, loaded and simulated there."""
