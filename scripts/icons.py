@@ -23,7 +23,7 @@ from pam_cosim.compiler.instance import Class
 from pam_cosim.compiler.lexer import tokenise
 from pam_cosim.compiler.library import Library
 from pam_cosim.compiler.lookup import Lookup
-from pam_cosim.compiler.source import Source
+from pam_cosim.compiler.source import SourceText
 from pam_cosim.compiler.syntax import (
     EMPTY,
     Array,
@@ -166,10 +166,10 @@ def _argument(modification: Modification, *path: str) -> Expression | None:
     return modification.value
 
 
-def _line(source: Source, span: tuple[int, int]) -> Shape | None:
+def _line(source: SourceText, span: tuple[int, int]) -> Shape | None:
     if span == (0, 0):
         return None
-    text = Source(source.file, source.text[span[0] : span[1]])
+    text = SourceText(source.file, source.text[span[0] : span[1]])
     shape: Shape = value(ExpressionParser(text, tokenise(text)).expression())
     return shape
 

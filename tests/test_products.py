@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
-from pam_cosim.diagnosis.learning_library import Form, Quantity, Shape
+from pam_cosim.diagnosis.learning_library import Form, FormConstant, Quantity
 from pam_cosim.fitting import Leeway
 from tests.fitting.models import vessel_data
 from tests.reporting.synthetic import make_comparison, make_data, make_diagnosis, make_fit
@@ -80,7 +80,7 @@ def test_a_formula_with_a_shape(tmp_path: Path) -> None:
     from pam_cosim.diagnosis.learning import Learned, LearnedTerm
 
     q = Quantity("x", "m", 0.05, False)
-    form = Form("(exp(x/x_1) - 1)", (q,), Shape("x_1", q, 0.02, 0.005, 0.25), "(exp(x/{shape}) - 1)")
+    form = Form("(exp(x/x_1) - 1)", (q,), FormConstant("x_1", q, 0.02, 0.005, 0.25), "(exp(x/{shape}) - 1)")
     term = LearnedTerm("T", "force", "f", "m", "N", (Learned(5.1, 0.1, form),), 0.9, 0.95, {"valve.C_A": 0.01})
     learned = make_learned(DATA)
     diagnosis = make_diagnosis("unknown", DATA, learned=type(learned)(term, learned.model))

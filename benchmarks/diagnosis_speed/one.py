@@ -44,14 +44,14 @@ def main(data: str, cache: str) -> None:
     """Diagnoses and prints."""
     os.environ["PAM_COSIM_CACHE"] = cache
     import pam_cosim as pam
-    from pam_cosim.diagnosis import diagnose, explanation, finding, subject, trial
+    from pam_cosim.diagnosis import diagnose, explanation, search_result, subject, trial
 
     spent["start"] = processor_time()
     trial.build_source = timed("building", trial.build_source)
     subject.build_model = timed("building", subject.build_model)
     trial._probed = timed("predicting", trial._probed)
     trial._fitted = timed("fitting", trial._fitted)
-    finding.fit = timed("fitting", finding.fit)
+    search_result.fit = timed("fitting", search_result.fit)
     explanation.keep_ledger = timed("ledger", explanation.keep_ledger)
     read = timed("building", pam.read)(data)
     found = timed("choosing and judging", diagnose)(read, workers=0)

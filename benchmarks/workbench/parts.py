@@ -26,8 +26,8 @@ from pam_cosim.comparison import RunComparison
 from pam_cosim.workbench import Session
 from pam_cosim.workbench.curves import model_curves
 from pam_cosim.workbench.protocol import frame
-from pam_cosim.workbench.shown import scores_event
 from pam_cosim.workbench.state import State
+from pam_cosim.workbench.state_events import scores_event
 from scripts.browser import MISSING, chromium, serving
 
 WATCH = """

@@ -18,7 +18,7 @@ _METHODS = ("LSODA", "Radau")
 InputCourse = Callable[[float], Array]
 
 
-def held(inputs: Array) -> InputCourse:
+def constant_course(inputs: Array) -> InputCourse:
     """Constant inputs (m,)."""
     return lambda _: inputs
 

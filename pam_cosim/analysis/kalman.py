@@ -26,7 +26,7 @@ _SMALL = 0.5  # norm of a matrix whose exponential needs no care
 
 
 @dataclass(frozen=True)
-class Samples:
+class RecordedSamples:
     """What was recorded.
 
     Attributes:
@@ -65,7 +65,11 @@ UNTOLD_SPREAD = 0.01  # of the nominal size
 
 
 def observe_samples(
-    model: ExchangeModel, parameters: Mapping[str, float], samples: Samples, belief: Belief, outputs: Sequence[str]
+    model: ExchangeModel,
+    parameters: Mapping[str, float],
+    samples: RecordedSamples,
+    belief: Belief,
+    outputs: Sequence[str],
 ) -> Observation:
     """Filters all samples in their order."""
     model.restart(parameters, float(samples.times[0]))
@@ -95,7 +99,7 @@ def observe_samples(
     )
 
 
-def _course(model: ExchangeModel, samples: Samples) -> Callable[[int], Callable[[float], Array]]:
+def _course(model: ExchangeModel, samples: RecordedSamples) -> Callable[[int], Callable[[float], Array]]:
     """For each interval the inputs over time."""
     names, base = list(model.interface.inputs), model.inputs()
     table = np.tile(base, (len(samples.times), 1))

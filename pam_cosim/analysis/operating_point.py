@@ -9,7 +9,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from pam_cosim.analysis.exchange import ExchangeModel
-from pam_cosim.analysis.flow import flow, held
+from pam_cosim.analysis.flow import constant_course, flow
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.units import format_quantity, quotient
@@ -187,7 +187,7 @@ def _settle(model: ExchangeModel, start: Array, inputs: Array) -> tuple[Array | 
     try:
         while end < _LONGEST * duration:
             span = max(end, duration)
-            state = flow(model, state, np.array([first + end, first + end + span]), held(inputs))[:, -1]
+            state = flow(model, state, np.array([first + end, first + end + span]), constant_course(inputs))[:, -1]
             end += span
             model.set(first, state, inputs)
             if np.all(np.abs(model.rates()) <= _NEARLY_STILL * np.maximum(np.abs(state), scale)):

@@ -1,4 +1,4 @@
-"""The process behind ``apart.work_on`` in which a foreign FMU runs: a request in, progress and an answer out."""
+"""The process behind ``isolated`` in which a foreign FMU runs: a request in, progress and an answer out."""
 
 from __future__ import annotations
 

@@ -7,21 +7,21 @@ What makes a Modelica package a library is said in ``place``; ``effects`` reads 
 ``domain`` reads how results are told in the field of the library. No effect and no library has a name here.
 """
 
+from pam_cosim.catalogue.bench_parts import BenchPart, rig_parts
 from pam_cosim.catalogue.compose import Composition, compose, compose_on
+from pam_cosim.catalogue.composed_bench import ComposedBench, compose_bench
 from pam_cosim.catalogue.domain import domain_of
 from pam_cosim.catalogue.effects import EffectClass, effect_classes, effects_in, unknown_terms
 from pam_cosim.catalogue.input_maps import with_input_maps
 from pam_cosim.catalogue.model import full_name
 from pam_cosim.catalogue.place import EFFECT, benches, library_of, origins, qualified
-from pam_cosim.catalogue.rig import Rig, put_together
-from pam_cosim.catalogue.rig_parts import RigPart, rig_parts
 
 __all__ = [
     "EFFECT",
     "Composition",
     "EffectClass",
-    "Rig",
-    "RigPart",
+    "ComposedBench",
+    "BenchPart",
     "benches",
     "compose",
     "compose_on",
@@ -31,7 +31,7 @@ __all__ = [
     "full_name",
     "library_of",
     "origins",
-    "put_together",
+    "compose_bench",
     "qualified",
     "rig_parts",
     "unknown_terms",

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import lru_cache
 
+from pam_cosim.catalogue.bench_parts import BenchPart, chosen, connectors, free_inputs, measured_outputs, rig_parts
 from pam_cosim.catalogue.place import benches
-from pam_cosim.catalogue.rig_parts import RigPart, chosen, connectors, read, rig_parts, told
 from pam_cosim.compiler import ClassTree
 from pam_cosim.compiler.class_tree import ComponentInfo
 from pam_cosim.errors import InputError
@@ -42,8 +42,8 @@ def ports(tree: ClassTree) -> tuple[Ports, ...]:
     ready = (
         Ports(
             name,
-            _variables(tree, told(tree, name)),
-            _variables(tree, read(tree, name)),
+            _variables(tree, free_inputs(tree, name)),
+            _variables(tree, measured_outputs(tree, name)),
             (),
             _foreign(tree, name, usual),
         )
@@ -53,7 +53,7 @@ def ports(tree: ClassTree) -> tuple[Ports, ...]:
     rigs = (
         Ports(
             f"{feed.name} and {hold.name}",
-            _variables(tree, [*told(tree, feed.qualified_name), *told(tree, hold.qualified_name)]),
+            _variables(tree, [*free_inputs(tree, feed.qualified_name), *free_inputs(tree, hold.qualified_name)]),
             readings[feed.library],
             (feed.qualified_name, hold.qualified_name),
             1 + len(feed.parameters) + len(hold.parameters),
@@ -66,12 +66,16 @@ def ports(tree: ClassTree) -> tuple[Ports, ...]:
     return (*ready, *rigs)
 
 
-def _readings(tree: ClassTree, parts: list[RigPart], library: str) -> dict[str, Variable]:
+def _readings(tree: ClassTree, parts: list[BenchPart], library: str) -> dict[str, Variable]:
     instruments = [part for part in parts if (part.role, part.library) == ("instrument", library)]
-    return {name: v for part in instruments for name, v in _variables(tree, read(tree, part.qualified_name)).items()}
+    return {
+        name: v
+        for part in instruments
+        for name, v in _variables(tree, measured_outputs(tree, part.qualified_name)).items()
+    }
 
 
-def _kinds_of_muscle(tree: ClassTree, parts: list[RigPart]) -> set[str]:
+def _kinds_of_muscle(tree: ClassTree, parts: list[BenchPart]) -> set[str]:
     """Classes that the usual muscle is made of."""
     try:
         muscle = chosen(parts, "muscle", None)

@@ -3,8 +3,9 @@
 from pam_cosim.comparison.beginning import Beginning, beginning, measured, start_time
 from pam_cosim.comparison.compare import Comparison, compare, scored
 from pam_cosim.comparison.condition_table import STATISTICS, Condition, ConditionTable, Statistic, write_tables
-from pam_cosim.comparison.doubts import Doubt
+from pam_cosim.comparison.error_regions import Rule, samples_in, where
 from pam_cosim.comparison.outliers import outliers, without_outliers
+from pam_cosim.comparison.plausibility import Doubt
 from pam_cosim.comparison.reproducibility import Reproducibility, reproducibility
 from pam_cosim.comparison.residual_statistics import (
     ResidualStatistics,
@@ -17,7 +18,6 @@ from pam_cosim.comparison.residuals import RunComparison, simulate_run
 from pam_cosim.comparison.rounding import expected_squares, slope, usual_square, weighted
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.comparison.state_course import state_course
-from pam_cosim.comparison.where import Rule, sitting, where
 
 __all__ = [
     "STATISTICS",
@@ -46,7 +46,7 @@ __all__ = [
     "scored",
     "series_of",
     "simulate_run",
-    "sitting",
+    "samples_in",
     "slope",
     "start_time",
     "state_course",

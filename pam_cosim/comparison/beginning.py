@@ -89,7 +89,7 @@ def beginning(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapp
 
 def measured(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> Beginning:
     """The beginning at which what the first samples show is as they show it; arguments as for ``beginning``."""
-    probe = Probe(simulator, data, run, parameters)
+    probe = StartProbe(simulator, data, run, parameters)
     first = probe.first_samples()
     if not simulator.interface.states or not first:
         return Beginning()
@@ -104,7 +104,7 @@ def measured(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mappi
 
 
 def _agreeing(
-    probe: Probe, links: _Links, first: Mapping[str, FirstSamples]
+    probe: StartProbe, links: _Links, first: Mapping[str, FirstSamples]
 ) -> tuple[dict[str, _Shown], dict[str, float]]:
     """What shows which states, and their start values, at which the model agrees with that."""
     shown: dict[str, _Shown] = {}
@@ -184,7 +184,7 @@ def first_of_run(run: Run, signal: str, sigma: float) -> FirstSamples | None:
     return first_samples(time, values, sigma, float(run.time[0]))
 
 
-class Probe:
+class StartProbe:
     """What the model gives at the very start of a run, for start values of its states."""
 
     def __init__(self, simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> None:
@@ -282,4 +282,4 @@ class Probe:
         return True
 
 
-__all__ = ["Beginning", "Probe", "beginning", "first_of_run", "inputs_of_run", "measured", "start_time"]
+__all__ = ["Beginning", "StartProbe", "beginning", "first_of_run", "inputs_of_run", "measured", "start_time"]

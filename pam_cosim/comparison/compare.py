@@ -7,10 +7,10 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from pam_cosim.comparison.condition_table import ConditionTable, condition_table
-from pam_cosim.comparison.doubts import Doubt, doubts
+from pam_cosim.comparison.error_regions import Rule, where
+from pam_cosim.comparison.plausibility import Doubt, doubts
 from pam_cosim.comparison.residuals import RunComparison, simulate_run
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
-from pam_cosim.comparison.where import Rule, where
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import ROLES, DataSet
 from pam_cosim.model.interface import Interface

@@ -25,7 +25,7 @@ class ArithmeticProblem(ModelError):
 
 
 @dataclass(frozen=True)
-class Shown:
+class PrintedNumber:
     """A number as ``String`` writes it, with so many significant digits."""
 
     value: ca.SX
@@ -36,7 +36,7 @@ class Shown:
 class Text:
     """A String with numbers in it that are known only when the model runs."""
 
-    parts: tuple[str | Shown, ...]
+    parts: tuple[str | PrintedNumber, ...]
 
 
 def text_of(value: Value) -> Text:

@@ -189,7 +189,7 @@ def _string(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) 
     if not 1 <= digits <= 17:
         raise ModelError(f"significantDigits must lie between 1 and 17, not {digits}")
     if arithmetic.is_symbolic(value):
-        return arithmetic.Text((arithmetic.Shown(value, digits),))
+        return arithmetic.Text((arithmetic.PrintedNumber(value, digits),))
     if isinstance(value, bool):
         return "true" if value else "false"
     return f"{value:.{digits}g}" if isinstance(value, float) else str(getattr(value, "name", value))

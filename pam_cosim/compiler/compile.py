@@ -10,7 +10,7 @@ from pathlib import Path
 import casadi as ca
 
 from pam_cosim.compiler import metadata
-from pam_cosim.compiler.arithmetic import Shown
+from pam_cosim.compiler.arithmetic import PrintedNumber
 from pam_cosim.compiler.assertions import Assertion
 from pam_cosim.compiler.blocks import solve
 from pam_cosim.compiler.budget import bounded, check_unknowns
@@ -19,8 +19,8 @@ from pam_cosim.compiler.delays import DelayedInputs, put
 from pam_cosim.compiler.evaluation import Calls
 from pam_cosim.compiler.flattening import FlatModel, Residual, flatten
 from pam_cosim.compiler.functions import call
-from pam_cosim.compiler.index_reduction import System, reduce_index, select_states
-from pam_cosim.compiler.initialization import Beginnings, Question, Start, initial_values
+from pam_cosim.compiler.index_reduction import EquationSystem, reduce_index, select_states
+from pam_cosim.compiler.initialization import InitialProblem, InitialValues, StartAttribute, initial_values
 from pam_cosim.compiler.instance import Class, Instance
 from pam_cosim.compiler.instantiation import Instantiator
 from pam_cosim.compiler.library import Library
@@ -156,7 +156,7 @@ class _Assembly:
 
     # ---- the system of equations --------------------------------------------------------------------------
 
-    def _system(self) -> System:
+    def _system(self) -> EquationSystem:
         symbols = self.flat.symbols
         check_unknowns(len(symbols.unknowns))
         variables = {leaf.name: symbol for leaf, symbol in symbols.unknowns.items()}
@@ -165,7 +165,7 @@ class _Assembly:
             derivative_of[name] = symbol.name()
             variables[symbol.name()] = symbol
         inputs = frozenset([*(leaf.name for leaf in symbols.inputs), *symbols.delays, *symbols.comparisons])
-        return System(variables, derivative_of, list(self.flat.residuals), inputs, symbols.t)
+        return EquationSystem(variables, derivative_of, list(self.flat.residuals), inputs, symbols.t)
 
     def _preference(self, name: str) -> float:
         leaf = self._leaf(name)
@@ -182,7 +182,7 @@ class _Assembly:
 
     def _statement(self, assertion: Assertion, delayed: DelayedInputs) -> Statement:
         """An assertion in terms of states, inputs and parameters."""
-        shown = [part for part in assertion.message.parts if isinstance(part, Shown)]
+        shown = [part for part in assertion.message.parts if isinstance(part, PrintedNumber)]
         condition, *values = delayed.put_in([self._known(e) for e in (assertion.condition, *(s.value for s in shown))])
         self.beginning.refuse_start_times(ca.vertcat(condition, *values))
         texts = [""]
@@ -238,11 +238,11 @@ class _Assembly:
 
     # ---- initial values -----------------------------------------------------------------------------------
 
-    def _initial(self) -> Beginnings:
+    def _initial(self) -> InitialValues:
         constants, symbols = self.instantiator.constants, self.flat.symbols
         fixed = [name for name, leaf in self._leaves().items() if metadata.is_fixed(leaf, constants)]
         begin = initial_values(
-            Question(
+            InitialProblem(
                 system=replace(self.system, residuals=[self._not_yet(r) for r in self.system.residuals]),
                 states=self.states,
                 solved=self.solved,
@@ -285,17 +285,17 @@ class _Assembly:
         inputs = list(symbols.inputs.values())
         return DelayedInputs(calls, self.solved, self.system.variables, inputs, self.p, begun)
 
-    def _start(self, name: str) -> Start:
+    def _start(self, name: str) -> StartAttribute:
         leaf = self._leaf(name)
         if leaf is None:
-            return Start(ca.SX(0), False, name, given=False)
+            return StartAttribute(ca.SX(0), False, name, given=False)
         bound = leaf.attributes.get("start")
         value = ca.SX(0) if bound is None else ca.SX(self.flat.symbols.bound(bound))
         for symbol in ca.symvar(value):
             if symbol.name() in self.system.variables or symbol.name() in self.system.inputs:
                 raise ModelError(f"the start value of '{name}' depends on the variable '{symbol.name()}'")
         fixed = metadata.is_fixed(leaf, self.instantiator.constants)
-        return Start(value, fixed, f"start value of '{name}'", given=bound is not None)
+        return StartAttribute(value, fixed, f"start value of '{name}'", given=bound is not None)
 
 
 def _names(expression: ca.SX) -> set[str]:

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 import casadi as ca
 
 from pam_cosim.compiler.ode import Delay
-from pam_cosim.compiler.source import Source
+from pam_cosim.compiler.source import SourceText
 from pam_cosim.errors import ModelError
 
 # How deep two expressions are compared; equal ones that look different cost a second record of the input.
@@ -36,7 +36,7 @@ class DelayCall:
     argument: ca.SX
     start: ca.SX
     time: ca.SX
-    source: Source
+    source: SourceText
     at: int
 
 

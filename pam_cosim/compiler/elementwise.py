@@ -14,7 +14,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.compiler.budget import bounded
 from pam_cosim.compiler.expression_parser import ExpressionParser
 from pam_cosim.compiler.lexer import tokenise
-from pam_cosim.compiler.source import Source
+from pam_cosim.compiler.source import SourceText
 from pam_cosim.compiler.syntax import Binary, Call, Expression, Literal, Reference, Unary
 from pam_cosim.errors import ModelError
 from pam_cosim.wording import did_you_mean
@@ -67,7 +67,7 @@ class _Known:
 @lru_cache(maxsize=1024)
 @bounded
 def _parsed(text: str) -> Expression:
-    source = Source("expression", text)
+    source = SourceText("expression", text)
     parser = ExpressionParser(source, tokenise(source))
     expression = parser.expression()
     if parser.kind != "end of file":

@@ -8,7 +8,7 @@ from typing import NoReturn
 
 from pam_cosim.compiler.budget import LARGEST_INTEGER, LIMITS
 from pam_cosim.compiler.lexer import Tokens
-from pam_cosim.compiler.source import Source
+from pam_cosim.compiler.source import SourceText
 from pam_cosim.compiler.syntax import (
     Array,
     Binary,
@@ -37,7 +37,7 @@ _PRODUCTS = frozenset(("*", "/", ".*", "./"))
 class ExpressionParser:
     """A cursor over tokens, and the grammar of expressions."""
 
-    def __init__(self, source: Source, tokens: Tokens, start: int = 0) -> None:
+    def __init__(self, source: SourceText, tokens: Tokens, start: int = 0) -> None:
         self.source = source
         self.tokens = tokens
         self.index = start

@@ -26,7 +26,7 @@ _MOST_DIFFERENTIATIONS = 400
 
 
 @dataclass
-class System:
+class EquationSystem:
     """Equations in variables and their derivatives.
 
     Attributes:
@@ -47,14 +47,14 @@ class System:
 
 
 @dataclass(frozen=True)
-class Selection:
+class StateSelection:
     """Names of the states, and of everything else that has to be solved for."""
 
     states: list[str]
     unknowns: list[str]
 
 
-def reduce_index(system: System) -> None:
+def reduce_index(system: EquationSystem) -> None:
     """Differentiate equations until every variable of highest order has an equation of its own.
 
     Raises:
@@ -89,14 +89,14 @@ def _names(residual: Residual, variables: Mapping[str, ca.SX]) -> list[str]:
     return [name for name in residual.names if name in variables]
 
 
-def _add_derivative(system: System, name: str) -> None:
+def _add_derivative(system: EquationSystem, name: str) -> None:
     if name not in system.derivative_of:
         derivative = f"der({name})"
         system.derivative_of[name] = derivative
         system.variables[derivative] = ca.SX.sym(derivative)
 
 
-def _differentiate(system: System, residual: Residual) -> Residual:
+def _differentiate(system: EquationSystem, residual: Residual) -> Residual:
     """Total derivative of an equation with respect to time."""
     symbols = ca.symvar(residual.expression)
     varying = []
@@ -119,7 +119,7 @@ def _differentiate(system: System, residual: Residual) -> Residual:
     return Residual(ca.jtimes(residual.expression, arguments, direction), f"derivative of {residual.place}")
 
 
-def _check_structure(system: System, incidence: Sequence[Sequence[str]]) -> None:
+def _check_structure(system: EquationSystem, incidence: Sequence[Sequence[str]]) -> None:
     """Every equation and every variable must find a partner when x and der(x) count as one."""
     base = {derivative: name for name, derivative in system.derivative_of.items()}
     merged = [list(dict.fromkeys(base.get(name, name) for name in names)) for names in incidence]
@@ -130,7 +130,7 @@ def _check_structure(system: System, incidence: Sequence[Sequence[str]]) -> None
         raise ModelError(_imbalance(system, unmatched, free, len(system.variables) - len(base)))
 
 
-def _imbalance(system: System, unmatched: Sequence[int], free: Sequence[str], count: int) -> str:
+def _imbalance(system: EquationSystem, unmatched: Sequence[int], free: Sequence[str], count: int) -> str:
     text = f"the model has {len(system.residuals)} equations for {count} variables"
     if free:
         text += f"; no equation determines {_listed([f'{name!r}' for name in free])}"
@@ -144,7 +144,7 @@ def _listed(items: Sequence[str], most: int = 8) -> str:
     return shown + (f" and {len(items) - most} more" if len(items) > most else "")
 
 
-def select_states(system: System, preference: Callable[[str], float]) -> Selection:
+def select_states(system: EquationSystem, preference: Callable[[str], float]) -> StateSelection:
     """Choose the states.
 
     Args:
@@ -172,7 +172,7 @@ def select_states(system: System, preference: Callable[[str], float]) -> Selecti
         dummies = {candidates[j] for j in columns}
     states = [name for name in candidates if name not in dummies]
     unknowns = [name for name in system.variables if name not in states]
-    return Selection(states, unknowns)
+    return StateSelection(states, unknowns)
 
 
 def _dummy_cost(expression: ca.SX, symbol: ca.SX, name: str, preference: Callable[[str], float]) -> float:

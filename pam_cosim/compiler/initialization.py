@@ -13,7 +13,7 @@ import numpy as np
 
 from pam_cosim.compiler.blocks import solve
 from pam_cosim.compiler.flattening import Residual
-from pam_cosim.compiler.index_reduction import System
+from pam_cosim.compiler.index_reduction import EquationSystem
 from pam_cosim.compiler.matching import Matching
 from pam_cosim.compiler.rest import AtRest, at_rest, leans_on, refuse_parameters, variable_at_rest
 from pam_cosim.errors import ModelError
@@ -22,7 +22,7 @@ _CONSISTENT = 1e-9
 
 
 @dataclass(frozen=True)
-class Start:
+class StartAttribute:
     """The start attribute of a variable: a guess, or an equation if ``fixed``; ``given``: it is not the usual zero."""
 
     value: ca.SX
@@ -32,7 +32,7 @@ class Start:
 
 
 @dataclass(frozen=True)
-class Beginnings:
+class InitialValues:
     """Where states and parameters that are not fixed begin.
 
     Attributes:
@@ -49,7 +49,7 @@ class Beginnings:
 
 
 @dataclass(frozen=True)
-class Question:
+class InitialProblem:
     """What is to be found.
 
     Attributes:
@@ -65,10 +65,10 @@ class Question:
         present: inputs on which states may depend, as they are at the start.
     """
 
-    system: System
+    system: EquationSystem
     states: Sequence[str]
     solved: Mapping[str, ca.SX]
-    start: Callable[[str], Start]
+    start: Callable[[str], StartAttribute]
     declared: Sequence[str]
     started: Sequence[str]
     equations: Sequence[Residual]
@@ -82,7 +82,7 @@ class Question:
         return {**self.system.variables, **self.late}
 
 
-def initial_values(question: Question) -> Beginnings:
+def initial_values(problem: InitialProblem) -> InitialValues:
     """At the start all equations of the model hold, and so many more as there are states and parameters that are not
     fixed: the fixed starts, then the initial equations; what these leave open is determined by the starts of states
     that are not fixed.
@@ -90,60 +90,60 @@ def initial_values(question: Question) -> Beginnings:
     Raises:
         ModelError: initial equations that contradict each other or cannot be solved.
     """
-    starts = {name: question.start(name) for name in question.declared}
-    fixed = [_start_equation(question.system, name, start) for name, start in starts.items() if start.fixed]
-    free = [_start_equation(question.system, name, start) for name, start in starts.items() if not start.fixed]
-    still = [(variable_at_rest(e, question.system.derivative_of), e) for e in question.equations]
+    starts = {name: problem.start(name) for name in problem.declared}
+    fixed = [_start_equation(problem.system, name, start) for name, start in starts.items() if start.fixed]
+    free = [_start_equation(problem.system, name, start) for name, start in starts.items() if not start.fixed]
+    still = [(variable_at_rest(e, problem.system.derivative_of), e) for e in problem.equations]
     said = [*fixed, *(equation for name, equation in still if name is None)]
-    rest = _rest(question, said, [(name, equation) for name, equation in still if name is not None])
-    time, following = question.system.time, dict[str, ca.SX]()
+    rest = _rest(problem, said, [(name, equation) for name, equation in still if name is not None])
+    time, following = problem.system.time, dict[str, ca.SX]()
     try:
-        values = _solution(question, [*said, *rest.others, *rest.equations], free, question.unknown)
+        values = _solution(problem, [*said, *rest.others, *rest.equations], free, problem.unknown)
     except ModelError:
         if not rest.states:
             raise
-        values, following = _sought(question, said, rest, free)
-    _refuse_inputs(question, values)
-    return Beginnings(
-        [ca.substitute(values[name], time, ca.SX(0)) for name in question.states],
-        {name: values[name] for name in question.late},
-        tuple(name for name in question.states if name in rest.states),
+        values, following = _sought(problem, said, rest, free)
+    _refuse_inputs(problem, values)
+    return InitialValues(
+        [ca.substitute(values[name], time, ca.SX(0)) for name in problem.states],
+        {name: values[name] for name in problem.late},
+        tuple(name for name in problem.states if name in rest.states),
         {name: ca.substitute(value, time, ca.SX(0)) for name, value in following.items()},
     )
 
 
-def _rest(question: Question, said: Sequence[Residual], still: Sequence[tuple[str, Residual]]) -> AtRest:
+def _rest(problem: InitialProblem, said: Sequence[Residual], still: Sequence[tuple[str, Residual]]) -> AtRest:
     """Which states the equations ``der(x) = 0`` put at rest, beside what is said otherwise."""
     if not still:
         return AtRest()
-    chosen = _Chosen(question.system.residuals, question.unknown)
+    chosen = _Chosen(problem.system.residuals, problem.unknown)
     for equation in said:
         chosen.add(equation)
-    starts = [(name, equation, question.start(name)) for name, equation in still]
+    starts = [(name, equation, problem.start(name)) for name, equation in still]
     return at_rest(
-        [(name, equation, _start_equation(question.system, name, start)) for name, equation, start in starts],
-        question.states,
-        lambda name: {symbol.name() for symbol in ca.symvar(question.solved[name])},
+        [(name, equation, _start_equation(problem.system, name, start)) for name, equation, start in starts],
+        problem.states,
+        lambda name: {symbol.name() for symbol in ca.symvar(problem.solved[name])},
         chosen.add,
     )
 
 
 def _sought(
-    question: Question, said: Sequence[Residual], rest: AtRest, free: Sequence[Residual]
+    problem: InitialProblem, said: Sequence[Residual], rest: AtRest, free: Sequence[Residual]
 ) -> tuple[dict[str, ca.SX], dict[str, ca.SX]]:
     """The values from which the states at rest are sought, those of the others, and what follows the states at rest.
 
     A state without a start value follows from the start values of other variables, a mass from a temperature.
     """
-    others = {name: symbol for name, symbol in question.unknown.items() if name not in rest.states}
-    values = _solution(question, [*said, *rest.others], free, others)
+    others = {name: symbol for name, symbol in problem.unknown.items() if name not in rest.states}
+    values = _solution(problem, [*said, *rest.others], free, others)
     following = {name: value for name, value in values.items() if leans_on(value, rest.states)}
-    refuse_parameters(following, question.late)
-    own = [guess for name, guess in zip(rest.states, rest.guesses, strict=True) if question.start(name).given]
-    further = [] if len(own) == len(rest.states) else question.started
-    others_start = [_start_equation(question.system, name, question.start(name)) for name in further]
+    refuse_parameters(following, problem.late)
+    own = [guess for name, guess in zip(rest.states, rest.guesses, strict=True) if problem.start(name).given]
+    further = [] if len(own) == len(rest.states) else problem.started
+    others_start = [_start_equation(problem.system, name, problem.start(name)) for name in further]
     guesses = [*own, *others_start, *rest.guesses, *free]
-    guessed = _solution(question, [*said, *rest.others], guesses, question.unknown)
+    guessed = _solution(problem, [*said, *rest.others], guesses, problem.unknown)
     return values | {name: guessed[name] for name in (*rest.states, *following)}, following
 
 
@@ -170,33 +170,33 @@ class _Chosen:
 
 
 def _solution(
-    question: Question, said: Sequence[Residual], free: Sequence[Residual], unknown: Mapping[str, ca.SX]
+    problem: InitialProblem, said: Sequence[Residual], free: Sequence[Residual], unknown: Mapping[str, ca.SX]
 ) -> dict[str, ca.SX]:
     """The states and parameters among the unknowns, from what is said and, where that is not enough, what is free."""
-    chosen = _Chosen(question.system.residuals, unknown)
+    chosen = _Chosen(problem.system.residuals, unknown)
     superfluous = [equation for equation in said if not chosen.add(equation)]
     for equation in free:
         chosen.add(equation)
-    asked = [name for name in (*question.states, *question.late) if name in unknown]
+    asked = [name for name in (*problem.states, *problem.late) if name in unknown]
     wanted = dict.fromkeys([*asked, *(name for r in superfluous for name in _names(r, unknown))])
     try:
-        equations = [_at_start(r, question.system, question.late) for r in chosen.equations]
+        equations = [_at_start(r, problem.system, problem.late) for r in chosen.equations]
         solved = solve(equations, list(unknown), unknown, wanted)
     except ModelError as error:
         raise ModelError(f"initial values: {error.message}") from None
-    _check_superfluous(superfluous, solved, unknown, question.defaults)
+    _check_superfluous(superfluous, solved, unknown, problem.defaults)
     return {name: solved[name] for name in asked}
 
 
-def _refuse_inputs(question: Question, values: Mapping[str, ca.SX]) -> None:
+def _refuse_inputs(problem: InitialProblem, values: Mapping[str, ca.SX]) -> None:
     for name, value in values.items():
-        refused = question.system.inputs - (question.present if name in question.states else frozenset())
+        refused = problem.system.inputs - (problem.present if name in problem.states else frozenset())
         inputs = [symbol.name() for symbol in ca.symvar(value) if symbol.name() in refused]
         if inputs:
             raise ModelError(f"the initial value of '{name}' depends on the input '{inputs[0]}'")
 
 
-def _at_start(residual: Residual, system: System, late: Mapping[str, ca.SX]) -> Residual:
+def _at_start(residual: Residual, system: EquationSystem, late: Mapping[str, ca.SX]) -> Residual:
     """The equation at time zero; one that determines a parameter keeps the time, which is that of the start."""
     names = residual.names
     if late.keys() & names or system.time.name() not in names:
@@ -204,7 +204,7 @@ def _at_start(residual: Residual, system: System, late: Mapping[str, ca.SX]) -> 
     return Residual(ca.substitute(residual.expression, system.time, ca.SX(0)), residual.place)
 
 
-def _start_equation(system: System, name: str, start: Start) -> Residual:
+def _start_equation(system: EquationSystem, name: str, start: StartAttribute) -> Residual:
     return Residual(system.variables[name] - start.value, start.place)
 
 

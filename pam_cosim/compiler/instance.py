@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from pam_cosim.compiler.source import Source
+from pam_cosim.compiler.source import SourceText
 from pam_cosim.compiler.syntax import (
     ClassDefinition,
     ComponentDeclaration,
@@ -69,7 +69,7 @@ class Bound:
         return Bound(Member(self.expression.at, self.expression, name), self.scope)
 
     @property
-    def source(self) -> Source:
+    def source(self) -> SourceText:
         """The text that holds the expression."""
         return self.scope.definition.source
 
@@ -87,7 +87,7 @@ class Mod:
     """What is said about one element from outside: its value, its parts, its replacement."""
 
     at: int
-    source: Source | None
+    source: SourceText | None
     value: Bound | None = None
     entries: dict[str, Mod] = field(default_factory=dict)
     redeclaration: Redeclaration | None = None

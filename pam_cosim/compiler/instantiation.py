@@ -10,7 +10,7 @@ from pam_cosim.compiler.evaluation import ENUMERATIONS, AbsentComponent, Calls, 
 from pam_cosim.compiler.instance import NOTHING, Bound, Class, Instance, Mod, Redeclaration, Scope
 from pam_cosim.compiler.lookup import Lookup
 from pam_cosim.compiler.modification import ATTRIBUTES, bind, merge
-from pam_cosim.compiler.source import Source
+from pam_cosim.compiler.source import SourceText
 from pam_cosim.compiler.syntax import (
     ClassDefinition,
     ComponentDeclaration,
@@ -444,7 +444,7 @@ class Instantiator:
         return len(array)
 
 
-def instance_source(instance: Instance) -> Source:
+def instance_source(instance: Instance) -> SourceText:
     """The text that declares an instance."""
     if instance.scope is None:
         raise ModelError(f"'{instance.name}' has no declaration")

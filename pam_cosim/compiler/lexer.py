@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
-from pam_cosim.compiler.source import Source
+from pam_cosim.compiler.source import SourceText
 
 _KEYWORD_LIST = """
 algorithm and annotation assert block break class connect connector constant constrainedby der discrete each else
@@ -39,7 +39,7 @@ class Tokens(NamedTuple):
     offsets: list[int]
 
 
-def tokenise(source: Source) -> Tokens:
+def tokenise(source: SourceText) -> Tokens:
     """All tokens of a source, comments and white space dropped.
 
     Raises:

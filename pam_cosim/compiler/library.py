@@ -10,7 +10,7 @@ from pathlib import Path
 from pam_cosim.compiler import names
 from pam_cosim.compiler.budget import LIMITS
 from pam_cosim.compiler.parser import parse_source
-from pam_cosim.compiler.source import Source
+from pam_cosim.compiler.source import SourceText
 from pam_cosim.compiler.syntax import ClassDefinition
 from pam_cosim.errors import ModelError
 from pam_cosim.files import read_file
@@ -123,9 +123,9 @@ def source_bytes(file: Path) -> bytes:
         raise ModelError(f"the file cannot be read: {error}", file) from None
 
 
-def _read(file: Path) -> Source:
+def _read(file: Path) -> SourceText:
     try:
-        return Source(file, source_bytes(file).decode("utf-8-sig").replace("\r\n", "\n"))
+        return SourceText(file, source_bytes(file).decode("utf-8-sig").replace("\r\n", "\n"))
     except UnicodeDecodeError as error:
         raise ModelError(f"the file cannot be read: {error}", file) from None
 

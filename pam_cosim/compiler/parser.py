@@ -5,7 +5,7 @@ from __future__ import annotations
 from pam_cosim.compiler.budget import LIMITS, bounded
 from pam_cosim.compiler.equation_parser import EquationParser
 from pam_cosim.compiler.lexer import tokenise
-from pam_cosim.compiler.source import Source
+from pam_cosim.compiler.source import SourceText
 from pam_cosim.compiler.syntax import (
     EMPTY,
     Argument,
@@ -30,7 +30,7 @@ _BLOCK_ENDS = frozenset(("if", "for", "when", "while"))
 
 
 @bounded
-def parse_source(source: Source) -> tuple[tuple[str, ...], list[ClassDefinition]]:
+def parse_source(source: SourceText) -> tuple[tuple[str, ...], list[ClassDefinition]]:
     """The classes of a stored definition and the package named by ``within``.
 
     Raises:

@@ -10,7 +10,7 @@ from pam_cosim.errors import ModelError
 
 
 @dataclass(eq=False, repr=False)
-class Source:
+class SourceText:
     """One file, or text given directly (then ``file`` is only a label)."""
 
     file: Path | str

@@ -18,7 +18,7 @@ from pam_cosim.errors import ModelError
 
 
 @dataclass(frozen=True)
-class Comparison:
+class TimeComparison:
     """``time > start + length``.
 
     Attributes:
@@ -34,7 +34,7 @@ class Comparison:
     written: ca.SX
 
 
-def comparison(left: ca.SX, right: ca.SX, time: ca.SX, late: Mapping[str, ca.SX]) -> tuple[Comparison, bool] | None:
+def comparison(left: ca.SX, right: ca.SX, time: ca.SX, late: Mapping[str, ca.SX]) -> tuple[TimeComparison, bool] | None:
     """``left > right`` as a comparison of time with a parameter of ``late``, and whether it is that or its contrary.
 
     Args:
@@ -55,11 +55,11 @@ def comparison(left: ca.SX, right: ca.SX, time: ca.SX, late: Mapping[str, ca.SX]
     rest = ca.substitute(gap, both, ca.SX.zeros(2))
     symbol = ca.SX.sym(f"time > {compared[0].name()} + {-sign * rest}")
     holds = left > right if sign > 0 else ca.logic_not(left > right)
-    return Comparison(symbol, compared[0].name(), -sign * rest, holds), sign > 0
+    return TimeComparison(symbol, compared[0].name(), -sign * rest, holds), sign > 0
 
 
 @dataclass(frozen=True)
-class Beginning:
+class InitialParameters:
     """What the initial equations say of parameters.
 
     Attributes:
@@ -89,8 +89,8 @@ class Beginning:
 
 
 def beginning(
-    solved: Mapping[str, ca.SX], late: Mapping[str, ca.SX], comparisons: Mapping[str, Comparison], time: ca.SX
-) -> Beginning:
+    solved: Mapping[str, ca.SX], late: Mapping[str, ca.SX], comparisons: Mapping[str, TimeComparison], time: ca.SX
+) -> InitialParameters:
     """What follows from the solution of the initial equations.
 
     Args:
@@ -109,4 +109,4 @@ def beginning(
             raise ModelError(f"the parameter '{name}' depends on the start time and is not equal to it")
     values |= {name: c.written for name, c in comparisons.items() if c.start not in starts}
     symbols = dict(late) | {name: c.symbol for name, c in comparisons.items()}
-    return Beginning(values, frozenset(starts), symbols)
+    return InitialParameters(values, frozenset(starts), symbols)

@@ -5,13 +5,13 @@ from __future__ import annotations
 import casadi as ca
 
 from pam_cosim.compiler import arithmetic
-from pam_cosim.compiler.arithmetic import Shown, Text
+from pam_cosim.compiler.arithmetic import PrintedNumber, Text
 from pam_cosim.compiler.assertions import Assertion
 from pam_cosim.compiler.delays import DelayCall, check_time, same
 from pam_cosim.compiler.evaluation import Evaluator, Value
 from pam_cosim.compiler.instance import Instance, Scope
 from pam_cosim.compiler.instantiation import Instantiator
-from pam_cosim.compiler.start import Comparison, comparison
+from pam_cosim.compiler.start import TimeComparison, comparison
 from pam_cosim.errors import ModelError
 
 
@@ -45,7 +45,7 @@ class SymbolTable(Evaluator):
         self.delays: dict[str, DelayCall] = {}
         self.assertions: list[Assertion] = []
         self.late: dict[str, ca.SX] = {}
-        self.comparisons: dict[str, Comparison] = {}
+        self.comparisons: dict[str, TimeComparison] = {}
         self._by_name: dict[str, Instance] = {}
 
     def variable(self, instance: Instance) -> Value:
@@ -162,6 +162,6 @@ class SymbolTable(Evaluator):
 def _alike(a: Assertion, b: Assertion) -> bool:
     """Whether two assertions say the same in the same case."""
     texts = [[part if isinstance(part, str) else part.digits for part in one.message.parts] for one in (a, b)]
-    numbers = [[part.value for part in one.message.parts if isinstance(part, Shown)] for one in (a, b)]
+    numbers = [[part.value for part in one.message.parts if isinstance(part, PrintedNumber)] for one in (a, b)]
     same_level = (a.is_error, a.at_start, texts[0]) == (b.is_error, b.at_start, texts[1])
     return same_level and same(a.condition, b.condition) and all(map(same, *numbers))

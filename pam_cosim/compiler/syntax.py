@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from pam_cosim.compiler.source import Source
+from pam_cosim.compiler.source import SourceText
 
 # ---- expressions ------------------------------------------------------------------------------------------
 
@@ -296,7 +296,7 @@ class ClassDefinition:
     name: str
     kind: str
     at: int
-    source: Source
+    source: SourceText
     parent: ClassDefinition | None = None
     prefixes: frozenset[str] = frozenset()
     description: str = ""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from graphlib import CycleError, TopologicalSorter
 
-from pam_cosim.cosimulation.parts import Component, Connection, Part, Port
+from pam_cosim.cosimulation.parts import Component, Connection, CoupledFmu, Port
 from pam_cosim.errors import InputError
 
 Graph = dict[Port, set[Port]]
@@ -15,7 +15,7 @@ def feedthrough_graph(components: Mapping[str, Component], connections: Sequence
     """To each variable those that it follows from at once; what samples acts later."""
     graph: Graph = {}
     for name, component in components.items():
-        if isinstance(component, Part) and component.seconds is None:
+        if isinstance(component, CoupledFmu) and component.seconds is None:
             for output, inputs in component.feedthrough.items():
                 graph[Port(name, output)] = {Port(name, variable) for variable in inputs}
     for connection in connections:
@@ -59,7 +59,7 @@ def evaluation_order(
     order: list[str] = []
     for variable in TopologicalSorter(graph).static_order():
         component = components[variable.component]
-        output = isinstance(component, Part) and variable.variable in component.feedthrough
+        output = isinstance(component, CoupledFmu) and variable.variable in component.feedthrough
         if not output or not graph.get(variable, set()) & connected:
             continue
         if not order or order[-1] != variable.component:

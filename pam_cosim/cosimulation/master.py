@@ -7,8 +7,8 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
-from pam_cosim.cosimulation.network import CouplingFailure, Moment, Network, Saved
-from pam_cosim.cosimulation.parts import Part, Port
+from pam_cosim.cosimulation.network import CouplingFailure, Moment, Network, SystemState
+from pam_cosim.cosimulation.parts import CoupledFmu, Port
 from pam_cosim.errors import InputError
 
 # Hairer, Norsett, Wanner, Solving ODEs I, II.4: safety, and how much a step may change at once.
@@ -20,7 +20,7 @@ _FEWEST = 20  # steps in a run, so that the picture of it is not a polygon
 
 
 @dataclass
-class Step:
+class StepControl:
     """How steps are chosen, and what came of it.
 
     Attributes:
@@ -39,7 +39,11 @@ class Step:
 
 
 def integrate(
-    network: Network, plan: Step, stop: float, write_down: Callable[[], None], progress: Callable[[float, float], None]
+    network: Network,
+    plan: StepControl,
+    stop: float,
+    write_down: Callable[[], None],
+    progress: Callable[[float, float], None],
 ) -> None:
     """Runs the network up to ``stop`` [s], writing down every communication point.
 
@@ -66,7 +70,7 @@ def integrate(
             progress(end, stop)
 
 
-def _check_abilities(network: Network, plan: Step) -> None:
+def _check_abilities(network: Network, plan: StepControl) -> None:
     for name in network.parts:
         able, model = network.steppers[name].abilities(), network.components[name].model
         if plan.tolerance is not None and not able.saves:
@@ -79,7 +83,7 @@ def _check_abilities(network: Network, plan: Step) -> None:
             raise InputError(f"component '{name}' ({model}) needs steps of one length; use fixed steps")
 
 
-def _stretches(network: Network, plan: Step, stop: float) -> list[float]:
+def _stretches(network: Network, plan: StepControl, stop: float) -> list[float]:
     """Ends of the steps [s], or where their length is chosen, the times that no step may cross."""
     start = network.now.time
     ends = {stop, *network.breaks(stop)}
@@ -128,7 +132,7 @@ class _Trial:
 class _Chooser:
     """Chooses steps so that the error of each, estimated by halving it, is within the tolerance."""
 
-    def __init__(self, network: Network, plan: Step, stop: float) -> None:
+    def __init__(self, network: Network, plan: StepControl, stop: float) -> None:
         self._network, self._plan = network, plan
         self._next = plan.length
         self._largest, self._smallest = stop / _FEWEST, _SMALLEST * stop
@@ -143,7 +147,7 @@ class _Chooser:
             self._one(saved, end, write_down)
             network.forget(saved)  # where a component fails, its states go with it
 
-    def _one(self, saved: Saved, end: float, write_down: Callable[[], None]) -> None:
+    def _one(self, saved: SystemState, end: float, write_down: Callable[[], None]) -> None:
         """One step that stands, in two halves."""
         network, plan, start = self._network, self._plan, self._network.now.time
         while True:
@@ -185,7 +189,7 @@ class _Chooser:
         """By which the length of a step changes."""
         return _SAFETY * max(error, _EXACT) ** (-1 / (self._plan.order + 1)) if math.isfinite(error) else 0.0
 
-    def _try(self, saved: Saved, length: float, end: float) -> _Trial:
+    def _try(self, saved: SystemState, length: float, end: float) -> _Trial:
         """The step as a whole and in halves, at whose end the network then is."""
         network = self._network
         middle = network.now
@@ -216,6 +220,6 @@ def _nominal(network: Network) -> Mapping[Port, float]:
     sizes = {}
     for signal in network.signals:
         component = network.components[signal.component]
-        declared = component.interface.outputs[signal.variable].nominal if isinstance(component, Part) else None
+        declared = component.interface.outputs[signal.variable].nominal if isinstance(component, CoupledFmu) else None
         sizes[signal] = abs(declared or 0.0)
     return sizes

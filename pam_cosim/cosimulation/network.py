@@ -12,7 +12,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.cosimulation.courses import Courses
 from pam_cosim.cosimulation.loops import evaluation_order, torn
-from pam_cosim.cosimulation.parts import Component, Connection, Controller, Part, Port
+from pam_cosim.cosimulation.parts import Component, Connection, Controller, CoupledFmu, Port
 from pam_cosim.cosimulation.sampling import sampled
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.simulation import AnyStepper, Inputs, RunFailure
@@ -50,7 +50,7 @@ class CouplingFailure(RunFailure):
 
 
 @dataclass
-class Work:
+class RunCost:
     """What a run costs.
 
     Attributes:
@@ -82,7 +82,7 @@ class Moment:
 
 
 @dataclass(frozen=True)
-class Saved:
+class SystemState:
     """A state of a whole system: the numbers of the FMUs' states, and the rest."""
 
     states: Mapping[str, int]
@@ -124,12 +124,12 @@ class Network:
         start_time: float = 0.0,
     ) -> None:
         self.components, self.steppers = components, steppers
-        fmus = [name for name, c in components.items() if isinstance(c, Part)]
+        fmus = [name for name, c in components.items() if isinstance(c, CoupledFmu)]
         self.parts = [name for name in (order or fmus) if components[name].seconds is None]
         self.sampling = {name: c.seconds for name, c in components.items() if c.seconds is not None}
         self._sampled_fmus = [name for name in fmus if name in self.sampling]
         self.signals = sorted({c.source for c in connections}, key=str)
-        self.work = Work(dict.fromkeys(fmus, 0))
+        self.work = RunCost(dict.fromkeys(fmus, 0))
         self._sequential, self._linear = method == "gauss-seidel", extrapolation == "linear"
         kept, cut = torn(components, connections) if loops != "refuse" else (list(connections), [])
         self._loop = list(dict.fromkeys(c.source for c in cut)) if loops == "iterate" else []
@@ -301,15 +301,15 @@ class Network:
 
     # --- states --------------------------------------------------------------------------------------------
 
-    def save(self) -> Saved:
+    def save(self) -> SystemState:
         """A state of the whole system."""
         states = {}
         for name in self.parts:
             with self._naming(name):
                 states[name] = self.steppers[name].save()
-        return Saved(states, self.now.copy())
+        return SystemState(states, self.now.copy())
 
-    def restore(self, saved: Saved) -> None:
+    def restore(self, saved: SystemState) -> None:
         """Goes back to a saved state."""
         self.work.rollbacks += 1
         for name, number in saved.states.items():
@@ -317,7 +317,7 @@ class Network:
                 self.steppers[name].restore(number)
         self.now = saved.moment.copy()
 
-    def forget(self, saved: Saved) -> None:
+    def forget(self, saved: SystemState) -> None:
         """Frees a saved state."""
         for name, number in saved.states.items():
             with self._naming(name):

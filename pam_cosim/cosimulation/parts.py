@@ -22,7 +22,7 @@ _ARROW = re.compile(r"\s*(\S+)\s*->\s*(\S+)\s*")
 
 
 @dataclass(frozen=True)
-class Part:
+class CoupledFmu:
     """One FMU of a system.
 
     Attributes:
@@ -103,7 +103,7 @@ def controller(
     return partial(Controller, inputs=inputs, outputs=outputs, interval=interval)
 
 
-Component = Part | Controller
+Component = CoupledFmu | Controller
 
 
 @dataclass(frozen=True)

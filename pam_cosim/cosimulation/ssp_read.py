@@ -19,7 +19,7 @@ from urllib.parse import unquote, urlsplit
 from fmpy.ssp.ssd import validate_tree
 from lxml import etree
 
-from pam_cosim.cosimulation.parts import Connection, Part, Port, joined
+from pam_cosim.cosimulation.parts import Connection, CoupledFmu, Port, joined
 from pam_cosim.cosimulation.ssp_names import DESCRIPTION, FMU_TYPE, NAMESPACES
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface
@@ -65,14 +65,14 @@ class Archive:
         title, stop_time: as the description has them, [s].
     """
 
-    parts: dict[str, Part]
+    parts: dict[str, CoupledFmu]
     connections: tuple[Connection, ...]
     parameters: dict[str, Setting]
     title: str
     stop_time: float | None
 
 
-def read_ssp(file: Path, folder: Path, made: Callable[[str, Path], Part]) -> Archive:
+def read_ssp(file: Path, folder: Path, made: Callable[[str, Path], CoupledFmu]) -> Archive:
     """Reads an archive.
 
     Args:
@@ -268,9 +268,9 @@ def _value(entries: _Entries, parameter: Any) -> Setting:
 
 
 def _unpacked(
-    entries: _Entries, description: _Description, folder: Path, made: Callable[[str, Path], Part]
-) -> dict[str, Part]:
-    parts: dict[str, Part] = {}
+    entries: _Entries, description: _Description, folder: Path, made: Callable[[str, Path], CoupledFmu]
+) -> dict[str, CoupledFmu]:
+    parts: dict[str, CoupledFmu] = {}
     files: dict[str, Path] = {}
     for number, (place, source) in enumerate(description.sources.items()):
         name = _name(place)
@@ -291,7 +291,9 @@ def _name(place: _Place) -> str:
     return "_".join("".join(c if c.isascii() and (c.isalnum() or c in "_-") else "_" for c in one) for one in place)
 
 
-def _connections(description: _Description, names: dict[_Place, str], parts: dict[str, Part]) -> Iterator[Connection]:
+def _connections(
+    description: _Description, names: dict[_Place, str], parts: dict[str, CoupledFmu]
+) -> Iterator[Connection]:
     """Those between components, followed through the borders of systems."""
     into: dict[tuple[_Place, str], _Wire] = {}
     for wire in description.wires:
@@ -315,7 +317,7 @@ def _connections(description: _Description, names: dict[_Place, str], parts: dic
         yield _joined(Port(names[start], output), Port(names[place], variable), chain, parts)
 
 
-def _joined(source: Port, target: Port, chain: list[_Wire], parts: dict[str, Part]) -> Connection:
+def _joined(source: Port, target: Port, chain: list[_Wire], parts: dict[str, CoupledFmu]) -> Connection:
     plain = not all(wire.convert for wire in chain)
     whole = joined(source, target, {name: _unitless(part) for name, part in parts.items()} if plain else parts)
     factor, offset = whole.factor, whole.offset
@@ -324,7 +326,7 @@ def _joined(source: Port, target: Port, chain: list[_Wire], parts: dict[str, Par
     return Connection(source, target, factor, offset)
 
 
-def _unitless(part: Part) -> Part:
+def _unitless(part: CoupledFmu) -> CoupledFmu:
     from dataclasses import replace
 
     def plain(variables: dict[str, Any]) -> dict[str, Any]:

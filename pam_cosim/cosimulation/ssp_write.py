@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from xml.etree import ElementTree as Xml
 
-from pam_cosim.cosimulation.parts import Controller, Part, joined
+from pam_cosim.cosimulation.parts import Controller, CoupledFmu, joined
 from pam_cosim.cosimulation.ssp_names import DESCRIPTION, FMU_TYPE, NAMESPACES, REALS, VERSIONS, tag
 from pam_cosim.cosimulation.system import System
 from pam_cosim.errors import InputError
@@ -34,7 +34,7 @@ def write_ssp(system: System, file: Path, stop_time: float | None = None, versio
     if version not in VERSIONS:
         raise InputError(f"there is no SSP {version} to write; choose from {', '.join(VERSIONS)}", file)
     check_writable(file)
-    parts: dict[str, Part] = {}
+    parts: dict[str, CoupledFmu] = {}
     for name, part in system.components.items():
         if isinstance(part, Controller):
             raise InputError(f"component '{name}' is a function in Python, which an SSP archive cannot hold", file)
@@ -64,7 +64,7 @@ def _document(root: Xml.Element) -> bytes:
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{text}\n'.encode()
 
 
-def _description(system: System, parts: Mapping[str, Part], stop_time: float | None, version: str) -> bytes:
+def _description(system: System, parts: Mapping[str, CoupledFmu], stop_time: float | None, version: str) -> bytes:
     title = system.title or "system"
     about = {"version": version, "name": title, "generationTool": "pam-cosim"}
     root = Xml.Element(tag("ssd", "SystemStructureDescription"), about)
@@ -96,11 +96,11 @@ def _description(system: System, parts: Mapping[str, Part], stop_time: float | N
     return _document(root)
 
 
-def _ports(part: Part) -> Iterable[Variable]:
+def _ports(part: CoupledFmu) -> Iterable[Variable]:
     return [*part.interface.inputs.values(), *part.interface.outputs.values()]
 
 
-def _connectors(component: Xml.Element, part: Part, real: str) -> None:
+def _connectors(component: Xml.Element, part: CoupledFmu, real: str) -> None:
     listed = Xml.SubElement(component, tag("ssd", "Connectors"))
     for kind, variables in (("input", part.interface.inputs), ("output", part.interface.outputs)):
         for variable in variables.values():
@@ -108,7 +108,7 @@ def _connectors(component: Xml.Element, part: Part, real: str) -> None:
             Xml.SubElement(connector, tag("ssc", real), {"unit": variable.unit} if _known(variable) else {})
 
 
-def _values(name: str, part: Part, values: Mapping[str, float], version: str) -> bytes:
+def _values(name: str, part: CoupledFmu, values: Mapping[str, float], version: str) -> bytes:
     root = Xml.Element(tag("ssv", "ParameterSet"), version=version, name=name)
     listed = Xml.SubElement(root, tag("ssv", "Parameters"))
     used = []

@@ -8,20 +8,20 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from pam_cosim.cosimulation.loops import algebraic_loop, refuse_loop
-from pam_cosim.cosimulation.master import Step, integrate
+from pam_cosim.cosimulation.master import StepControl, integrate
 from pam_cosim.cosimulation.network import (
     CouplingFailure,
     Extrapolation,
     Loops,
     Method,
     Network,
-    Work,
+    RunCost,
 )
 from pam_cosim.cosimulation.parts import (
     Component,
     Connection,
     Controller,
-    Part,
+    CoupledFmu,
     Port,
     check_name,
     check_once,
@@ -162,8 +162,8 @@ class System(Printed):
         components = dict(self.components)
         for name, interval in samples.items():
             part = components.get(name)
-            if not isinstance(part, Part):
-                known = [n for n, c in components.items() if isinstance(c, Part)]
+            if not isinstance(part, CoupledFmu):
+                known = [n for n, c in components.items() if isinstance(c, CoupledFmu)]
                 raise InputError(f"there is no FMU '{name}' in the system; {did_you_mean(name, known)}")
             components[name] = replace(part, seconds=sample_time(interval))
         return replace(self, components=components)
@@ -231,21 +231,21 @@ class System(Printed):
                 raise
             return _run(recorder, method, plan, network.work)
 
-    def _plan(self, step: float | str | None, tolerance: float | None, extrapolation: str, stop: float) -> Step:
+    def _plan(self, step: float | str | None, tolerance: float | None, extrapolation: str, stop: float) -> StepControl:
         if tolerance is not None and not (tolerance > 0 and math.isfinite(tolerance)):
             raise InputError(f"the tolerance of a step must be larger than zero, not {tolerance}")
         length = stop / _STEPS if step is None else _time("step", step)
         if tolerance is None and stop / length > MOST_STEPS:
             raise InputError(f"a run has {MOST_STEPS} steps at most; {stop:g} s in steps of {length:g} s are more")
         order = 2 if extrapolation == "linear" else 1
-        return Step(min(length, stop), tolerance, order)
+        return StepControl(min(length, stop), tolerance, order)
 
     def _stop(self, stop_time: float | str | None, inputs: Inputs | None) -> float:
         if stop_time is not None:
             return _time("stop time", stop_time)
         if inputs is not None and inputs.time[-1] > 0:
             return float(inputs.time[-1])
-        own = [c.interface.stop_time for c in self.components.values() if isinstance(c, Part)]
+        own = [c.interface.stop_time for c in self.components.values() if isinstance(c, CoupledFmu)]
         return self.stop_time or max(own)
 
     @contextlib.contextmanager
@@ -254,7 +254,7 @@ class System(Printed):
         with contextlib.ExitStack() as stack:
             steppers: dict[str, AnyStepper] = {}
             for name, part in self.components.items():
-                if not isinstance(part, Part):
+                if not isinstance(part, CoupledFmu):
                     continue
                 try:
                     simulator = self._opened(part)
@@ -265,7 +265,7 @@ class System(Printed):
                     raise CouplingFailure(name, part.model, 0.0, str(failure)) from failure
             yield steppers
 
-    def _opened(self, part: Part) -> AnySimulator:
+    def _opened(self, part: CoupledFmu) -> AnySimulator:
         return IsolatedSimulator(part.path, self.timeout) if part.foreign else Simulator(part.path)
 
     def _observed(self, name: str) -> Port:
@@ -339,7 +339,7 @@ def _choice(what: str, value: str, known: Sequence[str]) -> None:
         raise InputError(f"unknown {what} {shown(value)}; {did_you_mean(str(value), known)}")
 
 
-def _run(recorder: Recorder, method: str, plan: Step, work: Work) -> CoupledRun:
+def _run(recorder: Recorder, method: str, plan: StepControl, work: RunCost) -> CoupledRun:
     sizes = plan.lengths or [0.0]
     return CoupledRun(
         recorder.trajectory(), method, len(plan.lengths), plan.rejected, dict(work.component_steps), work.rollbacks,

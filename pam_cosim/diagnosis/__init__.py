@@ -23,14 +23,14 @@ from pam_cosim.diagnosis.events import (
     StepsTimed,
 )
 from pam_cosim.diagnosis.explanation import LearnedModel
+from pam_cosim.diagnosis.identifiability import ConfusedPair, DetectableEffect, Identifiability, ParameterPrecision
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.missing_term import LeftInSignal, MissingTerm
 from pam_cosim.diagnosis.next_experiment import NextExperiment
-from pam_cosim.diagnosis.resolution import Alike, Known, Shown, Told
 from pam_cosim.diagnosis.verdict import Verdict
 
 __all__ = [
-    "Alike",
+    "ConfusedPair",
     "AllRunsAsked",
     "BaseFitted",
     "BegunAnew",
@@ -45,7 +45,7 @@ __all__ = [
     "FittingBegun",
     "Help",
     "Judged",
-    "Known",
+    "ParameterPrecision",
     "LearnedModel",
     "LedgerKept",
     "LeftInSignal",
@@ -57,10 +57,10 @@ __all__ = [
     "NothingTried",
     "OutliersSetAside",
     "Remark",
-    "Shown",
+    "DetectableEffect",
     "StepsSought",
     "StepsTimed",
-    "Told",
+    "Identifiability",
     "Verdict",
     "check",
     "diagnose",

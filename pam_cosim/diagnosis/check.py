@@ -12,10 +12,10 @@ import numpy as np
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import FailedTrial
-from pam_cosim.diagnosis.could_be_measured import Option, everything
 from pam_cosim.diagnosis.events import Remark, listened
+from pam_cosim.diagnosis.hypothetical_measurements import Option, with_all_outputs
+from pam_cosim.diagnosis.identifiability import DetectableEffect, Identifiability, Rows
 from pam_cosim.diagnosis.message import Message
-from pam_cosim.diagnosis.resolution import Rows, Shown, Told
 from pam_cosim.diagnosis.search import Search
 from pam_cosim.diagnosis.subject import subject_of
 from pam_cosim.errors import SimulationFailure
@@ -67,7 +67,7 @@ class Check(Printed):
 
     data: DataSet
     model: str
-    told: Told
+    told: Identifiability
     no_place: tuple[str, ...]
     helps: tuple[Help, ...]
     failed: tuple[FailedTrial, ...] = ()
@@ -150,7 +150,7 @@ class Check(Printed):
         ]
 
 
-def _from_where(one: Shown) -> str:
+def _from_where(one: DetectableEffect) -> str:
     texts = {name: _apart(value, one.absent[name], one.units[name]) for name, value in one.values.items()}
     values = [f"{name} = {text}" for name, text in texts.items() if text]
     return f"  {one.family:20} {one.effect}" + (f": {', '.join(values)}" if values else "")
@@ -214,7 +214,7 @@ def check(
     data, name = subject.data, subject.name
     with subject.simulator() as simulator:
         shelf = subject.effects(simulator.interface)
-        possible = everything(simulator, data)
+        possible = with_all_outputs(simulator, data)
         free = base_parameters(possible.data, simulator.interface)
         tolerance = CRITERIA.search.screening_tolerance
         objective = Objective(simulator, possible.data, possible.data.fit_runs, free, None, tolerance)
@@ -231,7 +231,7 @@ def check(
         samples[option] += run.sample_count(signal)
     option_of_rows = [belongs[i] for i in rows_of_series(objective, count)]
     rows = Rows(base, {f.name: f.unit for f in free}, probes, option_of_rows, samples)
-    told = rows.told()
+    told = rows.identifiability()
     tried = {p.family for p in probes} | {f.family for f in search.failed}
     return Check(
         data=data,
@@ -250,14 +250,14 @@ def _row_count(objective: Objective, data: DataSet) -> int:
     return math.ceil(CRITERIA.search.rows * objective.size / max(measured, 1))
 
 
-def _helps(rows: Rows, now: Told) -> list[Help]:
+def _helps(rows: Rows, now: Identifiability) -> list[Help]:
     """What each further measurement brings, the most useful first; none that brings nothing."""
-    helps = [_help(option, now, rows.told(option)) for option in rows.further]
+    helps = [_help(option, now, rows.identifiability(option)) for option in rows.further]
     useful = [h for h in helps if h.settles or h.sharper < CRITERIA.resolution.sharper]
     return sorted(useful, key=lambda h: (-h.settles, h.sharper, h.option.text))
 
 
-def _help(option: Option, now: Told, then: Told) -> Help:
+def _help(option: Option, now: Identifiability, then: Identifiability) -> Help:
     pairs = [tuple(sorted(pair)) for pair in then.pairs - now.pairs if pair <= now.visible]
     known = {k.name for k in now.parameters if k.determined}
     ratios = [b.deviation / a.deviation for a, b in zip(now.parameters, then.parameters, strict=True)]

@@ -11,21 +11,28 @@ from pathlib import Path
 from pam_cosim.catalogue import EffectClass
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial, role_summary
-from pam_cosim.diagnosis.choice import meant
 from pam_cosim.diagnosis.events import (
     Judged,
     LedgerKept,
     Listener,
     listened,
 )
-from pam_cosim.diagnosis.evidence import incomplete, rank
+from pam_cosim.diagnosis.evidence import any_structure_for_verdict, rank
 from pam_cosim.diagnosis.explanation import LearnedModel, directly_learned, learned_term, ledger_of
-from pam_cosim.diagnosis.finding import Finding, base_of, found, found_by_all_runs, shown_by_role, with_these
 from pam_cosim.diagnosis.folds import Folds, cross_validated, folds_of
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.missing_term import MissingTerm, missing_term
+from pam_cosim.diagnosis.model_space import meant
 from pam_cosim.diagnosis.next_experiment import NextExperiment, Plan, told_apart
 from pam_cosim.diagnosis.search import Search
+from pam_cosim.diagnosis.search_result import (
+    SearchResult,
+    base_of,
+    refit_by_role,
+    search_all_runs,
+    search_fit_runs,
+    with_these,
+)
 from pam_cosim.diagnosis.selection import Selection
 from pam_cosim.diagnosis.subject import subject_of
 from pam_cosim.diagnosis.verdict import Verdict, confidence, explained, judge, rivals, with_facts
@@ -225,11 +232,11 @@ def diagnose(
     )
     search = replace(search, at_rest=all(run.is_static for run in data.runs))
     deadline = began + (math.inf if time_limit is None else time_limit)
-    finding = found(subject, search, base, outliers, deadline)
-    asked = found_by_all_runs(subject, finding, deadline)
+    finding = search_fit_runs(subject, search, base, outliers, deadline)
+    asked = search_all_runs(subject, finding, deadline)
     verdict, others = _verdict(asked or finding, sources, asked is not None)
     if asked is not None:
-        finding = shown_by_role(finding, asked)
+        finding = refit_by_role(finding, asked)
     folds = None
     unsettled = verdict.kind == "unknown" or verdict.remainder
     if unsettled and finding.path and asked is None and time.monotonic() < deadline:
@@ -274,7 +281,7 @@ def diagnose(
     )
 
 
-def _verdict(finding: Finding, sources: Sequence[Path], all_asked: bool) -> tuple[Verdict, list[Plan]]:
+def _verdict(finding: SearchResult, sources: Sequence[Path], all_asked: bool) -> tuple[Verdict, list[Plan]]:
     """The answer, and its rivals with the run that would decide."""
     search, base, tried = finding.search, finding.base, finding.selection.tried
     selected, family, choice = list(finding.path), search.family, search.choice
@@ -285,7 +292,7 @@ def _verdict(finding: Finding, sources: Sequence[Path], all_asked: bool) -> tupl
     return replace(verdict, probability=confidence(base, last, tried, family, choice, verdict)), others
 
 
-def _ranked(finding: Finding, data: DataSet) -> tuple[Candidate, ...]:
+def _ranked(finding: SearchResult, data: DataSet) -> tuple[Candidate, ...]:
     """Every model that was tried, best first by what it was fitted to; with residuals by the roles in the data."""
     ranked = rank(finding.base, finding.selection.tried)
     if finding.search.data is not data:
@@ -358,7 +365,7 @@ def _left(fit: Fit) -> float:
 
 def _others(data: DataSet, best: Candidate, near: Sequence[Candidate], files: Sequence[Path]) -> list[Plan]:
     """Rivals of the best, with the run that would decide where either may be right: not where both leave structure."""
-    if incomplete(best.fit):
+    if any_structure_for_verdict(best.fit):
         return [(c, None) for c in near]
     return told_apart(data, best, near, files)
 

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from pam_cosim.comparison import Reproducibility, ResidualStatistics, reproducibility
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.choice import Choice
+from pam_cosim.diagnosis.model_space import ModelSpace
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import ROLES
 
@@ -23,12 +23,12 @@ def _correlated(s: ResidualStatistics) -> bool:
     )
 
 
-def foretold(fit: Fit) -> Reproducibility:
+def cross_run_reproducibility(fit: Fit) -> Reproducibility:
     """How much of a fit's residual in one run the other runs foretell."""
     return reproducibility(fit.comparison.runs, fit.comparison.data.signals)
 
 
-def structured(s: ResidualStatistics, repeated: Reproducibility | None = None) -> bool:
+def has_structure_for_search(s: ResidualStatistics, repeated: Reproducibility | None = None) -> bool:
     """Whether residuals hold something that is not noise.
 
     Many samples show it by their correlation in time, and by its size: less than a twentieth of the noise's
@@ -43,30 +43,30 @@ def structured(s: ResidualStatistics, repeated: Reproducibility | None = None) -
         return False
     visible = _correlated(s) and s.excess > CRITERIA.residuals.excess
     if s.samples >= CRITERIA.residuals.many_samples:
-        return visible and _comes_again(s, repeated)
+        return visible and _is_reproducible(s, repeated)
     return visible or s.chi2_reduced > 1 + CRITERIA.residuals.level_of_few * math.sqrt(2 / s.samples)
 
 
-def unexplained(fit: Fit) -> bool:
+def any_structure_for_search(fit: Fit) -> bool:
     """Whether a model leaves structure in runs that were fitted or in others."""
-    repeated = foretold(fit)
-    return any(structured(s, repeated) for s in fit.tested.values())
+    repeated = cross_run_reproducibility(fit)
+    return any(has_structure_for_search(s, repeated) for s in fit.tested.values())
 
 
-def coherent(s: ResidualStatistics) -> bool:
+def may_have_structure(s: ResidualStatistics) -> bool:
     """Whether residuals are correlated and larger than noise, if ever so slightly, be it a drift of the instruments.
 
     Or red noise: where nobody stated a level, residuals of any size may be that, and only a better model tells.
     """
     sure = min(s.noise_floor, max(1.0, s.white_variance))
-    return structured(s) or (
+    return has_structure_for_search(s) or (
         s.samples >= CRITERIA.residuals.many_samples
         and _correlated(s)
         and s.chi2_reduced - sure > CRITERIA.residuals.slight_excess
     )
 
 
-def leaves_structure(s: ResidualStatistics, repeated: Reproducibility | None = None) -> bool:
+def has_structure_for_verdict(s: ResidualStatistics, repeated: Reproducibility | None = None) -> bool:
     """Whether residuals of a model that explains much are still coherent: more than a fifth of the noise's variance.
 
     Few samples, as those of a table, hardly show that; there what is larger than the stated noise is not that noise.
@@ -78,23 +78,25 @@ def leaves_structure(s: ResidualStatistics, repeated: Reproducibility | None = N
         bool(s.samples)
         and _correlated(s)
         and s.excess > CRITERIA.residuals.remaining_excess * max(1.0, s.noise_floor)
-        and _comes_again(s, repeated)
+        and _is_reproducible(s, repeated)
     )
 
 
-def incomplete(fit: Fit) -> bool:
+def any_structure_for_verdict(fit: Fit) -> bool:
     """Whether a model that explains much leaves structure all the same, in runs that were fitted or in others."""
-    repeated = foretold(fit)
-    return any(leaves_structure(s, repeated) for s in fit.tested.values())
+    repeated = cross_run_reproducibility(fit)
+    return any(has_structure_for_verdict(s, repeated) for s in fit.tested.values())
 
 
 def contradicted(fit: Fit) -> bool:
     """Whether a model leaves noise in runs that were fitted, and structure in others that no values excuse."""
-    tested, repeated = fit.tested, foretold(fit)
-    return not structured(tested["fit"], repeated) and leaves_structure(tested["holdout"], repeated)
+    tested, repeated = fit.tested, cross_run_reproducibility(fit)
+    return not has_structure_for_search(tested["fit"], repeated) and has_structure_for_verdict(
+        tested["holdout"], repeated
+    )
 
 
-def _comes_again(s: ResidualStatistics, repeated: Reproducibility | None) -> bool:
+def _is_reproducible(s: ResidualStatistics, repeated: Reproducibility | None) -> bool:
     if (
         repeated is None
         or math.isnan(repeated.variance)
@@ -130,7 +132,7 @@ def scale(fits: Sequence[Fit]) -> Scale:
 
 
 def evidence(
-    fit: Fit, at: Scale, effects: Collection[str], choice: Choice, candidate: Candidate | None = None
+    fit: Fit, at: Scale, effects: Collection[str], choice: ModelSpace, candidate: Candidate | None = None
 ) -> float:
     """How much the data speak against a model: minus twice the logarithm of its probability, but for a constant.
 

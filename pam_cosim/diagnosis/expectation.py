@@ -17,7 +17,7 @@ from scipy.optimize import lsq_linear
 
 from pam_cosim.arrays import Array
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.probing import Probe
+from pam_cosim.diagnosis.probing import EffectProbe
 from pam_cosim.fitting import Linear
 
 _NOTHING_NEW = 1e-4  # of a column's length: what is left of it beside others, below which it says nothing new
@@ -25,7 +25,7 @@ _WEAK = 1e-6  # of the longest column
 
 
 @dataclass(frozen=True)
-class Addition:
+class EffectDirections:
     """What an effect can add to a model.
 
     Attributes:
@@ -39,11 +39,11 @@ class Addition:
     family: str
     columns: Array
     cost: int
-    shapes: tuple[Shape, ...] = ()
+    shapes: tuple[EffectShape, ...] = ()
 
 
 @dataclass(frozen=True)
-class Shape:
+class EffectShape:
     """What an effect does to the samples about some values of its own k parameters.
 
     Attributes:
@@ -62,7 +62,7 @@ class Shape:
 class Additions:
     """All that effects can add, and how alike that is."""
 
-    def __init__(self, every: Sequence[Addition]) -> None:
+    def __init__(self, every: Sequence[EffectDirections]) -> None:
         self.every = list(every)
         self.columns = np.column_stack([a.columns for a in every]) if every else np.zeros((0, 0))
         ends = np.cumsum([0, *(a.columns.shape[1] for a in every)]).tolist()
@@ -76,7 +76,7 @@ class Additions:
         self.begin = {id(shape): at for shape, at in zip(shapes, begin[:-1], strict=True)}
 
 
-def addition(base: Linear, probe: Probe, fitted: Candidate | None = None) -> Addition | None:
+def addition(base: Linear, probe: EffectProbe, fitted: Candidate | None = None) -> EffectDirections | None:
     """What an effect can add; None where it does not move a sample.
 
     Its directions are those of its parameters, and of the effect as a whole beside the base model, where it was probed
@@ -87,17 +87,21 @@ def addition(base: Linear, probe: Probe, fitted: Candidate | None = None) -> Add
     columns = [part for shape in shapes for part in (shape.slopes, shape.whole[:, None])]
     columns += [(base.residual - r)[:, None] for r in probe.further]
     basis = _orthonormal(np.column_stack(columns))
-    return Addition(probe.effect, probe.family, basis, len(probe.own_parameters), shapes) if basis.shape[1] else None
+    return (
+        EffectDirections(probe.effect, probe.family, basis, len(probe.own_parameters), shapes)
+        if basis.shape[1]
+        else None
+    )
 
 
-def _shape(base: Linear, linear: Linear, own: Sequence[str]) -> Shape:
+def _shape(base: Linear, linear: Linear, own: Sequence[str]) -> EffectShape:
     """What an effect does by itself: its model less the base model at the same base parameters."""
     values = dict(zip(linear.names, linear.values, strict=True))
     change = np.array([values.get(n, v) - v for n, v in zip(base.names, base.values, strict=True)])
     whole: Array = base.residual - base.slopes @ change - linear.residual
     at = [i for i, name in enumerate(linear.names) if name in own]
     names = tuple(linear.names[i] for i in at)
-    return Shape(names, linear.values[at], linear.low[at], linear.high[at], whole, linear.slopes[:, at])
+    return EffectShape(names, linear.values[at], linear.low[at], linear.high[at], whole, linear.slopes[:, at])
 
 
 def _orthonormal(columns: Array) -> Array:
@@ -141,7 +145,7 @@ def _boxed(square: Array, along: Array, low: Array, high: Array) -> Array:
 
 
 @dataclass(frozen=True)
-class Expected:
+class PredictedModel:
     """A model that nobody fitted: one that was, with further effects, or with one exchanged for another.
 
     Attributes:
@@ -153,10 +157,10 @@ class Expected:
     """
 
     start: tuple[str, ...]
-    added: tuple[Addition, ...]
+    added: tuple[EffectDirections, ...]
     reduction: float
     exchanged: str = ""
-    beside: Beside | None = None
+    beside: LinearisedNeighbourhood | None = None
 
     @cached_property
     def effects(self) -> tuple[str, ...]:
@@ -172,7 +176,7 @@ class Expected:
         return max((self.beside.within_bounds(shapes) for shapes in several), key=lambda known: known[0])
 
 
-class Beside:
+class LinearisedNeighbourhood:
     """What effects can do beside a fitted model, all of whose parameters move along.
 
     Args:
@@ -208,7 +212,7 @@ class Beside:
                 gains[n] = float(one @ step)
         return gains
 
-    def within_bounds(self, shapes: Sequence[Shape]) -> tuple[float, dict[str, float]]:
+    def within_bounds(self, shapes: Sequence[EffectShape]) -> tuple[float, dict[str, float]]:
         """With effects of these shapes: the reduction when all parameters keep to their bounds, and their values then.
 
         As if what each effect does were not changed by the others.
@@ -234,7 +238,7 @@ class Beside:
         names = (*own.names, *(n for s in shapes for n in s.names))
         return max(gained, 0.0), dict(zip(names, (values + step).tolist(), strict=True))
 
-    def _single(self, own_family: bool) -> list[tuple[float, Addition, Array]]:
+    def _single(self, own_family: bool) -> list[tuple[float, EffectDirections, Array]]:
         taken = {self.family[e] for e in self.effects}
         some = [
             (a, at)
@@ -244,11 +248,11 @@ class Beside:
         gains = self._gains([at for _, at in some])
         return [(gain, a, at) for gain, (a, at) in zip(gains, some, strict=True)]
 
-    def with_one(self) -> list[Expected]:
+    def with_one(self) -> list[PredictedModel]:
         """One further effect of another family."""
-        return [Expected(self.effects, (a,), gain, beside=self) for gain, a, _ in self._single(False)]
+        return [PredictedModel(self.effects, (a,), gain, beside=self) for gain, a, _ in self._single(False)]
 
-    def with_two(self, first: int) -> list[Expected]:
+    def with_two(self, first: int) -> list[PredictedModel]:
         """Two further effects of other families, one of them among so many that do most by themselves."""
         best = sorted(self._single(False), key=lambda entry: (-entry[0], entry[1].effect))
         pairs = [
@@ -258,9 +262,12 @@ class Beside:
             if b.family != a.family
         ]
         gains = self._gains([at for _, at in pairs])
-        return [Expected(self.effects, added, gain, beside=self) for gain, (added, _) in zip(gains, pairs, strict=True)]
+        return [
+            PredictedModel(self.effects, added, gain, beside=self)
+            for gain, (added, _) in zip(gains, pairs, strict=True)
+        ]
 
-    def with_another_form(self) -> list[Expected]:
+    def with_another_form(self) -> list[PredictedModel]:
         """An effect exchanged for another of its family, as if that could do all that the first one does."""
         of = {self.family[e]: e for e in self.effects}
-        return [Expected(self.effects, (a,), gain, of[a.family]) for gain, a, _ in self._single(True)]
+        return [PredictedModel(self.effects, (a,), gain, of[a.family]) for gain, a, _ in self._single(True)]

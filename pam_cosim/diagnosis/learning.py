@@ -25,7 +25,7 @@ from pam_cosim.diagnosis.learning_text import MISSING, formula_text, modelica_te
 from pam_cosim.diagnosis.trial import Trial, run_trial
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_text
-from pam_cosim.ledger import Entry, Ledger
+from pam_cosim.ledger import BalanceEntry, Ledger
 from pam_cosim.measurement import DataSet
 
 _INTERVAL = 2 * CRITERIA.fit.interval  # standard deviations in the interval of an estimate
@@ -162,7 +162,7 @@ def try_learned(
 
 
 def refitted(
-    term: LearnedTerm, entry: Entry, model: Candidate, tree: ClassTree, explained: str = MISSING
+    term: LearnedTerm, entry: BalanceEntry, model: Candidate, tree: ClassTree, explained: str = MISSING
 ) -> LearnedTerm:
     """The term with the values that ``try_learned`` fitted.
 
@@ -194,7 +194,7 @@ def refitted(
 
 
 @dataclass(frozen=True)
-class Samples:
+class TermSamples:
     """The missing term (n,) in standard deviations, and what it may depend on.
 
     Attributes:
@@ -217,7 +217,7 @@ class Samples:
         return form.values(self.variables, shape) * self.weight
 
 
-def _samples(entry: Entry) -> Samples:
+def _samples(entry: BalanceEntry) -> TermSamples:
     courses = entry.courses
     group, roles, count = [], [], 0
     single = sum(c.role == "fit" for c in courses) == 1
@@ -231,7 +231,7 @@ def _samples(entry: Entry) -> Samples:
     imitated = np.concatenate([np.column_stack([np.zeros((len(c.time), 0)), *c.imitated.values()]) for c in courses])
     used = np.any(imitated != 0, axis=0)
     weight = 1 / np.maximum(deviation, np.median(deviation) / CRITERIA.learning.certain)
-    return Samples(
+    return TermSamples(
         value=np.concatenate([c.value for c in courses]) * weight,
         weight=weight,
         variables={n: np.concatenate([c.against[n] for c in courses]) for n in courses[0].against},
@@ -257,7 +257,7 @@ class Fitted:
     fit_score: float
 
 
-def pick(samples: Samples, shelf: Sequence[Form], most: int = CRITERIA.learning.most_forms) -> list[Form]:
+def pick(samples: TermSamples, shelf: Sequence[Form], most: int = CRITERIA.learning.most_forms) -> list[Form]:
     """At most so many forms, in order of selection."""
     picked: list[Form] = []
     left = first = _left_out(samples, [])
@@ -270,7 +270,7 @@ def pick(samples: Samples, shelf: Sequence[Form], most: int = CRITERIA.learning.
     return [f for i, f in enumerate(picked) if _needed(samples, picked, i, left)]
 
 
-def pick_together(samples: Samples, shelf: Sequence[Form], most: int) -> list[Form]:
+def pick_together(samples: TermSamples, shelf: Sequence[Form], most: int) -> list[Form]:
     """As ``pick``, for forms that mean little alone: where no further one helps, two are added at once."""
     picked: list[Form] = []
     left = first = _left_out(samples, [])
@@ -295,7 +295,7 @@ def _worth(left: float, error: float, first: float) -> bool:
     return error < (1 - CRITERIA.learning.worth) * left and left - error > CRITERIA.learning.least * first
 
 
-def _next(samples: Samples, picked: Sequence[Form], shelf: Sequence[Form]) -> tuple[list[Form], float]:
+def _next(samples: TermSamples, picked: Sequence[Form], shelf: Sequence[Form]) -> tuple[list[Form], float]:
     """The form that helps most beside others, with its best shape, and what is left with it."""
     own = [samples.column(f) for f in picked]
     errors = [_left_out(samples, [*own, samples.column(f)]) if f not in picked else np.inf for f in shelf]
@@ -303,12 +303,12 @@ def _next(samples: Samples, picked: Sequence[Form], shelf: Sequence[Form]) -> tu
     return [refined], _left_out(samples, [*own, samples.column(refined)])
 
 
-def _needed(samples: Samples, picked: Sequence[Form], i: int, left: float) -> bool:
+def _needed(samples: TermSamples, picked: Sequence[Form], i: int, left: float) -> bool:
     others = [samples.column(f) for k, f in enumerate(picked) if k != i]
     return len(picked) == 1 or _left_out(samples, others) > (1 + CRITERIA.learning.worth) * left
 
 
-def _refined(samples: Samples, picked: Sequence[Form], form: Form) -> Form:
+def _refined(samples: TermSamples, picked: Sequence[Form], form: Form) -> Form:
     """The form with the best value of its shape."""
     shape = form.shape
     if shape is None:
@@ -326,7 +326,7 @@ def _refined(samples: Samples, picked: Sequence[Form], form: Form) -> Form:
     return replace(form, shape=replace(shape, value=float(np.exp(optimum.x))))
 
 
-def _left_out(samples: Samples, columns: Sequence[Array]) -> float:
+def _left_out(samples: TermSamples, columns: Sequence[Array]) -> float:
     """Mean square of the term over its deviation in each asked group, predicted from the others."""
     rows = np.column_stack([samples.imitated, *columns])
     total, count = 0.0, 0
@@ -357,7 +357,7 @@ def _solved(matrix: Array, right: Array) -> Array:
     return solution
 
 
-def coefficients_of(samples: Samples, picked: Sequence[Form]) -> Fitted:
+def coefficients_of(samples: TermSamples, picked: Sequence[Form]) -> Fitted:
     columns = [samples.column(f) for f in picked]
     rows = np.column_stack([np.zeros((len(samples.value), 0)), samples.imitated, *columns])
     q = samples.imitated.shape[1]

@@ -22,7 +22,7 @@ from pam_cosim.catalogue import EffectClass, compose, effect_classes, origins, u
 from pam_cosim.comparison import simulate_run
 from pam_cosim.compiler import ClassTree, compile_model, read_library
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.learning import Learned, LearnedTerm, Samples, coefficients_of, pick_together
+from pam_cosim.diagnosis.learning import Learned, LearnedTerm, TermSamples, coefficients_of, pick_together
 from pam_cosim.diagnosis.learning_library import Form, quantities, ramps
 from pam_cosim.diagnosis.learning_text import formula_text, modelica_text
 from pam_cosim.diagnosis.search import Search
@@ -33,7 +33,7 @@ from pam_cosim.fitting import Fit, linearised
 from pam_cosim.fitting.linear import rows_of_series
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_source
-from pam_cosim.ledger import Entry
+from pam_cosim.ledger import BalanceEntry
 from pam_cosim.ledger.augmented import TERM
 from pam_cosim.model.interface import Variable
 from pam_cosim.simulation import Simulator
@@ -54,7 +54,7 @@ class Direct:
     """
 
     term: LearnedTerm
-    entry: Entry
+    entry: BalanceEntry
     left: float
 
 
@@ -93,7 +93,7 @@ def _in_balance(search: Search, effects: Sequence[str], present: Fit, term: Effe
     variables, units, own = watched
     known = quantities(variables, units)
     shelf = ramps(known, variables)
-    entry = Entry(term.balance, 0.0, 0.0, 0.0, own.unit, own.description, base=base, units=units)
+    entry = BalanceEntry(term.balance, 0.0, 0.0, 0.0, own.unit, own.description, base=base, units=units)
     samples = _felt(search, effects, values, entry, shelf)
     # what a term of the size that it is declared for does not move by a standard deviation, it cannot be learned from
     largest = min(abs(own.min or np.inf), abs(own.max or np.inf))
@@ -162,7 +162,7 @@ def _watched(
 
 
 @dataclass(frozen=True)
-class _Felt(Samples):
+class _Felt(TermSamples):
     """Residuals of the model, and what each form's coefficient would change in them."""
 
     felt: Mapping[str, Array]
@@ -172,7 +172,7 @@ class _Felt(Samples):
 
 
 def _felt(
-    search: Search, effects: Sequence[str], values: Mapping[str, float], entry: Entry, shelf: Sequence[Form]
+    search: Search, effects: Sequence[str], values: Mapping[str, float], entry: BalanceEntry, shelf: Sequence[Form]
 ) -> _Felt:
     """The fitted runs linearised by the free parameters and by a coefficient of every form."""
     terms = [Learned(0.0, 0.0, form, reach=1.0) for form in shelf]

@@ -40,7 +40,7 @@ class Quantity:
 
 
 @dataclass(frozen=True)
-class Shape:
+class FormConstant:
     """A number inside a form: placeholder, the variable whose unit it has, value and bounds [unit]."""
 
     name: str
@@ -63,7 +63,7 @@ class Form:
 
     text: str
     quantities: tuple[Quantity, ...]
-    shape: Shape | None = None
+    shape: FormConstant | None = None
     words: str = ""
 
     def values(self, variables: Mapping[str, Array], shape: float | None = None) -> Array:
@@ -146,16 +146,16 @@ def _powers(q: Quantity) -> list[Form]:
 
 
 def _jumps(q: Quantity) -> list[Form]:
-    shapes = [Shape(f"{q.name}_1", q, k * q.size, 1e-3 * q.size, 0.5 * q.size) for k in _SPEEDS]
+    shapes = [FormConstant(f"{q.name}_1", q, k * q.size, 1e-3 * q.size, 0.5 * q.size) for k in _SPEEDS]
     root = Form(f"{q.ratio}/({q.ratio}^2 + 1e-4)^0.25", (q,), None, f"sign({q.name}) |{q.name}|^0.5")
     return [root, *(Form(f"tanh({q.name}/{s.name})", (q,), s, f"tanh({q.name}/{{shape}})") for s in shapes)]
 
 
 def _curves(q: Quantity) -> list[Form]:
-    growths = [Shape(f"{q.name}_1", q, k * q.size, 0.1 * q.size, 5 * q.size) for k in _GROWTHS]
+    growths = [FormConstant(f"{q.name}_1", q, k * q.size, 0.1 * q.size, 5 * q.size) for k in _GROWTHS]
     listed = [Form(f"(exp({q.name}/{s.name}) - 1)", (q,), s, f"(exp({q.name}/{{shape}}) - 1)") for s in growths]
     for k in _WAVES:
-        s = Shape(f"{q.name}_2", q, k * q.size, 0.9 * k * q.size, 1.1 * k * q.size)
+        s = FormConstant(f"{q.name}_2", q, k * q.size, 0.9 * k * q.size, 1.1 * k * q.size)
         for wave in ("sin", "cos"):
             text = f"{wave}(6.283185307*{q.name}/{s.name})"
             listed.append(Form(text, (q,), s, f"{wave}(2 pi {q.name}/{{shape}})"))

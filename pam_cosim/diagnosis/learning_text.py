@@ -9,7 +9,7 @@ from typing import Protocol
 from pam_cosim.catalogue import EFFECT, library_of
 from pam_cosim.compiler import ClassTree
 from pam_cosim.diagnosis.learning_library import Form, Quantity
-from pam_cosim.ledger import Entry
+from pam_cosim.ledger import BalanceEntry
 from pam_cosim.ledger.augmented import TERM
 from pam_cosim.units import format_quantity
 
@@ -37,7 +37,7 @@ class Addend(Protocol):
         """Size of the coefficient by which its bounds are set; 0: its own."""
 
 
-def formula_text(entry: Entry, terms: Sequence[Addend]) -> str:
+def formula_text(entry: BalanceEntry, terms: Sequence[Addend]) -> str:
     """The formula with numbers and units, such as ``force [N] = 5.1 N (exp(x/40 mm) - 1)``."""
     if not terms:
         return f"missing {entry.balance} = 0"
@@ -60,7 +60,7 @@ def _sized(value: float, unit: str) -> str:
 def modelica_text(
     tree: ClassTree,
     name: str,
-    entry: Entry,
+    entry: BalanceEntry,
     terms: Sequence[Addend],
     score: float,
     explained: str = MISSING,

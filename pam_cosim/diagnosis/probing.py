@@ -17,7 +17,7 @@ from pam_cosim.fitting.objective import Objective
 
 
 @dataclass(frozen=True)
-class Probe:
+class EffectProbe:
     """What an effect does to the samples.
 
     Attributes:
@@ -153,7 +153,7 @@ class _Look:
         return float(self.moved @ self.moved)
 
 
-def probed(effect: str, family: str, objective: Objective, base: Linear, strengths: Strengths) -> Probe:
+def probed(effect: str, family: str, objective: Objective, base: Linear, strengths: Strengths) -> EffectProbe:
     """Looks at some strengths of an effect and linearises the model at the one that does most good.
 
     Args:
@@ -179,7 +179,7 @@ def probed(effect: str, family: str, objective: Objective, base: Linear, strengt
     if linear is None:
         raise SimulationFailure(objective.first_failure)
     further = tuple(other.residual for other in looks if other is not look)
-    return Probe(effect, family, tuple(f.name for f in strengths.own), linear, further)
+    return EffectProbe(effect, family, tuple(f.name for f in strengths.own), linear, further)
 
 
 def _idle(look: _Look, base: Linear) -> bool:

@@ -9,7 +9,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.comparison import simulate_run
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.probing import Probe
+from pam_cosim.diagnosis.probing import EffectProbe
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Free, residual_rows
 from pam_cosim.fitting.objective import Objective
@@ -17,7 +17,7 @@ from pam_cosim.fitting.objective import Objective
 _SHARES = (0.3, 0.6)  # of the ways between bounds: anywhere but at an end will do
 
 
-def idle_parameters(probe: Probe, objective: Objective) -> tuple[str, ...]:
+def idle_parameters(probe: EffectProbe, objective: Objective) -> tuple[str, ...]:
     """An effect's own parameters that change no sample between their bounds, wherever its other parameters are.
 
     A parameter may do nothing where another is zero, as the reach of a force that has no size. So the others are put
@@ -32,15 +32,15 @@ def idle_parameters(probe: Probe, objective: Objective) -> tuple[str, ...]:
     return tuple(f.name for f in still if all(_still(objective, z, f, little) for z in places))
 
 
-def _own(probe: Probe, objective: Objective) -> list[Free]:
+def _own(probe: EffectProbe, objective: Objective) -> list[Free]:
     return [free for free in objective.free if free.name in probe.own_parameters]
 
 
-def _ranges(probe: Probe) -> Array:
+def _ranges(probe: EffectProbe) -> Array:
     return np.asarray(probe.linear.high - probe.linear.low)
 
 
-def _places(probe: Probe, objective: Objective) -> list[Array]:
+def _places(probe: EffectProbe, objective: Objective) -> list[Array]:
     """Search coordinates: where the probe is linear, and with all of the effect's own parameters on their ways."""
     z = _where(probe, objective)
     low, high = objective.bounds
@@ -48,7 +48,7 @@ def _places(probe: Probe, objective: Objective) -> list[Array]:
     return [z, *(np.where(own, low + share * (high - low), z) for share in _SHARES)]
 
 
-def _where(probe: Probe, objective: Objective) -> Array:
+def _where(probe: EffectProbe, objective: Objective) -> Array:
     """The search coordinates about which the probe is linear."""
     values = dict(zip(probe.linear.names, probe.linear.values.tolist(), strict=True))
     return np.array([free.to_z(values[free.name]) for free in objective.free])
@@ -69,7 +69,7 @@ def _with(objective: Objective, z: Array, values: dict[str, float]) -> Array:
     return moved
 
 
-def moves_unread(probe: Probe, objective: Objective) -> bool:
+def moves_unread(probe: EffectProbe, objective: Objective) -> bool:
     """Whether an effect that no sample shows moves an output of the bench that nobody read, as a thermometer's does.
 
     Then more of it, or another model beside it, shows no more. What moves nothing at all may wait for another effect.

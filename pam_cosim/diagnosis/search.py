@@ -14,10 +14,10 @@ from pam_cosim.comparison import without_outliers
 from pam_cosim.compiler import ClassTree, Structure, library_hash, read_structure
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
-from pam_cosim.diagnosis.choice import Choice
 from pam_cosim.diagnosis.events import CandidateTried, EffectLookedAt, EffectsLookedAt, FittingBegun
 from pam_cosim.diagnosis.message import Message
-from pam_cosim.diagnosis.probing import Probe, Stated
+from pam_cosim.diagnosis.model_space import ModelSpace
+from pam_cosim.diagnosis.probing import EffectProbe, Stated
 from pam_cosim.diagnosis.step_times import Retimed, Retiming, nothing_found, run_retiming, steps_between
 from pam_cosim.diagnosis.trial import Trial, crashed, run_afar, run_probe, run_stated
 from pam_cosim.fitting import Fit, Linear
@@ -89,9 +89,9 @@ class Search:
         return {e.name: e.family for e in self.shelf}
 
     @cached_property
-    def choice(self) -> Choice:
+    def choice(self) -> ModelSpace:
         """What a choice among the effects costs."""
-        return Choice(len(self.shelf), self.expected & self.family.keys())
+        return ModelSpace(len(self.shelf), self.expected & self.family.keys())
 
     @cached_property
     def cost(self) -> dict[str, int]:
@@ -115,7 +115,7 @@ class Search:
         """How many commands step between two samples, all runs together."""
         return steps_between(self.data)
 
-    def probed(self, fitted: Fit, has: Sequence[str], effects: Sequence[str]) -> list[Probe]:
+    def probed(self, fitted: Fit, has: Sequence[str], effects: Sequence[str]) -> list[EffectProbe]:
         """What each of some effects does to the samples beside a fitted model, which has others."""
         trials = [t.screening() for t in self._trials([Wanted((*has, name), fitted.values) for name in effects])]
         trials = [replace(t, beside=fitted.linear) for t in trials]
@@ -189,7 +189,7 @@ class Search:
     def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:
         if trials:
             self.say(FittingBegun(len(trials), how).message)
-        results = run_tasks(run_afar, trials, crashed, lambda c: self.say(told(c)), self.workers)
+        results = run_tasks(run_afar, trials, crashed, lambda c: self.say(result_message(c)), self.workers)
         self.failed.extend(c for c in results if isinstance(c, FailedTrial))
         return [self._with_data(c) for c in results if isinstance(c, Candidate)]
 
@@ -209,6 +209,6 @@ class Search:
         return trials
 
 
-def told(c: Candidate | FailedTrial) -> Message:
+def result_message(c: Candidate | FailedTrial) -> Message:
     """A candidate in a line."""
     return CandidateTried(c).message

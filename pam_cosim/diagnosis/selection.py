@@ -1,6 +1,6 @@
 """Which effects a model needs: the models that promise most are fitted, until none is left that may be better.
 
-One number orders all models (``diagnosis.order``): the evidence, of a model that was fitted as it is, of one that was
+One number orders all models (``diagnosis.ranking``): the evidence, of a model that was fitted as it is, of one that was
 not, or not to the end, as far as linear algebra tells (``diagnosis.promise``). Whoever may still beat the best is
 fitted next: single effects first; where the best of them leaves structure, pairs; then triples, for which effects are
 looked at again beside the best models. What is made of more effects but of fewer parameters is asked for as well.
@@ -17,10 +17,10 @@ from dataclasses import dataclass, field, replace
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.events import NothingTried, StepsSought
-from pam_cosim.diagnosis.evidence import coherent, evidence, rank, scale, unexplained
-from pam_cosim.diagnosis.order import Order
-from pam_cosim.diagnosis.probing import Probe
-from pam_cosim.diagnosis.promise import Promises
+from pam_cosim.diagnosis.evidence import any_structure_for_search, evidence, may_have_structure, rank, scale
+from pam_cosim.diagnosis.predicted_evidence import PredictedEvidence
+from pam_cosim.diagnosis.probing import EffectProbe
+from pam_cosim.diagnosis.ranking import Ranking
 from pam_cosim.diagnosis.search import Search, Wanted
 from pam_cosim.diagnosis.step_times import Retimed
 from pam_cosim.errors import SimulationFailure
@@ -48,7 +48,7 @@ class Selection:
     tried: tuple[Candidate, ...] = ()
     untried: tuple[tuple[str, ...], ...] = ()
     outliers: Mapping[str, int] = field(default_factory=dict)
-    probes: tuple[Probe, ...] = ()
+    probes: tuple[EffectProbe, ...] = ()
     timed: Retimed | None = None
 
 
@@ -64,7 +64,7 @@ def select_effects(search: Search, base: Fit, deadline: float = math.inf, clocks
     Raises:
         SimulationFailure: no effect could be tried at all.
     """
-    if not any(coherent(s) for s in base.tested.values()):
+    if not any(may_have_structure(s) for s in base.tested.values()):
         search.say(NothingTried().message)
         return Selection(search, base)
     models = _Models(search, base, deadline)
@@ -72,17 +72,17 @@ def select_effects(search: Search, base: Fit, deadline: float = math.inf, clocks
     models.try_single(CRITERIA.search.first_tried)
     for count in range(1, CRITERIA.search.most_effects + 1):
         models.improve(count)
-        if count == 1 and models.order.unsolved():
+        if count == 1 and models.ranking.unsolved():
             models.try_forms()
             models.improve(count)
         models.set_outliers_aside()
-        if models.order.unsolved():
+        if models.ranking.unsolved():
             timed = models.with_step_times(count) if clocks else None
             if timed is not None:
                 return Selection(models.search, models.base, outliers=models.outliers, timed=timed)
         else:
             models.try_simpler()
-            if not models.order.room(count + 1):
+            if not models.ranking.more_effects_can_pay(count + 1):
                 break
         if 1 < count < CRITERIA.search.most_effects:
             models.look_again()
@@ -104,21 +104,21 @@ class _Models:
     def __init__(self, search: Search, base: Fit, deadline: float) -> None:
         self.deadline = deadline
         self.known: dict[tuple[str, ...], Candidate] = {}
-        self.order = Order(search, base, self.known)
-        self.promises = Promises(self.order)
+        self.ranking = Ranking(search, base, self.known)
+        self.predicted = PredictedEvidence(self.ranking)
         self.untried: list[tuple[str, ...]] = []
-        self.probes: list[Probe] = []
+        self.probes: list[EffectProbe] = []
         self.outliers: Counter[str] = Counter()
 
     @property
     def search(self) -> Search:
         """What the models are chosen from."""
-        return self.order.search
+        return self.ranking.search
 
     @property
     def base(self) -> Fit:
         """The model without effects."""
-        return self.order.base
+        return self.ranking.base
 
     @property
     def tried(self) -> list[Candidate]:
@@ -141,8 +141,10 @@ class _Models:
             raise SimulationFailure(f"no effect could be tried; {failed.effect}: {failed.failure}")
         # What shows in time alone, or in a reading that nobody took, does so beside no effect.
         silent = frozenset(p.effect for p in self.probes if p.unread or (p.silent and self.search.at_rest))
-        self.order.search = replace(self.search, unseen=silent, idle={p.effect: p.idle for p in self.probes if p.idle})
-        self.promises.looked_at(self.probes)
+        self.ranking.search = replace(
+            self.search, unseen=silent, idle={p.effect: p.idle for p in self.probes if p.idle}
+        )
+        self.predicted.looked_at(self.probes)
 
     def look_again(self) -> None:
         """What further families do beside the models that the search goes on from.
@@ -150,29 +152,29 @@ class _Models:
         Beside the base model, which is far off then, the same parameters may do something else. Those that stand for
         their families are looked at first, then all members of the families that promise most.
         """
-        for best in (c for c in self.order.rungs() if c.fit.linear is not None):
+        for best in (c for c in self.ranking.parents() if c.fit.linear is not None):
             taken = {self.search.family[name] for name in best.effects}
             self._look_beside(best, [n for n in self.search.broadest if self.search.family[n] not in taken])
-            leading = self.promises.leading(best, CRITERIA.search.leading_families)
+            leading = self.predicted.leading(best, CRITERIA.search.leading_families)
             own = [e.name for e in self.search.shelf if e.family in leading and e.name not in self.search.unseen]
             self._look_beside(best, own)
 
     def _look_beside(self, best: Candidate, effects: Sequence[str]) -> None:
-        seen = self.promises.seen_beside(best.effects)
+        seen = self.predicted.seen_beside(best.effects)
         names = [name for name in effects if name not in seen]
         if names and not self._late([(*best.effects, name) for name in names]):
-            self.promises.looked_again(best, self.search.probed(best.fit, best.effects, names))
+            self.predicted.looked_again(best, self.search.probed(best.fit, best.effects, names))
 
     def try_single(self, count: int) -> None:
         """So many of the effects that promise most by themselves, a few steps."""
-        self._keep(self.search.briefly([self.promises.wanted(e) for e in self.promises.first(count)]))
+        self._keep(self.search.briefly([self.predicted.wanted(e) for e in self.predicted.first(count)]))
 
     def _late(self, chosen: Sequence[tuple[str, ...]]) -> bool:
         """Whether the time is over; then what would have come next is noted."""
         if time.monotonic() < self.deadline:
             return False
         self.untried += [names for names in chosen if names not in self.untried]
-        self.order.over = True
+        self.ranking.over = True
         return True
 
     def with_step_times(self, count: int) -> Retimed | None:
@@ -182,16 +184,16 @@ class _Models:
         """
         if not self.search.loose_steps or self._late([]):
             return None
-        own = [(c.effects, c.fit) for c in self.order.models(count) if len(c.effects) == count]
+        own = [(c.effects, c.fit) for c in self.ranking.models(count) if len(c.effects) == count]
         own = own[: CRITERIA.search.leading_families]
         self.search.say(StepsSought().message)
         timed = self.search.with_step_times([((), self.base)] * (count == 1) + own)
-        timed = [r for r in timed if not unexplained(r.fit)]
+        timed = [r for r in timed if not any_structure_for_search(r.fit)]
         if not timed:
             return None
-        at, noise = scale([*self.order.fits, *(r.fit for r in timed)]), self.order.noise()
-        hopes = [self.order.evidence(c, at) for c in (None, *self.known.values())]
-        hopes += [self.promises.hoped(p, noise, at) for p in self.promises.untried(count + 1)]
+        at, noise = scale([*self.ranking.fits, *(r.fit for r in timed)]), self.ranking.noise()
+        hopes = [self.ranking.evidence(c, at) for c in (None, *self.known.values())]
+        hopes += [self.predicted.predicted_evidence(p, noise, at) for p in self.predicted.candidates(count + 1)]
         costs = {
             r.effects: evidence(r.fit, at, r.effects, self.search.choice) + r.steps * at.penalty(r.fit) for r in timed
         }
@@ -200,22 +202,22 @@ class _Models:
 
     def set_outliers_aside(self) -> None:
         """Samples that the best model shows to be outliers, which worse ones hid: none is judged by them any more."""
-        best = self.order.best()
+        best = self.ranking.best()
         if best is None:
             return
-        self.order.search, counts = self.search.without_outliers(best.fit)
+        self.ranking.search, counts = self.search.without_outliers(best.fit)
         if counts:
             self.outliers.update(counts)
             data = self.search.data
-            self.order.base = self.base.against(data)
+            self.ranking.base = self.base.against(data)
             for names, c in self.known.items():
                 self.known[names] = replace(c, fit=c.fit.against(data))
-            self.order.renew()
+            self.ranking.renew()
 
     def try_forms(self) -> None:
         """The other members of the families that came farthest: slopes do not tell what a much richer law can do."""
         best: dict[str, tuple[str, ...]] = {}
-        for c in self.order.models(1):
+        for c in self.ranking.models(1):
             best.setdefault(self.search.family[c.effect], c.effects)
         leading = dict(list(best.items())[: CRITERIA.search.leading_families])
         self._try([Wanted((e,), self.known[leading[f]].fit.values) for f in leading for e in self._members(f)])
@@ -223,8 +225,8 @@ class _Models:
     def try_simpler(self) -> None:
         """In the model that leaves noise, forms with fewer parameters in the place of each effect."""
         for _ in range(CRITERIA.search.most_effects):
-            best = self.order.best()
-            if best is None or self.order.leaves_structure(best):
+            best = self.ranking.best()
+            if best is None or self.ranking.has_structure(best):
                 return
             before = len(self.known)
             for name in best.effects:
@@ -243,14 +245,14 @@ class _Models:
         What the search expects of a set is reckoned from slopes; an effect may have been chosen beside others that
         need it no more once they are fitted together.
         """
-        while (best := self.order.answer()) is not None and len(best.effects) > 1:
+        while (best := self.ranking.answer()) is not None and len(best.effects) > 1:
             sets = [tuple(e for e in best.effects if e != name) for name in best.effects]
             self._try([Wanted(effects, best.fit.values) for effects in sets])
-            brief = [c for c in self.order.known.values() if c.brief and set(c.effects) < set(best.effects)]
+            brief = [c for c in self.ranking.known.values() if c.brief and set(c.effects) < set(best.effects)]
             brief = [c for c in brief if len(c.effects) == len(best.effects) - 1]
             if brief and not self._late([c.effects for c in brief]):
                 self._finish(brief)
-            if self.order.answer() is best:
+            if self.ranking.answer() is best:
                 return
 
     def _members(self, family: str) -> Iterator[str]:
@@ -259,7 +261,7 @@ class _Models:
 
     def _try(self, models: Sequence[Wanted]) -> None:
         """Fits models briefly that nobody tried."""
-        seen = self.order.seen
+        seen = self.ranking.seen
         others = [w for w in models if frozenset(w.effects) not in seen]
         if others and not self._late([w.effects for w in others]):
             self._keep(self.search.briefly(others))
@@ -270,14 +272,14 @@ class _Models:
         A few steps those that nobody tried, and to the end those that still promise it then.
         """
         for _ in range(CRITERIA.search.rounds):
-            brief = self.promises.brief()
-            chosen = [p.expected for p in self.promises.untried(count)]
+            brief = self.predicted.brief()
+            chosen = [p.expected for p in self.predicted.candidates(count)]
             if not (brief or chosen) or self._late([*(c.effects for c in brief), *(e.effects for e in chosen)]):
                 break
             self._finish(brief)
             if not brief:
-                self._keep(self.search.briefly([self.promises.wanted(e) for e in chosen]))
-                self.promises.learn(chosen)
+                self._keep(self.search.briefly([self.predicted.wanted(e) for e in chosen]))
+                self.predicted.learn(chosen)
 
     def _finish(self, brief: Sequence[Candidate]) -> None:
         """Fits models to the end that were fitted briefly."""
@@ -290,12 +292,12 @@ class _Models:
 
         A model that breaks down at the accuracy of the verdict makes place for the next best.
         """
-        while (best := self.order.answer()) is not None:
+        while (best := self.ranking.answer()) is not None:
             models = self._one_by_one(best)
             if models and models[-1].effects == best.effects:
                 return [c.without_slopes for c in models]
             del self.known[best.effects]
-            self.order.renew()
+            self.ranking.renew()
         return []
 
     def _one_by_one(self, best: Candidate) -> list[Candidate]:
@@ -320,4 +322,4 @@ class _Models:
             to_the_end = old is not None and old.brief and not c.brief
             if old is None or to_the_end or c.fit.residuals["fit"].chi2 <= old.fit.residuals["fit"].chi2:
                 self.known[c.effects] = c
-        self.order.renew()
+        self.ranking.renew()

@@ -12,7 +12,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.catalogue import Composition, EffectClass
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Attempt, Candidate, FailedTrial
-from pam_cosim.diagnosis.probing import Probe, Stated, Strengths, probed
+from pam_cosim.diagnosis.probing import EffectProbe, Stated, Strengths, probed
 from pam_cosim.diagnosis.pruning import pruned
 from pam_cosim.diagnosis.reach import idle_parameters, moves_unread
 from pam_cosim.errors import InputError, SimulationFailure
@@ -129,7 +129,7 @@ def run_afar(trial: Trial) -> Attempt:
     return replace(attempt, fit=replace(attempt.fit, comparison=attempt.fit.comparison.without_data()))
 
 
-def run_probe(trial: Trial) -> Probe | FailedTrial:
+def run_probe(trial: Trial) -> EffectProbe | FailedTrial:
     """Builds the model and linearises it about the values that it starts from, for what its effect can add."""
     return _attempted(trial, _probed, brief=True)
 
@@ -170,7 +170,7 @@ def _objective(trial: Trial, simulator: Simulator) -> Objective:
     return Objective(simulator, trial.data, trial.data.fit_runs, moved, None, trial.options.tolerance)
 
 
-def _probed(trial: Trial, simulator: Simulator) -> Probe:
+def _probed(trial: Trial, simulator: Simulator) -> EffectProbe:
     assert trial.beside is not None
     objective = _objective(trial, simulator)
     strengths = _strengths(trial, objective)

@@ -12,17 +12,17 @@ import numpy as np
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.choice import Choice
 from pam_cosim.diagnosis.evidence import (
     Scale,
+    any_structure_for_search,
+    any_structure_for_verdict,
     dominant_effect,
     evidence,
-    incomplete,
+    has_structure_for_search,
     refuted,
     scale,
-    structured,
-    unexplained,
 )
+from pam_cosim.diagnosis.model_space import ModelSpace
 from pam_cosim.fitting import Fit
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import listed
@@ -91,7 +91,7 @@ _TAKEN_FOR_NOISE = {
 
 
 def rivals(
-    base: Fit, best: Candidate, tried: Sequence[Candidate], family: Mapping[str, str], choice: Choice
+    base: Fit, best: Candidate, tried: Sequence[Candidate], family: Mapping[str, str], choice: ModelSpace
 ) -> list[Candidate]:
     """Models with other families that the data hardly distinguish from the best, one of each set of families.
 
@@ -116,7 +116,7 @@ def _near(
     tried: Sequence[Candidate],
     among: Sequence[Candidate],
     family: Mapping[str, str],
-    choice: Choice,
+    choice: ModelSpace,
 ) -> list[Candidate]:
     """Models with other families whose evidence is hardly less than that of the best, one of each set of families."""
     at = scale([base, *(c.fit for c in tried)])
@@ -133,7 +133,7 @@ def with_facts(
     best: Candidate | None,
     tried: Sequence[Candidate],
     family: Mapping[str, str],
-    choice: Choice,
+    choice: ModelSpace,
 ) -> Verdict:
     """The verdict with what its sentences speak of besides: signals that nobody fitted, and models that come as near.
 
@@ -162,7 +162,7 @@ def missed(fit: Fit) -> tuple[str, ...]:
 
 
 def _best_of_each(
-    candidates: Sequence[Candidate], at: Scale, family: Mapping[str, str], choice: Choice
+    candidates: Sequence[Candidate], at: Scale, family: Mapping[str, str], choice: ModelSpace
 ) -> dict[frozenset[str], tuple[float, Candidate]]:
     """The best model with each set of families, with its evidence."""
     best: dict[frozenset[str], tuple[float, Candidate]] = {}
@@ -179,7 +179,7 @@ def confidence(
     best: Candidate | None,
     tried: Sequence[Candidate],
     family: Mapping[str, str],
-    choice: Choice,
+    choice: ModelSpace,
     verdict: Verdict,
 ) -> float:
     """Probability that what the verdict says is missing is what is missing.
@@ -207,7 +207,7 @@ def confidence(
     each = _best_of_each(fitted, at, family, choice).items()
     weights = {f: exp(min((first - e) / (2 * numbers.temperature), 0.0)) for f, (e, _) in each} | {own: 1.0}
     told = {f for f in weights if f == own or (verdict.kind == "ambiguous" and f <= set(verdict.families))}
-    if incomplete(best.fit):
+    if any_structure_for_verdict(best.fit):
         left = numbers.unlisted_by_remainder if verdict.remainder else numbers.unlisted_by_structure
     return (1 - left) * sum(weights[f] for f in told) / sum(weights.values())
 
@@ -218,7 +218,7 @@ def _checked(fit: Fit) -> bool:
     Held-out runs that only the uncertainty of the parameters excuses check little.
     """
     held = fit.residuals["holdout"]
-    return bool(held.samples) and not structured(held) and not missed(fit)
+    return bool(held.samples) and not has_structure_for_search(held) and not missed(fit)
 
 
 def judge(
@@ -243,7 +243,7 @@ def judge(
         all_asked: all runs were fitted, for those that were held out contradicted what the others came to.
     """
     if not selected:
-        if unexplained(base):
+        if any_structure_for_search(base):
             return Verdict("unknown", (), (), "The residual has structure, and no listed effect explains it.")
         return Verdict("none_missing", (), (), "The residual is noise: nothing is missing that these data could show.")
     last = selected[-1]
@@ -256,7 +256,7 @@ def judge(
     ours = [e for e in effects if not any(e in c.effects for c in others)] or [last.effect]
     names = " and ".join(" + ".join(dict.fromkeys(known[e] for e in part)) for part in (ours, *instead))
     caution = _caution(last.fit, all_asked)
-    if incomplete(last.fit):
+    if any_structure_for_verdict(last.fit):
         dominant = dominant_effect(base, tried)
         if dominant is not None and dominant.effects == last.effects and not others:
             return Verdict("identified", families, effects, f"{text}, {_REST}{caution}", remainder=True)
@@ -333,7 +333,7 @@ def _caution(fit: Fit, all_asked: bool) -> str:
     held = fit.residuals["holdout"]
     text = "" if held.samples else " No run was held out: nothing but what was fitted speaks for it."
     text = _TOOK_ALL if all_asked else text
-    if structured(held) and not incomplete(fit):
+    if has_structure_for_search(held) and not any_structure_for_verdict(fit):
         text = " Held-out runs are met only as far as the fitted ones determine the parameters: they check little."
     names = [n for n, e in fit.parameters.items() if e.at_bound and e.determined]
     if names:

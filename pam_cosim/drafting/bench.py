@@ -7,14 +7,14 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from pam_cosim.catalogue.bench_parts import rig_parts
+from pam_cosim.catalogue.composed_bench import compose_bench
 from pam_cosim.catalogue.ports import Ports, ports
-from pam_cosim.catalogue.rig import put_together
-from pam_cosim.catalogue.rig_parts import rig_parts
 from pam_cosim.compiler import ClassTree
-from pam_cosim.drafting.choice import MECHANICAL, Choice, choose, meaning_of
+from pam_cosim.drafting.bench_choice import MECHANICAL, BenchChoice, choose, meaning_of
 from pam_cosim.drafting.file_names import Muscle, muscle_in
 from pam_cosim.drafting.folder import copy_files
-from pam_cosim.drafting.wishes import Known, Wishes
+from pam_cosim.drafting.requests import DraftRequests, ReadRecordings
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.references import BRANCH, is_file
@@ -34,7 +34,7 @@ class Bench:
         usual: its muscle is the usual one, for nobody says another.
     """
 
-    choice: Choice
+    choice: BenchChoice
     name: str
     interface: Interface
     why: str
@@ -43,7 +43,12 @@ class Bench:
 
 
 def take_bench(
-    place: Path, name: str, wishes: Wishes, known: Known, tree: ClassTree, describe: Callable[[str], Interface]
+    place: Path,
+    name: str,
+    wishes: DraftRequests,
+    known: ReadRecordings,
+    tree: ClassTree,
+    describe: Callable[[str], Interface],
 ) -> Bench:
     """The bench that the user names, or the one that fits best; what is written for it goes into ``place``.
 
@@ -85,7 +90,7 @@ def take_bench(
     feed, hold = choice.ports.parts
     outputs = [one for one in choice.ports.outputs if one not in choice.ports.inputs]
     measure = [one for one in outputs if one in choice.outputs or one in known.formulas]
-    text = put_together(tree, feed, hold, muscle, measure, name, known.points).text
+    text = compose_bench(tree, feed, hold, muscle, measure, name, known.points).text
     (place / f"{name}.mo").write_text(text, encoding="utf-8", newline="\n")
     made = f"{name}.mo was put together from {choice.ports.name}"
     if told is not None:
@@ -94,7 +99,7 @@ def take_bench(
     return Bench(choice, f"{name}.mo", describe(str(place / f"{name}.mo")), why, told, muscle is None)
 
 
-def _at_rest(known: Known) -> Callable[[Ports], Ports | None]:
+def _at_rest(known: ReadRecordings) -> Callable[[Ports], Ports | None]:
     """What a bench is to such recordings: those of points at rest have a direction, and no others; None: not one."""
 
     def of(one: Ports) -> Ports | None:
@@ -115,7 +120,7 @@ def _muscles(tree: ClassTree) -> list[str]:
     return [part.name for part in rig_parts(tree) if part.role == "muscle"]
 
 
-def _named(place: Path, model: str, known: Known, describe: Callable[[str], Interface]) -> Bench:
+def _named(place: Path, model: str, known: ReadRecordings, describe: Callable[[str], Interface]) -> Bench:
     """The bench of a name; a file is copied."""
     copied = copy_files([Path(model)], place)[0] if is_file(model) else None
     interface = describe(str(place / copied) if copied else model)

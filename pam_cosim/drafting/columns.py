@@ -11,8 +11,8 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.rest import is_constant, is_held, is_switch, span
-from pam_cosim.drafting.sources import Source
-from pam_cosim.drafting.words import Meaning, fits, read_heading, usual_unit
+from pam_cosim.drafting.sources import RecordingSource
+from pam_cosim.drafting.vocabulary import Meaning, fits, read_heading, usual_unit
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.curves import levels
 from pam_cosim.measurement.experiment import RecordingTable
@@ -91,7 +91,7 @@ class Found:
         return self.meaning == Meaning(kind, frozenset(roles))
 
 
-def find_columns(sources: Sequence[Source], asked: Mapping[str, str]) -> list[Found]:
+def find_columns(sources: Sequence[RecordingSource], asked: Mapping[str, str]) -> list[Found]:
     """Every column of numbers and what it is; ``asked`` are columns by the names that the user gave them.
 
     Raises:
@@ -109,7 +109,7 @@ def find_columns(sources: Sequence[Source], asked: Mapping[str, str]) -> list[Fo
     return columns
 
 
-def _check_alike(columns: Sequence[Found], sources: Sequence[Source]) -> None:
+def _check_alike(columns: Sequence[Found], sources: Sequence[RecordingSource]) -> None:
     """Raises InputError where recordings call the same quantity by different names: one would be lost."""
     for one in columns:
         for other in columns:
@@ -119,7 +119,7 @@ def _check_alike(columns: Sequence[Found], sources: Sequence[Source]) -> None:
                 raise InputError(message, here, None, other.name)
 
 
-def _found(name: str, sources: Sequence[Source]) -> Found:
+def _found(name: str, sources: Sequence[RecordingSource]) -> Found:
     places = {i: s.table.columns[name] for i, s in enumerate(sources) if name in s.table.columns}
     units = {column.unit for column in places.values()}
     first = next(iter(places.values()))
@@ -209,7 +209,7 @@ def _valves(columns: list[Found]) -> list[Found]:
     return columns
 
 
-def _time(columns: list[Found], sources: Sequence[Source], asked: str | None) -> list[Found]:
+def _time(columns: list[Found], sources: Sequence[RecordingSource], asked: str | None) -> list[Found]:
     """The columns with one of time at most, and its unit."""
     if asked is not None:
         wanted = next((c for c in columns if c.name == asked), None)
@@ -270,7 +270,7 @@ def _unit_of_time(column: Found) -> tuple[str, tuple[str, ...]]:
     return unit, (f"no unit is written; steps of {step:.4g} are taken as {unit}",)
 
 
-def check_time(columns: Sequence[Found], sources: Sequence[Source], recording: RecordingTable) -> Found | None:
+def check_time(columns: Sequence[Found], sources: Sequence[RecordingSource], recording: RecordingTable) -> Found | None:
     """The column of time; None where an interval is stated instead, or the files are tables of points at rest.
 
     Raises:
@@ -291,7 +291,7 @@ def check_time(columns: Sequence[Found], sources: Sequence[Source], recording: R
     return time
 
 
-def may_be_points(columns: Sequence[Found], sources: Sequence[Source]) -> bool:
+def may_be_points(columns: Sequence[Found], sources: Sequence[RecordingSource]) -> bool:
     """Whether tables without time are of points at rest: so few rows that somebody waited for each, and no valve."""
     driven = any(c.meaning is not None and c.meaning.kind in ("command", "current") for c in columns)
     rows = max(len(next(iter(s.table.columns.values())).values) for s in sources)

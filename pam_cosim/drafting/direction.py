@@ -11,7 +11,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.columns import Found
-from pam_cosim.drafting.words import direction_word, split_words
+from pam_cosim.drafting.vocabulary import direction_word, split_words
 from pam_cosim.measurement.curves import directions
 from pam_cosim.measurement.points import CONTRACTS
 

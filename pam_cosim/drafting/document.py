@@ -6,11 +6,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from textwrap import wrap
 
-from pam_cosim.drafting.mapping import Entry
+from pam_cosim.drafting.mapping import ColumnEntry
 from pam_cosim.drafting.noise import Sigma
 from pam_cosim.drafting.points import PointsDraft
 from pam_cosim.drafting.roles import Role
-from pam_cosim.drafting.values import Told, text_of
+from pam_cosim.drafting.values import StatedValue, text_of
 from pam_cosim.measurement.experiment import RecordingTable
 from pam_cosim.measurement.toml_text import toml_key, toml_string
 from pam_cosim.model.interface import Interface, Variable
@@ -40,7 +40,7 @@ class Draft:
     why_model: str
     interface: Interface
     recording: RecordingTable
-    entries: Mapping[str, Entry]
+    entries: Mapping[str, ColumnEntry]
     ignored: Mapping[str, str]
     sigmas: Mapping[str, Sigma]
     shown: Sequence[str]
@@ -51,7 +51,7 @@ class Draft:
     to_state: Mapping[str, Variable]
     files: Sequence[str]
     roles: Sequence[Role]
-    told: Sequence[Mapping[str, Told]]
+    told: Sequence[Mapping[str, StatedValue]]
     interpolation: Sequence[str]
     resample: str = ""
     having: Mapping[str, Sequence[int]] = field(default_factory=dict)
@@ -113,19 +113,19 @@ def _columns(draft: Draft) -> Iterator[str]:
         yield from _entry(entry, next(iter(entry.zero.values()), None))
 
 
-def _own(draft: Draft, entry: Entry) -> bool:
+def _own(draft: Draft, entry: ColumnEntry) -> bool:
     """Whether the entry differs between recordings, or is of some only."""
     having = draft.having.get(entry.name, range(len(draft.files)))
     zeros = set(entry.zero.values())
     return len(having) < len(draft.files) or len(zeros) > 1 or (bool(zeros) and len(entry.zero) < len(having))
 
 
-def _told(entry: Entry) -> bool:
+def _told(entry: ColumnEntry) -> bool:
     renamed = entry.column is not None and entry.column != entry.name
     return bool(renamed or entry.unit or entry.formula or entry.zero or entry.words)
 
 
-def _entry(entry: Entry, zero: tuple[float, float] | None) -> Iterator[str]:
+def _entry(entry: ColumnEntry, zero: tuple[float, float] | None) -> Iterator[str]:
     if entry.why:
         yield from _guessed(f"{entry.name} is {entry.column or entry.formula}", "; ".join(entry.why))
     cells = []

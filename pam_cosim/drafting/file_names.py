@@ -11,7 +11,7 @@ import numpy as np
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.columns import Found
-from pam_cosim.drafting.words import Meaning, folded, kinds_of, known_unit, says_no_load
+from pam_cosim.drafting.vocabulary import Meaning, folded, kinds_of, known_unit, says_no_load
 from pam_cosim.units import convert
 
 _NUMBER = r"(?P<number>\d+(?:[.,]\d+|p\d+)?)"

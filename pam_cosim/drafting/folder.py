@@ -28,7 +28,7 @@ def check_place(folder: Path) -> None:
 
 
 @contextmanager
-def beside(folder: Path) -> Iterator[Path]:
+def temporary_sibling(folder: Path) -> Iterator[Path]:
     """A new folder on the disk of the data set's place, gone at the end.
 
     Raises:

@@ -11,13 +11,13 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.choice import Choice, meaning_of
+from pam_cosim.drafting.bench_choice import BenchChoice, meaning_of
 from pam_cosim.drafting.columns import Found
 from pam_cosim.drafting.direction import words_of
+from pam_cosim.drafting.requests import ReadRecordings
 from pam_cosim.drafting.rest import Rest, correlation, noise_of, rests, span
-from pam_cosim.drafting.sources import Source
-from pam_cosim.drafting.wishes import Known
-from pam_cosim.drafting.words import fits
+from pam_cosim.drafting.sources import RecordingSource
+from pam_cosim.drafting.vocabulary import fits
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import RecordingTable
 from pam_cosim.model.interface import Interface, Variable
@@ -29,7 +29,7 @@ _GRAVITY = "9.80665 m/s2"
 
 
 @dataclass(frozen=True)
-class Entry:
+class ColumnEntry:
     """One key of ``[columns]``: ``column``, ``unit``, ``formula`` as stated; ``zero`` in seconds by recording.
 
     Attributes:
@@ -49,7 +49,7 @@ class Entry:
 
 
 @dataclass(frozen=True)
-class Course:
+class MappedRecording:
     """One recording under the bench's names.
 
     Attributes:
@@ -78,23 +78,23 @@ class Course:
 class Mapped:
     """Entries by the bench's names, and the recordings under them."""
 
-    entries: dict[str, Entry]
-    courses: tuple[Course, ...]
+    entries: dict[str, ColumnEntry]
+    courses: tuple[MappedRecording, ...]
 
 
-def map_columns(choice: Choice, interface: Interface, known: Known) -> Mapped:
+def map_columns(choice: BenchChoice, interface: Interface, known: ReadRecordings) -> Mapped:
     """Entries for what is named, signed, scaled or zeroed otherwise than the bench has it."""
     variables = {**interface.inputs, **interface.outputs}
     time = known.time
-    entries = {} if time is None else {"time": Entry("time", time.name, _unit(time), None, {}, time.why)}
+    entries = {} if time is None else {"time": ColumnEntry("time", time.name, _unit(time), None, {}, time.why)}
     arrays: dict[str, dict[int, Array]] = {}
     for name, column in choice.fed.items():
         entries[name], arrays[name] = _named(name, column, variables[name], interface, known.stated)
         if column.in_names:
             held = {i: float(values[0]) for i, values in arrays[name].items()}
-            entries[name] = Entry(name, why=entries[name].why, held=held)
+            entries[name] = ColumnEntry(name, why=entries[name].why, held=held)
     for name, formula in known.formulas.items():
-        entries[name] = Entry(name, formula=formula)
+        entries[name] = ColumnEntry(name, formula=formula)
     times = {i: _time(i, source, time, known.recording) for i, source in enumerate(known.sources)}
     pressure = _pressure(interface, arrays)
     for name in arrays:
@@ -113,7 +113,7 @@ def _unit(column: Found) -> str | None:
 
 def _named(
     name: str, column: Found, variable: Variable, interface: Interface, stated: Mapping[str, str]
-) -> tuple[Entry, dict[int, Array]]:
+) -> tuple[ColumnEntry, dict[int, Array]]:
     """The entry that renames a column or makes it what the bench calls so, and its numbers."""
     kind = column.meaning.kind if column.meaning else ""
     if kind == "direction":
@@ -126,41 +126,45 @@ def _named(
         numbers = {
             i: convert(v, column.unit, "kg") * parse_quantity(_GRAVITY, "m/s2") for i, v in column.values.items()
         }
-        return Entry(name, formula=formula, why=(*column.why, f"a force in {column.unit}, times gravity")), numbers
+        return ColumnEntry(
+            name, formula=formula, why=(*column.why, f"a force in {column.unit}, times gravity")
+        ), numbers
     numbers = {i: convert(v, column.unit, variable.unit) for i, v in column.values.items()}
     if column.absolute and kind == "pressure" and _REFERABLE.fullmatch(column.name):
         ambient = f"{_C.ambient / 1e3:g} kPa"
         why = f"its heading says absolute; the ambient is taken as {ambient}"
         formula = f'{_term(column)} - "{ambient}"'
-        return Entry(name, formula=formula, why=(*column.why, why)), {i: v - _C.ambient for i, v in numbers.items()}
-    return Entry(name, column.name, _unit(column), None, {}, column.why), numbers
+        return ColumnEntry(name, formula=formula, why=(*column.why, why)), {
+            i: v - _C.ambient for i, v in numbers.items()
+        }
+    return ColumnEntry(name, column.name, _unit(column), None, {}, column.why), numbers
 
 
-def _direction(name: str, column: Found) -> tuple[Entry, dict[int, Array]]:
+def _direction(name: str, column: Found) -> tuple[ColumnEntry, dict[int, Array]]:
     """Words for directions, or a formula that gives 1 and -1."""
     values = {i: np.array([float(column.senses.get(v, 0)) for v in own.tolist()]) for i, own in column.values.items()}
     if column.words:
-        return Entry(name, column.name, None, None, {}, column.why, words_of(column)), values
+        return ColumnEntry(name, column.name, None, None, {}, column.why, words_of(column)), values
     if all(number == sense for number, sense in column.senses.items()):
-        return Entry(name, column.name, None, None, {}, column.why), values
+        return ColumnEntry(name, column.name, None, None, {}, column.why), values
     up, down = (next((n for n, s in column.senses.items() if s == sense), None) for sense in (1, -1))
     if up is None or down is None or len(column.senses) > 2:
         hint = f"leave it out: --recording ignore={column.name}"
         raise InputError(f"the values of {column.name} are no directions; {hint}")
     scale, offset = 2.0 / (up - down), -(up + down) / (up - down)
-    return Entry(name, formula=f"{scale:g} * {_term(column)} + ({offset:g})", why=column.why), values
+    return ColumnEntry(name, formula=f"{scale:g} * {_term(column)} + ({offset:g})", why=column.why), values
 
 
 def _contraction(
     name: str, column: Found, interface: Interface, stated: Mapping[str, str]
-) -> tuple[Entry, dict[int, Array]]:
+) -> tuple[ColumnEntry, dict[int, Array]]:
     """A contraction made of a length or of a ratio."""
     rest = _length_at_rest(interface, stated)
     if column.meaning and column.meaning.kind == "ratio":
         value, why = rest or ("1 m", "")
         numbers = {i: convert(v, column.unit, "1") * parse_quantity(value, "m") for i, v in column.values.items()}
         why = f"it is a ratio, times the length at rest, {value}: {why}"
-        return Entry(name, formula=f'{_term(column)} * "{value}"', why=(*column.why, why)), numbers
+        return ColumnEntry(name, formula=f'{_term(column)} * "{value}"', why=(*column.why, why)), numbers
     lengths = {i: convert(v, column.unit, "m") for i, v in column.values.items()}
     longest = max(float(np.nanmax(v)) for v in lengths.values())
     if rest is not None and rest[1] == "stated":
@@ -169,7 +173,7 @@ def _contraction(
         value, why = f"{longest:.6g} m", "the longest in any recording"
     full = parse_quantity(value, "m")
     why = f"it is a length: the contraction is what is missing to {value}, {why}"
-    return Entry(name, formula=f'"{value}" - {_term(column)}', why=(*column.why, why)), {
+    return ColumnEntry(name, formula=f'"{value}" - {_term(column)}', why=(*column.why, why)), {
         i: full - v for i, v in lengths.items()
     }
 
@@ -193,7 +197,7 @@ def length_parameter(interface: Interface) -> str | None:
     return None
 
 
-def longest_of(choice: Choice) -> float | None:
+def longest_of(choice: BenchChoice) -> float | None:
     """The longest length [m] in any recording of a column that is one; None: there is none."""
     lengths = [c for c in choice.fed.values() if c.of("length") and not c.in_names]
     return max((float(np.nanmax(convert(c.every, c.unit, "m"))) for c in lengths), default=None)
@@ -205,7 +209,7 @@ def _term(column: Found) -> str:
     return name if column.stated or not column.unit else f'{name} * "1 {column.unit}"'
 
 
-def _time(i: int, source: Source, time: Found | None, recording: RecordingTable) -> Array:
+def _time(i: int, source: RecordingSource, time: Found | None, recording: RecordingTable) -> Array:
     """(n,) [s]; of points at rest, their numbers."""
     if time is not None:
         return convert(time.values[i], time.unit, "s")
@@ -226,8 +230,12 @@ def _pressure(interface: Interface, arrays: Mapping[str, dict[int, Array]]) -> d
 
 
 def _signed(
-    entry: Entry, values: dict[int, Array], choice: Choice, variable: Variable, pressure: dict[int, Array] | None
-) -> tuple[Entry, dict[int, Array]]:
+    entry: ColumnEntry,
+    values: dict[int, Array],
+    choice: BenchChoice,
+    variable: Variable,
+    pressure: dict[int, Array] | None,
+) -> tuple[ColumnEntry, dict[int, Array]]:
     """A contraction that falls while the pressure rises counts the other way, as does a pull below zero."""
     meaning = meaning_of(variable)
     if meaning is None or entry.formula is not None or entry.column is None or not _REFERABLE.fullmatch(entry.column):
@@ -243,30 +251,32 @@ def _signed(
     if not why:
         return entry, values
     scale = f' * "1 {entry.unit}"' if entry.unit else ""
-    turned = Entry(entry.name, formula=f"-'{entry.column}'{scale}", why=(*entry.why, why))
+    turned = ColumnEntry(entry.name, formula=f"-'{entry.column}'{scale}", why=(*entry.why, why))
     return turned, {i: -v for i, v in values.items()}
 
 
 def _courses(
     interface: Interface, times: Mapping[int, Array], arrays: Mapping[str, Mapping[int, Array]], moving: bool = True
-) -> tuple[Course, ...]:
+) -> tuple[MappedRecording, ...]:
     made = []
     for i, time in times.items():
         inputs = {n: v[i] for n, v in arrays.items() if n in interface.inputs and i in v}
         outputs = {n: v[i] for n, v in arrays.items() if n in interface.outputs and i in v}
         slow = [v for n, v in outputs.items() if not fits(interface.outputs[n].unit, "temperature")]
-        made.append(Course(time, inputs, outputs, tuple(rests(time, [*inputs.values(), *slow])) if moving else ()))
+        made.append(
+            MappedRecording(time, inputs, outputs, tuple(rests(time, [*inputs.values(), *slow])) if moving else ())
+        )
     return tuple(made)
 
 
 def _zeroed(
-    entry: Entry,
+    entry: ColumnEntry,
     name: str,
-    choice: Choice,
+    choice: BenchChoice,
     interface: Interface,
-    courses: Sequence[Course],
+    courses: Sequence[MappedRecording],
     pressure: dict[int, Array] | None,
-) -> Entry:
+) -> ColumnEntry:
     """The entry with a zero from the rest that every recording begins with, where it is away from zero there."""
     variable = {**interface.inputs, **interface.outputs}[name]
     meaning = meaning_of(variable)
@@ -293,23 +303,23 @@ def _zeroed(
     if not why:
         return entry
     zero = _common({i: _times(courses[i]) for i in having}, courses)
-    return Entry(entry.name, entry.column, entry.unit, entry.formula, zero, (*entry.why, f"{why}: its zero"))
+    return ColumnEntry(entry.name, entry.column, entry.unit, entry.formula, zero, (*entry.why, f"{why}: its zero"))
 
 
-def _at_rest(course: Course, values: Array) -> float:
+def _at_rest(course: MappedRecording, values: Array) -> float:
     assert course.first_rest is not None
     part = values[course.first_rest.start : course.first_rest.stop]
     return float(np.nanmean(part)) if np.isfinite(part).any() else 0.0
 
 
-def _error(course: Course, name: str) -> float:
+def _error(course: MappedRecording, name: str) -> float:
     """Of a mean at rest [unit]; at least what is not seen."""
     values = course.every[name]
     assert course.first_rest is not None
     return max(noise_of(course.time, values) / sqrt(course.first_rest.count), _C.still * span(values) / _C.away)
 
 
-def _unloaded(courses: Sequence[Course], pressure: dict[int, Array] | None, having: Sequence[int]) -> bool:
+def _unloaded(courses: Sequence[MappedRecording], pressure: dict[int, Array] | None, having: Sequence[int]) -> bool:
     """Whether there is no pressure at the start of any of them, but for an offset."""
     if pressure is None:
         return False
@@ -318,13 +328,13 @@ def _unloaded(courses: Sequence[Course], pressure: dict[int, Array] | None, havi
     return bool(low) and largest > 0.0 and all(value <= _C.unloaded * largest for value in low)
 
 
-def _times(course: Course) -> tuple[float, float]:
+def _times(course: MappedRecording) -> tuple[float, float]:
     rest = course.first_rest
     assert rest is not None
     return float(course.time[rest.start]), float(course.time[rest.stop - 1])
 
 
-def _common(each: dict[int, tuple[float, float]], courses: Sequence[Course]) -> dict[int, tuple[float, float]]:
+def _common(each: dict[int, tuple[float, float]], courses: Sequence[MappedRecording]) -> dict[int, tuple[float, float]]:
     """One interval for all recordings, where their rests have enough samples in common."""
     start, stop = max(one for one, _ in each.values()), min(one for _, one in each.values())
     inside = [int(np.sum((courses[i].time >= start) & (courses[i].time <= stop))) for i in each]
@@ -332,7 +342,7 @@ def _common(each: dict[int, tuple[float, float]], courses: Sequence[Course]) -> 
 
 
 def _less_zero(
-    arrays: Mapping[str, dict[int, Array]], entries: Mapping[str, Entry], times: Mapping[int, Array]
+    arrays: Mapping[str, dict[int, Array]], entries: Mapping[str, ColumnEntry], times: Mapping[int, Array]
 ) -> dict[str, dict[int, Array]]:
     made = {}
     for name, values in arrays.items():

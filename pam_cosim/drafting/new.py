@@ -14,18 +14,18 @@ from pam_cosim.compiler import ClassTree
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting import values
 from pam_cosim.drafting.bench import Bench, class_name, take_bench
-from pam_cosim.drafting.choice import MECHANICAL, meaning_of
+from pam_cosim.drafting.bench_choice import MECHANICAL, meaning_of
 from pam_cosim.drafting.document import Draft, document
-from pam_cosim.drafting.folder import beside, check_place, copy_files, put, read_draft
-from pam_cosim.drafting.mapping import Course, Mapped, length_parameter, longest_of, map_columns
+from pam_cosim.drafting.folder import check_place, copy_files, put, read_draft, temporary_sibling
+from pam_cosim.drafting.mapping import Mapped, MappedRecording, length_parameter, longest_of, map_columns
 from pam_cosim.drafting.noise import Sigma, sigma_of
 from pam_cosim.drafting.points import check_imposed, drafted
+from pam_cosim.drafting.requests import DraftRequests, ReadRecordings, known, recording_table
 from pam_cosim.drafting.rest import is_held, is_switch, span
 from pam_cosim.drafting.roles import Role, roles, stated_roles
-from pam_cosim.drafting.telling import NewDataSet, guesses, next_commands, to_check
+from pam_cosim.drafting.summary import NewDataSet, guesses, next_commands, to_check
+from pam_cosim.drafting.vocabulary import AT_REST
 from pam_cosim.drafting.wide import tidied
-from pam_cosim.drafting.wishes import Known, Wishes, known, recording_table
-from pam_cosim.drafting.words import AT_REST
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import FILE_NAME
 from pam_cosim.model.interface import Interface, Variable
@@ -37,7 +37,7 @@ _NAME = re.compile(r"'([^']*)'|([A-Za-z_]\w*)", re.ASCII)
 def draft(
     folder: Path,
     files: Sequence[Path],
-    wishes: Wishes,
+    wishes: DraftRequests,
     tree: ClassTree,
     describe: Callable[[str], Interface],
     extra: Sequence[Path] = (),
@@ -56,7 +56,7 @@ def draft(
         InputError: whatever cannot be used, with file, line and column; nothing is written then.
     """
     check_place(folder)
-    with beside(folder) as place:
+    with temporary_sibling(folder) as place:
         files = _tidied(files, place, wishes)
         recorded = known(files, wishes)
         bench = take_bench(place, class_name(folder), wishes, recorded, tree, describe)
@@ -79,7 +79,7 @@ def draft(
     return NewDataSet(folder, data, bench.name, *told, next_commands(folder, extra))
 
 
-def _tidied(files: Sequence[Path], place: Path, wishes: Wishes) -> list[Path]:
+def _tidied(files: Sequence[Path], place: Path, wishes: DraftRequests) -> list[Path]:
     """The files, of which tables with a quantity along the top have a row for each point."""
     stated = recording_table(wishes.recording or {})
     apart = [place.parent / f"tidied-{i}" for i in range(len(files))]
@@ -88,7 +88,7 @@ def _tidied(files: Sequence[Path], place: Path, wishes: Wishes) -> list[Path]:
     return [tidied(file, folder, stated) for file, folder in zip(files, apart, strict=True)]
 
 
-def _with_length(recorded: Known, bench: Bench) -> Known:
+def _with_length(recorded: ReadRecordings, bench: Bench) -> ReadRecordings:
     """With the length of the muscle that a column or the names of the files tell."""
     name = length_parameter(bench.interface)
     if name is None or name in recorded.stated:
@@ -107,7 +107,7 @@ def _with_length(recorded: Known, bench: Bench) -> Known:
 
 
 def _content(
-    title: str, bench: Bench, recorded: Known, mapped: Mapped, copies: Sequence[str], stated: Mapping[str, str]
+    title: str, bench: Bench, recorded: ReadRecordings, mapped: Mapped, copies: Sequence[str], stated: Mapping[str, str]
 ) -> Draft:
     """What the file says."""
     interface, choice = bench.interface, bench.choice
@@ -146,13 +146,13 @@ def _content(
     )
 
 
-def _told(bench: Bench, recorded: Known, mapped: Mapped) -> list[dict[str, values.Told]]:
+def _told(bench: Bench, recorded: ReadRecordings, mapped: Mapped) -> list[dict[str, values.StatedValue]]:
     """What each recording tells of itself, as far as the user does not state it."""
     interface = bench.interface
     left = [column for column in recorded.columns if column not in bench.choice.fed.values()]
     of_names = values.in_names(recorded.files, interface)
     of_columns = values.recorded(left, interface, len(recorded.sources))
-    of_names = [{**names, **values.held(mapped, i, interface)} for i, names in enumerate(of_names)]
+    of_names = [{**names, **values.constant_values(mapped, i, interface)} for i, names in enumerate(of_names)]
     own = [values.stated(one, interface) for one in recorded.own]
     told = [
         {**({} if recorded.points else values.starts(course, interface)), **names, **columns, **said}
@@ -161,13 +161,13 @@ def _told(bench: Bench, recorded: Known, mapped: Mapped) -> list[dict[str, value
     return [{name: one for name, one in run.items() if name not in recorded.stated} for run in told]
 
 
-def _no_size(recorded: Known, interface: Interface) -> bool:
+def _no_size(recorded: ReadRecordings, interface: Interface) -> bool:
     """Whether the bench has a muscle of which no length is stated."""
     name = length_parameter(interface)
     return name is not None and not any(name in own for own in (recorded.stated, *recorded.own))
 
 
-def _unknown_mechanics(bench: Bench, recorded: Known) -> bool:
+def _unknown_mechanics(bench: Bench, recorded: ReadRecordings) -> bool:
     """Whether several recordings were taken at lengths or loads that nobody says, and that may differ."""
     variables = [(name, meaning_of(bench.interface.inputs[name])) for name in bench.choice.unfed]
     return len(recorded.sources) > 1 and any(
@@ -183,7 +183,7 @@ def _is_temperature(variable: Variable) -> bool:
     return meaning is not None and meaning.kind == "temperature"
 
 
-def _sigma(name: str, bench: Bench, recorded: Known, mapped: Mapped) -> Sigma:
+def _sigma(name: str, bench: Bench, recorded: ReadRecordings, mapped: Mapped) -> Sigma:
     if name in recorded.formulas:
         return Sigma(None, "it is of a formula of yours: the software estimates it from the samples")
     if recorded.points:
@@ -197,7 +197,7 @@ def _interpolation(inputs: Mapping[str, Array]) -> str:
     return "previous" if steps else "linear"
 
 
-def _means(courses: Sequence[Course]) -> str:
+def _means(courses: Sequence[MappedRecording]) -> str:
     """An interval that leaves as many rows as a fit needs; "" where there are no more."""
     longest = max(courses, key=lambda one: len(one.time))
     if len(longest.time) <= CRITERIA.recognition.long:
@@ -206,7 +206,7 @@ def _means(courses: Sequence[Course]) -> str:
     return f"{float(f'{1e3 * interval:.1g}'):g} ms"
 
 
-def _ignored(bench: Bench, recorded: Known, mapped: Mapped) -> dict[str, str]:
+def _ignored(bench: Bench, recorded: ReadRecordings, mapped: Mapped) -> dict[str, str]:
     """Columns that are not read, and why."""
     choice = bench.choice
     used = {entry.column for entry in mapped.entries.values()} | {c.name for c in choice.fed.values()}

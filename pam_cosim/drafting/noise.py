@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pam_cosim.drafting.mapping import Course
+from pam_cosim.drafting.mapping import MappedRecording
 from pam_cosim.drafting.rest import noise_at_rest
 from pam_cosim.units import format_quantity
 
@@ -21,7 +21,7 @@ class Sigma:
     why: str
 
 
-def sigma_of(name: str, unit: str, courses: Sequence[Course], files: Sequence[Path]) -> Sigma:
+def sigma_of(name: str, unit: str, courses: Sequence[MappedRecording], files: Sequence[Path]) -> Sigma:
     """The median over the recordings, each of its longest rest."""
     told = []
     for course, file in zip(courses, files, strict=True):

@@ -11,7 +11,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.direction import moves, ordered, way, ways_in
-from pam_cosim.drafting.mapping import Course
+from pam_cosim.drafting.mapping import MappedRecording
 from pam_cosim.drafting.rest import span
 from pam_cosim.drafting.values import text_of
 from pam_cosim.errors import InputError
@@ -52,7 +52,9 @@ def check_imposed(unfed: Sequence[str], known: Sequence[Collection[str]], interf
         raise InputError(f"no column and no file's name tells the {what} ({one.name}); say it: {say}")
 
 
-def drafted(courses: Sequence[Course], interface: Interface, files: Sequence[Path], by_run: bool) -> PointsDraft:
+def drafted(
+    courses: Sequence[MappedRecording], interface: Interface, files: Sequence[Path], by_run: bool
+) -> PointsDraft:
     """Directions by the names of the files or the order of the rows where no column tells them, and rows to hold out.
 
     Args:
@@ -75,7 +77,7 @@ def _by_order(rows: Sequence[Mapping[str, Array]], units: Mapping[str, str]) -> 
     return ["order" if moves(own, units) else "none" for own in rows]
 
 
-def _imposed(course: Course) -> dict[str, Array]:
+def _imposed(course: MappedRecording) -> dict[str, Array]:
     """What is imposed, in the rows that say all of it."""
     inputs = {name: values for name, values in course.inputs.items() if name != BRANCH}
     whole = np.all([np.isfinite(values) for values in inputs.values()], axis=0)

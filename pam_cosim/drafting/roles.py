@@ -9,7 +9,7 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.mapping import Course
+from pam_cosim.drafting.mapping import MappedRecording
 from pam_cosim.drafting.rest import is_constant, span
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import ROLES
@@ -38,7 +38,11 @@ class _Trait:
 
 
 def roles(
-    courses: Sequence[Course], interface: Interface, own: Sequence[dict[str, float]] = (), *, paced: bool = True
+    courses: Sequence[MappedRecording],
+    interface: Interface,
+    own: Sequence[dict[str, float]] = (),
+    *,
+    paced: bool = True,
 ) -> list[Role]:
     """One for each recording; those of points at rest have no pace.
 
@@ -65,7 +69,7 @@ def roles(
 
 
 def _traits(
-    courses: Sequence[Course], interface: Interface, own: Sequence[dict[str, float]], paced: bool
+    courses: Sequence[MappedRecording], interface: Interface, own: Sequence[dict[str, float]], paced: bool
 ) -> list[_Trait]:
     variables = {**interface.inputs, **interface.outputs, **interface.parameters}
     traits = []

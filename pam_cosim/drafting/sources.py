@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from pam_cosim.drafting.words import direction_word, read_heading
+from pam_cosim.drafting.vocabulary import direction_word, read_heading
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import RecordingTable
 from pam_cosim.measurement.formats import is_text, read_table
@@ -19,7 +19,7 @@ _MOST_WORDS = 3  # up, down, and neither
 
 
 @dataclass(frozen=True)
-class Source:
+class RecordingSource:
     """One recording.
 
     Attributes:
@@ -36,7 +36,7 @@ class Source:
     labels: tuple[str, ...] = ()
 
 
-def read_sources(files: Sequence[Path], stated: RecordingTable) -> list[Source]:
+def read_sources(files: Sequence[Path], stated: RecordingTable) -> list[RecordingSource]:
     """Reads every file; columns of text are left out, but for those that tell a direction.
 
     Raises:
@@ -77,7 +77,9 @@ def _directions(texts: Sequence[dict[str, tuple[str, ...]]]) -> dict[str, tuple[
     return words
 
 
-def _source(file: Path, layout: Layout, texts: dict[str, tuple[str, ...]], words: dict[str, tuple[str, ...]]) -> Source:
+def _source(
+    file: Path, layout: Layout, texts: dict[str, tuple[str, ...]], words: dict[str, tuple[str, ...]]
+) -> RecordingSource:
     left_out = tuple(heading for heading in texts if heading not in words)
     own = {heading: cells for heading, cells in words.items() if heading in texts}
     codes = {heading: {cell: float(i) for i, cell in enumerate(cells)} for heading, cells in own.items()}
@@ -88,7 +90,7 @@ def _source(file: Path, layout: Layout, texts: dict[str, tuple[str, ...]], words
     if not table.columns:
         raise InputError("there is no column of numbers", file)
     labels = tuple(texts[heading][0] for heading in left_out if len(texts[heading]) == 1)
-    return Source(file, table, left_out, own, labels)
+    return RecordingSource(file, table, left_out, own, labels)
 
 
 def _with_hint(error: InputError) -> InputError:

@@ -10,11 +10,11 @@ from pathlib import Path
 import numpy as np
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.choice import meaning_of
+from pam_cosim.drafting.bench_choice import meaning_of
 from pam_cosim.drafting.columns import Found
-from pam_cosim.drafting.mapping import Course, Mapped
+from pam_cosim.drafting.mapping import Mapped, MappedRecording
 from pam_cosim.drafting.rest import is_constant, noise_of, span
-from pam_cosim.drafting.words import UNITS, Meaning, fits, read_variable
+from pam_cosim.drafting.vocabulary import UNITS, Meaning, fits, read_variable
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import UnitError, convert, parse_quantity, readable_factor, readable_unit
 
@@ -31,7 +31,7 @@ _IN_NAME = re.compile(r"(?<![A-Za-z0-9])(\d+(?:[.,]\d+)?)[ _-]?([A-Za-z]+)(?![A-
 
 
 @dataclass(frozen=True)
-class Told:
+class StatedValue:
     """A value that is known of one recording: as text for the file, and why."""
 
     value: str
@@ -47,7 +47,7 @@ def text_of(value: float, unit: str) -> str:
     return f"{number} {shown}".strip()
 
 
-def starts(course: Course, interface: Interface) -> dict[str, Told]:
+def starts(course: MappedRecording, interface: Interface) -> dict[str, StatedValue]:
     """Start values that a recording tells: what is called ``NAME_start`` and is of its kind begins as NAME begins."""
     told = {}
     for name, parameter in interface.parameters.items():
@@ -62,11 +62,11 @@ def starts(course: Course, interface: Interface) -> dict[str, Told]:
         first, usual = float(np.nanmean(part)), parameter.start or 0.0
         low = -np.inf if parameter.min is None else parameter.min
         if abs(first - usual) > max(_C.still * span(values), _C.away * noise_of(course.time, values)) and first >= low:
-            told[name] = Told(text_of(first, unit), first, f"{signal} begins so")
+            told[name] = StatedValue(text_of(first, unit), first, f"{signal} begins so")
     return told
 
 
-def _signal(name: str, meaning: Meaning | None, course: Course, interface: Interface) -> str | None:
+def _signal(name: str, meaning: Meaning | None, course: MappedRecording, interface: Interface) -> str | None:
     """The recorded signal of that name and meaning: a force is a force, imposed as ``F_load`` or not."""
     variables = {**interface.inputs, **interface.outputs}
     alike = [
@@ -77,9 +77,9 @@ def _signal(name: str, meaning: Meaning | None, course: Course, interface: Inter
     return alike[0] if alike else None
 
 
-def recorded(columns: Sequence[Found], interface: Interface, count: int) -> list[dict[str, Told]]:
+def recorded(columns: Sequence[Found], interface: Interface, count: int) -> list[dict[str, StatedValue]]:
     """Loads and ambient conditions that columns hold, by recording, where one parameter only can be meant."""
-    told: list[dict[str, Told]] = [{} for _ in range(count)]
+    told: list[dict[str, StatedValue]] = [{} for _ in range(count)]
     for column in columns:
         meaning = column.meaning
         if meaning is None or not (meaning.kind == "mass" or "ambient" in meaning.roles) or not column.unit:
@@ -94,30 +94,32 @@ def recorded(columns: Sequence[Found], interface: Interface, count: int) -> list
             steady = span(values) == 0.0 or is_constant(values) or "ambient" in meaning.roles
             if len(alike) == 1 and steady and np.isfinite(values).any():
                 mean = float(np.nanmean(convert(values, column.unit, unit)))
-                told[i][alike[0]] = Told(text_of(mean, unit), mean, f"{column.name} was recorded, and this is its mean")
+                told[i][alike[0]] = StatedValue(
+                    text_of(mean, unit), mean, f"{column.name} was recorded, and this is its mean"
+                )
     return told
 
 
-def held(mapped: Mapped, recording: int, interface: Interface) -> dict[str, Told]:
+def constant_values(mapped: Mapped, recording: int, interface: Interface) -> dict[str, StatedValue]:
     """Inputs that the name of a recording's file tells."""
     told = {}
     for name, entry in mapped.entries.items():
         if recording in entry.held:
             value = entry.held[recording]
-            told[name] = Told(text_of(value, interface.inputs[name].unit), value, "; ".join(entry.why))
+            told[name] = StatedValue(text_of(value, interface.inputs[name].unit), value, "; ".join(entry.why))
     return told
 
 
-def stated(own: Mapping[str, str], interface: Interface) -> dict[str, Told]:
+def stated(own: Mapping[str, str], interface: Interface) -> dict[str, StatedValue]:
     """What the user states of one recording."""
     variables = {**interface.parameters, **interface.inputs}
     return {
-        name: Told(value, parse_quantity(value, variables[name].unit) if name in variables else 0.0, "")
+        name: StatedValue(value, parse_quantity(value, variables[name].unit) if name in variables else 0.0, "")
         for name, value in own.items()
     }
 
 
-def in_names(files: Sequence[Path], interface: Interface) -> list[dict[str, Told]]:
+def in_names(files: Sequence[Path], interface: Interface) -> list[dict[str, StatedValue]]:
     """Loads that the names of the files tell, where they differ and one parameter only can be meant."""
     masses = [n for n, v in interface.parameters.items() if v.unit == "kg" and "mass" in v.description.casefold()]
     if len(masses) != 1:
@@ -126,7 +128,7 @@ def in_names(files: Sequence[Path], interface: Interface) -> list[dict[str, Told
     if any(one is None for one in found):
         return [{} for _ in files]
     why = "the file's name says so"
-    return [{masses[0]: Told(one, parse_quantity(one, "kg"), why)} for one in found if one is not None]
+    return [{masses[0]: StatedValue(one, parse_quantity(one, "kg"), why)} for one in found if one is not None]
 
 
 def _mass(stem: str) -> str | None:

@@ -10,7 +10,7 @@ import numpy as np
 
 from pam_cosim.drafting.file_names import said_in
 from pam_cosim.drafting.sources import read_sources
-from pam_cosim.drafting.words import direction_word, folded, kinds_of, read_heading, split_words, usual_unit
+from pam_cosim.drafting.vocabulary import direction_word, folded, kinds_of, read_heading, split_words, usual_unit
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import RecordingTable
 from pam_cosim.measurement.table import Column, Table

@@ -1,12 +1,12 @@
 """Data set and model -> fitted parameters with intervals."""
 
-from pam_cosim.fitting.chosen import with_free
 from pam_cosim.fitting.chosen_starts import starts_are_open, with_starts
 from pam_cosim.fitting.combinations import Combination
 from pam_cosim.fitting.estimate import Estimate, estimates
 from pam_cosim.fitting.fit import Fit, fit, profile
 from pam_cosim.fitting.free import Free, base_parameters, model_parameter
-from pam_cosim.fitting.leeway import Leeway
+from pam_cosim.fitting.free_selection import with_free
+from pam_cosim.fitting.holdout_uncertainty import Leeway
 from pam_cosim.fitting.linear import Linear, linearised, residual_rows, rows_of_series
 from pam_cosim.fitting.methods import METHODS, Record, summary
 from pam_cosim.fitting.options import FitOptions

@@ -9,7 +9,7 @@ import numpy as np
 
 from pam_cosim.comparison.beginning import (
     Beginning,
-    Probe,
+    StartProbe,
     beginning,
     first_of_run,
     inputs_of_run,
@@ -102,7 +102,7 @@ def _with_start(simulator: AnySimulator, data: DataSet, run: Run, parameters: Ma
 
 def _explains(simulator: AnySimulator, data: DataSet, run: Run, own: Mapping[str, float], begins: Beginning) -> bool:
     """Whether all signals are much nearer to their first samples from there: a force that is missing stays away."""
-    probe = Probe(simulator, data, run, own)
+    probe = StartProbe(simulator, data, run, own)
     samples = probe.first_samples()
     aims = np.array([samples[name].value for name in probe.signals])
     noise = np.array([data.signals[name].sigma or 1.0 for name in probe.signals])
@@ -168,7 +168,7 @@ def _first(
 
     None where all agree with it, unless ``every`` is wanted.
     """
-    probe = Probe(simulator, data, run, own)
+    probe = StartProbe(simulator, data, run, own)
     when = {name: _first_time(run, name) for name in probe.signals}
     times = np.unique(list(when.values()))
     if not times.size:
@@ -205,7 +205,7 @@ def _is_fitted(simulator: AnySimulator, data: DataSet, run: Run, own: Mapping[st
         if free.run and free.run != run.name:
             continue
         low, high = (
-            Probe(simulator, data, run, {**own, free.parameter: value}).at({})[1] for value in (free.min, free.max)
+            StartProbe(simulator, data, run, {**own, free.parameter: value}).at({})[1] for value in (free.min, free.max)
         )
         size = np.maximum(np.maximum(np.abs(low), np.abs(high)), 1.0)
         if float(np.max(np.abs(high - low) / size, initial=0.0)) > CRITERIA.starts.own_parameter:

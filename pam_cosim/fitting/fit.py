@@ -21,7 +21,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.fitting.combinations import Combination, combinations
 from pam_cosim.fitting.estimate import Estimate, describe, estimates
 from pam_cosim.fitting.free import Free, base_parameters
-from pam_cosim.fitting.leeway import Leeway, leeway
+from pam_cosim.fitting.holdout_uncertainty import Leeway, leeway
 from pam_cosim.fitting.levenberg_marquardt import Minimum
 from pam_cosim.fitting.linear import Linear, linearised
 from pam_cosim.fitting.methods import METHODS, Record
@@ -29,7 +29,7 @@ from pam_cosim.fitting.objective import Objective
 from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.profile import Profiles, correlations, profiles
 from pam_cosim.fitting.resume import FitLog, LoggedObjective, identity_of
-from pam_cosim.fitting.solve import Problem
+from pam_cosim.fitting.solve import FitProblem
 from pam_cosim.fitting.start_estimates import held_out_starts, start_estimates
 from pam_cosim.fitting.tracker import Convergence, Progress, Tracker
 from pam_cosim.measurement import ROLES, DataSet
@@ -185,13 +185,13 @@ def fit(
     points = [{f.name: f.start for f in chosen}, *starts]
     if resume is None:
         objective = Objective(*known)
-        solution = METHODS[options.method](Problem(objective, points, options))
+        solution = METHODS[options.method](FitProblem(objective, points, options))
     else:
         log = FitLog(resume, identity_of(simulator, data, chosen, fixed or {}, options))
         objective = LoggedObjective(*known)
         objective.log, objective.failures = log, list(log.failures)
         try:
-            solution = METHODS[options.method](Problem(objective, points, options))
+            solution = METHODS[options.method](FitProblem(objective, points, options))
         finally:
             log.write()
     end = solution.end

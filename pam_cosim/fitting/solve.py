@@ -18,7 +18,7 @@ from pam_cosim.fitting.options import FitOptions
 
 
 @dataclass(frozen=True)
-class Problem:
+class FitProblem:
     """What a method has to solve.
 
     Attributes:
@@ -32,7 +32,7 @@ class Problem:
     options: FitOptions
 
 
-def solve(problem: Problem) -> Minimum:
+def solve(problem: FitProblem) -> Minimum:
     """The lowest point that descents from the best starts come to.
 
     Raises:
@@ -92,7 +92,7 @@ def _starts(objective: Objective, points: Sequence[Array]) -> Iterator[Array]:
             yield points[i]
 
 
-def _winners(problem: Problem, starts: Iterator[Array]) -> Iterator[Array]:
+def _winners(problem: FitProblem, starts: Iterator[Array]) -> Iterator[Array]:
     """Where a few steps from the best starts lead, the lowest first: a glance does not tell one valley from another."""
     options = problem.options
     few = replace(problem, options=replace(options, evaluations=CRITERIA.fit.screening_evaluations))
@@ -113,7 +113,7 @@ def _rescue(objective: Objective) -> Array:
     raise SimulationFailure(f"no start value within the bounds can be simulated: {objective.first_failure}")
 
 
-def _minimise(problem: Problem, start: Array) -> Minimum:
+def _minimise(problem: FitProblem, start: Array) -> Minimum:
     objective, options = problem.objective, problem.options
     if not len(start):
         return Minimum(objective.squares(start), start, np.zeros((objective.size, 0)))

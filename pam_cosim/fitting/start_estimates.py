@@ -28,7 +28,7 @@ def start_estimates(objective: Objective) -> dict[str, Estimate]:
             estimates[f"{name}@{one.run.name}"] = Estimate(
                 value, value, value, unit, determined=False, run=one.run.name
             )
-        told = one.told()
+        told = one.determined()
         reach = CRITERIA.fit.interval * one.deviations()
         for k, (name, value) in enumerate(one.settings().items()):
             estimates[name] = Estimate(

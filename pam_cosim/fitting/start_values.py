@@ -80,7 +80,7 @@ class StartValues:
             return np.array(self.sd, dtype=float)
         return np.sqrt(np.diag(np.linalg.inv(self.slopes.T @ self.slopes)))
 
-    def told(self) -> NDArray[np.bool_]:
+    def determined(self) -> NDArray[np.bool_]:
         """(k,) which of them the data tell, and not what is known beforehand alone."""
         return np.asarray((self.deviations() / self.sd) ** 2 < CRITERIA.starts.told)
 

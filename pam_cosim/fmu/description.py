@@ -13,7 +13,7 @@ from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import ModelError
 from pam_cosim.fmu.cache import digest
 from pam_cosim.fmu.structure import Dependencies, continuous_dependencies, initial_dependencies
-from pam_cosim.fmu.table import Entry, Kind
+from pam_cosim.fmu.table import Kind, VariableEntry
 from pam_cosim.model.interface import Variable
 from pam_cosim.units import BaseUnit, UnitError, base_unit
 
@@ -109,13 +109,13 @@ def contents(parent: Xml.Element, ode: Ode) -> None:
         Xml.SubElement(parent, "Effect", {"name": effect, "component": component})
 
 
-def naming_convention(entries: Sequence[Entry]) -> str:
+def naming_convention(entries: Sequence[VariableEntry]) -> str:
     """ "structured", unless a name in quotation marks holds what that convention has no place for."""
     plain = all(entry.name.isascii() and "`" not in entry.name for entry in entries)
     return "structured" if plain else "flat"
 
 
-def scalar_attributes(entry: Entry) -> dict[str, str]:
+def scalar_attributes(entry: VariableEntry) -> dict[str, str]:
     """Name, value reference, description, causality, variability and initial of a variable."""
     scalar = {"name": entry.name, "valueReference": str(entry.reference)}
     if entry.variable.description:
@@ -124,7 +124,7 @@ def scalar_attributes(entry: Entry) -> dict[str, str]:
     return scalar if entry.initial is None else scalar | {"initial": entry.initial}
 
 
-def real_attributes(entry: Entry) -> dict[str, str]:
+def real_attributes(entry: VariableEntry) -> dict[str, str]:
     """Units, limits and start value of a variable, those that it has.
 
     Raises:
@@ -163,7 +163,7 @@ class ModelStructure:
     starting: Dependencies
 
 
-def model_structure(ode: Ode, entries: Sequence[Entry], *, dependencies: bool = True) -> ModelStructure:
+def model_structure(ode: Ode, entries: Sequence[VariableEntry], *, dependencies: bool = True) -> ModelStructure:
     """Outputs, derivatives in the order of the states, and initial unknowns."""
     numbered = list(enumerate(entries, 1))
     outputs = [i for i, e in numbered if e.causality == "output"]

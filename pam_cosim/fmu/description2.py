@@ -7,14 +7,14 @@ from xml.etree import ElementTree as Xml
 
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.fmu import description as shared
-from pam_cosim.fmu.table import Entry, Kind
+from pam_cosim.fmu.table import Kind, VariableEntry
 
 _SHARED = {"canGetAndSetFMUstate": "true", "canSerializeFMUstate": "true"}
 _CO_SIMULATION = {"canHandleVariableCommunicationStepSize": "true", "canInterpolateInputs": "true"}
 
 
 def model_description(
-    ode: Ode, entries: Sequence[Entry], guid: str, tool: str, sources: Sequence[str], *, lean: bool = False
+    ode: Ode, entries: Sequence[VariableEntry], guid: str, tool: str, sources: Sequence[str], *, lean: bool = False
 ) -> bytes:
     """The complete file; ``sources`` are the C files to compile.
 
@@ -68,7 +68,7 @@ def _source_files(kind: Xml.Element, sources: Sequence[str]) -> None:
         Xml.SubElement(files, "File", {"name": name})
 
 
-def _structure(root: Xml.Element, ode: Ode, entries: Sequence[Entry], lean: bool) -> None:
+def _structure(root: Xml.Element, ode: Ode, entries: Sequence[VariableEntry], lean: bool) -> None:
     structure = Xml.SubElement(root, "ModelStructure")
     unknowns = shared.model_structure(ode, entries, dependencies=not lean)
     same = {i: i for i in range(1, len(entries) + 1)}

@@ -7,7 +7,7 @@ from xml.etree import ElementTree as Xml
 
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.fmu import description as shared
-from pam_cosim.fmu.table import Entry, Kind
+from pam_cosim.fmu.table import Kind, VariableEntry
 
 _SHARED = {
     "canGetAndSetFMUState": "true",
@@ -18,7 +18,7 @@ _SHARED = {
 _CO_SIMULATION = {"canHandleVariableCommunicationStepSize": "true", "maxOutputDerivativeOrder": "1"}
 
 
-def model_description(ode: Ode, entries: Sequence[Entry], token: str, tool: str) -> bytes:
+def model_description(ode: Ode, entries: Sequence[VariableEntry], token: str, tool: str) -> bytes:
     """The complete file.
 
     Raises:
@@ -58,7 +58,7 @@ def model_description(ode: Ode, entries: Sequence[Entry], token: str, tool: str)
     return shared.document(root)
 
 
-def _structure(root: Xml.Element, ode: Ode, entries: Sequence[Entry]) -> None:
+def _structure(root: Xml.Element, ode: Ode, entries: Sequence[VariableEntry]) -> None:
     structure = Xml.SubElement(root, "ModelStructure")
     unknowns = shared.model_structure(ode, entries)
     references = {i: entry.reference for i, entry in enumerate(entries, 1)}

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import casadi as ca
 
 from pam_cosim.compiler.ode import Ode
-from pam_cosim.fmu.table import Entry, Kind
+from pam_cosim.fmu.table import Kind, VariableEntry
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,7 @@ Dependencies = dict[int, list[Dependency]]
 _Knowns = Sequence[tuple[ca.SX, Sequence[int | None]]]
 
 
-def continuous_dependencies(ode: Ode, entries: Sequence[Entry]) -> Dependencies:
+def continuous_dependencies(ode: Ode, entries: Sequence[VariableEntry]) -> Dependencies:
     """Dependencies of outputs and derivatives on states, inputs and time, by index from 1."""
     knowns = [
         (ode.x, _positions(entries, Kind.STATE, len(ode.states))),
@@ -41,7 +41,7 @@ def continuous_dependencies(ode: Ode, entries: Sequence[Entry]) -> Dependencies:
     return _assign(ode, entries, unknowns, knowns, ode.p)
 
 
-def initial_dependencies(ode: Ode, entries: Sequence[Entry]) -> Dependencies:
+def initial_dependencies(ode: Ode, entries: Sequence[VariableEntry]) -> Dependencies:
     """The same at initialization, where calculated states follow from the parameters, which are known variables.
 
     Where states begin at rest nothing is said: an unknown may then depend on everything.
@@ -62,7 +62,7 @@ def initial_dependencies(ode: Ode, entries: Sequence[Entry]) -> Dependencies:
     return _assign(ode, entries, unknowns, knowns, ca.SX(0, 1))
 
 
-def _positions(entries: Sequence[Entry], kind: Kind, count: int) -> list[int | None]:
+def _positions(entries: Sequence[VariableEntry], kind: Kind, count: int) -> list[int | None]:
     """Index (from 1) in the model description of every variable of a kind."""
     positions = {entry.index: i for i, entry in enumerate(entries, 1) if entry.kind is kind}
     return [positions.get(index) for index in range(count)]
@@ -76,7 +76,7 @@ def _undelayed(ode: Ode) -> list[ca.SX]:
 
 
 def _assign(
-    ode: Ode, entries: Sequence[Entry], unknowns: dict[Kind, ca.SX], knowns: _Knowns, fixed: ca.SX
+    ode: Ode, entries: Sequence[VariableEntry], unknowns: dict[Kind, ca.SX], knowns: _Knowns, fixed: ca.SX
 ) -> Dependencies:
     # What acts late does not act with a factor.
     exact = not ode.delays

@@ -27,7 +27,7 @@ class Kind(Enum):
 
 
 @dataclass(frozen=True)
-class Entry:
+class VariableEntry:
     """One variable of the model description.
 
     Attributes:
@@ -77,7 +77,7 @@ def _derivative(state: Variable) -> Variable:
     return Variable(derivative_name(state.name), rate, f"Time derivative of {state.name}")
 
 
-def table(ode: Ode) -> list[Entry]:
+def table(ode: Ode) -> list[VariableEntry]:
     """All variables. Where one name stands in several parts of the ODE the first keeps it.
 
     An output that is a state, or a state that is another's derivative, is one variable with both roles.
@@ -87,7 +87,7 @@ def table(ode: Ode) -> list[Entry]:
     """
     interface = ode.interface
     starts = constant_starts(ode)
-    entries: dict[str, Entry] = {}
+    entries: dict[str, VariableEntry] = {}
     reference = 0
     for kind, variables in (
         (Kind.STATE, ode.states),
@@ -106,27 +106,27 @@ def table(ode: Ode) -> list[Entry]:
     return list(entries.values())
 
 
-def _entry(kind: Kind, index: int, reference: int, variable: Variable, starts: Sequence[float | None]) -> Entry:
+def _entry(kind: Kind, index: int, reference: int, variable: Variable, starts: Sequence[float | None]) -> VariableEntry:
     if kind is Kind.STATE:
         start = starts[index]
         # One that follows from parameters is what the model begins with where nobody sets another value.
         initial, usual = ("approx", variable.start) if start is None else ("exact", start)
         initial = "calculated" if usual is None else initial
-        return Entry(variable, reference, kind, index, "local", initial=initial, start=usual)
+        return VariableEntry(variable, reference, kind, index, "local", initial=initial, start=usual)
     if kind is Kind.DERIVATIVE:
-        return Entry(variable, reference, kind, index, "local", derivative_of=index)
+        return VariableEntry(variable, reference, kind, index, "local", derivative_of=index)
     if kind is Kind.INPUT:
-        return Entry(variable, reference, kind, index, "input", initial=None, start=variable.start or 0.0)
+        return VariableEntry(variable, reference, kind, index, "input", initial=None, start=variable.start or 0.0)
     if kind is Kind.PARAMETER:
         if variable.start is None:
             raise ModelError(f"parameter '{variable.name}' has no value")
-        return Entry(variable, reference, kind, index, "parameter", "fixed", "exact", variable.start)
+        return VariableEntry(variable, reference, kind, index, "parameter", "fixed", "exact", variable.start)
     if kind is Kind.TIME:
-        return Entry(variable, reference, kind, index, "independent", initial=None)
-    return Entry(variable, reference, kind, index, kind.value)
+        return VariableEntry(variable, reference, kind, index, "independent", initial=None)
+    return VariableEntry(variable, reference, kind, index, kind.value)
 
 
-def _merge(known: Entry, other: Entry) -> Entry:
+def _merge(known: VariableEntry, other: VariableEntry) -> VariableEntry:
     """One variable for two parts of the ODE that carry the same name."""
     if other.kind is Kind.LOCAL or (known.kind is Kind.LOCAL and other.kind is Kind.TIME):
         return known

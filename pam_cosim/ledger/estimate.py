@@ -33,11 +33,11 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.ledger.augmented import TERM, AugmentedModel, UnknownInput, augmented_models
 from pam_cosim.ledger.grid import Grid, make_grid
-from pam_cosim.ledger.ledger import Course, Entry, Ledger, Reading
+from pam_cosim.ledger.ledger import BalanceEntry, Ledger, SensorReading, TermSeries
 from pam_cosim.ledger.model import Model
 from pam_cosim.ledger.radau import further_nodes, integrate
 from pam_cosim.ledger.sensor import SensorFault, Unaugmented, fault_beside, try_sensors
-from pam_cosim.ledger.smoother import Point, Problem, Smoothed, smooth, unknown_sizes, with_some
+from pam_cosim.ledger.smoother import Point, Smoothed, SmoothingProblem, smooth, unknown_sizes, with_some
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.domain import Domain
 from pam_cosim.model.references import is_fmu, sources_of
@@ -83,7 +83,7 @@ class _Explanation:
     """A smoothed augmented model: unknown inputs that act, the estimate; the fault of an instrument not believed."""
 
     augmented: AugmentedModel
-    problem: Problem
+    problem: SmoothingProblem
     unknown_inputs: tuple[UnknownInput, ...]
     free: tuple[str, ...]
     smoothed: Smoothed
@@ -193,7 +193,7 @@ class _Estimation:
         unknown_inputs: Sequence[UnknownInput],
         hidden: str | None = None,
         states: tuple[Array, Array] | None = None,
-    ) -> tuple[Problem, tuple[Array, Array]]:
+    ) -> tuple[SmoothingProblem, tuple[Array, Array]]:
         longest = max(float(r.time[-1] - r.time[0]) for r in self.data.runs)
         spacing = (
             min(CRITERIA.ledger.spacing, longest / CRITERIA.ledger.fewest_nodes)
@@ -207,7 +207,7 @@ class _Estimation:
             grid = replace(grid, measured=measured)
         model = Model(augmented.ode, [u.parameter for u in unknown_inputs], self.free, self.signals)
         prior_deviation = (self.high - self.low) / CRITERIA.ledger.free_prior
-        none = Problem(
+        none = SmoothingProblem(
             model, grid, self.sigma, self.start, prior_deviation, self.low, self.high,
             np.ones(model.states), np.ones(len(unknown_inputs)),
         )  # fmt: skip
@@ -269,7 +269,7 @@ class _Estimation:
             self.notes.append("the balances could not be opened: the model breaks down near the measured course")
             return None
 
-    def _distinct(self, augmented: AugmentedModel, problem: Problem, x: Array) -> tuple[UnknownInput, ...]:
+    def _distinct(self, augmented: AugmentedModel, problem: SmoothingProblem, x: Array) -> tuple[UnknownInput, ...]:
         if not augmented.unknown_inputs:
             return ()
         grid, kept = problem.grid, list[int]()
@@ -399,9 +399,9 @@ class _Estimation:
         losses: Mapping[str, float],
         total: float,
         explained: object,
-    ) -> list[Entry]:
+    ) -> list[BalanceEntry]:
         assert callable(explained)
-        entries: dict[str, Entry] = {}
+        entries: dict[str, BalanceEntry] = {}
         for explanation in (augmented, replaced):
             for unknown_input in explanation.unknown_inputs if explanation else ():
                 if unknown_input.balance in entries and explanation is not replaced:
@@ -409,7 +409,7 @@ class _Estimation:
                 assert explanation is not None
                 worth, chi2 = explanation.with_only(unknown_input)
                 share = losses.get(unknown_input.balance, 0.0) / total if total else 0.0
-                entry = Entry(
+                entry = BalanceEntry(
                     unknown_input.balance,
                     float(unaugmented.deviance - worth),
                     explained(chi2),
@@ -422,7 +422,7 @@ class _Estimation:
                     entries[unknown_input.balance] = entry
         for unknown_input in shown.unknown_inputs if shown else ():
             assert shown is not None
-            old = entries.get(unknown_input.balance) or Entry(unknown_input.balance, 0.0, 0.0, 0.0)
+            old = entries.get(unknown_input.balance) or BalanceEntry(unknown_input.balance, 0.0, 0.0, 0.0)
             courses, units = _courses(shown, unknown_input)
             entries[unknown_input.balance] = replace(
                 old,
@@ -437,7 +437,7 @@ class _Estimation:
         if unaugmented.faults:
             fault = unaugmented.faults[0]
             share = losses.get("sensor", 0.0) / total if total else 0.0
-            entries["sensor"] = Entry(
+            entries["sensor"] = BalanceEntry(
                 "sensor", unaugmented.deviance - fault.deviance, explained(fault.chi2), share,
                 note="an instrument that is off by a constant or a factor, or lags, the same in all runs",
             )  # fmt: skip
@@ -452,7 +452,7 @@ def _parallel(a: Array, b: Array) -> bool:
     return bool((dot >= (1 - CRITERIA.ledger.parallel) * norms).all() and (norms > 0).all())
 
 
-def _courses(explanation: _Explanation, unknown_input: UnknownInput) -> tuple[tuple[Course, ...], dict[str, str]]:
+def _courses(explanation: _Explanation, unknown_input: UnknownInput) -> tuple[tuple[TermSeries, ...], dict[str, str]]:
     problem, smoothed, j = explanation.problem, explanation.smoothed, explanation.unknown_inputs.index(unknown_input)
     grid: Grid = problem.grid
     p = problem.parameters(smoothed.point.free)[grid.run_of_node]
@@ -471,7 +471,7 @@ def _courses(explanation: _Explanation, unknown_input: UnknownInput) -> tuple[tu
         at = grid.nodes(r)
         own = {n: v[at] for n, v in against.items()}
         same = {n: imitated[at, q] for q, n in enumerate(explanation.free)}
-        courses.append(Course(run.name, run.role, grid.time[at], value[at], smoothed.deviation[at, j], own, same))
+        courses.append(TermSeries(run.name, run.role, grid.time[at], value[at], smoothed.deviation[at, j], own, same))
     return tuple(courses), units
 
 
@@ -505,8 +505,8 @@ def _variables(augmented: AugmentedModel, unknown_input: UnknownInput) -> dict[s
     return {n[len(prefix) :]: n for n in names}
 
 
-def _reading(fault: SensorFault, evidence: float, explains: float) -> Reading:
-    return Reading(
+def _reading(fault: SensorFault, evidence: float, explains: float) -> SensorReading:
+    return SensorReading(
         fault.signal, fault.unit, fault.offset, fault.offset_deviation, fault.gain, fault.gain_deviation, fault.lag,
         evidence, explains,
     )  # fmt: skip

@@ -12,7 +12,7 @@ from pam_cosim.wording import Printed
 
 
 @dataclass(frozen=True)
-class Course:
+class TermSeries:
     """A missing term in one run, at n instants.
 
     Attributes:
@@ -46,7 +46,7 @@ class Course:
 
 
 @dataclass(frozen=True)
-class Entry:
+class BalanceEntry:
     """A balance.
 
     Attributes:
@@ -70,7 +70,7 @@ class Entry:
     unit: str = ""
     meaning: str = ""
     term: str = ""
-    courses: tuple[Course, ...] = ()
+    courses: tuple[TermSeries, ...] = ()
     units: dict[str, str] = field(default_factory=dict)
     note: str = ""
     base: str = ""
@@ -110,7 +110,7 @@ class Entry:
 
 
 @dataclass(frozen=True)
-class Reading:
+class SensorReading:
     """The likeliest fault of one instrument: it reads offset + (1 + gain) y of a lag of y.
 
     Attributes:
@@ -153,8 +153,8 @@ class Ledger(Printed):
     """
 
     model: str
-    entries: tuple[Entry, ...]
-    readings: tuple[Reading, ...]
+    entries: tuple[BalanceEntry, ...]
+    readings: tuple[SensorReading, ...]
     failing: tuple[str, ...]
     closed: bool
     before: float
@@ -163,7 +163,7 @@ class Ledger(Printed):
     notes: tuple[str, ...] = ()
     domain: Domain = Domain()
 
-    def entry(self, balance: str) -> Entry | None:
+    def entry(self, balance: str) -> BalanceEntry | None:
         """The entry of a balance; None where the ledger has none."""
         return next((e for e in self.entries if e.balance == balance), None)
 
@@ -220,7 +220,7 @@ class Band:
     samples: int
 
 
-def binned(entry: Entry, against: str, bands: int = 12) -> tuple[Band, ...]:
+def binned(entry: BalanceEntry, against: str, bands: int = 12) -> tuple[Band, ...]:
     """A missing term against one of its variables, or "time", in bands that hold equally many instants.
 
     Raises:
@@ -267,7 +267,7 @@ class Map:
     significance: Array
 
 
-def mapped(entry: Entry, x: str, y: str, cells: int = 16) -> Map:
+def mapped(entry: BalanceEntry, x: str, y: str, cells: int = 16) -> Map:
     """A missing term over a plane.
 
     Raises:

@@ -15,7 +15,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.ledger.grid import Grid
 from pam_cosim.ledger.radau import integrate
-from pam_cosim.ledger.smoother import Linear, Point, Problem, linearise
+from pam_cosim.ledger.smoother import LinearisedProblem, Point, SmoothingProblem, linearise
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,9 @@ class Unaugmented:
     faults: tuple[SensorFault, ...]
 
 
-def try_sensors(problem: Problem, start: tuple[Array, Array], signals: Sequence[tuple[str, str]]) -> Unaugmented:
+def try_sensors(
+    problem: SmoothingProblem, start: tuple[Array, Array], signals: Sequence[tuple[str, str]]
+) -> Unaugmented:
     """The model by itself, and with a fault in each of the signals, given by name and unit.
 
     Args:
@@ -147,7 +149,7 @@ class _Solution:
 class _Linearised:
     """The model by itself, linearised in its free parameters about some values of them."""
 
-    def __init__(self, problem: Problem, free: Array, states: tuple[Array, Array]) -> None:
+    def __init__(self, problem: SmoothingProblem, free: Array, states: tuple[Array, Array]) -> None:
         self.problem, self.free = problem, free
         self.point = Point(*states, np.zeros((len(states[0]), 0)), free)
         self.linear = linearise(problem, self.point)
@@ -222,7 +224,7 @@ def _fault(linearised: _Linearised, signal: tuple[str, str], j: int) -> SensorFa
     )
 
 
-def _output_slopes(problem: Problem, linear: Linear) -> Array:
+def _output_slopes(problem: SmoothingProblem, linear: LinearisedProblem) -> Array:
     """(N, S, Q) by the free parameters, in standard deviations of the samples."""
     by_state, by_free = linear.flow
     grid = problem.grid

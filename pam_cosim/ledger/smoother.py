@@ -31,7 +31,7 @@ _NOISE_INTENSITY_ROUNDS = 2
 
 
 @dataclass(frozen=True)
-class Problem:
+class SmoothingProblem:
     """What is to be smoothed.
 
     Attributes:
@@ -72,7 +72,7 @@ class Point:
 
 
 @dataclass(frozen=True)
-class Linear:
+class LinearisedProblem:
     """The problem about a point, in scaled variables: all rows but those of the random walks.
 
     Attributes:
@@ -119,10 +119,10 @@ class Smoothed:
     deviance: float
     chi2: float
     converged: bool
-    linear: Linear
+    linear: LinearisedProblem
 
 
-def smooth(problem: Problem, start: Point) -> Smoothed:
+def smooth(problem: SmoothingProblem, start: Point) -> Smoothed:
     """Smooths all runs, from a start.
 
     Raises:
@@ -148,8 +148,8 @@ def smooth(problem: Problem, start: Point) -> Smoothed:
 
 
 def _advanced(
-    problem: Problem, linear: Linear, point: Point, q: Array, part: float, slack: float
-) -> tuple[Point, Linear, float]:
+    problem: SmoothingProblem, linear: LinearisedProblem, point: Point, q: Array, part: float, slack: float
+) -> tuple[Point, LinearisedProblem, float]:
     """One iteration; a step that leads out of what the model can evaluate is shortened."""
     for _ in range(_SHORTENED):
         new, moved = _stepped(problem, linear, point, q, part)
@@ -161,7 +161,7 @@ def _advanced(
     raise np.linalg.LinAlgError("the model has no finite values near the samples")
 
 
-def _result(problem: Problem, linear: Linear, point: Point, q: Array, converged: bool) -> Smoothed:
+def _result(problem: SmoothingProblem, linear: LinearisedProblem, point: Point, q: Array, converged: bool) -> Smoothed:
     factored = CholeskyFactor(_with_walk(problem, linear.matrix, q))
     covariance, _ = factored.covariances()
     variance = np.diagonal(covariance, axis1=1, axis2=2)[:, problem.model.states :]
@@ -180,7 +180,9 @@ def _result(problem: Problem, linear: Linear, point: Point, q: Array, converged:
 # ---- one iteration --------------------------------------------------------------------------------------------
 
 
-def _stepped(problem: Problem, linear: Linear, point: Point, q: Array, part: float) -> tuple[Point, float]:
+def _stepped(
+    problem: SmoothingProblem, linear: LinearisedProblem, point: Point, q: Array, part: float
+) -> tuple[Point, float]:
     """A part of the way to the minimum of the linearised problem, and how far a state has to go, over its range."""
     factored = CholeskyFactor(_with_walk(problem, linear.matrix, q))
     blocks = linear.gradient + _walk_gradient(problem, point, q)
@@ -202,7 +204,7 @@ def _times(matrices: Array, vectors: Array) -> Array:
     return products
 
 
-def linearise(problem: Problem, point: Point, slack: float = _SLACK) -> Linear:
+def linearise(problem: SmoothingProblem, point: Point, slack: float = _SLACK) -> LinearisedProblem:
     """The problem about a point; a step may miss the model by ``slack`` of the range of a state."""
     model, grid = problem.model, problem.grid
     n, m, at = model.states, model.unknown_inputs, grid.left
@@ -275,7 +277,7 @@ def linearise(problem: Problem, point: Point, slack: float = _SLACK) -> Linear:
     log_weights -= 2 * len(first) * n * np.log(_START)
     matrix = BlockTridiagonal(diagonal, coupling, border, corner)
     flow = (-by_left[:, :, :n], -by_free)
-    return Linear(
+    return LinearisedProblem(
         matrix, gradient, corner_gradient, cost, log_weights, residual, values[0], stage, flow, (rows, rows_free)
     )  # fmt: skip
 
@@ -283,7 +285,7 @@ def linearise(problem: Problem, point: Point, slack: float = _SLACK) -> Linear:
 # ---- the random walks -----------------------------------------------------------------------------------------
 
 
-def _with_walk(problem: Problem, matrix: BlockTridiagonal, q: Array) -> BlockTridiagonal:
+def _with_walk(problem: SmoothingProblem, matrix: BlockTridiagonal, q: Array) -> BlockTridiagonal:
     if not len(q):
         return matrix
     n, at = problem.model.states, problem.grid.left
@@ -304,12 +306,12 @@ def _spans(grid: Grid) -> Array:
     return grid.time[grid.first[1:] - 1] - grid.time[grid.first[:-1]]
 
 
-def _increments(problem: Problem, point: Point) -> Array:
+def _increments(problem: SmoothingProblem, point: Point) -> Array:
     at = problem.grid.left
     return (point.w[at + 1] - point.w[at]) / problem.unknown_size
 
 
-def _walk_gradient(problem: Problem, point: Point, q: Array) -> Array:
+def _walk_gradient(problem: SmoothingProblem, point: Point, q: Array) -> Array:
     n, at = problem.model.states, problem.grid.left
     gradient = np.zeros((len(point.x), n + len(q)))
     pull = _increments(problem, point) / (q * problem.grid.step[:, None])
@@ -320,7 +322,9 @@ def _walk_gradient(problem: Problem, point: Point, q: Array) -> Array:
     return gradient
 
 
-def deviance(problem: Problem, linear: Linear, point: Point, q: Array, factored: CholeskyFactor | None = None) -> float:
+def deviance(
+    problem: SmoothingProblem, linear: LinearisedProblem, point: Point, q: Array, factored: CholeskyFactor | None = None
+) -> float:
     """Minus twice the log marginal likelihood of the linearised problem, at its own minimum."""
     factored = factored or CholeskyFactor(_with_walk(problem, linear.matrix, q))
     blocks = linear.gradient + _walk_gradient(problem, point, q)
@@ -342,7 +346,7 @@ CLOSED = float(np.exp(_LOWEST))
 
 
 def likeliest_noise_intensity(
-    problem: Problem, linear: Linear, point: Point, q: Array, active: Sequence[int] | None = None
+    problem: SmoothingProblem, linear: LinearisedProblem, point: Point, q: Array, active: Sequence[int] | None = None
 ) -> Array:
     """(m,) the noise intensity of the (active) walks that makes the samples most probable, from ``q`` on."""
     chosen = list(range(len(q)) if active is None else active)
@@ -361,7 +365,7 @@ def likeliest_noise_intensity(
     return full(minimize(cost, z, method="Nelder-Mead", options=options).x)
 
 
-def with_some(problem: Problem, smoothed: Smoothed, active: Sequence[int]) -> tuple[float, float]:
+def with_some(problem: SmoothingProblem, smoothed: Smoothed, active: Sequence[int]) -> tuple[float, float]:
     """Deviance and chi-square with only some of the terms, of the problem linearised about an estimate with all."""
     q = np.full(len(smoothed.noise_intensity), CLOSED)
     q[list(active)] = smoothed.noise_intensity[list(active)]

@@ -11,8 +11,8 @@ from pam_cosim.measurement.cuts import Cut, Overrides, cut_run
 from pam_cosim.measurement.data_set import Along, DataSet, FreeParameter, Run, Signal
 from pam_cosim.measurement.experiment import FILE_NAME, ExperimentFile, RunTable, Value, read_experiment
 from pam_cosim.measurement.input_maps import input_maps, with_names_of_maps
-from pam_cosim.measurement.inside import file_inside
 from pam_cosim.measurement.parameters import free_parameter, known_values
+from pam_cosim.measurement.paths import file_inside
 from pam_cosim.measurement.pieces import pieces_of
 from pam_cosim.measurement.points import Points
 from pam_cosim.measurement.read_run import read_points, read_run

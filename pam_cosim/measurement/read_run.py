@@ -13,7 +13,7 @@ from pam_cosim.measurement.clocks import ClockError, Offset, estimate_offset, to
 from pam_cosim.measurement.columns import Renaming, with_columns
 from pam_cosim.measurement.experiment import ExperimentFile, KeyPath, LoggerTable, RecordingTable, RunTable
 from pam_cosim.measurement.formats import read_table
-from pam_cosim.measurement.inside import file_inside
+from pam_cosim.measurement.paths import file_inside
 from pam_cosim.measurement.pieces import with_time_going_on
 from pam_cosim.measurement.points import WORDS, Points, points_of
 from pam_cosim.measurement.recording import Recording, recording_of

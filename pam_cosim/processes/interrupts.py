@@ -16,7 +16,7 @@ _INTERRUPT = (signal.SIGINT,)
 
 
 @contextmanager
-def deaf() -> Iterator[None]:
+def sigint_blocked() -> Iterator[None]:
     """Threads and processes that are started inside do not hear the terminal's interrupt; this one hears it afterwards.
 
     Raises:
@@ -41,7 +41,7 @@ def deaf() -> Iterator[None]:
 
 
 @contextmanager
-def interruptible() -> Iterator[None]:
+def sigint_unblocked() -> Iterator[None]:
     """In the main thread of a deaf process: what is inside can be interrupted, once; earlier interrupts do not count.
 
     Raises:

@@ -26,7 +26,7 @@ from loky import (
 from loky.backend import resource_tracker as loky_tracker
 from threadpoolctl import threadpool_limits
 
-from pam_cosim.processes.interrupts import deaf, interruptible
+from pam_cosim.processes.interrupts import sigint_blocked, sigint_unblocked
 
 _IDLE = 60.0  # [s] after which a process without work ends
 _GRACE = 2.0  # [s] for tasks that are interrupted to clean up
@@ -109,7 +109,7 @@ def _signal(children: Sequence[BaseProcess], number: int) -> None:
 
 def _interruptibly(function: Callable[..., Result], *task: Task) -> Result | None:
     """In a worker. None: interrupted, and nobody asks for the result."""
-    with suppress(KeyboardInterrupt), interruptible():
+    with suppress(KeyboardInterrupt), sigint_unblocked():
         return function(*task)
     return None
 
@@ -118,7 +118,7 @@ def _interruptibly(function: Callable[..., Result], *task: Task) -> Result | Non
 def local_pool(count: int) -> Iterator[Executor]:
     """Processes of this machine that take tasks, which ``stop_workers`` ends; they stay for the next one who asks."""
     _start_helpers()
-    with deaf():
+    with sigint_blocked():
         pool = _pool(count)
     try:
         yield _Interruptible(pool)
@@ -149,7 +149,7 @@ def wake(workers: int | None = None, module: str = __name__) -> None:
         return
     count = workers or processors()
     _start_helpers()
-    with deaf():
+    with sigint_blocked():
         pool = _pool(count)
         for _ in range(count):
             pool.submit(_load, module)
@@ -214,7 +214,7 @@ def _attempt(
     lost: list[int] = []
     running: dict[Future[Result], int] = {}
     _start_helpers()
-    with deaf():
+    with sigint_blocked():
         pool = _pool(count)
         for i in chosen:
             try:

@@ -27,7 +27,7 @@ from pam_cosim.reporting.account.meaning import (
 )
 from pam_cosim.reporting.account.next_run import next_run
 from pam_cosim.reporting.account.wording import number, words
-from pam_cosim.reporting.figures.bars import Bar, balance_picture, ranking_picture, where_picture
+from pam_cosim.reporting.figures.bars import CandidateBar, balance_picture, ranking_picture, where_picture
 from pam_cosim.reporting.figures.curves import curve_pictures
 from pam_cosim.reporting.figures.ladder import Rung, ladder_picture
 from pam_cosim.reporting.figures.layer import Layer, before_and_after
@@ -121,7 +121,9 @@ def _ranking_picture(diagnosis: Diagnosis, fitted: Sequence[Candidate], palette:
         return None
     base, path = diagnosis.base, diagnosis.path
     bars = [
-        Bar(f"{' + '.join(c.effects)} ({words(c.family)})", explained(base, c.fit), c.balance, was_added(path, c))
+        CandidateBar(
+            f"{' + '.join(c.effects)} ({words(c.family)})", explained(base, c.fit), c.balance, was_added(path, c)
+        )
         for c in fitted
     ]
     runs = "holdout" if diagnosis.base.residuals["holdout"].samples else "fitted"

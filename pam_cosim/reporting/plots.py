@@ -31,8 +31,8 @@ from pam_cosim.reporting.figures.panels import panels
 from pam_cosim.reporting.figures.showcase import showcase
 from pam_cosim.reporting.figures.sweep import sweep_figure
 from pam_cosim.reporting.figures.tracked import tracking_figure
+from pam_cosim.reporting.representative_run import most_telling
 from pam_cosim.reporting.style import drawing, png
-from pam_cosim.reporting.telling import most_telling
 from pam_cosim.simulation import Trajectory
 from pam_cosim.sweeps import Sweep
 

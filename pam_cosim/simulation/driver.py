@@ -19,7 +19,7 @@ from fmpy.fmi2 import (
 
 from pam_cosim.arrays import Array
 from pam_cosim.fmu.compile import compile_library, native_platform
-from pam_cosim.simulation.plan import Plan
+from pam_cosim.simulation.plan import CommunicationPlan
 from pam_cosim.wording import printable
 
 # In the order of the function pointers in driver_run, by major version of FMI; version 3 sets up the experiment when
@@ -147,7 +147,7 @@ class Callbacks:
 
 
 @dataclass(frozen=True)
-class Progress:
+class RunProgress:
     """Of a run that has not ended.
 
     Attributes:
@@ -190,7 +190,7 @@ class Request:
         settle: as in ``Simulator.run``.
     """
 
-    plan: Plan
+    plan: CommunicationPlan
     parameters: tuple[Sequence[int], Sequence[float]]
     inputs: Sequence[int]
     outputs: Sequence[int]
@@ -210,7 +210,7 @@ class AnyDriver(Protocol):
         """Whether the FMU finds equilibria."""
 
     @property
-    def progress(self) -> Progress | None:
+    def progress(self) -> RunProgress | None:
         """How far a run in another thread is."""
 
     def run(self, request: Request) -> Outcome:
@@ -242,10 +242,10 @@ class Driver:
         self._running: _Run | None = None
 
     @property
-    def progress(self) -> Progress | None:
+    def progress(self) -> RunProgress | None:
         """How far a run in another thread is; None where there is none."""
         run = self._running
-        return None if run is None else Progress(self._names[run.active], run.calls, run.time_reached)
+        return None if run is None else RunProgress(self._names[run.active], run.calls, run.time_reached)
 
     def run(self, request: Request) -> Outcome:
         """One simulation."""

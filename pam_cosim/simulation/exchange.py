@@ -14,7 +14,7 @@ from fmpy.sundials import CVodeSolver
 from fmpy.sundials.nvector_serial import NV_DATA_S
 
 from pam_cosim.fmu.read import real_variables
-from pam_cosim.simulation.driver import TOO_SLOW, Callbacks, Outcome, Progress, Request
+from pam_cosim.simulation.driver import TOO_SLOW, Callbacks, Outcome, Request, RunProgress
 from pam_cosim.simulation.instance import Instance, major_version
 
 CVODE = "CVode"
@@ -113,9 +113,9 @@ class ExchangeDriver:
         self.time = 0.0
 
     @property
-    def progress(self) -> Progress | None:
+    def progress(self) -> RunProgress | None:
         """As ``Driver.progress``."""
-        return Progress(self._function, self._calls, self.time) if self._function else None
+        return RunProgress(self._function, self._calls, self.time) if self._function else None
 
     def run(self, request: Request) -> Outcome:
         """As ``Driver.run``; there are neither sensitivities nor equilibria."""

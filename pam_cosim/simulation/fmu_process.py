@@ -14,7 +14,7 @@ from typing import Any
 
 from pam_cosim.processes import keeper
 from pam_cosim.processes.memory import MOST_MEMORY
-from pam_cosim.simulation.driver import Progress, prepare_driver
+from pam_cosim.simulation.driver import RunProgress, prepare_driver
 from pam_cosim.simulation.failure import RunFailure
 
 CO_SIMULATION, MODEL_EXCHANGE = "pam_cosim.simulation.worker", "pam_cosim.simulation.exchange_worker"
@@ -102,7 +102,7 @@ class FmuProcess:
             raise ProcessFailure(f"{self.path.name} has written into the files of its process") from None
         return kind, answer
 
-    def _late(self, progress: Progress | None, request: dict[str, Any]) -> ProcessFailure:
+    def _late(self, progress: RunProgress | None, request: dict[str, Any]) -> ProcessFailure:
         place = (
             progress.function if progress else "while it was loaded" if self._never_loaded else "while it was made anew"
         )

@@ -21,7 +21,7 @@ _KEPT = 64  # plans: a fit runs the same few experiments over and over
 
 
 @dataclass(frozen=True)
-class Plan:
+class CommunicationPlan:
     """What the driver does at each communication point.
 
     Attributes:
@@ -43,7 +43,7 @@ class Plan:
     row_count: int
 
 
-def plan(times: Array, start: float, inputs: Inputs | None, sample_ramps: float | None = None) -> Plan:
+def plan(times: Array, start: float, inputs: Inputs | None, sample_ramps: float | None = None) -> CommunicationPlan:
     """Lays out a run.
 
     An output at the time of a step in an input is read after the step; where a time is asked for twice, the
@@ -65,13 +65,15 @@ def plan(times: Array, start: float, inputs: Inputs | None, sample_ramps: float 
     return _laid_out(times.tobytes(), start, inputs.time.tobytes(), columns, inputs.interpolation, sample_ramps)
 
 
-def points(values: Mapping[str, Array], count: int) -> Plan:
+def points(values: Mapping[str, Array], count: int) -> CommunicationPlan:
     """One point for each of ``count`` rows of inputs [SI], which have no time; they are numbered."""
     numbers, width = np.arange(count, dtype=np.int64), len(values)
     table = np.ascontiguousarray(np.stack(list(values.values()), axis=1)) if values else np.zeros((count, 0))
     none = np.full(count, -1, dtype=np.int64)
     knots = numbers if width else none
-    return Plan(numbers.astype(float), knots, table, np.zeros((count, width)), none, numbers, numbers, count)
+    return CommunicationPlan(
+        numbers.astype(float), knots, table, np.zeros((count, width)), none, numbers, numbers, count
+    )
 
 
 @lru_cache(_KEPT)
@@ -82,7 +84,7 @@ def _laid_out(
     columns_of_inputs: tuple[bytes, ...],
     interpolation: Interpolation,
     sample_ramps: float | None,
-) -> Plan:
+) -> CommunicationPlan:
     """The plan, of the bytes of the arrays."""
     times, changing = np.frombuffer(time), np.frombuffer(input_time)
     lines = [pieces(changing, np.frombuffer(values), interpolation) for values in columns_of_inputs]
@@ -96,7 +98,7 @@ def _laid_out(
     at = evaluated[known]
     columns = [line.at(at) for line in lines]
     shape = (at.size, len(lines))
-    return Plan(
+    return CommunicationPlan(
         points,
         np.where(known, np.cumsum(known) - 1, -1).astype(np.int64),
         np.ascontiguousarray(np.stack([v for v, _ in columns], axis=1)) if columns else np.zeros(shape),

@@ -20,7 +20,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import interface_of, read_description, real_variables
 from pam_cosim.model.interface import Interface
-from pam_cosim.simulation.driver import TOO_SLOW, AnyDriver, Callbacks, Driver, Outcome, Progress, Request, Settle
+from pam_cosim.simulation.driver import TOO_SLOW, AnyDriver, Callbacks, Driver, Outcome, Request, RunProgress, Settle
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs, with_held
 from pam_cosim.simulation.instance import (
@@ -31,7 +31,7 @@ from pam_cosim.simulation.instance import (
     major_version,
     takes_slopes,
 )
-from pam_cosim.simulation.plan import Plan, plan, points
+from pam_cosim.simulation.plan import CommunicationPlan, plan, points
 from pam_cosim.simulation.stepper import Abilities, Stepper, abilities_of
 from pam_cosim.simulation.trajectory import Trajectory
 from pam_cosim.units import format_quantity
@@ -247,7 +247,7 @@ class Simulator:
 
     def _outcome(
         self,
-        layout: Plan,
+        layout: CommunicationPlan,
         own: Mapping[str, float],
         inputs: Iterable[str],
         names: Sequence[str],
@@ -323,7 +323,7 @@ class Simulator:
         return self._driver.settles
 
     @property
-    def progress(self) -> Progress | None:
+    def progress(self) -> RunProgress | None:
         """How far the present run is, for another thread to ask; None between runs."""
         if self._instance is None:
             return None

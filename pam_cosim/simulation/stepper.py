@@ -12,7 +12,7 @@ from fmpy.fmi1 import FMICallException
 from fmpy.model_description import ModelDescription
 
 from pam_cosim.errors import InputError
-from pam_cosim.simulation.driver import Callbacks, Progress
+from pam_cosim.simulation.driver import Callbacks, RunProgress
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.instance import Instance, major_version
 
@@ -124,10 +124,10 @@ class Stepper:
         self.time = 0.0
 
     @property
-    def progress(self) -> Progress | None:
+    def progress(self) -> RunProgress | None:
         """What the FMU is doing, for another thread to ask; None between calls."""
         active = self._active
-        return Progress(active, self._calls, self.time) if active else None
+        return RunProgress(active, self._calls, self.time) if active else None
 
     def abilities(self) -> Abilities:
         """As ``AnyStepper``."""

@@ -14,7 +14,7 @@ from typing import Any, BinaryIO
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.processes.keeper import ANSWER, PROGRESS, read_frame, write_frame
 from pam_cosim.processes.memory import limit_memory
-from pam_cosim.simulation.driver import Progress
+from pam_cosim.simulation.driver import RunProgress
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.simulator import Simulator
 from pam_cosim.simulation.stepper import Stepper
@@ -48,7 +48,7 @@ class _Worker:
         self._path, self._tick, self._make = path, tick, make
         self._requests, self._channel = private_input(), private_output()
         self._lock = threading.Lock()
-        self._told: Progress | None = None
+        self._told: RunProgress | None = None
         self.simulator: Simulator | None = None
         self._stepper: Stepper | None = None
         threading.Thread(target=self._watch, daemon=True).start()

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from pam_cosim.cosimulation import Controller, Part, Rig, System, connect, couple_values
+from pam_cosim.cosimulation import Controller, CoupledFmu, Rig, System, connect, couple_values
 from pam_cosim.cosimulation.ssp_read import read_ssp
 from pam_cosim.cosimulation.ssp_write import write_ssp
 from pam_cosim.cosimulation.toml_read import read_toml
@@ -102,9 +102,9 @@ def couple(
     return System(made, joined, couple_values(parameters or {}, made), timeout, title).sampling(samples or {})
 
 
-def _part(name: str, model: str, files: models.Paths) -> Part:
+def _part(name: str, model: str, files: models.Paths) -> CoupledFmu:
     path = models.build(model, files=files)
-    return Part(name, model, path, read_interface(path), *feedthrough(path), foreign=is_fmu(model))
+    return CoupledFmu(name, model, path, read_interface(path), *feedthrough(path), foreign=is_fmu(model))
 
 
 def read_system(

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from pam_cosim.catalogue import domain_of
 from pam_cosim.compiler import read_library
-from pam_cosim.drafting import NewDataSet, Wishes, draft
+from pam_cosim.drafting import DraftRequests, NewDataSet, draft
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import starts_are_open, with_starts
 from pam_cosim.measurement import DataSet, Moment, complete_noise, overrides_of, read_data_set
@@ -139,7 +139,7 @@ def new(
         InputError: whatever cannot be used, with file, line and column; nothing is written then.
     """
     stated = {name: str(value) for name, value in (parameters or {}).items()}
-    wishes = Wishes(title, model, columns, stated, recording, muscle, roles)
+    wishes = DraftRequests(title, model, columns, stated, recording, muscle, roles)
     paths = [Path(one) for one in recordings]
     made = draft(
         Path(folder), paths, wishes, read_library(files=as_paths(files)), described_with(files), as_paths(files)

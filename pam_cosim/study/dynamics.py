@@ -9,9 +9,9 @@ from typing import Literal
 
 import numpy as np
 
-from pam_cosim.analysis.apart import work_on
 from pam_cosim.analysis.frequency_response import FrequencyResponse
-from pam_cosim.analysis.kalman import Belief, Samples, observe_samples
+from pam_cosim.analysis.isolated import work_on
+from pam_cosim.analysis.kalman import Belief, RecordedSamples, observe_samples
 from pam_cosim.analysis.linear import LinearCourse, LinearModel
 from pam_cosim.analysis.linearise import linearise_at, linearise_run
 from pam_cosim.analysis.observation import Observation
@@ -326,7 +326,7 @@ def observe(
         _deviations(spread or {}, face, state_names(known.path)),
         conditions_of(start or {}, face),
     )
-    samples = Samples(*read, held=interpolation == "previous")
+    samples = RecordedSamples(*read, held=interpolation == "previous")
     settings = resolve(parameters or {}, face)
     begins = ""
     if not start and not is_fmu(model):

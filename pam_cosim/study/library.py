@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from pam_cosim.catalogue import EffectClass, RigPart, effect_classes, put_together
+from pam_cosim.catalogue import BenchPart, EffectClass, compose_bench, effect_classes
 from pam_cosim.catalogue import benches as _benches
 from pam_cosim.catalogue import rig_parts as _rig_parts
 from pam_cosim.compiler import read_library
@@ -24,7 +24,7 @@ def effects(files: Paths = ()) -> list[EffectClass]:
     return list(effect_classes(read_library(files=as_paths(files))))
 
 
-def rig_parts(files: Paths = ()) -> list[RigPart]:
+def rig_parts(files: Paths = ()) -> list[BenchPart]:
     """What a bench can be put together from: every part of the library and of ``files``."""
     return list(_rig_parts(read_library(files=as_paths(files))))
 
@@ -61,7 +61,7 @@ def bench(
         ModelError: a part is not what its interface asks for.
     """
     name = Path(output).stem if output else None
-    rig = put_together(read_library(files=as_paths(files)), pneumatics, mechanics, muscle, measure, name, static)
+    rig = compose_bench(read_library(files=as_paths(files)), pneumatics, mechanics, muscle, measure, name, static)
     if output:
         write_text(Path(output), rig.text)
     return rig.text

@@ -15,7 +15,7 @@ from pam_cosim.model.settings import Setting, resolve
 from pam_cosim.simulation.models import Paths, build
 from pam_cosim.study.input_sources import Source
 from pam_cosim.study.runs import _course, kept_variables
-from pam_cosim.sweeps import Plan, Sweep, design_of, make_sweep, read_scalars
+from pam_cosim.sweeps import Sweep, SweepPlan, design_of, make_sweep, read_scalars
 from pam_cosim.sweeps.patterns import INPUTS, Pattern, read_patterns, varies_inputs
 
 
@@ -91,7 +91,7 @@ def sweep(
     course, times = _course(interface, longest if patterns and inputs is None else inputs, stop_time, interval)
     course = None if patterns and inputs is None else course
     asked = read_scalars(scalars, interface)
-    plan = Plan(
+    plan = SweepPlan(
         fmu=fmu,
         interface=interface,
         design=design_of(vary, interface, design, runs, checked_seed(seed), patterns),

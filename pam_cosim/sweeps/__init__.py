@@ -3,14 +3,14 @@
 from pam_cosim.sweeps.design import DESIGNS, MOST_RUNS, Design, design_of
 from pam_cosim.sweeps.result import Sweep, SweepPoint
 from pam_cosim.sweeps.scalars import FUNCTIONS, Scalar, read_scalars
-from pam_cosim.sweeps.sweep import Plan, make_sweep, partial_of, same
+from pam_cosim.sweeps.sweep import SweepPlan, make_sweep, partial_of, same
 
 __all__ = [
     "DESIGNS",
     "Design",
     "FUNCTIONS",
     "MOST_RUNS",
-    "Plan",
+    "SweepPlan",
     "Scalar",
     "Sweep",
     "SweepPoint",

@@ -10,10 +10,10 @@ from typing import Any
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.processes.interrupts import deaf
+from pam_cosim.processes.interrupts import sigint_blocked
 from pam_cosim.processes.workers import local_pool, processors, running_tasks
 from pam_cosim.sweeps.records import Row
-from pam_cosim.sweeps.task import Batch, Job, forget_foreign, make_runs
+from pam_cosim.sweeps.task import Batch, SweepJob, forget_foreign, make_runs
 
 _BATCH = 0.3  # [s] of work that is handed out at once, and lost at most where the program is killed
 _OPENINGS = 5  # as much work as opening a model takes, at least
@@ -23,7 +23,7 @@ _AHEAD = 2  # batches that wait for each process
 Say = Callable[[Sequence[Row]], None]
 
 
-def run_all(job: Job, runs: Sequence[int], points: Array, executor: Any, workers: int | None, say: Say) -> None:
+def run_all(job: SweepJob, runs: Sequence[int], points: Array, executor: Any, workers: int | None, say: Say) -> None:
     """Makes the runs; ``say`` gets them as they come, in any order.
 
     Args:
@@ -48,7 +48,7 @@ def run_all(job: Job, runs: Sequence[int], points: Array, executor: Any, workers
         _feed(replace(job, content=job.fmu.read_bytes()), runs, points, pool, count, say, None)
 
 
-def _run_here(job: Job, left: list[int], points: Array, workers: int | None, say: Say) -> None:
+def _run_here(job: SweepJob, left: list[int], points: Array, workers: int | None, say: Say) -> None:
     """In this process, and as soon as it is worth them in others of this machine."""
     first = make_runs(job, left, points[left], _BATCH)
     say(first.rows)
@@ -102,7 +102,7 @@ def _parts(runs: Sequence[int], size: int) -> Iterator[list[int]]:
 
 
 def _feed(
-    job: Job, runs: Sequence[int], points: Array, pool: Executor, count: int, say: Say, known: Batch | None
+    job: SweepJob, runs: Sequence[int], points: Array, pool: Executor, count: int, say: Say, known: Batch | None
 ) -> None:
     """Hands out batches that take a part of a second each, a few ahead of what is done."""
     left, size = list(runs), _size(known)
@@ -111,7 +111,7 @@ def _feed(
         while left or waiting:
             while left and len(waiting) < _AHEAD * count:
                 part, left = left[:size], left[size:]
-                with deaf():
+                with sigint_blocked():
                     waiting[pool.submit(make_runs, job, part, points[part])] = part
             running_tasks(waiting)
             for future in wait(waiting, return_when=FIRST_COMPLETED).done:

@@ -170,13 +170,13 @@ class Records:
         """How many runs are kept."""
         return int(np.count_nonzero(self._place >= 0))
 
-    def table(self) -> Table:
+    def table(self) -> RunTable:
         """All runs, once none is missing; stays readable when the file is removed."""
-        return Table(self._mapped(), self._place.copy())
+        return RunTable(self._mapped(), self._place.copy())
 
 
 @dataclass(frozen=True)
-class Table:
+class RunTable:
     """The runs in their order; numbers stay on the disk until they are asked for."""
 
     records: NDArray[Any]

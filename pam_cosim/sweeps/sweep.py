@@ -22,13 +22,13 @@ from pam_cosim.sweeps.executors import run_all
 from pam_cosim.sweeps.records import Records, Row
 from pam_cosim.sweeps.result import Sweep
 from pam_cosim.sweeps.scalars import Scalar
-from pam_cosim.sweeps.task import Job
+from pam_cosim.sweeps.task import SweepJob
 
 PARTIAL = ".partial"  # ends the name of the file that a sweep leaves when it is stopped
 
 
 @dataclass(frozen=True)
-class Plan:
+class SweepPlan:
     """What a sweep is to make.
 
     Attributes:
@@ -97,9 +97,9 @@ class Plan:
             "scalars": [[s.name, s.function, s.variable, s.argument] for s in self.scalars],
         }
 
-    def job(self) -> Job:
+    def job(self) -> SweepJob:
         """The same for a process that makes runs."""
-        return Job(
+        return SweepJob(
             self.fmu, None, self.foreign, self.timeout, self.times, self.design.names, self.fixed, self.inputs,
             self.outputs, self.scalars, self.keep, tuple(p.inputs for p in self.design.patterns),
         )  # fmt: skip
@@ -122,7 +122,7 @@ def partial_of(result: Path) -> Path:
 
 
 def make_sweep(
-    plan: Plan,
+    plan: SweepPlan,
     result: Path | None = None,
     *,
     executor: Any = None,

@@ -22,7 +22,7 @@ from pam_cosim.sweeps.scalars import Scalar
 
 
 @dataclass(frozen=True)
-class Job:
+class SweepJob:
     """What all runs of a sweep have in common; can be sent to another process, or to another machine.
 
     Attributes:
@@ -75,7 +75,7 @@ class Batch:
     running: float
 
 
-def make_runs(job: Job, runs: Sequence[int], points: Array, seconds: float | None = None) -> Batch:
+def make_runs(job: SweepJob, runs: Sequence[int], points: Array, seconds: float | None = None) -> Batch:
     """Makes runs one after another; a run that fails is a row with its reason.
 
     Args:
@@ -95,7 +95,7 @@ def make_runs(job: Job, runs: Sequence[int], points: Array, seconds: float | Non
         return Batch(rows, opened - begin, time.perf_counter() - opened)
 
 
-def _row(job: Job, simulator: AnySimulator, run: int, varied: dict[str, float]) -> Row:
+def _row(job: SweepJob, simulator: AnySimulator, run: int, varied: dict[str, float]) -> Row:
     inputs = job.patterns[int(varied[INPUTS])] if job.patterns else job.inputs
     own = {name: value for name, value in varied.items() if not (job.patterns and name == INPUTS)}
     try:
@@ -106,7 +106,7 @@ def _row(job: Job, simulator: AnySimulator, run: int, varied: dict[str, float]) 
     return Row(run, _numbers(job, made), values)
 
 
-def _numbers(job: Job, made: Trajectory) -> Array:
+def _numbers(job: SweepJob, made: Trajectory) -> Array:
     return np.array([scalar.of(made) for scalar in job.scalars])
 
 
@@ -121,7 +121,7 @@ def forget_foreign() -> None:
 
 
 @contextmanager
-def _opened(job: Job) -> Iterator[AnySimulator]:
+def _opened(job: SweepJob) -> Iterator[AnySimulator]:
     if job.content is not None:
         with tempfile.TemporaryDirectory(prefix="pam-cosim-sweep-") as folder:
             fmu = Path(folder) / f"{hashlib.sha256(job.content).hexdigest()[:16]}.fmu"
@@ -139,5 +139,5 @@ def _opened(job: Job) -> Iterator[AnySimulator]:
             yield simulator
 
 
-def _simulator(job: Job, fmu: Path) -> AnySimulator:
+def _simulator(job: SweepJob, fmu: Path) -> AnySimulator:
     return IsolatedSimulator(fmu, job.timeout) if job.foreign else limited(Simulator(fmu), job.timeout)

@@ -10,12 +10,12 @@ from pam_cosim.arrays import Array
 from pam_cosim.comparison import RunComparison
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.units import readable_factor
-from pam_cosim.workbench.protocol import Curve
+from pam_cosim.workbench.protocol import PlottedCurve
 
 MOST_POINTS = 4000  # of a curve, one for each pixel of the widest screens
 
 
-def measured_curves(data: DataSet) -> list[Curve]:
+def measured_curves(data: DataSet) -> list[PlottedCurve]:
     """Times and measured signals of all runs; of points at rest, what they are drawn over instead of times, rising."""
     curves = []
     for run in data.runs:
@@ -23,11 +23,11 @@ def measured_curves(data: DataSet) -> list[Curve]:
         time = shown_times(_rising(run, run.time * factor))
         for name, values in run.measurements.items():
             shown = thinned(_rising(run, values * _factor(data, name)))
-            curves.append(Curve(run.name, name, {"time": time, "values": shown}))
+            curves.append(PlottedCurve(run.name, name, {"time": time, "values": shown}))
     return curves
 
 
-def model_curves(runs: Sequence[RunComparison], whole: DataSet) -> list[Curve]:
+def model_curves(runs: Sequence[RunComparison], whole: DataSet) -> list[PlottedCurve]:
     """Modelled signals and residuals of all runs at all times that were recorded, NaN where a run was cut."""
     curves, recorded = [], {run.name: run for run in whole.runs}
     for r in runs:
@@ -38,7 +38,7 @@ def model_curves(runs: Sequence[RunComparison], whole: DataSet) -> list[Curve]:
                 thinned(_rising(r.run, np.pad(values * factor, room, constant_values=np.nan)))
                 for values in (r.model[name], r.residual(name))
             )
-            curves.append(Curve(r.run.name, name, {"values": model, "residual": residual}))
+            curves.append(PlottedCurve(r.run.name, name, {"values": model, "residual": residual}))
     return curves
 
 

@@ -22,10 +22,10 @@ from pam_cosim.measurement import any_text
 from pam_cosim.reporting.account import unit_text
 from pam_cosim.units import readable_factor
 from pam_cosim.wording import shown
-from pam_cosim.workbench.doing.words import names_of, text_of
-from pam_cosim.workbench.inside import inside, safe_name
-from pam_cosim.workbench.protocol import Draft, Dropped, DroppedFile, Excerpt, Json
-from pam_cosim.workbench.work import failed_by
+from pam_cosim.workbench.commands.checks import names_of, text_of
+from pam_cosim.workbench.job_queue import failed_by
+from pam_cosim.workbench.paths import inside, safe_name
+from pam_cosim.workbench.protocol import DraftEvent, DroppedEvent, DroppedFile, Excerpt, Json
 
 MOST_BYTES = 200_000_000  # of one file
 MOST_TOGETHER = 2_000_000_000
@@ -55,7 +55,7 @@ class Drop:
         """Removes what was dropped."""
         shutil.rmtree(self.place, ignore_errors=True)
 
-    def put(self, name: str, content: bytes | bytearray) -> Dropped:
+    def put(self, name: str, content: bytes | bytearray) -> DroppedEvent:
         """Takes a file; one of the same name is replaced.
 
         Raises:
@@ -74,7 +74,7 @@ class Drop:
             self.recordings = sorted([*self.recordings, target])
         return self.dropped()
 
-    def remove(self, names: Sequence[str]) -> Dropped:
+    def remove(self, names: Sequence[str]) -> DroppedEvent:
         """Takes files away again."""
         gone = {inside(self.place, name) for name in names_of(names, "remove")}
         for file in gone & set(self.recordings):
@@ -82,17 +82,17 @@ class Drop:
         self.recordings = [file for file in self.recordings if file not in gone]
         return self.dropped()
 
-    def dropped(self) -> Dropped:
+    def dropped(self) -> DroppedEvent:
         """The files, with their first rows."""
-        return Dropped(self.folder.name, tuple(_shown(file) for file in self.recordings))
+        return DroppedEvent(self.folder.name, tuple(_shown(file) for file in self.recordings))
 
-    def draft(self, wishes: Mapping[str, Any]) -> Draft:
+    def draft(self, wishes: Mapping[str, Any]) -> DraftEvent:
         """What becomes of the files as they are, with what the person says; nothing is left of it."""
         with tempfile.TemporaryDirectory(prefix="pam-cosim-draft-") as scratch:
             try:
                 made = self._new(Path(scratch) / self.folder.resolve().name, wishes)
             except InputError as problem:
-                return Draft(failed=failed_by(problem), excerpt=self._excerpt(problem))
+                return DraftEvent(failed=failed_by(problem), excerpt=self._excerpt(problem))
             return _drafted(made)
 
     def create(self, wishes: Mapping[str, Any]) -> None:
@@ -142,11 +142,11 @@ def _checked(wishes: Mapping[str, Any]) -> Json:
     return made
 
 
-def _drafted(made: NewDataSet) -> Draft:
+def _drafted(made: NewDataSet) -> DraftEvent:
     data = made.data
     text = (made.folder / "experiment.toml").read_text(encoding="utf-8")
     interface = study.describe(data.model)
-    return Draft(
+    return DraftEvent(
         title=data.title,
         model=made.model,
         guesses=tuple({"what": g.what, "taken_as": g.taken_as, "why": g.why} for g in made.guesses),

@@ -10,8 +10,8 @@ from typing import Any
 from pam_cosim.errors import InputError
 from pam_cosim.wording import shown
 from pam_cosim.workbench.drop import Drop
-from pam_cosim.workbench.job import Worker
-from pam_cosim.workbench.protocol import Json, Study
+from pam_cosim.workbench.job_process import Worker
+from pam_cosim.workbench.protocol import Json, StudyEvent
 from pam_cosim.workbench.session import Session
 from pam_cosim.workbench.windows import Listener, Windows
 
@@ -39,7 +39,9 @@ class Workbench:
         self._thread = ThreadPoolExecutor(1, thread_name_prefix="drop")
         if is_to_be_made(self.folder):
             self.drop = Drop(self.folder, self.files)
-            self.windows.tell(Study(title=self.folder.resolve().name, folder=self.folder.resolve().name, state="drop"))
+            self.windows.tell(
+                StudyEvent(title=self.folder.resolve().name, folder=self.folder.resolve().name, state="drop")
+            )
             self.windows.tell(self.drop.dropped())
         else:
             self.session = self._session()

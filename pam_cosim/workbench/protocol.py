@@ -30,9 +30,11 @@ Json = dict[str, Any]
 
 
 @dataclass(frozen=True)
-class Event:
+class PageEvent:
     """Something that is told to windows."""
 
+    event: ClassVar[str]
+    """Its name in messages."""
     kept: ClassVar[bool] = False
     """Whether a window that opens later is told the last one of its kind."""
     every: ClassVar[bool] = False
@@ -40,7 +42,7 @@ class Event:
 
     def as_dict(self) -> Json:
         """Plain data for JSON."""
-        return {"event": type(self).__name__.lower(), **plain(self)}
+        return {"event": self.event, **plain(self)}
 
     def message(self) -> str:
         """The message as it is sent."""
@@ -141,7 +143,7 @@ class ShownEffect:
 
 
 @dataclass(frozen=True)
-class Study(Event):
+class StudyEvent(PageEvent):
     """All that moves seldom.
 
     Attributes:
@@ -152,6 +154,7 @@ class Study(Event):
         file: what the model was written to, relative to the folder; None: it was not.
     """
 
+    event: ClassVar[str] = "study"
     kept = True
     title: str
     folder: str
@@ -170,9 +173,10 @@ class Study(Event):
 
 
 @dataclass(frozen=True)
-class Steps(Event):
+class StepsEvent(PageEvent):
     """What was done so far, a line ``{"text"}`` each; saved: it has been saved as it is."""
 
+    event: ClassVar[str] = "steps"
     kept = True
     steps: tuple[Json, ...]
     saved: bool
@@ -190,7 +194,7 @@ class Level:
 
 
 @dataclass(frozen=True)
-class Rung:
+class LadderStep:
     """One step of the error ladder: by signal, on the runs of each role."""
 
     label: str
@@ -201,7 +205,7 @@ class Rung:
 
 
 @dataclass(frozen=True)
-class Scores(Event):
+class ScoresEvent(PageEvent):
     """How far the model is from the measurement.
 
     Attributes:
@@ -212,18 +216,19 @@ class Scores(Event):
         values: of the parameters.
     """
 
+    event: ClassVar[str] = "scores"
     kept = True
     version: int
     scores: dict[str, dict[str, Level]]
     runs: dict[str, dict[str, float]]
     sizes: dict[str, float | None]
-    ladder: tuple[Rung, ...]
+    ladder: tuple[LadderStep, ...]
     values: dict[str, float]
     failed: tuple[Json, ...] = ()
 
 
 @dataclass(frozen=True)
-class Rule:
+class ErrorRegion:
     """Where error sits: shares of the squared error beyond the noise and of the samples; where that is, by run [s]."""
 
     id: int
@@ -236,12 +241,13 @@ class Rule:
 
 
 @dataclass(frozen=True)
-class Where(Event):
+class ErrorRegionsEvent(PageEvent):
     """Rules that hold most of the error."""
 
+    event: ClassVar[str] = "where"
     kept = True
     version: int
-    rules: tuple[Rule, ...]
+    rules: tuple[ErrorRegion, ...]
 
 
 @dataclass(frozen=True)
@@ -279,19 +285,21 @@ class ShownStart:
 
 
 @dataclass(frozen=True)
-class Starts(Event):
+class StartsEvent(PageEvent):
     """How each recording begins."""
 
+    event: ClassVar[str] = "starts"
     kept = True
     version: int
     runs: tuple[ShownStart, ...]
 
 
 @dataclass(frozen=True)
-class Busy(Event):
+class BusyEvent(PageEvent):
     """A long thing goes on: "fit", "diagnose" or "check"; ``began``: seconds since the epoch; ``held``: it was stopped
     and can be resumed."""
 
+    event: ClassVar[str] = "busy"
     kept = True
     what: str
     text: str
@@ -300,8 +308,10 @@ class Busy(Event):
 
 
 @dataclass(frozen=True)
-class Idle(Event):
+class IdleEvent(PageEvent):
     """It has ended: "done", "stopped" or "failed"."""
+
+    event: ClassVar[str] = "idle"
 
     what: str
     end: str
@@ -309,8 +319,10 @@ class Idle(Event):
 
 
 @dataclass(frozen=True)
-class Told(Event):
+class LineEvent(PageEvent):
     """A line of progress, as a terminal prints it; kind: "headline", or "detail" below the last one."""
+
+    event: ClassVar[str] = "told"
 
     every = True
     text: str
@@ -322,8 +334,10 @@ class Told(Event):
 
 
 @dataclass(frozen=True)
-class Failed(Event):
+class FailedEvent(PageEvent):
     """What is wrong and what to do, in a sentence, and where."""
+
+    event: ClassVar[str] = "failed"
 
     text: str
     file: str = ""
@@ -348,8 +362,10 @@ def plain(value: Any) -> Any:
 
 
 @dataclass(frozen=True)
-class Progress(Event):
+class ProgressEvent(PageEvent):
     """Where a fit stands: simulations so far, and the lowest point; scores and curves of it come as always."""
+
+    event: ClassVar[str] = "progress"
 
     iteration: int
     rms: dict[str, float]
@@ -359,7 +375,7 @@ class Progress(Event):
 
 
 @dataclass(frozen=True)
-class Candidate(Event):
+class CandidateEvent(PageEvent):
     """A model of a diagnosis as it is tried: state "fitted" or "failed" (``reason``).
 
     Attributes:
@@ -367,6 +383,8 @@ class Candidate(Event):
         rms: of each signal on the fitted runs [shown unit].
         brief: fitted in a few steps only.
     """
+
+    event: ClassVar[str] = "candidate"
 
     every = True
     effects: tuple[str, ...]
@@ -383,13 +401,14 @@ class Candidate(Event):
 
 
 @dataclass(frozen=True)
-class Ranking(Event):
+class RankingEvent(PageEvent):
     """All models that were fitted, best first: rows of texts as the report has them.
 
     Each has ``effect``, ``family``, ``balance``, ``explained``, ``delta_bic``, ``chi2``, ``holdout``, ``own`` and
     ``added``, and for the page ``effects`` as a list, ``number`` to take it by, and ``share`` and ``bic`` as numbers.
     """
 
+    event: ClassVar[str] = "ranking"
     kept = True
     candidates: tuple[Json, ...]
     failed: tuple[Json, ...]
@@ -397,7 +416,7 @@ class Ranking(Event):
 
 
 @dataclass(frozen=True)
-class Verdict(Event):
+class VerdictEvent(PageEvent):
     """The answer with its reasons, in the words and rows of the report.
 
     Attributes:
@@ -409,6 +428,7 @@ class Verdict(Event):
         complete: whether balances and formula are known already.
     """
 
+    event: ClassVar[str] = "verdict"
     kept = True
     kind: str
     kind_name: str
@@ -434,7 +454,7 @@ class Verdict(Event):
 
 
 @dataclass(frozen=True)
-class Ledger(Event):
+class LedgerEvent(PageEvent):
     """Which balance fails, in words and as curves.
 
     Attributes:
@@ -444,6 +464,7 @@ class Ledger(Event):
             the missing term over time with two standard deviations, and over its variables, as points and as means.
     """
 
+    event: ClassVar[str] = "ledger"
     kept = True
     sentence: str
     rows: tuple[Json, ...]
@@ -454,17 +475,19 @@ class Ledger(Event):
 
 
 @dataclass(frozen=True)
-class Checked(Event):
+class CheckEvent(PageEvent):
     """What the data can tell about the model before any fit, as text."""
 
+    event: ClassVar[str] = "checked"
     kept = True
     text: str
 
 
 @dataclass(frozen=True)
-class Added(Event):
+class AddedEvent(PageEvent):
     """A Modelica file was written: its name in the study's folder, and its text."""
 
+    event: ClassVar[str] = "added"
     kept = True
     file: str
     text: str
@@ -472,8 +495,10 @@ class Added(Event):
 
 
 @dataclass(frozen=True)
-class Saved(Event):
+class SavedEvent(PageEvent):
     """The steps were written to a file of the study's folder; ``time`` in seconds since the epoch."""
+
+    event: ClassVar[str] = "saved"
 
     file: str
     time: float
@@ -490,9 +515,10 @@ class DroppedFile:
 
 
 @dataclass(frozen=True)
-class Dropped(Event):
+class DroppedEvent(PageEvent):
     """The files that are to become the data set ``folder``."""
 
+    event: ClassVar[str] = "dropped"
     kept = True
     folder: str
     files: tuple[DroppedFile, ...]
@@ -512,7 +538,7 @@ class Excerpt:
 
 
 @dataclass(frozen=True)
-class Draft(Event):
+class DraftEvent(PageEvent):
     """What becomes of the dropped files; where that fails, why and where, and the rest is empty.
 
     Attributes:
@@ -524,8 +550,9 @@ class Draft(Event):
         curves: ``{"run", "signal", "unit", "time", "values"}``, a preview.
     """
 
+    event: ClassVar[str] = "draft"
     kept = True
-    failed: Failed | None = None
+    failed: FailedEvent | None = None
     excerpt: Excerpt | None = None
     title: str = ""
     model: str = ""
@@ -540,14 +567,14 @@ class Draft(Event):
     curves: tuple[Json, ...] = ()
 
 
-def answer(number: Any, result: Json | None = None, failed: Failed | None = None) -> str:
+def answer(number: Any, result: Json | None = None, failed: FailedEvent | None = None) -> str:
     """The message to the window that sent a command with this ``id``."""
     told = None if failed is None else plain(failed)
     return json.dumps({"event": "answer", "id": number, "failed": told, **plain(result or {})}, allow_nan=False)
 
 
 @dataclass(frozen=True)
-class Curve:
+class PlottedCurve:
     """Of one run and signal: its arrays by what they are, "time", "values" or "residual", all of one length."""
 
     run: str
@@ -555,7 +582,7 @@ class Curve:
     arrays: dict[str, Array]
 
 
-def frame(kind: str, version: int, curves: Sequence[Curve], label: str = "", answers: Any = None) -> bytes:
+def frame(kind: str, version: int, curves: Sequence[PlottedCurve], label: str = "", answers: Any = None) -> bytes:
     """The binary message with these curves."""
     runs: dict[str, list[Json]] = {}
     parts: list[Array] = []

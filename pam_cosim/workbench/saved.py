@@ -28,7 +28,7 @@ from pam_cosim.fitting import METHODS
 from pam_cosim.measurement import StartMode
 from pam_cosim.model.references import is_file, is_ratio
 from pam_cosim.wording import did_you_mean, shown
-from pam_cosim.workbench.inside import is_name_here
+from pam_cosim.workbench.paths import is_name_here
 
 LONGEST_NAME = 5000  # letters; quoted names of Modelica may be long
 MOST = 10_000  # steps, names or values in one list
@@ -106,20 +106,20 @@ Cuts = Annotated[dict[Name, Annotated[list[Number | None], Field(min_length=2, m
 Starts = Annotated[dict[Name, StartMode], Field(max_length=MOST)]
 
 
-class Checked(BaseModel):
+class CheckedTable(BaseModel):
     """A table of known keys, of values that are taken as they are."""
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
 
 
-class SetStep(Checked):
+class SetStep(CheckedTable):
     """Values were set by hand [SI]."""
 
     do: Literal["set"]
     values: Values
 
 
-class SwitchStep(Checked):
+class SwitchStep(CheckedTable):
     """The model was given just these effects; ``values`` were kept [SI]."""
 
     do: Literal["switch"]
@@ -127,14 +127,14 @@ class SwitchStep(Checked):
     values: Values
 
 
-class ChooseStep(Checked):
+class ChooseStep(CheckedTable):
     """Another base model was taken."""
 
     do: Literal["choose"]
     model: Annotated[Name, AfterValidator(_bench)]
 
 
-class FitStep(Checked):
+class FitStep(CheckedTable):
     """Parameters were fitted, from these values [SI]."""
 
     do: Literal["fit"]
@@ -143,7 +143,7 @@ class FitStep(Checked):
     start: Values
 
 
-class DiagnoseStep(Checked):
+class DiagnoseStep(CheckedTable):
     """The missing effect was looked for."""
 
     do: Literal["diagnose"]
@@ -154,7 +154,7 @@ class DiagnoseStep(Checked):
     start: Values = {}
 
 
-class TakeStep(Checked):
+class TakeStep(CheckedTable):
     """A model of the ranking was taken: its values, and those that were kept [SI]."""
 
     do: Literal["take"]
@@ -163,7 +163,7 @@ class TakeStep(Checked):
     kept: Values
 
 
-class AddStep(Checked):
+class AddStep(CheckedTable):
     """The model with effects was written, with these values [SI]."""
 
     do: Literal["add"]
@@ -172,14 +172,14 @@ class AddStep(Checked):
     file: Annotated[Name, AfterValidator(_modelica_file)]
 
 
-class RolesStep(Checked):
+class RolesStep(CheckedTable):
     """Runs were fitted or held out."""
 
     do: Literal["roles"]
     roles: Roles
 
 
-class CutStep(Checked):
+class CutStep(CheckedTable):
     """A run was cut; how all runs are cut and begin since then, and the values that were kept [SI]."""
 
     do: Literal["cut"]
@@ -195,7 +195,7 @@ class CutStep(Checked):
         return self
 
 
-class BeginStep(Checked):
+class BeginStep(CheckedTable):
     """How a run begins was chosen; how all runs begin since then, and the values that were kept [SI]."""
 
     do: Literal["begin"]
@@ -204,7 +204,7 @@ class BeginStep(Checked):
     values: Values
 
 
-class StartStep(Checked):
+class StartStep(CheckedTable):
     """Start values were set by hand [SI]; ``moved``: these, and the others of their runs stayed where they were."""
 
     do: Literal["start"]
@@ -226,7 +226,7 @@ AnyStep = (
 _STEP: TypeAdapter[Any] = TypeAdapter(Annotated[AnyStep, Field(discriminator="do")])
 
 
-class SavedLevel(Checked):
+class SavedLevel(CheckedTable):
     """One signal on a rung of the ladder."""
 
     rms: Number | None
@@ -236,7 +236,7 @@ class SavedLevel(Checked):
     noise_text: Text
 
 
-class SavedRung(Checked):
+class SavedRung(CheckedTable):
     """A rung of the ladder."""
 
     label: Text
@@ -246,7 +246,7 @@ class SavedRung(Checked):
     chi2_holdout: Number | None
 
 
-class SavedContent(Checked):
+class SavedContent(CheckedTable):
     """The whole file, but for what each step holds."""
 
     format: Literal["pam-cosim workbench 1"]

@@ -17,8 +17,8 @@ from pam_cosim.errors import InputError
 from pam_cosim.files import read_json, write_bytes, write_json
 from pam_cosim.fitting import Fit, Leeway
 from pam_cosim.study.products import load, save
-from pam_cosim.workbench.inside import inside
-from pam_cosim.workbench.protocol import Level, Rung
+from pam_cosim.workbench.paths import inside
+from pam_cosim.workbench.protocol import LadderStep, Level
 from pam_cosim.workbench.protocol import plain as as_plain
 from pam_cosim.workbench.saved import SavedContent, SavedRung, checked_content, plain_step
 from pam_cosim.workbench.state import Ends, State
@@ -146,11 +146,11 @@ def _state(content: SavedContent, folder: Path, first: State) -> State:
     )
 
 
-def _rung(saved: SavedRung) -> Rung:
+def _rung(saved: SavedRung) -> LadderStep:
     fit, holdout = (
         {name: Level(**level.model_dump()) for name, level in by.items()} for by in (saved.fit, saved.holdout)
     )
-    return Rung(saved.label, fit, holdout, saved.chi2_fit, saved.chi2_holdout)
+    return LadderStep(saved.label, fit, holdout, saved.chi2_fit, saved.chi2_holdout)
 
 
 def _product(name: str | None, folder: Path, kind: type[Any]) -> Any:

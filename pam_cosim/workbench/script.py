@@ -11,7 +11,7 @@ from typing import Any
 
 from pam_cosim.model.references import is_modelica
 from pam_cosim.workbench.catalogue import Catalogue
-from pam_cosim.workbench.opened import without_ratios
+from pam_cosim.workbench.opened_model import without_ratios
 from pam_cosim.workbench.state import State
 from pam_cosim.workbench.steps import Step
 

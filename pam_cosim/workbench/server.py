@@ -23,13 +23,13 @@ from starlette.types import ASGIApp
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from pam_cosim.errors import InputError
+from pam_cosim.workbench.authentication import Guard, new_token
 from pam_cosim.workbench.documents import NAMES, document
 from pam_cosim.workbench.drop import MOST_BYTES
-from pam_cosim.workbench.guard import Guard, new_token
 from pam_cosim.workbench.host import Workbench
-from pam_cosim.workbench.job import Worker
-from pam_cosim.workbench.protocol import Failed, answer, is_model
-from pam_cosim.workbench.work import failed_by
+from pam_cosim.workbench.job_process import Worker
+from pam_cosim.workbench.job_queue import failed_by
+from pam_cosim.workbench.protocol import FailedEvent, answer, is_model
 
 PAGE = Path(__file__).parent / "page"
 HOST = "127.0.0.1"
@@ -88,7 +88,7 @@ class Window:
                 if not isinstance(command, dict):
                     raise ValueError
             except (ValueError, RecursionError):
-                self.tell(answer(None, failed=Failed("a command is a JSON object")))
+                self.tell(answer(None, failed=FailedEvent("a command is a JSON object")))
                 continue
             number = command.get("id")
             number = number if isinstance(number, (int, str)) else None
@@ -121,7 +121,7 @@ class Window:
 
 def _answer(done: Any, number: Any) -> str:
     if done.cancelled():
-        return answer(number, failed=Failed("the workbench is being closed"))
+        return answer(number, failed=FailedEvent("the workbench is being closed"))
     problem = done.exception()
     return answer(number, done.result()) if problem is None else answer(number, failed=failed_by(problem))
 

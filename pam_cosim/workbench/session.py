@@ -13,26 +13,26 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from pam_cosim.comparison import Comparison, RunComparison, scored, sitting, where
+from pam_cosim.comparison import Comparison, RunComparison, samples_in, scored, where
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fitting import Estimate
 from pam_cosim.wording import did_you_mean, shown
 from pam_cosim.workbench.catalogue import Catalogue
+from pam_cosim.workbench.commands import COMMANDS
 from pam_cosim.workbench.curves import measured_curves, model_curves
-from pam_cosim.workbench.doing import COMMANDS
-from pam_cosim.workbench.job import Worker
-from pam_cosim.workbench.opened import Opened, open_model
-from pam_cosim.workbench.protocol import Json, Study, frame
+from pam_cosim.workbench.job_process import Worker
+from pam_cosim.workbench.job_queue import JobQueue, failed_by
+from pam_cosim.workbench.opened_model import Opened, open_model
+from pam_cosim.workbench.protocol import Json, StudyEvent, frame
 from pam_cosim.workbench.saving import FILE as SAVED
 from pam_cosim.workbench.saving import lean_fit
-from pam_cosim.workbench.shown import rung_of, scores_event, steps_event, study_event, where_event
 from pam_cosim.workbench.simulators import Simulated
-from pam_cosim.workbench.source import Source
+from pam_cosim.workbench.source import MeasurementSource
 from pam_cosim.workbench.starts import StartsShown, courses
 from pam_cosim.workbench.state import State, standing_label, with_rung
+from pam_cosim.workbench.state_events import rung_of, scores_event, steps_event, study_event, where_event
 from pam_cosim.workbench.steps import Step
 from pam_cosim.workbench.windows import Listener, Windows
-from pam_cosim.workbench.work import Work, failed_by
 
 QUIET = 0.3  # [s] without a new value after which it is said where the error sits
 MOST_BACK = 100  # steps that can be taken back
@@ -67,10 +67,10 @@ class Session:
         worker: Worker | None = None,
     ) -> None:
         self.folder, self.files = Path(folder), tuple(Path(f) for f in files)
-        self.source = Source(self.folder, self.files)
+        self.source = MeasurementSource(self.folder, self.files)
         self.windows, self.catalogue = windows or Windows(), Catalogue(self.files)
         self.worker, self.workers = worker or Worker(), workers
-        self.work = Work(self)
+        self.work = JobQueue(self)
         self.scratch = Path(tempfile.mkdtemp(prefix="pam-cosim-workbench-"))
         self.past: list[State] = []
         self.saved: tuple[Step, ...] | None = None
@@ -289,7 +289,7 @@ class Session:
         """Tells where runs begin."""
         self.windows.tell(self._starts.event(self.state, self.opened, self._begun, self._version))
 
-    def _study(self) -> Study:
+    def _study(self) -> StudyEvent:
         state = self.state
         return study_event(state, self.opened, self.catalogue.shown(state.model, state.effects), self.benches)
 
@@ -315,7 +315,7 @@ class Session:
         interface, data = self.opened.simulator.interface, self.state.data
         about = (self.comparison.runs, data.signals, interface.outputs, data.domain, interface.inputs)
         rules = where(*about)
-        self.windows.tell(where_event(rules, [sitting(rule, *about) for rule in rules], version))
+        self.windows.tell(where_event(rules, [samples_in(rule, *about) for rule in rules], version))
 
     @property
     def is_saved(self) -> bool:

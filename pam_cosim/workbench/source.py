@@ -13,7 +13,7 @@ from pam_cosim.workbench.state import Ends
 
 
 @dataclass
-class Source:
+class MeasurementSource:
     """A folder with a data set.
 
     Args:

@@ -15,8 +15,8 @@ from pam_cosim.measurement import START_MODES, Run
 from pam_cosim.model.interface import Variable
 from pam_cosim.reporting.account import unit_text
 from pam_cosim.units import format_quantity, readable_factor
-from pam_cosim.workbench.opened import Opened
-from pam_cosim.workbench.protocol import ShownStart, Starts, StartValue
+from pam_cosim.workbench.opened_model import Opened
+from pam_cosim.workbench.protocol import ShownStart, StartsEvent, StartValue
 from pam_cosim.workbench.state import State
 
 _ROOM = 0.5  # of what a state goes through in its run, that a slider goes beyond that on both sides
@@ -34,7 +34,7 @@ class StartsShown:
         """After which sliders may go elsewhere: the model, or the data, are others."""
         self._reach.clear()
 
-    def event(self, state: State, opened: Opened, begun: Mapping[str, Estimate], version: int) -> Starts:
+    def event(self, state: State, opened: Opened, begun: Mapping[str, Estimate], version: int) -> StartsEvent:
         """How each recording begins.
 
         Args:
@@ -44,7 +44,7 @@ class StartsShown:
             version: of what is drawn.
         """
         runs = [run for run in state.data.runs if not run.is_static]
-        return Starts(version, tuple(self._run(run, state, opened, begun) for run in runs))
+        return StartsEvent(version, tuple(self._run(run, state, opened, begun) for run in runs))
 
     def _run(self, run: Run, state: State, opened: Opened, begun: Mapping[str, Estimate]) -> ShownStart:
         by_hand = f"@{run.name}" in {name[name.rfind("@") :] for name in opened.start_values_in(state.values)}

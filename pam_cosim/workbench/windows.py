@@ -6,7 +6,7 @@ import threading
 from collections.abc import Callable
 from contextlib import suppress
 
-from pam_cosim.workbench.protocol import Event
+from pam_cosim.workbench.protocol import PageEvent
 
 Listener = Callable[[str | bytes], None]
 MOST_LINES = 2000  # of progress that a new window is told
@@ -34,14 +34,14 @@ class Windows:
 
         return end
 
-    def keep(self, event: Event) -> None:
+    def keep(self, event: PageEvent) -> None:
         """What a window that opens later is told instead of the last event of this kind."""
         with self._lock:
-            self._kept[type(event).__name__] = event.message()
+            self._kept[event.event] = event.message()
 
-    def tell(self, event: Event) -> None:
+    def tell(self, event: PageEvent) -> None:
         """Tells an event to all."""
-        self.send(event.message(), type(event).__name__ if event.kept else None, every=event.every)
+        self.send(event.message(), event.event if event.kept else None, every=event.every)
 
     def send(self, message: str | bytes, keep_as: str | None = None, *, every: bool = False) -> None:
         """Sends a message to all, and to those that come later as long as no other is kept by this name."""

@@ -34,7 +34,7 @@ def loaded(*words: str) -> set[str]:
     return set(json.loads(completed.stderr.splitlines()[-1]))
 
 
-@pytest.mark.parametrize("module", ["server", "apart"])
+@pytest.mark.parametrize("module", ["server", "worker"])
 def test_the_workbench_loads_no_pictures(module: str) -> None:
     """Neither its server nor the process in which it fits; a report loads them when it is asked for."""
     script = f"import json, sys, pam_cosim.workbench.{module}; print(json.dumps(sorted(sys.modules)))"

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pam_cosim.comparison.doubts import Doubt, doubts
+from pam_cosim.comparison.plausibility import Doubt, doubts
 from pam_cosim.comparison.residuals import RunComparison
 from pam_cosim.measurement import Run, Signal
 

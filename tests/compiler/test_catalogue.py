@@ -9,7 +9,7 @@ from pam_cosim.compiler import compile_model, flat_hash, read_library, read_stru
 from pam_cosim.compiler.expression_parser import ExpressionParser
 from pam_cosim.compiler.lexer import tokenise
 from pam_cosim.compiler.printing import expression_text
-from pam_cosim.compiler.source import Source
+from pam_cosim.compiler.source import SourceText
 from tests.compiler.run import MODELS
 
 
@@ -97,7 +97,7 @@ def test_hash_changes_with_any_source(tmp_path):
     ],
 )
 def test_printed_expression_reads_the_same(text):
-    source = Source("text", text)
+    source = SourceText("text", text)
     printed = expression_text(ExpressionParser(source, tokenise(source)).expression())
     assert printed == text
 

@@ -6,7 +6,7 @@ import pytest
 
 from pam_cosim.compiler import compile_model
 from pam_cosim.compiler.lexer import tokenise
-from pam_cosim.compiler.source import Source
+from pam_cosim.compiler.source import SourceText
 from pam_cosim.errors import ModelError
 from tests.compiler.run import MODELS
 
@@ -22,7 +22,7 @@ CASES = [
 
 
 def damaged(text: str, chance: random.Random) -> str:
-    words = tokenise(Source("text", text)).texts[:-1]
+    words = tokenise(SourceText("text", text)).texts[:-1]
     place, other = chance.randrange(4, len(words) - 3), chance.choice(words)
     how = chance.randrange(3)
     words[place : place + (how != 1)] = [] if how == 0 else [other]

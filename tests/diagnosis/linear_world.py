@@ -12,7 +12,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.catalogue import EffectClass, effect_classes
 from pam_cosim.compiler import read_library
 from pam_cosim.diagnosis import Candidate
-from pam_cosim.diagnosis.probing import Probe
+from pam_cosim.diagnosis.probing import EffectProbe
 from pam_cosim.diagnosis.search import Search, Wanted
 from pam_cosim.fitting import Estimate, Fit, Linear
 from tests.diagnosis.synthetic import statistics
@@ -81,7 +81,7 @@ class LinearWorld(Search):
         linear = Linear(names, values, -limits, limits, left["fit"], columns["fit"])
         return Fit("Test", estimates, _NOTHING, numbers, 1, linear=linear)
 
-    def probed(self, fitted: Fit, has: Sequence[str], effects: Sequence[str]) -> list[Probe]:
+    def probed(self, fitted: Fit, has: Sequence[str], effects: Sequence[str]) -> list[EffectProbe]:
         assert fitted.linear is not None
         self.looks.append((tuple(has), len(effects)))
         probes = []
@@ -92,7 +92,7 @@ class LinearWorld(Search):
             limits = np.full(len(names), 1e3)
             left = fitted.linear.residual - 0.5 * moved[:, 0]
             linear = Linear(names, values, -limits, limits, left, slopes)
-            probes.append(Probe(e.name, e.family, (f"{e.name}.strength",), linear))
+            probes.append(EffectProbe(e.name, e.family, (f"{e.name}.strength",), linear))
         return probes
 
     def without_outliers(self, fit: Fit) -> tuple[Search, dict[str, int]]:

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from pam_cosim import study
-from pam_cosim.diagnosis.choice import Choice, meant
+from pam_cosim.diagnosis.model_space import ModelSpace, meant
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import write_data_set
 from pam_cosim.simulation import Simulator
@@ -20,12 +20,12 @@ from tests.diagnosis.linear_world import KNOWN, SHELF
 
 
 def test_expected_effects_are_chosen_from_among_themselves() -> None:
-    choice = Choice(100, frozenset({"a", "b"}))
+    choice = ModelSpace(100, frozenset({"a", "b"}))
     assert choice.cost(()) == 0.0
     assert choice.cost(("c",)) == pytest.approx(2 * math.log(100))
     assert choice.cost(("a",)) == pytest.approx(2 * math.log(2))
     assert choice.cost(("a", "c")) == pytest.approx(2 * math.log(2 * 100))
-    assert Choice(10).cost(("x", "y")) == pytest.approx(2 * math.log(45))
+    assert ModelSpace(10).cost(("x", "y")) == pytest.approx(2 * math.log(45))
 
 
 def test_a_family_or_an_effect_is_meant_by_its_name() -> None:

@@ -6,7 +6,6 @@ import math
 
 import pytest
 
-from pam_cosim.diagnosis.choice import Choice
 from pam_cosim.diagnosis.evidence import (
     Scale,
     bic,
@@ -14,6 +13,7 @@ from pam_cosim.diagnosis.evidence import (
     evidence,
     rank,
 )
+from pam_cosim.diagnosis.model_space import ModelSpace
 from pam_cosim.fitting import Estimate
 from tests.diagnosis.synthetic import LOST, candidate, fitted
 
@@ -79,13 +79,13 @@ def test_convincing_needs_evidence_and_the_holdout_runs() -> None:
 def test_evidence_of_all_runs_and_what_it_pays_for() -> None:
     """Chi-square of both roles, a parameter's logarithm, and the number of sets of two among ten effects."""
     fit = fitted(1.0, holdout=1.5, parameters=3)
-    assert evidence(fit, Scale(1.0, 1.0), ("a", "b"), Choice(10)) == pytest.approx(
+    assert evidence(fit, Scale(1.0, 1.0), ("a", "b"), ModelSpace(10)) == pytest.approx(
         1000 + 3 * LOG + 1500 + 2 * math.log(45)
     )
-    assert evidence(fit, Scale(2.0, 5.0), (), Choice(10)) == pytest.approx(100 + 3 * math.log(200) + 150)
+    assert evidence(fit, Scale(2.0, 5.0), (), ModelSpace(10)) == pytest.approx(100 + 3 * math.log(200) + 150)
 
 
 def test_evidence_pays_for_a_parameter_that_the_data_do_not_determine() -> None:
     limit = candidate("a", fitted(1.0, parameters=2, own={"tau": LOST}), own={"tau": LOST})
-    known = (Scale(1.0, 1.0), ("a",), Choice(10))
+    known = (Scale(1.0, 1.0), ("a",), ModelSpace(10))
     assert evidence(limit.fit, *known, limit) == pytest.approx(evidence(limit.fit, *known) + LOG)

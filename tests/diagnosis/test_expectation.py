@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pam_cosim.diagnosis.expectation import Additions, Beside, addition, reduction
+from pam_cosim.diagnosis.expectation import Additions, LinearisedNeighbourhood, addition, reduction
 from pam_cosim.fitting import Linear
 from tests.diagnosis.linear_world import ROWS, SHELF, world
 
@@ -23,7 +23,7 @@ def additions() -> Additions:
 
 def test_one_and_two_further_effects() -> None:
     assert BASE.linear is not None
-    beside = Beside((), BASE.linear, FAMILY, additions())
+    beside = LinearisedNeighbourhood((), BASE.linear, FAMILY, additions())
     results = [*beside.with_one(), *beside.with_two(3)]
     assert len(results) == 3 + 3
     for e in results:
@@ -34,7 +34,7 @@ def test_one_and_two_further_effects() -> None:
 def test_effects_on_top_of_one_that_was_fitted() -> None:
     one = WORLD.fitted(("LinearBladder",))
     assert one.linear is not None
-    results = Beside(("LinearBladder",), one.linear, FAMILY, additions()).with_one()
+    results = LinearisedNeighbourhood(("LinearBladder",), one.linear, FAMILY, additions()).with_one()
     assert {e.effects for e in results} == {("LinearBladder", n) for n in NAMES - {"LinearBladder"}}
     for e in results:
         taken = one.residuals["fit"].chi2 - WORLD.fitted(e.effects).residuals["fit"].chi2
@@ -51,7 +51,7 @@ def test_another_form_of_an_effect_is_expected_to_do_what_the_first_one_does_and
         if p.effect in {"YoungBladder", "OrificeLeak"}
     ]
     every = Additions([a for a in made if a is not None])
-    (other,) = Beside(("LinearBladder",), one.linear, FAMILY, every).with_another_form()
+    (other,) = LinearisedNeighbourhood(("LinearBladder",), one.linear, FAMILY, every).with_another_form()
     assert (other.effects, other.exchanged) == (("YoungBladder",), "LinearBladder")
     left = one.residuals["fit"].chi2 - other.reduction
     assert left <= likely.fitted(("YoungBladder",)).residuals["fit"].chi2

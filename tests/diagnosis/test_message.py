@@ -11,7 +11,7 @@ import pam_cosim as pam
 from pam_cosim.cli.commands.common import follower, teller
 from pam_cosim.diagnosis import BaseFitted, EffectLookedAt, EffectsLookedAt, Event, FailedTrial, Judged, Message
 from pam_cosim.diagnosis.events import listened
-from pam_cosim.diagnosis.search import told
+from pam_cosim.diagnosis.search import result_message
 from rig.short import write_light_data
 
 
@@ -26,7 +26,9 @@ class Status:
 
 
 def test_a_result_is_a_detail_and_a_step_a_headline() -> None:
-    failed = told(FailedTrial("Spring", "elasticity", "force", ("Spring",), "no start value can be simulated"))
+    failed = result_message(
+        FailedTrial("Spring", "elasticity", "force", ("Spring",), "no start value can be simulated")
+    )
     assert failed == "  Spring (elasticity): could not be fitted: no start value can be simulated"
     assert failed.detail and not Message("fitting 3 effects").detail
 

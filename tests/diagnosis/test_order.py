@@ -6,7 +6,7 @@ import pytest
 
 from pam_cosim.diagnosis import Candidate
 from pam_cosim.diagnosis.evidence import contradicted
-from pam_cosim.diagnosis.order import Order
+from pam_cosim.diagnosis.ranking import Ranking
 from pam_cosim.fitting import Estimate, Fit
 from tests.diagnosis.linear_world import KNOWN, world
 from tests.diagnosis.synthetic import fitted
@@ -23,8 +23,8 @@ def _model(effects: str, chi2: float, parameters: int, score: float = 0.0, holdo
     return Candidate(last.name, last.family, last.balance, names, (), fit, general=last.general)
 
 
-def _order(*models: Candidate) -> Order:
-    order = Order(world({}), fitted(50.0, score=STRUCTURE), {c.effects: c for c in models})
+def _order(*models: Candidate) -> Ranking:
+    order = Ranking(world({}), fitted(50.0, score=STRUCTURE), {c.effects: c for c in models})
     order.renew()
     return order
 
@@ -37,7 +37,7 @@ def _best(*models: Candidate) -> str:
 
 def test_nothing_is_best_where_nothing_beats_the_base_model() -> None:
     assert _order(_model("OrificeLeak", 50.0, 1, STRUCTURE)).best() is None
-    assert _order().rungs() == []
+    assert _order().parents() == []
 
 
 def test_what_leaves_noise_is_better_than_what_does_not_however_many_parameters_it_takes() -> None:
@@ -67,7 +67,7 @@ def test_not_where_they_take_about_as_many() -> None:
 def test_laws_are_carried_on_beside_what_says_whatever_its_family_can() -> None:
     general, laws = _model("GeneralLeak", 5.0, 8, STRUCTURE), _model("OrificeLeak+LinearBladder", 9.0, 2, STRUCTURE)
     order = _order(general, laws)
-    assert order.rungs() == [general, laws]
+    assert order.parents() == [general, laws]
     of_all, of_laws = order.bars(3, order.scale)
     assert (of_all.laws, of_laws.laws) == (False, True)
     assert (of_all.beside, of_laws.beside) == (general, laws)
@@ -83,19 +83,19 @@ def test_not_where_the_best_is_made_of_laws_or_leaves_noise() -> None:
 
 @pytest.mark.parametrize(("effect", "room"), [("OrificeLeak", False), ("FlexibleLeak", False), ("GeneralLeak", True)])
 def test_more_effects_are_asked_for_where_they_may_have_fewer_parameters(effect: str, room: bool) -> None:
-    assert _order(_model(effect, 1.0, KNOWN_PARAMETERS[effect])).room(2) is room
+    assert _order(_model(effect, 1.0, KNOWN_PARAMETERS[effect])).more_effects_can_pay(2) is room
 
 
 def test_what_leaves_noise_by_many_parameters_is_challenged_from_a_plainer_model() -> None:
     rich, plain = _model("GeneralLeak", 1.0, 8), _model("OrificeLeak", 5.0, 1, STRUCTURE)
     order = _order(rich, plain, _model("FlexibleBladder", 20.0, 3, STRUCTURE))
-    assert order.rungs() == [plain]
+    assert order.parents() == [plain]
     (bar,) = order.bars(2, order.scale)
     assert (bar.beside, bar.evidence, bar.cost) == (plain, order.evidence(plain), order.cost(rich.effects))
 
 
 def test_no_room_is_asked_for_where_the_best_leaves_structure() -> None:
-    assert not _order(_model("GeneralLeak", 5.0, 12, STRUCTURE)).room(2)
+    assert not _order(_model("GeneralLeak", 5.0, 12, STRUCTURE)).more_effects_can_pay(2)
 
 
 @pytest.mark.parametrize(

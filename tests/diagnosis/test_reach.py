@@ -10,8 +10,8 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim.diagnosis import search as searches
-from pam_cosim.diagnosis.finding import base_of
 from pam_cosim.diagnosis.search import Search
+from pam_cosim.diagnosis.search_result import base_of
 from pam_cosim.diagnosis.subject import subject_of
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import DataSet

@@ -11,9 +11,9 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.could_be_measured import NOW, Option
+from pam_cosim.diagnosis.hypothetical_measurements import NOW, Option
+from pam_cosim.diagnosis.identifiability import Rows
 from pam_cosim.diagnosis.probing import Stated, Strengths, shown_from
-from pam_cosim.diagnosis.resolution import Rows
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free, Linear
 from tests.cli.conftest import EXPERIMENT, table
@@ -47,20 +47,20 @@ def rows(*effects: Stated) -> Rows:
 
 
 def test_a_parameter_is_known_as_well_as_the_samples_move_with_it() -> None:
-    (known,) = rows().told().parameters
+    (known,) = rows().identifiability().parameters
     assert known.deviation == pytest.approx(1 / 5)
     assert known.determined
 
 
 def test_a_parameter_that_moves_nothing_is_known_as_well_as_its_bounds() -> None:
     still = replace(BASE, slopes=0 * BASE.slopes)
-    (known,) = Rows(still, {"a": "m"}, [], [NOW] * 2 * COUNT, {NOW: 2 * COUNT}).told().parameters
+    (known,) = Rows(still, {"a": "m"}, [], [NOW] * 2 * COUNT, {NOW: 2 * COUNT}).identifiability().parameters
     assert known.deviation == pytest.approx(2e6 / math.sqrt(12))  # of an even distribution
     assert not known.determined
 
 
 def test_an_effect_shows_by_what_no_free_parameter_does() -> None:
-    (shown,) = rows(stated("Spring", "elasticity", 30 * unit(0) + 20 * unit(1))).told().shown
+    (shown,) = rows(stated("Spring", "elasticity", 30 * unit(0) + 20 * unit(1))).identifiability().shown
     assert shown.size == pytest.approx(20.0, rel=1e-6)
     needed = math.sqrt(CRITERIA.evidence.very_strong + PRICE)
     assert shown.least == pytest.approx(needed / 20, rel=1e-6)
@@ -68,7 +68,7 @@ def test_an_effect_shows_by_what_no_free_parameter_does() -> None:
 
 
 def test_what_does_nothing_is_hidden_and_a_faint_effect_is_not_visible() -> None:
-    told = rows(stated("None", "leak", 0 * unit(1)), stated("Faint", "creep", 2 * unit(1))).told()
+    told = rows(stated("None", "leak", 0 * unit(1)), stated("Faint", "creep", 2 * unit(1))).identifiability()
     assert told.hidden == ("leak",)
     assert told.visible == frozenset()
     assert told.families["creep"].least > 1
@@ -77,8 +77,8 @@ def test_what_does_nothing_is_hidden_and_a_faint_effect_is_not_visible() -> None
 def test_what_begins_at_a_threshold_shows_where_it_was_seen_or_not_at_all() -> None:
     strong = stated("Ceiling", "saturation", 50 * unit(1), weaker=0.0)
     weak = stated("High", "saturation", 1 * unit(1), weaker=0.0)
-    assert [s.least for s in rows(strong).told().shown] == [1.0]
-    assert [s.least for s in rows(weak).told().shown] == [math.inf]
+    assert [s.least for s in rows(strong).identifiability().shown] == [1.0]
+    assert [s.least for s in rows(weak).identifiability().shown] == [math.inf]
 
 
 def test_a_strength_is_extrapolated_from_the_weakest_look_that_shows() -> None:
@@ -92,7 +92,7 @@ def test_a_strength_is_extrapolated_from_the_weakest_look_that_shows() -> None:
 def test_families_that_do_the_same_are_told_apart_by_a_signal_in_which_they_differ() -> None:
     same, apart = 40 * unit(1), unit(COUNT + 1)
     told = rows(stated("Spring", "elasticity", same), stated("Hole", "leak", 0.5 * same + 60 * apart))
-    now, then = told.told(), told.told(MORE)
+    now, then = told.identifiability(), told.identifiability(MORE)
     assert [{a.family, a.other_family} for a in now.alike] == [{"elasticity", "leak"}]
     assert not now.pairs
     assert then.pairs == {frozenset(("elasticity", "leak"))}

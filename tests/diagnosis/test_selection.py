@@ -109,9 +109,9 @@ def test_an_effect_that_is_chosen_but_not_needed_goes(superfluous: str) -> None:
     models = _Models(pair, pair.fitted(()), math.inf)
     chosen = (needed[0], superfluous, needed[1])
     models.known[chosen] = pair.candidate(chosen)
-    models.order.renew()
+    models.ranking.renew()
     models.try_without_one()
-    answer = models.order.answer()
+    answer = models.ranking.answer()
     assert answer is not None and set(answer.effects) == set(needed)
 
 
@@ -127,7 +127,7 @@ def test_a_model_that_breaks_down_in_the_end_makes_place_for_the_next(monkeypatc
     models = _Models(leaking, leaking.fitted(()), math.inf)
     for names in (("GeneralLeak",), ("OrificeLeak",)):
         models.known[names] = leaking.candidate(names)
-    models.order.renew()
+    models.ranking.renew()
     whole = LinearWorld.finished
     broken = staticmethod(lambda effects, start: None if "GeneralLeak" in effects else whole(leaking, effects, start))
     assert models.path()[-1].effects == ("GeneralLeak",)

@@ -7,8 +7,8 @@ from dataclasses import replace
 import pytest
 
 from pam_cosim.comparison import ResidualStatistics
-from pam_cosim.diagnosis.choice import Choice
 from pam_cosim.diagnosis.evidence import rank
+from pam_cosim.diagnosis.model_space import ModelSpace
 from pam_cosim.diagnosis.verdict import confidence, explained, judge, rivals, with_facts
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import Signal
@@ -72,12 +72,12 @@ def test_a_signal_that_was_not_fitted_is_judged_too() -> None:
     """Nobody says "nothing else" beside a thermometer that is off."""
     seen = Signal("p", "Pa", 1.0)
     off = candidate("Leak", fitted(1.0, holdout=1.0, shown={"T": 16.0}, measured=seen), "leak")
-    verdict = with_facts(judge(BASE, [off], []), BASE, off, [off], {"Leak": "leak"}, Choice(10))
+    verdict = with_facts(judge(BASE, [off], []), BASE, off, [off], {"Leak": "leak"}, ModelSpace(10))
     assert verdict.off == ("T",)
     assert "what remains of p is noise. T, compared but not fitted, is 16 K off" in verdict.reason
     assert "nothing else" not in probability_sentence(replace(verdict, probability=0.7))
     near = candidate("Leak", fitted(1.0, holdout=1.0, shown={"T": 1.5}, measured=seen), "leak")
-    sound = with_facts(judge(BASE, [near], []), BASE, near, [near], {"Leak": "leak"}, Choice(10))
+    sound = with_facts(judge(BASE, [near], []), BASE, near, [near], {"Leak": "leak"}, ModelSpace(10))
     assert sound.off == () and "not fitted" not in sound.reason
     assert "nothing else" in probability_sentence(replace(sound, probability=0.7))
 
@@ -87,9 +87,9 @@ def test_models_that_come_as_near_are_named_with_the_reason() -> None:
     best = candidate("Leak", fitted(1.0, holdout=1.0, shown={"T": 16.0}), "leak")
     wrong = candidate("Gauge", fitted(1.0, holdout=1.0, shown={"T": 38.0}), "gauge")
     bends = replace(candidate("Bends", fitted(1.0, holdout=1.0, shown={"T": 16.0}), "spring"), general=True)
-    alone = with_facts(judge(BASE, [best], []), BASE, best, [best], family, Choice(10))
+    alone = with_facts(judge(BASE, [best], []), BASE, best, [best], family, ModelSpace(10))
     assert "No effect of another family comes close." in meaning(alone, Domain())
-    verdict = with_facts(judge(BASE, [best], []), BASE, best, [best, wrong, bends], family, Choice(10))
+    verdict = with_facts(judge(BASE, [best], []), BASE, best, [best, wrong, bends], family, ModelSpace(10))
     assert (verdict.refuted, verdict.bending) == (("Gauge",), ("Bends",))
     said = meaning(verdict, Domain())
     assert "Gauge would fit it as well, but misses T by far more." in said and "Bends comes as near" in said
@@ -194,7 +194,7 @@ def test_share_explained_is_of_the_error_beyond_the_noise_of_the_holdout_runs() 
 def _rivals(*others):  # type: ignore[no-untyped-def]  # noqa: ANN002, ANN202
     ranked = rank(BASE, [GOOD, *others])
     assert ranked[0].effect == "Leak"
-    return [c.effect for c in rivals(BASE, ranked[0], ranked, _families(ranked), Choice(len(ranked)))]
+    return [c.effect for c in rivals(BASE, ranked[0], ranked, _families(ranked), ModelSpace(len(ranked)))]
 
 
 def _families(candidates):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
@@ -212,8 +212,8 @@ def test_a_general_member_is_no_rival_of_a_law() -> None:
     ranked = rank(BASE, [GOOD, replace(candidate("Any", fitted(1.0, holdout=1.0), "line"), general=True)])
     anything, law = sorted(ranked, key=lambda c: not c.general)
     family = _families(ranked)
-    assert rivals(BASE, law, ranked, family, Choice(len(ranked))) == []
-    assert [c.effect for c in rivals(BASE, anything, ranked, family, Choice(len(ranked)))] == [law.effect]
+    assert rivals(BASE, law, ranked, family, ModelSpace(len(ranked))) == []
+    assert [c.effect for c in rivals(BASE, anything, ranked, family, ModelSpace(len(ranked)))] == [law.effect]
 
 
 def test_one_rival_of_a_family() -> None:
@@ -231,7 +231,7 @@ def test_signals_that_were_not_fitted_refute_a_rival() -> None:
     for rms, expected in ((80.0, []), (20.0, ["Offset"])):
         other = candidate("Offset", fitted(1.001, shown={"T": rms}), "offset")
         ranked = rank(BASE, [best, other])
-        others = rivals(BASE, ranked[0], ranked, _families(ranked), Choice(len(ranked)))
+        others = rivals(BASE, ranked[0], ranked, _families(ranked), ModelSpace(len(ranked)))
         assert [c.effect for c in others] == expected
 
 
@@ -253,6 +253,6 @@ def test_held_out_runs_that_uncertain_parameters_excuse_check_little() -> None:
     assert verdict.kind == "identified" and "they check little" in verdict.reason
     assert "check little" not in judge(BASE, [GOOD], []).reason
     sure, unsure = (
-        confidence(LOUD, c, [c], {c.effect: c.family}, Choice(1), judge(LOUD, [c], [])) for c in (GOOD, one)
+        confidence(LOUD, c, [c], {c.effect: c.family}, ModelSpace(1), judge(LOUD, [c], [])) for c in (GOOD, one)
     )
     assert unsure < 0.8 < sure

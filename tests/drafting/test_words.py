@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from pam_cosim.drafting.words import read_heading, read_variable, usual_unit
+from pam_cosim.drafting.vocabulary import read_heading, read_variable, usual_unit
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ import pytest
 
 SERVER = """
 import pickle, sys, time
-from pam_cosim.workbench.job import Worker
+from pam_cosim.workbench.job_process import Worker
 worker = Worker()
 process = worker.wake()
 if sys.argv[1] == "held":

@@ -12,7 +12,7 @@ import pytest
 
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.workbench import Session
-from pam_cosim.workbench.doing import COMMANDS
+from pam_cosim.workbench.commands import COMMANDS
 from tests.hostile.mutations import VALUES
 from tests.hostile.reading import make
 

@@ -18,8 +18,8 @@ from pam_cosim.errors import InputError
 from pam_cosim.workbench import Session
 from pam_cosim.workbench.saving import FILE, load_state, save_state
 from pam_cosim.workbench.script import commands_of, python_of
-from pam_cosim.workbench.shown import steps_event
 from pam_cosim.workbench.state import State
+from pam_cosim.workbench.state_events import steps_event
 from pam_cosim.workbench.steps import Step
 from rig.named import effect_of
 from rig.short import write_light_data

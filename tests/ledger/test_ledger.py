@@ -16,7 +16,7 @@ from pam_cosim.catalogue import effect_classes, unknown_terms
 from pam_cosim.compiler import read_library
 from pam_cosim.errors import InputError
 from pam_cosim.fmu import build_model, build_source
-from pam_cosim.ledger import Entry, Ledger, binned, keep_ledger, mapped
+from pam_cosim.ledger import BalanceEntry, Ledger, binned, keep_ledger, mapped
 from pam_cosim.measurement import DataSet, Signal, complete_noise
 from pam_cosim.simulation import Inputs, Simulator
 from rig.flow import P_ATM
@@ -121,7 +121,7 @@ def test_missing_mass_flow_is_the_leak() -> None:
     _check(entry, np.concatenate(true), "p_gauge", 1e4, 0.15)
 
 
-def _check(entry: Entry, true: np.ndarray, sized: str, least: float, accuracy: float) -> None:
+def _check(entry: BalanceEntry, true: np.ndarray, sized: str, least: float, accuracy: float) -> None:
     """Where the muscle works, the term is the truth but for a multiple of what a free parameter imitates."""
     value, deviation = (np.concatenate([getattr(c, n) for c in entry.courses]) for n in ("value", "deviation"))
     imitated = np.concatenate([np.column_stack(list(c.imitated.values())) for c in entry.courses])

@@ -8,7 +8,7 @@ from tempfile import mkdtemp
 
 import numpy as np
 
-from pam_cosim.catalogue import Rig, put_together, rig_parts
+from pam_cosim.catalogue import ComposedBench, compose_bench, rig_parts
 from pam_cosim.fmu import build_source
 from pam_cosim.simulation import Inputs, Simulator, Trajectory
 from tests.library.shelf import tree
@@ -20,12 +20,12 @@ def choices(role: str) -> tuple[str, ...]:
 
 
 @cache
-def rig(pneumatics: str, mechanics: str, muscle: str | None = None, measure: str | None = None) -> Rig:
-    return put_together(tree(), pneumatics, mechanics, muscle, measure)
+def rig(pneumatics: str, mechanics: str, muscle: str | None = None, measure: str | None = None) -> ComposedBench:
+    return compose_bench(tree(), pneumatics, mechanics, muscle, measure)
 
 
 @cache
-def written(of: Rig) -> Path:
+def written(of: ComposedBench) -> Path:
     """The file of a rig."""
     file = Path(mkdtemp()) / f"{of.name}.mo"
     file.write_text(of.text)
@@ -33,7 +33,7 @@ def written(of: Rig) -> Path:
 
 
 def run(
-    of: Rig,
+    of: ComposedBench,
     times: np.ndarray,
     parameters: dict[str, float] | None = None,
     inputs: Inputs | None = None,

@@ -11,7 +11,7 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim.catalogue import compose_on, rig_parts
-from pam_cosim.catalogue.rig_parts import chosen
+from pam_cosim.catalogue.bench_parts import chosen
 from pam_cosim.compiler import read_library, read_structure
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fmu import build_model, build_source

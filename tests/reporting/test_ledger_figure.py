@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from pam_cosim.ledger import Course, Entry, Ledger
+from pam_cosim.ledger import BalanceEntry, Ledger, TermSeries
 from pam_cosim.reporting.account.ledger_words import telling_entries
 from pam_cosim.reporting.figures.ledger import ledger_figure
 from pam_cosim.reporting.style import balance_colours, drawing, png
@@ -17,11 +17,11 @@ def _ledger(places: bool = True) -> Ledger:
     t = np.linspace(0, 10, 101)
     x = 0.03 + 0.02 * np.sin(t)
     against = {"x": x, "v": 0.02 * np.cos(t), "p_gauge": 1e5 + 1e4 * np.cos(t)}
-    course = Course("run-01", "fit", t, 200 * x, np.full_like(t, 0.3), against)
-    force = Entry(
+    course = TermSeries("run-01", "fit", t, 200 * x, np.full_like(t, 0.3), against)
+    force = BalanceEntry(
         "force", 100.0, 0.9, 0.75, "N", "Missing force", "f", (course,), {"x": "m", "v": "m/s", "p_gauge": "Pa"}
     )  # fmt: skip
-    entries = (force if places else Entry("force", 100.0, 0.9, 0.75), Entry("sensor", 10.0, 0.1, 0.25))
+    entries = (force if places else BalanceEntry("force", 100.0, 0.9, 0.75), BalanceEntry("sensor", 10.0, 0.1, 0.25))
     return Ledger("Isotonic", entries, (), ("force", "sensor"), True, 9.0, 1.0, {}, domain=DOMAIN)
 
 

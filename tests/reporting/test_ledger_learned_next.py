@@ -9,7 +9,7 @@ import pytest
 
 from pam_cosim.diagnosis import LearnedModel, NextExperiment
 from pam_cosim.diagnosis.learning import LearnedTerm
-from pam_cosim.ledger import Course, Entry, Ledger, Reading
+from pam_cosim.ledger import BalanceEntry, Ledger, SensorReading, TermSeries
 from pam_cosim.reporting import diagnosis_report, diagnosis_text
 from pam_cosim.reporting.account.next_run import expectation, next_run
 from pam_cosim.reporting.figures.layer import Layer
@@ -35,12 +35,12 @@ def make_ledger(failing=("force", "sensor"), closed=True, notes=("mass and heat 
     t = np.linspace(0, 10, 101)
     x = 0.03 + 0.02 * np.sin(t)
     against = {"x": x, "v": 0.02 * np.cos(t), "p_gauge": 1e5 + 1e4 * np.cos(t)}
-    course = Course("run-1", "fit", t, np.full_like(t, -4.0), np.full_like(t, 0.3), against)
+    course = TermSeries("run-1", "fit", t, np.full_like(t, -4.0), np.full_like(t, 0.3), against)
     units = {"x": "m", "v": "m/s", "p_gauge": "Pa"}
-    force = Entry("force", 100.0, 0.9, 0.75, "N", "what pulls the load down", "f", (course,), units,
+    force = BalanceEntry("force", 100.0, 0.9, 0.75, "N", "what pulls the load down", "f", (course,), units,
                   note="known but for friction", same_as=("mass",))  # fmt: skip
-    entries = (force, Entry("sensor", 10.0, 0.1, 0.25), Entry("energy", -3.0, 0.0, 0.0))
-    readings = (Reading("p", "Pa", 5000.0, 120.0, 0.012, 0.003, 0.0, 40.0, 0.1),)
+    entries = (force, BalanceEntry("sensor", 10.0, 0.1, 0.25), BalanceEntry("energy", -3.0, 0.0, 0.0))
+    readings = (SensorReading("p", "Pa", 5000.0, 120.0, 0.012, 0.003, 0.0, 40.0, 0.1),)
     return Ledger("Isotonic", entries, readings, failing, closed, 50.0, 1.02, {}, notes)
 
 

@@ -18,8 +18,8 @@ from pam_cosim.reporting import (
 from pam_cosim.reporting.diagnosis_page import layers_of, rungs_of
 from pam_cosim.reporting.figures.course import course
 from pam_cosim.reporting.figures.ladder import draw_ladder
+from pam_cosim.reporting.representative_run import most_telling
 from pam_cosim.reporting.style import drawing, new_figure
-from pam_cosim.reporting.telling import most_telling
 from pam_cosim.simulation import Trajectory
 from tests.reporting.synthetic import SIGNALS, make_comparison, make_data, make_diagnosis
 

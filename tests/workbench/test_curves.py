@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from pam_cosim.workbench.curves import MOST_POINTS, shown_times, thinned
-from pam_cosim.workbench.protocol import Curve, frame, is_model, read_frame
+from pam_cosim.workbench.protocol import PlottedCurve, frame, is_model, read_frame
 
 
 def test_a_long_curve_keeps_its_peaks_and_its_gaps() -> None:
@@ -33,8 +33,8 @@ def test_a_short_curve_is_left_as_it_is() -> None:
 def test_a_frame_is_read_as_it_was_written() -> None:
     time = np.arange(5.0)
     curves = [
-        Curve("ä <b>", "x", {"time": time, "values": np.array([1, 2, np.nan, 4, 5.5])}),
-        Curve("ä <b>", "p", {"time": time, "values": np.zeros(5)}),
+        PlottedCurve("ä <b>", "x", {"time": time, "values": np.array([1, 2, np.nan, 4, 5.5])}),
+        PlottedCurve("ä <b>", "p", {"time": time, "values": np.zeros(5)}),
     ]
     message = frame("measured", 3, curves, "label", answers=7)
     header, arrays = read_frame(message)

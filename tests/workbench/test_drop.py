@@ -12,7 +12,7 @@ import pytest
 import pam_cosim as pam
 from pam_cosim.errors import InputError
 from pam_cosim.workbench import Workbench, drop
-from pam_cosim.workbench.inside import inside, safe_name
+from pam_cosim.workbench.paths import inside, safe_name
 from tests.workbench.conftest import PATIENCE, Window
 
 

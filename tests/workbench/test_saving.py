@@ -18,7 +18,7 @@ import pam_cosim as pam
 from pam_cosim.cli.app import main
 from pam_cosim.errors import InputError
 from pam_cosim.workbench import Session
-from pam_cosim.workbench.doing.keeping import save
+from pam_cosim.workbench.commands.files import save
 from pam_cosim.workbench.saving import FILE, lean, load_state, save_state
 from pam_cosim.workbench.script import commands_of, python_of
 from pam_cosim.workbench.steps import DIAGNOSE, Step

@@ -13,7 +13,7 @@ from rich.markup import escape
 from rich.table import Table
 
 from pam_cosim import study
-from pam_cosim.catalogue import RigPart
+from pam_cosim.catalogue import BenchPart
 from pam_cosim.cli.commands.common import FilesOption, check_results, console, say_written
 from pam_cosim.errors import InputError
 
@@ -48,7 +48,7 @@ def bench(
     return None
 
 
-def _list(parts: list[RigPart]) -> None:
+def _list(parts: list[BenchPart]) -> None:
     for role in dict.fromkeys(part.role for part in parts):
         table = Table(role, "inputs", "signals", "parameters", "what it is")
         for part in parts:

@@ -10,13 +10,13 @@ from scipy.optimize import differential_evolution
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.methods.global_search import GlobalSearch, searched
 from pam_cosim.fitting.methods.solution import Solution
-from pam_cosim.fitting.solve import Problem, solve
+from pam_cosim.fitting.solve import FitProblem, solve
 
 MEMBERS = 5  # for each parameter
 GENERATIONS = 40
 
 
-def minimise(problem: Problem) -> Solution:
+def minimise(problem: FitProblem) -> Solution:
     """From where differential evolution (SciPy) over the bounds comes to, which is reported as it left it.
 
     Raises:
@@ -26,7 +26,7 @@ def minimise(problem: Problem) -> Solution:
     return Solution(solve(replace(problem, starts=[search.parameters])), search)
 
 
-def differential_evolution_search(problem: Problem) -> GlobalSearch:
+def differential_evolution_search(problem: FitProblem) -> GlobalSearch:
     """What differential evolution finds by itself; the same every time.
 
     Raises:

@@ -3,10 +3,10 @@
 from dataclasses import replace
 
 from pam_cosim.fitting.methods.solution import Solution
-from pam_cosim.fitting.solve import Problem, solve, spread_starts
+from pam_cosim.fitting.solve import FitProblem, solve, spread_starts
 
 
-def minimise(problem: Problem) -> Solution:
+def minimise(problem: FitProblem) -> Solution:
     """From points spread over the bounds too."""
     options, free = problem.options, problem.objective.free
     spread = spread_starts(free, options.starts) if options.starts else spread_starts(free)

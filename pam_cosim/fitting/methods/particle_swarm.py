@@ -10,7 +10,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.methods.solution import Record, Solution
-from pam_cosim.fitting.solve import Problem, solve
+from pam_cosim.fitting.solve import FitProblem, solve
 
 PARTICLES = 50
 GENERATIONS = 10
@@ -115,7 +115,7 @@ class SwarmSearch(Record):
         return "\n".join(lines)
 
 
-def minimise(problem: Problem) -> Solution:
+def minimise(problem: FitProblem) -> Solution:
     """From the best particle of a swarm over the bounds, which is reported as the swarm left it.
 
     Raises:
@@ -125,7 +125,7 @@ def minimise(problem: Problem) -> Solution:
     return Solution(solve(replace(problem, starts=[search.parameters])), search)
 
 
-def swarm_search(problem: Problem) -> SwarmSearch:
+def swarm_search(problem: FitProblem) -> SwarmSearch:
     """What the swarm finds by itself, as Dzahir and Yamamoto (2019), Table 1.
 
     Raises:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from pam_cosim.fitting.levenberg_marquardt import Minimum
-from pam_cosim.fitting.solve import Problem
+from pam_cosim.fitting.solve import FitProblem
 
 
 @dataclass(frozen=True)
@@ -27,4 +27,4 @@ class Solution:
     record: Record | None = None
 
 
-Method = Callable[[Problem], Solution]
+Method = Callable[[FitProblem], Solution]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from pam_cosim.ledger import Entry, Ledger, Reading
+from pam_cosim.ledger import BalanceEntry, Ledger, SensorReading
 from pam_cosim.model.domain import Domain
 from pam_cosim.reporting.account.wording import NOTHING, listed, number, percent, quantity_text, words
 
@@ -55,7 +55,7 @@ def _name(balance: str, ledger: Ledger) -> str:
     return f"the {words(balance)} balance"
 
 
-def _row(entry: Entry) -> dict[str, str]:
+def _row(entry: BalanceEntry) -> dict[str, str]:
     same = f"the balance of {listed([words(b) for b in entry.same_as])} may be meant as well" if entry.same_as else ""
     there = bool(entry.courses)
     return {
@@ -68,11 +68,11 @@ def _row(entry: Entry) -> dict[str, str]:
     }
 
 
-def _sign(entry: Entry) -> str:
+def _sign(entry: BalanceEntry) -> str:
     return f"{words(entry.balance).capitalize()}: {entry.meaning[:1].lower()}{entry.meaning[1:]}"
 
 
-def _reading(r: Reading) -> dict[str, str]:
+def _reading(r: SensorReading) -> dict[str, str]:
     return {
         "signal": r.signal,
         "offset": f"{quantity_text(r.offset, r.unit)} ± {quantity_text(r.offset_deviation, r.unit, 2)}",
@@ -94,13 +94,13 @@ def _disagreement(balances: Sequence[str], ledger: Ledger) -> list[str]:
     ]
 
 
-def telling_entries(ledger: Ledger) -> list[Entry]:
+def telling_entries(ledger: Ledger) -> list[BalanceEntry]:
     """Entries that have a course and a part in the error; all that have a course where none has a part."""
     drawn = [e for e in ledger.entries if e.courses]
     return [e for e in drawn if e.balance in ledger.failing or e.share >= _SHOWN] or drawn
 
 
-def against_of(entry: Entry, domain: Domain) -> list[str]:
+def against_of(entry: BalanceEntry, domain: Domain) -> list[str]:
     """What a term can be drawn against, the telling ones first."""
     names = list(entry.courses[0].against)
     return [n for n in domain.axes if n in names] + [n for n in names if n not in domain.axes]

@@ -28,7 +28,7 @@ _WORST = -0.2  # an effect that makes the error larger is drawn to here
 
 
 @dataclass(frozen=True)
-class Bar:
+class CandidateBar:
     """One candidate of the ranking: its label, the share it explains, its balance, and whether it was added."""
 
     label: str
@@ -69,7 +69,7 @@ def where_picture(rules: Sequence[Rule]) -> Picture:
         )
 
 
-def ranking_picture(bars: Sequence[Bar], palette: Mapping[str, str], left_out: int, runs: str) -> Picture:
+def ranking_picture(bars: Sequence[CandidateBar], palette: Mapping[str, str], left_out: int, runs: str) -> Picture:
     """How much of the base model's error each tried model explains."""
     with drawing():
         figure = new_figure(0.8 * WIDTH, 0.8 + 0.25 * len(bars))

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from pam_cosim.ledger import Entry, Ledger, binned, mapped
+from pam_cosim.ledger import BalanceEntry, Ledger, binned, mapped
 from pam_cosim.model.domain import Domain
 from pam_cosim.reporting.account.ledger_words import against_of, telling_entries
 from pam_cosim.reporting.style import BAND, INK, SOFT, balance_colours, message, new_figure
@@ -57,7 +57,7 @@ def draw_shares(axes: Axes, ledger: Ledger) -> None:
     axes.set_axis_off()
 
 
-def draw_courses(axes: Axes, entry: Entry, colour: str = INK) -> None:
+def draw_courses(axes: Axes, entry: BalanceEntry, colour: str = INK) -> None:
     """The missing term over time, every run, with two standard deviations."""
     factor, unit = _scale(entry)
     for course in entry.courses:
@@ -70,7 +70,7 @@ def draw_courses(axes: Axes, entry: Entry, colour: str = INK) -> None:
     axes.set_ylabel(f"missing {entry.balance} [{unit}]")
 
 
-def draw_against(axes: Axes, entry: Entry, name: str, colour: str = INK) -> None:
+def draw_against(axes: Axes, entry: BalanceEntry, name: str, colour: str = INK) -> None:
     """The missing term against one of its variables: every instant, and the means of bands."""
     factor, unit = _scale(entry)
     across = readable_factor(entry.units.get(name, ""))
@@ -87,7 +87,7 @@ def draw_against(axes: Axes, entry: Entry, name: str, colour: str = INK) -> None
     axes.set_xlabel(_named(entry, name))
 
 
-def draw_map(axes: Axes, entry: Entry, domain: Domain) -> None:
+def draw_map(axes: Axes, entry: BalanceEntry, domain: Domain) -> None:
     """Where the term is positive and where negative, in standard deviations, over the plane of two variables."""
     names = against_of(entry, domain)
     plane = next((p for p in domain.planes if p[0] in names and p[1] in names), None)
@@ -109,16 +109,16 @@ def _colours(ledger: Ledger) -> dict[str, str]:
     return balance_colours(ledger.domain.balances, [e.balance for e in ledger.entries])
 
 
-def _named(entry: Entry, name: str) -> str:
+def _named(entry: BalanceEntry, name: str) -> str:
     unit = readable_unit(entry.units.get(name, ""))
     return f"{name} [{unit}]" if unit and unit != "1" else name
 
 
-def _scale(entry: Entry) -> tuple[float, str]:
+def _scale(entry: BalanceEntry) -> tuple[float, str]:
     return readable_factor(entry.unit), readable_unit(entry.unit)
 
 
-def _bound(axes: Axes, entry: Entry, factor: float) -> None:
+def _bound(axes: Axes, entry: BalanceEntry, factor: float) -> None:
     """Keeps single instants without information from blowing up the axis."""
     values = np.concatenate([c.value for c in entry.courses]) * factor
     reach = 1.3 * float(np.quantile(np.abs(values), 0.99)) + 2 * factor * float(

@@ -11,11 +11,11 @@ from pam_cosim.errors import InputError
 from pam_cosim.files import write_text
 from pam_cosim.study.fitted_model import FittedModel
 from pam_cosim.wording import shown
-from pam_cosim.workbench.doing.models import candidate_of, switch, take_candidate
-from pam_cosim.workbench.doing.words import names_of, text_of
-from pam_cosim.workbench.inside import inside
-from pam_cosim.workbench.opened import without_ratios
-from pam_cosim.workbench.protocol import Added, Saved
+from pam_cosim.workbench.commands.checks import names_of, text_of
+from pam_cosim.workbench.commands.models import candidate_of, switch, take_candidate
+from pam_cosim.workbench.opened_model import without_ratios
+from pam_cosim.workbench.paths import inside
+from pam_cosim.workbench.protocol import AddedEvent, SavedEvent
 from pam_cosim.workbench.saving import load_state, save_state
 from pam_cosim.workbench.script import commands_of, python_of
 from pam_cosim.workbench.steps import ADD, Step
@@ -50,7 +50,7 @@ def add(
     _write(target, text)
     step = Step(ADD, {"effects": list(on), "values": fitted.stated(parameters), "file": target.name})
     session.back(state.after(step, file=target.name))
-    session.windows.tell(Added(target.name, text, on))
+    session.windows.tell(AddedEvent(target.name, text, on))
     return {"file": target.name, "text": text}
 
 
@@ -73,7 +73,7 @@ def _add_learned(session: Session, file: str | None) -> dict[str, Any]:
     term = diagnosis.learned.term
     target = _target(session, file, default=term.name)
     _write(target, term.modelica_source)
-    session.windows.tell(Added(target.name, term.modelica_source, ()))
+    session.windows.tell(AddedEvent(target.name, term.modelica_source, ()))
     return {"file": target.name, "text": term.modelica_source}
 
 
@@ -95,7 +95,7 @@ def save(session: Session) -> dict[str, Any]:
     session.work.check_free()
     saved = save_state(session.state, session.folder)
     session.saved = session.state.steps
-    session.windows.tell(Saved(saved.file, saved.time))
+    session.windows.tell(SavedEvent(saved.file, saved.time))
     session.tell_steps()
     return {"file": saved.file, "time": saved.time}
 

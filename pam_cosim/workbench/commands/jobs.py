@@ -10,12 +10,12 @@ from pam_cosim.errors import InputError
 from pam_cosim.fitting import METHODS, Fit
 from pam_cosim.units import UnitError, seconds
 from pam_cosim.wording import did_you_mean, shown
-from pam_cosim.workbench.doing.runs import release_estimated
-from pam_cosim.workbench.doing.words import names_of
-from pam_cosim.workbench.protocol import Checked
+from pam_cosim.workbench.commands.checks import names_of
+from pam_cosim.workbench.commands.runs import release_estimated
+from pam_cosim.workbench.protocol import CheckEvent
 from pam_cosim.workbench.saving import lean
-from pam_cosim.workbench.shown import value_of
 from pam_cosim.workbench.state import State, label_of
+from pam_cosim.workbench.state_events import value_of
 from pam_cosim.workbench.steps import DIAGNOSE, FIT, Step
 
 if TYPE_CHECKING:
@@ -88,7 +88,7 @@ def check(session: Session) -> None:
     """Says what the data can tell about the standing model before any fit."""
 
     def finish(result: Check) -> None:
-        session.windows.tell(Checked(str(result)))
+        session.windows.tell(CheckEvent(str(result)))
 
     session.work.begin("check", "looking at what the data can tell", {}, finish)
 

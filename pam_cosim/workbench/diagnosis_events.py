@@ -14,7 +14,7 @@ from pam_cosim.diagnosis import BaseFitted, BegunAnew, CandidateTried, Diagnosis
 from pam_cosim.diagnosis.evidence import rank
 from pam_cosim.diagnosis.verdict import explained
 from pam_cosim.fitting import Fit
-from pam_cosim.ledger import Entry, binned
+from pam_cosim.ledger import BalanceEntry, binned
 from pam_cosim.ledger import Ledger as KeptLedger
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.domain import Domain
@@ -41,7 +41,7 @@ from pam_cosim.reporting.account import (
     words,
 )
 from pam_cosim.units import readable_factor
-from pam_cosim.workbench.protocol import Candidate, Event, Json, Ledger, Ranking, Verdict
+from pam_cosim.workbench.protocol import CandidateEvent, Json, LedgerEvent, PageEvent, RankingEvent, VerdictEvent
 
 MOST_POINTS = 400  # of a missing term, each run
 _AGAINST = 2  # variables that a missing term is drawn over
@@ -60,7 +60,7 @@ class Following:
         self.tried: dict[tuple[str, ...], rooms.Candidate] = {}
         self.failed: list[FailedTrial] = []
 
-    def events(self, event: object) -> list[Event]:
+    def events(self, event: object) -> list[PageEvent]:
         """What is to be shown of something that happened."""
         if isinstance(event, BaseFitted):
             self.base = event.fit
@@ -78,12 +78,12 @@ class Following:
             return [ledger_event(event.ledger, ())]
         return []
 
-    def ranking(self) -> Ranking:
+    def ranking(self) -> RankingEvent:
         """What was fitted so far, best first."""
         assert self.base is not None
         return ranking(self.base, rank(self.base, list(self.tried.values())), (), self.failed)
 
-    def _candidate(self, event: CandidateTried) -> Candidate:
+    def _candidate(self, event: CandidateTried) -> CandidateEvent:
         c, base = event.attempt, self.base
         common: dict[str, Any] = {
             "effects": c.effects, "family": words(c.family), "balance": words(c.balance), "text": str(event)
@@ -92,7 +92,7 @@ class Following:
             reason = c.failure if isinstance(c, FailedTrial) else ""
             if isinstance(c, FailedTrial):
                 self.failed.append(c)
-            return Candidate(
+            return CandidateEvent(
                 **common, explained=None, explained_text="", delta_bic=None, rms={}, brief=False, state="failed",
                 reason=reason,
             )  # fmt: skip
@@ -101,7 +101,7 @@ class Following:
             self.tried[c.effects] = c
         share = explained(base, c.fit)
         ranked = rank(base, [c])[0]
-        return Candidate(
+        return CandidateEvent(
             **common,
             explained=share,
             explained_text=percent(share),
@@ -124,14 +124,14 @@ def ranking(
     path: Sequence[rooms.Candidate],
     failed: Sequence[FailedTrial],
     final: bool = False,
-) -> Ranking:
+) -> RankingEvent:
     """All models that were fitted, as rows."""
     rows = []
     for place, c in enumerate(candidates):
         numbers = {"share": explained(base, c.fit), "bic": c.delta_bic, "number": place, "brief": c.brief}
         rows.append({**candidate_row(base, c, path), "effects": list(c.effects), **numbers})
     reasons = {c.effects: c for c in failed}
-    return Ranking(
+    return RankingEvent(
         tuple(rows),
         tuple(
             {"effect": " + ".join(c.effects), "family": words(c.family), "reason": c.failure} for c in reasons.values()
@@ -140,9 +140,9 @@ def ranking(
     )
 
 
-def _judged(event: Judged, domain: Domain) -> Verdict:
+def _judged(event: Judged, domain: Domain) -> VerdictEvent:
     verdict = event.verdict
-    return Verdict(
+    return VerdictEvent(
         kind=verdict.kind,
         kind_name=kind_name(verdict.kind),
         headline="",
@@ -156,7 +156,7 @@ def _judged(event: Judged, domain: Domain) -> Verdict:
     )
 
 
-def verdict_event(d: Diagnosis) -> Verdict:
+def verdict_event(d: Diagnosis) -> VerdictEvent:
     """The whole answer."""
     base = Judged(d.verdict, d.base, d.candidates, d.path)
     return replace(
@@ -176,18 +176,18 @@ def verdict_event(d: Diagnosis) -> Verdict:
     )
 
 
-def diagnosis_events(d: Diagnosis) -> list[Event]:
+def diagnosis_events(d: Diagnosis) -> list[PageEvent]:
     """All that there is to be shown of a finished diagnosis."""
-    events: list[Event] = [ranking(d.base, d.candidates, d.path, d.failed, final=True), verdict_event(d)]
+    events: list[PageEvent] = [ranking(d.base, d.candidates, d.path, d.failed, final=True), verdict_event(d)]
     if d.ledger is not None:
         events.append(ledger_event(d.ledger, [c.balance for c in d.path]))
     return events
 
 
-def ledger_event(ledger: KeptLedger, added: Sequence[str]) -> Ledger:
+def ledger_event(ledger: KeptLedger, added: Sequence[str]) -> LedgerEvent:
     """Which balance fails; ``added``: balances of the effects that were added."""
     said = ledger_words(ledger, added)
-    return Ledger(
+    return LedgerEvent(
         said["sentence"],
         tuple(said["rows"]),
         tuple(said["meanings"]),
@@ -197,7 +197,7 @@ def ledger_event(ledger: KeptLedger, added: Sequence[str]) -> Ledger:
     )
 
 
-def _courses(entry: Entry, domain: Domain) -> Json:
+def _courses(entry: BalanceEntry, domain: Domain) -> Json:
     factor = readable_factor(entry.unit)
     runs = []
     for c in entry.courses:
@@ -211,7 +211,7 @@ def _courses(entry: Entry, domain: Domain) -> Json:
     return {"balance": words(entry.balance), "unit": unit_text(entry.unit), "runs": runs, "against": against}
 
 
-def _against(entry: Entry, name: str, factor: float) -> Json:
+def _against(entry: BalanceEntry, name: str, factor: float) -> Json:
     across = readable_factor(entry.units.get(name, ""))
     x = np.concatenate([c.against[name] for c in entry.courses]) * across
     y = np.concatenate([c.value for c in entry.courses]) * factor

@@ -11,7 +11,7 @@ from pam_cosim.catalogue.ports import Ports
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.columns import Found
 from pam_cosim.drafting.rest import correlation, span
-from pam_cosim.drafting.words import AT_REST, Meaning, read_variable
+from pam_cosim.drafting.vocabulary import AT_REST, Meaning, read_variable
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Variable
 from pam_cosim.model.references import BRANCH
@@ -28,7 +28,7 @@ MECHANICAL = (*_LENGTHS, "force")
 
 
 @dataclass(frozen=True)
-class Choice:
+class BenchChoice:
     """A bench and what feeds it.
 
     Attributes:
@@ -62,7 +62,7 @@ def choose(
     formulas: Mapping[str, str],
     runs: int,
     stated: Collection[str] = (),
-) -> Choice:
+) -> BenchChoice:
     """The bench that uses most of what was recorded and lacks least.
 
     Args:
@@ -93,10 +93,10 @@ def choose(
     inputs, outputs = (
         {n: _among(c, columns, best, n in asked) for n, c in side.items()} for side in (best.inputs, best.outputs)
     )
-    return Choice(best.ports, inputs, outputs, best.unfed, others[:3], best.cost, best.unread)
+    return BenchChoice(best.ports, inputs, outputs, best.unfed, others[:3], best.cost, best.unread)
 
 
-def _among(column: Found, columns: Sequence[Found], best: Choice, asked: bool) -> Found:
+def _among(column: Found, columns: Sequence[Found], best: BenchChoice, asked: bool) -> Found:
     """The column, saying that others could be it too."""
     taken = {c.name for c in best.fed.values()}
     rivals = [c.name for c in columns if c.meaning == column.meaning and c.name not in taken]
@@ -118,7 +118,7 @@ def _feed(
     formulas: Mapping[str, str],
     runs: int,
     stated: Collection[str],
-) -> Choice:
+) -> BenchChoice:
     free = [c for c in columns if c.meaning is not None and not c.of("time") and not _is_parameter(c)]
     reserved = set(asked.values())
     whole = [c for c in free if len(c.values) == runs and c.whole]
@@ -141,7 +141,7 @@ def _feed(
     cost -= _NAMED * len([name for name, column in inputs.items() if name == column.name])
     cost += _ISOMETRIC if _must_be_fixed(ports, used) else 0.0
     unread = len([name for name in readable if name not in outputs and name not in formulas])
-    return Choice(ports, inputs, outputs, tuple(wanted), (), cost, unread, driven and measured)
+    return BenchChoice(ports, inputs, outputs, tuple(wanted), (), cost, unread, driven and measured)
 
 
 def _is_parameter(column: Found) -> bool:
@@ -226,7 +226,7 @@ def _held(column: Found, pressure: Found | None) -> bool:
     )
 
 
-def _nothing_fits(nearest: Choice, columns: Sequence[Found]) -> str:
+def _nothing_fits(nearest: BenchChoice, columns: Sequence[Found]) -> str:
     known = [f"{c.name} ({c.meaning})" for c in columns if c.meaning is not None and not c.of("time")]
     hint = "say what columns are, as --column p='Druck 1', or the bench, --model NAME ('pam-cosim bench --list')"
     if not known:

@@ -11,7 +11,7 @@ from pam_cosim.model.interface import Variable
 from pam_cosim.model.settings import value_of
 from pam_cosim.units import readable_factor
 from pam_cosim.wording import did_you_mean, shown
-from pam_cosim.workbench.doing.words import names_of
+from pam_cosim.workbench.commands.checks import names_of
 from pam_cosim.workbench.steps import SET, START, Step
 
 if TYPE_CHECKING:

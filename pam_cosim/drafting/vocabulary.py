@@ -103,7 +103,7 @@ AT_REST = Meaning("length", frozenset({"rest"}))
 
 
 @dataclass(frozen=True)
-class Reading:
+class Heading:
     """What a heading says.
 
     Attributes:
@@ -127,7 +127,7 @@ def folded(text: str) -> str:
     return "".join(c for c in plain if not unicodedata.combining(c))
 
 
-def read_heading(name: str, unit: str) -> Reading:
+def read_heading(name: str, unit: str) -> Heading:
     """What a column is, by its name and unit."""
     stated = known_unit(unit)
     if not unit.strip():
@@ -137,7 +137,7 @@ def read_heading(name: str, unit: str) -> Reading:
     known = [word for i, word in enumerate(small) if _kinds_of(word, i) or _roles_of([word])]
     share = len(known) / len(small) if small else 0.0
     absolute = bool(_ABSOLUTE.search(f"{name} {unit}"))
-    return Reading(meaning, stated, bool(stated) and stated == unit.strip(), absolute, share)
+    return Heading(meaning, stated, bool(stated) and stated == unit.strip(), absolute, share)
 
 
 def direction_word(word: str) -> int:

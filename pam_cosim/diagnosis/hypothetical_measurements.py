@@ -34,7 +34,7 @@ NOW = Option()
 
 
 @dataclass(frozen=True)
-class Everything:
+class AllOutputs:
     """All that could be measured, as samples of the model.
 
     Attributes:
@@ -46,7 +46,7 @@ class Everything:
     option: Mapping[tuple[str, str], Option]
 
 
-def everything(simulator: AnySimulator, data: DataSet) -> Everything:
+def with_all_outputs(simulator: AnySimulator, data: DataSet) -> AllOutputs:
     """What was measured in fitted runs, the outputs that were not, and variations of the longest run.
 
     Args:
@@ -77,7 +77,7 @@ def everything(simulator: AnySimulator, data: DataSet) -> Everything:
         runs.append(replace(_as_modelled(varied, model, same), name=name))
         for measured_too in runs[-1].measurements:
             option[name, measured_too] = Option("run", f"a run like {varied.name}: {change}")
-    return Everything(replace(data, signals=signals, runs=tuple(runs)), option)
+    return AllOutputs(replace(data, signals=signals, runs=tuple(runs)), option)
 
 
 def _modelled(simulator: AnySimulator, data: DataSet, run: Run) -> dict[str, Array]:

@@ -41,7 +41,7 @@ class Worker:
             if self._process is None or self._process.poll() is not None:
                 self.held = False
                 self._process = subprocess.Popen(
-                    [sys.executable, "-m", "pam_cosim.workbench.apart"],
+                    [sys.executable, "-m", "pam_cosim.workbench.worker"],
                     stdin=subprocess.PIPE, stdout=subprocess.PIPE, start_new_session=True,
                 )  # fmt: skip
             return self._process

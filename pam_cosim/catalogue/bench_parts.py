@@ -30,7 +30,7 @@ FRAME = "Interfaces.Rig"
 
 
 @dataclass(frozen=True)
-class RigPart:
+class BenchPart:
     """One part, as its Modelica class declares it.
 
     Attributes:
@@ -59,9 +59,9 @@ class RigPart:
     file: Path
 
 
-def rig_parts(tree: ClassTree) -> list[RigPart]:
+def rig_parts(tree: ClassTree) -> list[BenchPart]:
     """Every part of every library, by role; the order is that of the files, the library's own first."""
-    parts: list[RigPart] = []
+    parts: list[BenchPart] = []
     for part in _declared(tree):
         first = part.usual and not any(p.usual for p in parts if (p.role, p.library) == (part.role, part.library))
         parts.append(part if part.usual == first else replace(part, usual=False))
@@ -69,7 +69,7 @@ def rig_parts(tree: ClassTree) -> list[RigPart]:
 
 
 @lru_cache(maxsize=8)
-def _declared(tree: ClassTree) -> tuple[RigPart, ...]:
+def _declared(tree: ClassTree) -> tuple[BenchPart, ...]:
     return tuple(
         _part(tree, name, role, library)
         for role, interface in ROLES.items()
@@ -80,7 +80,7 @@ def _declared(tree: ClassTree) -> tuple[RigPart, ...]:
     )
 
 
-def chosen(parts: Sequence[RigPart], role: str, name: str | None) -> RigPart:
+def chosen(parts: Sequence[BenchPart], role: str, name: str | None) -> BenchPart:
     """The part of a role that a name means: that of its class, with or without packages; the usual one without a name.
 
     Raises:
@@ -117,13 +117,13 @@ def connectors(tree: ClassTree, name: str) -> list[ComponentInfo]:
     return [c for c in tree.components(name) if "protected" not in c.prefixes and is_connector(tree, c.type)]
 
 
-def told(tree: ClassTree, name: str) -> list[ComponentInfo]:
+def free_inputs(tree: ClassTree, name: str) -> list[ComponentInfo]:
     """The inputs of a class that nothing in it binds."""
     bound = _bound(tree, name)
     return [c for c in _public(tree, name, "input") if c.name not in bound]
 
 
-def read(tree: ClassTree, name: str) -> list[ComponentInfo]:
+def measured_outputs(tree: ClassTree, name: str) -> list[ComponentInfo]:
     """The outputs of a class."""
     return _public(tree, name, "output")
 
@@ -151,16 +151,16 @@ def _bound(tree: ClassTree, name: str) -> set[str]:
     return own.union(*(clause.modifications for info in heirs for clause in info.extends))
 
 
-def _part(tree: ClassTree, name: str, role: str, library: str) -> RigPart:
+def _part(tree: ClassTree, name: str, role: str, library: str) -> BenchPart:
     info, short = tree.classes[name], names.last(name)
     shows = str(tree.constant(name, "shows") or "")
-    signals = [c.name for c in read(tree, name)] if role == "instrument" else split(shows)
-    return RigPart(
+    signals = [c.name for c in measured_outputs(tree, name)] if role == "instrument" else split(shows)
+    return BenchPart(
         role=role,
         name=kebab(short),
         qualified_name=name,
         description=info.description,
-        inputs=tuple(c.name for c in told(tree, name)),
+        inputs=tuple(c.name for c in free_inputs(tree, name)),
         signals=tuple(signals),
         parameters=tuple(c.name for c in known_parameters(tree, name) if {"min", "max"} <= c.modifications.keys()),
         component_name=component_name(short, next(filter(None, _stated_names(tree, name)), "")),

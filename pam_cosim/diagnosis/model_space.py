@@ -13,7 +13,7 @@ from pam_cosim.wording import did_you_mean, shown
 
 
 @dataclass(frozen=True)
-class Choice:
+class ModelSpace:
     """How many sets of effects there are to choose from, which is what a choice among them costs.
 
     Attributes:

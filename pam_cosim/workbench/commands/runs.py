@@ -10,7 +10,7 @@ import numpy as np
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.wording import did_you_mean, shown
-from pam_cosim.workbench.doing.words import text_of
+from pam_cosim.workbench.commands.checks import text_of
 from pam_cosim.workbench.state import Ends
 from pam_cosim.workbench.steps import BEGIN, CUT, ROLES_STEP, Step
 

@@ -205,7 +205,7 @@ def _rules(signal: str, samples: _Samples) -> list[Rule]:
     return rules
 
 
-def sitting(
+def samples_in(
     rule: Rule,
     runs: Sequence[RunComparison],
     signals: Mapping[str, Signal],

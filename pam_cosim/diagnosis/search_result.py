@@ -17,7 +17,7 @@ from pam_cosim.comparison import without_outliers
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.events import AllRunsAsked, BaseFitted, LookFirst, OutliersSetAside, StepsTimed
-from pam_cosim.diagnosis.evidence import contradicted, incomplete, rank
+from pam_cosim.diagnosis.evidence import any_structure_for_verdict, contradicted, rank
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.search import Search
 from pam_cosim.diagnosis.selection import Selection, select_effects
@@ -28,7 +28,7 @@ from pam_cosim.simulation import Simulator
 
 
 @dataclass(frozen=True)
-class Finding:
+class SearchResult:
     """The models that the answer is judged by.
 
     Attributes:
@@ -70,7 +70,9 @@ def base_of(simulator: Simulator, data: DataSet, say: Callable[[Message], None])
     return data, base, outliers
 
 
-def found(subject: Subject, search: Search, base: Fit, outliers: Mapping[str, int], deadline: float) -> Finding:
+def search_fit_runs(
+    subject: Subject, search: Search, base: Fit, outliers: Mapping[str, int], deadline: float
+) -> SearchResult:
     """What the fitted runs come to; from anew where steps of commands get their times between two samples.
 
     Args:
@@ -87,16 +89,16 @@ def found(subject: Subject, search: Search, base: Fit, outliers: Mapping[str, in
         search, base, outliers = _anew(subject, search, selection.timed.data)
         selection = select_effects(search, base, deadline, clocks=False)
     every = Counter(outliers) + Counter(selection.outliers)
-    return Finding(selection.search, selection.base, selection, every, steps)
+    return SearchResult(selection.search, selection.base, selection, every, steps)
 
 
-def found_by_all_runs(subject: Subject, finding: Finding, deadline: float) -> Finding | None:
+def search_all_runs(subject: Subject, finding: SearchResult, deadline: float) -> SearchResult | None:
     """What all runs come to, where held-out runs contradict what the fitted ones did.
 
     None where they do not, where all runs together leave structure too, and where the time is over.
 
     Args:
-        subject, deadline: as ``found``.
+        subject, deadline: as ``search_fit_runs``.
         finding: what the fitted runs came to.
     """
     if not contradicted(finding.last) or time.monotonic() >= deadline:
@@ -106,12 +108,12 @@ def found_by_all_runs(subject: Subject, finding: Finding, deadline: float) -> Fi
     search, base, outliers = _anew(subject, finding.search, _with_roles(finding.search.data, roles))
     selection = select_effects(search, base, deadline, clocks=False)
     every = Counter(outliers) + Counter(selection.outliers)
-    asked = Finding(selection.search, selection.base, selection, every)
+    asked = SearchResult(selection.search, selection.base, selection, every)
     over = math.isfinite(deadline) and selection.untried
-    return None if over or not asked.path or incomplete(asked.last) else asked
+    return None if over or not asked.path or any_structure_for_verdict(asked.last) else asked
 
 
-def with_these(finding: Finding, effects: Sequence[str]) -> Finding:
+def with_these(finding: SearchResult, effects: Sequence[str]) -> SearchResult:
     """The same, the model with only some of its effects."""
     path: list[Candidate] = []
     known = {c.effects: c for c in finding.selection.tried if not c.brief}
@@ -133,7 +135,7 @@ def _with_roles(data: DataSet, roles: Sequence[Role]) -> DataSet:
     return replace(data, runs=tuple(replace(run, role=role) for run, role in zip(data.runs, roles, strict=True)))
 
 
-def shown_by_role(finding: Finding, asked: Finding) -> Finding:
+def refit_by_role(finding: SearchResult, asked: SearchResult) -> SearchResult:
     """What all runs came to as the fitted runs alone have it: fitted to these, the others held out.
 
     Args:
@@ -146,6 +148,6 @@ def shown_by_role(finding: Finding, asked: Finding) -> Finding:
         again = search.finished(own.effects, own.fit.values) or replace(own, fit=own.fit.against(data))
         path += rank(path[-1].fit if path else base, [again])
     outliers = Counter(finding.outliers) + Counter(asked.outliers)
-    return Finding(
+    return SearchResult(
         search, base, replace(asked.selection, path=tuple(c.without_slopes for c in path)), outliers, finding.step_times
     )

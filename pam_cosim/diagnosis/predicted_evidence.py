@@ -9,9 +9,16 @@ from typing import NamedTuple
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.evidence import Scale, evidence
-from pam_cosim.diagnosis.expectation import Addition, Additions, Beside, Expected, addition, reduction
-from pam_cosim.diagnosis.order import Bar, Order
-from pam_cosim.diagnosis.probing import Probe
+from pam_cosim.diagnosis.expectation import (
+    Additions,
+    EffectDirections,
+    LinearisedNeighbourhood,
+    PredictedModel,
+    addition,
+    reduction,
+)
+from pam_cosim.diagnosis.probing import EffectProbe
+from pam_cosim.diagnosis.ranking import AcceptanceThreshold, Ranking
 from pam_cosim.diagnosis.search import Wanted
 from pam_cosim.fitting import Fit, Linear
 
@@ -21,45 +28,45 @@ class Promise(NamedTuple):
 
     fit: Fit
     start: Candidate | None
-    expected: Expected
+    expected: PredictedModel
 
 
-class Promises:
+class PredictedEvidence:
     """What is known of effects beside the models so far.
 
     Args:
         order: the models.
     """
 
-    def __init__(self, order: Order) -> None:
-        self.order = order
-        self._beside_base: list[Probe] = []
-        self._again: dict[tuple[str, ...], dict[str, Addition]] = {}
+    def __init__(self, order: Ranking) -> None:
+        self.ranking = order
+        self._beside_base: list[EffectProbe] = []
+        self._again: dict[tuple[str, ...], dict[str, EffectDirections]] = {}
         self._added: tuple[tuple[int, ...], Additions] = ((), Additions([]))
         self._merged: dict[tuple[str, ...], tuple[Additions, int, Additions]] = {}
         self._came_true: defaultdict[int, list[float]] = defaultdict(list)
 
     # ---- what was looked at -----------------------------------------------------------------------------------
 
-    def looked_at(self, probes: Sequence[Probe]) -> None:
+    def looked_at(self, probes: Sequence[EffectProbe]) -> None:
         """Takes note of what effects do beside the base model, of all that were looked at there."""
-        self._beside_base = [p for p in probes if p.effect not in self.order.search.unseen]
+        self._beside_base = [p for p in probes if p.effect not in self.ranking.search.unseen]
 
-    def looked_again(self, c: Candidate, probes: Sequence[Probe]) -> None:
+    def looked_again(self, c: Candidate, probes: Sequence[EffectProbe]) -> None:
         """Takes note of what effects do beside another model, besides those that were looked at there before."""
         assert c.fit.linear is not None
         own = self._again.setdefault(c.effects, {})
         own |= {a.effect: a for p in probes if (a := addition(c.fit.linear, p)) is not None}
 
-    def seen_beside(self, effects: tuple[str, ...]) -> Mapping[str, Addition]:
+    def seen_beside(self, effects: tuple[str, ...]) -> Mapping[str, EffectDirections]:
         """The effects that were looked at beside a model."""
         return self._again.get(effects, {})
 
-    def learn(self, tried: Sequence[Expected]) -> None:
+    def learn(self, tried: Sequence[PredictedModel]) -> None:
         """Notes how much of the expected reductions came true."""
-        known = self.order.known
+        known = self.ranking.known
         for e in (e for e in tried if not e.exchanged):
-            start = known[e.start].fit if e.start else self.order.base
+            start = known[e.start].fit if e.start else self.ranking.base
             after = known[e.effects].fit if e.effects in known else start
             gained = start.residuals["fit"].chi2 - after.residuals["fit"].chi2
             self._came_true[len(e.effects)].append(max(gained, 0.0) / max(e.reduction, 1e-300))
@@ -71,91 +78,93 @@ class Promises:
 
     # ---- what may be better -----------------------------------------------------------------------------------
 
-    def first(self, count: int) -> list[Expected]:
+    def first(self, count: int) -> list[PredictedModel]:
         """So many of the effects that promise most by themselves."""
-        return self._best_to_add(self.order.base, None)[:count]
+        return self._best_to_add(self.ranking.base, None)[:count]
 
     def leading(self, c: Candidate, count: int) -> list[str]:
         """So many families of which a member promises most beside a model."""
-        families = (self.order.search.family[e.added[0].effect] for e in self._best_to_add(c.fit, c))
+        families = (self.ranking.search.family[e.added[0].effect] for e in self._best_to_add(c.fit, c))
         return list(dict.fromkeys(families))[:count]
 
-    def _best_to_add(self, fit: Fit, c: Candidate | None) -> list[Expected]:
+    def _best_to_add(self, fit: Fit, c: Candidate | None) -> list[PredictedModel]:
         """One further effect beside a fitted model, what promises most first."""
         assert fit.linear is not None
-        noise, at = self.order.noise(), self.order.scale
+        noise, at = self.ranking.noise(), self.ranking.scale
         every = self._beside(c.effects if c else (), fit.linear).with_one()
-        return sorted(every, key=lambda e: (self.hoped(Promise(fit, c, e), noise, at), e.effects))
+        return sorted(every, key=lambda e: (self.predicted_evidence(Promise(fit, c, e), noise, at), e.effects))
 
     def brief(self) -> list[Candidate]:
         """Models that were fitted briefly and may be better than the best, or as good; the most promising ones."""
-        possibly, noise = self.order.possibly(), self.order.noise()
-        brief = [c for c in self.order.known.values() if c.brief]
-        bars = {n: self.order.bars(n, possibly) for n in {len(c.effects) for c in brief}}
+        possibly, noise = self.ranking.optimistic_scale(), self.ranking.noise()
+        brief = [c for c in self.ranking.known.values() if c.brief]
+        bars = {n: self.ranking.bars(n, possibly) for n in {len(c.effects) for c in brief}}
         promising = [
-            (self._hope(c, self.order.scale, noise), c.effects)
+            (self._hope(c, self.ranking.scale, noise), c.effects)
             for c in brief
             if self._may_be(c, bars[len(c.effects)], self._hope(c, possibly, noise))
         ]
-        return [self.order.known[names] for _, names in sorted(promising)[: CRITERIA.search.together]]
+        return [self.ranking.known[names] for _, names in sorted(promising)[: CRITERIA.search.together]]
 
-    def _may_be(self, c: Candidate, bars: Sequence[Bar], hope: float) -> bool:
+    def _may_be(self, c: Candidate, bars: Sequence[AcceptanceThreshold], hope: float) -> bool:
         """Whether one that was fitted briefly may be of interest, with the evidence that it is hoped to have."""
-        of_laws, cost = self.order.of_laws(c.effects), self.order.cost(c.effects)
+        of_laws, cost = self.ranking.of_laws(c.effects), self.ranking.cost(c.effects)
         return any(
             hope < bar.evidence and (of_laws or not bar.laws) and (bar.cost is None or cost < bar.cost) for bar in bars
         )
 
-    def untried(self, count: int) -> list[Promise]:
+    def candidates(self, count: int) -> list[Promise]:
         """Untried models of so many effects that may be of interest, the best of each set of families, for each bar."""
-        possibly, noise, tried = self.order.possibly(), self.order.noise(), self.order.seen
+        possibly, noise, tried = self.ranking.optimistic_scale(), self.ranking.noise(), self.ranking.seen
         every = [p for p in _nearest(self._expected(count)) if frozenset(p.expected.effects) not in tried]
         chosen: dict[tuple[str, ...], Promise] = {}
-        for bar in self.order.bars(count, possibly):
+        for bar in self.ranking.bars(count, possibly):
             own = [p for p in every if self._passes(p, bar, possibly, noise)]
             chosen |= {p.expected.effects: p for p in self._best_of_families(own)}
         return list(chosen.values())
 
     def _best_of_families(self, promises: Sequence[Promise]) -> list[Promise]:
         """The most promising ones, one of each set of families."""
-        noise, at = self.order.noise(), self.order.scale
-        possible = [(self.hoped(p, noise, at, p.expected.reduction, 0.0), n) for n, p in enumerate(promises)]
+        noise, at = self.ranking.noise(), self.ranking.scale
+        possible = [
+            (self.predicted_evidence(p, noise, at, p.expected.reduction, 0.0), n) for n, p in enumerate(promises)
+        ]
         by_families: dict[frozenset[str], tuple[float, Promise]] = {}
         for hope, n in sorted(possible, key=lambda entry: (entry[0], promises[entry[1]].expected.effects, entry[1])):
             first = sorted(h for h, _ in by_families.values())[: CRITERIA.search.together]
             if len(first) == CRITERIA.search.together and hope > first[-1]:
                 break  # no further one can be as good as these
             p = promises[n]
-            own = self.hoped(p, noise, at)
-            families = frozenset(self.order.search.family[name] for name in p.expected.effects)
+            own = self.predicted_evidence(p, noise, at)
+            families = frozenset(self.ranking.search.family[name] for name in p.expected.effects)
             if families not in by_families or own < by_families[families][0]:
                 by_families[families] = (own, p)
         ordered = sorted(by_families.values(), key=lambda entry: (entry[0], entry[1].expected.effects))
         return [p for _, p in ordered[: CRITERIA.search.together]]
 
-    def _passes(self, p: Promise, bar: Bar, at: Scale, noise: float) -> bool:
+    def _passes(self, p: Promise, bar: AcceptanceThreshold, at: Scale, noise: float) -> bool:
         """Whether a model may come to what is asked of it."""
         e, trust = p.expected, self._trust(len(p.expected.effects))
-        if bar.laws and not self.order.of_laws(e.effects):
+        if bar.laws and not self.ranking.of_laws(e.effects):
             return False
-        if bar.cost is not None and self.order.cost(e.effects) >= bar.cost:
+        if bar.cost is not None and self.ranking.cost(e.effects) >= bar.cost:
             return False
-        if bar.beside is not None and not self._goes_on(bar.beside, p, trust, noise):
+        if bar.beside is not None and not self._expects_large_reduction(bar.beside, p, trust, noise):
             return False
-        return self.hoped(p, noise, at, e.reduction, 1 - trust) <= bar.evidence
+        return self.predicted_evidence(p, noise, at, e.reduction, 1 - trust) <= bar.evidence
 
     def _expected(self, count: int) -> Iterator[Promise]:
         """Models of so many effects from those that were fitted."""
         first = CRITERIA.search.starts
-        unsolved = self.order.unsolved()
-        known = self.order.models(count)[:first]
+        unsolved = self.ranking.unsolved()
+        known = self.ranking.models(count)[:first]
         if unsolved:
-            known = list({c.effects: c for c in (*known, *self.order.models(count, laws=True)[:first])}.values())
+            known = list({c.effects: c for c in (*known, *self.ranking.models(count, laws=True)[:first])}.values())
         starts: list[Candidate | None] = [None, *known]
-        best = self.order.best()
+        best = self.ranking.best()
         further = unsolved or (best is not None and count > len(best.effects))
         for c in starts:
-            fit, effects = (c.fit, c.effects) if c else (self.order.base, ())
+            fit, effects = (c.fit, c.effects) if c else (self.ranking.base, ())
             if fit.linear is None or len(effects) + 2 < count:
                 continue
             beside = self._beside(effects, fit.linear)
@@ -170,7 +179,7 @@ class Promises:
                 continue
             yield from (Promise(fit, c, e) for e in every)
 
-    def _goes_on(self, best: Candidate, p: Promise, trust: float, noise: float) -> bool:
+    def _expects_large_reduction(self, best: Candidate, p: Promise, trust: float, noise: float) -> bool:
         """Whether a model is expected to leave much less than a best one does, which leaves structure."""
         now, own = best.fit.residuals["fit"], p.fit.residuals["fit"]
         excess = now.chi2 - noise * now.samples
@@ -181,7 +190,7 @@ class Promises:
 
     # ---- the numbers ------------------------------------------------------------------------------------------
 
-    def hoped(
+    def predicted_evidence(
         self,
         p: Promise,
         noise: float,
@@ -200,39 +209,39 @@ class Promises:
         """
         fit, start, e = p
         reduction = e.within_bounds[0] if reduction is None else reduction
-        known = evidence(fit, at, e.effects, self.order.search.choice, start)
+        known = evidence(fit, at, e.effects, self.ranking.search.choice, start)
         return known + self._more(e) * at.penalty(fit) - _worth(reduction, fit, at, noise, lost)
 
-    def _more(self, e: Expected) -> int:
+    def _more(self, e: PredictedModel) -> int:
         """How many parameters a model has more than the one that it starts from."""
-        return sum(a.cost for a in e.added) - (self.order.search.cost[e.exchanged] if e.exchanged else 0)
+        return sum(a.cost for a in e.added) - (self.ranking.search.cost[e.exchanged] if e.exchanged else 0)
 
     def _hope(self, c: Candidate, at: Scale, noise: float) -> float:
         """The evidence of a candidate that was fitted briefly, if all goes as its slopes say."""
         gain = reduction(c.fit.linear) if c.fit.linear is not None else 0.0
-        return self.order.evidence(c, at) - _worth(gain, c.fit, at, noise)
+        return self.ranking.evidence(c, at) - _worth(gain, c.fit, at, noise)
 
-    def wanted(self, e: Expected) -> Wanted:
+    def wanted(self, e: PredictedModel) -> Wanted:
         """A model to fit: from the fitted one, and the added effects as they were by themselves, or as expected."""
         values: dict[str, float] = {}
         for a in e.added:
-            if (a.effect,) in self.order.known:
-                values |= self.order.known[(a.effect,)].fit.values
-        start = self.order.known[e.start].fit.values if e.start else self.order.base.values
+            if (a.effect,) in self.ranking.known:
+                values |= self.ranking.known[(a.effect,)].fit.values
+        start = self.ranking.known[e.start].fit.values if e.start else self.ranking.base.values
         return Wanted(e.effects, values | start, e.within_bounds[1])
 
     def _additions(self) -> Additions:
         """What the effects can add to the base model, as far as probes and fits tell by now."""
-        base = self.order.base
+        base = self.ranking.base
         assert base.linear is not None
-        fitted = [self.order.known.get((p.effect,)) for p in self._beside_base]
+        fitted = [self.ranking.known.get((p.effect,)) for p in self._beside_base]
         key = (id(base), *(id(c.fit) if c else 0 for c in fitted))
         if key != self._added[0]:
             made = [addition(base.linear, p, c) for p, c in zip(self._beside_base, fitted, strict=True)]
             self._added = (key, Additions([a for a in made if a is not None]))
         return self._added[1]
 
-    def _beside(self, effects: tuple[str, ...], linear: Linear) -> Beside:
+    def _beside(self, effects: tuple[str, ...], linear: Linear) -> LinearisedNeighbourhood:
         """What can be added to a fitted model: as looked at beside it, or else as by itself."""
         additions, own = self._additions(), self._again.get(effects)
         if own:
@@ -241,7 +250,7 @@ class Promises:
                 whole = Additions([own.get(a.effect, a) for a in additions.every])
                 self._merged[effects] = merged = (additions, len(own), whole)
             additions = merged[2]
-        return Beside(effects, linear, self.order.search.family, additions)
+        return LinearisedNeighbourhood(effects, linear, self.ranking.search.family, additions)
 
 
 def _worth(reduction: float, fit: Fit, at: Scale, noise: float, lost: float = CRITERIA.search.not_linear) -> float:

@@ -15,15 +15,15 @@ from pam_cosim.drafting.columns import Found, check_time, find_columns
 from pam_cosim.drafting.direction import with_senses
 from pam_cosim.drafting.file_names import quantities
 from pam_cosim.drafting.rest import span
-from pam_cosim.drafting.sources import Source, read_sources
-from pam_cosim.drafting.words import AT_REST, Meaning
+from pam_cosim.drafting.sources import RecordingSource, read_sources
+from pam_cosim.drafting.vocabulary import AT_REST, Meaning
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import RecordingTable
 from pam_cosim.wording import did_you_mean, shown
 
 
 @dataclass(frozen=True)
-class Wishes:
+class DraftRequests:
     """What the user says beforehand, all optional; see ``study.new``."""
 
     title: str | None = None
@@ -36,7 +36,7 @@ class Wishes:
 
 
 @dataclass(frozen=True)
-class Known:
+class ReadRecordings:
     """The recordings as they were read.
 
     Attributes:
@@ -51,7 +51,7 @@ class Known:
         points: the recordings are tables of points at rest.
     """
 
-    sources: tuple[Source, ...]
+    sources: tuple[RecordingSource, ...]
     columns: tuple[Found, ...]
     time: Found | None
     recording: RecordingTable
@@ -67,7 +67,7 @@ class Known:
         return [source.file for source in self.sources]
 
 
-def known(files: Sequence[Path], wishes: Wishes) -> Known:
+def known(files: Sequence[Path], wishes: DraftRequests) -> ReadRecordings:
     """Reads the recordings and says what their columns are.
 
     Raises:
@@ -88,10 +88,10 @@ def known(files: Sequence[Path], wishes: Wishes) -> Known:
     columns = _as_points(columns) if points else columns
     stated, own = _stated(wishes.parameters or {}, [file.stem for file in files])
     recording = _with_missing(recording, sources)
-    return Known(tuple(sources), tuple(columns), time, recording, asked, formulas, stated, own, points)
+    return ReadRecordings(tuple(sources), tuple(columns), time, recording, asked, formulas, stated, own, points)
 
 
-def _rows(source: Source) -> int:
+def _rows(source: RecordingSource) -> int:
     return len(next(iter(source.table.columns.values())).values)
 
 
@@ -136,7 +136,7 @@ def _stated(parameters: Mapping[str, str], names: Sequence[str]) -> tuple[dict[s
     return shared, own
 
 
-def _with_missing(recording: RecordingTable, sources: Sequence[Source]) -> RecordingTable:
+def _with_missing(recording: RecordingTable, sources: Sequence[RecordingSource]) -> RecordingTable:
     """What is stated of the files, with the words for missing samples that they have."""
     words = list(dict.fromkeys(word for source in sources for word in source.table.missing))
     return recording.model_copy(update={"missing": words}) if words else recording

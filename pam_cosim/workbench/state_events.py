@@ -11,27 +11,27 @@ from pam_cosim.fitting import METHODS, Free
 from pam_cosim.measurement import ROLES, DataSet, Run
 from pam_cosim.reporting.account import estimate_texts, percent, quantity_text, remark, unit_text
 from pam_cosim.units import readable_factor
-from pam_cosim.workbench.opened import Opened
+from pam_cosim.workbench.opened_model import Opened
 from pam_cosim.workbench.protocol import (
+    ErrorRegion,
+    ErrorRegionsEvent,
+    LadderStep,
     Level,
-    Rule,
-    Rung,
-    Scores,
+    ScoresEvent,
     ShownEffect,
     ShownParameter,
     ShownRun,
     ShownSignal,
-    Steps,
-    Study,
-    Where,
+    StepsEvent,
+    StudyEvent,
 )
 from pam_cosim.workbench.state import State, label_of, standing_label, with_rung
 
 
-def study_event(state: State, opened: Opened, effects: Sequence[ShownEffect], benches: Sequence[str]) -> Study:
+def study_event(state: State, opened: Opened, effects: Sequence[ShownEffect], benches: Sequence[str]) -> StudyEvent:
     """All that moves seldom."""
     data = state.data
-    return Study(
+    return StudyEvent(
         title=data.title,
         folder=str(data.folder.resolve().name),
         state="open",
@@ -49,9 +49,9 @@ def study_event(state: State, opened: Opened, effects: Sequence[ShownEffect], be
     )
 
 
-def steps_event(state: State, saved: bool) -> Steps:
+def steps_event(state: State, saved: bool) -> StepsEvent:
     """What was done."""
-    return Steps(tuple({"text": str(step)} for step in state.steps), saved)
+    return StepsEvent(tuple({"text": str(step)} for step in state.steps), saved)
 
 
 def _run(run: Run) -> ShownRun:
@@ -115,10 +115,10 @@ def _parameter(free: Free, state: State, opened: Opened) -> ShownParameter:
     )
 
 
-def rung_of(label: str, comparison: Comparison) -> Rung:
+def rung_of(label: str, comparison: Comparison) -> LadderStep:
     """A comparison as a step of the error ladder."""
     by_role = {role: _levels(comparison.scores[role], comparison.data) for role in ROLES}
-    return Rung(
+    return LadderStep(
         label,
         by_role["fit"],
         by_role["holdout"],
@@ -142,12 +142,12 @@ def _levels(scores: dict[str, SignalScore], data: DataSet) -> dict[str, Level]:
     return levels
 
 
-def scores_event(state: State, opened: Opened, comparison: Comparison, version: int) -> Scores:
+def scores_event(state: State, opened: Opened, comparison: Comparison, version: int) -> ScoresEvent:
     """How far the standing model is from the measurement."""
     data = comparison.data
     now = rung_of(standing_label(state), comparison)
     by_run = {r.run.name: score([r], data.signals) for r in comparison.runs}
-    return Scores(
+    return ScoresEvent(
         version=version,
         scores={"fit": now.fit, "holdout": now.holdout},
         runs={
@@ -165,10 +165,10 @@ def scores_event(state: State, opened: Opened, comparison: Comparison, version: 
 
 def where_event(
     rules: Sequence[FoundRule], ranges: Sequence[dict[str, list[tuple[float, float]]]], version: int
-) -> Where:
+) -> ErrorRegionsEvent:
     """Where the error sits."""
     shown = (
-        Rule(
+        ErrorRegion(
             number,
             r.signal,
             r.rule,
@@ -179,7 +179,7 @@ def where_event(
         )
         for number, (r, times) in enumerate(zip(rules, ranges, strict=True))
     )
-    return Where(version, tuple(shown))
+    return ErrorRegionsEvent(version, tuple(shown))
 
 
 def _finite(value: float) -> float | None:

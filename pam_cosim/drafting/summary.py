@@ -8,11 +8,11 @@ from pathlib import Path
 from shlex import quote
 
 from pam_cosim.drafting import values
-from pam_cosim.drafting.choice import Choice
+from pam_cosim.drafting.bench_choice import BenchChoice
 from pam_cosim.drafting.columns import Found
 from pam_cosim.drafting.direction import SENSES
 from pam_cosim.drafting.document import Draft
-from pam_cosim.drafting.mapping import Course, Mapped
+from pam_cosim.drafting.mapping import Mapped, MappedRecording
 from pam_cosim.drafting.rest import begins_still
 from pam_cosim.measurement import DataSet
 from pam_cosim.units import format_quantity
@@ -69,7 +69,7 @@ def _counted(runs: int) -> str:
     return f"{runs} run" if runs == 1 else f"{runs} runs"
 
 
-def guesses(made: Draft, choice: Choice, time: Found | None) -> tuple[Guess, ...]:
+def guesses(made: Draft, choice: BenchChoice, time: Found | None) -> tuple[Guess, ...]:
     """A line for each column, for the noise of each signal, and for each recording that is held out."""
     rows = []
     for name, entry in made.entries.items():
@@ -95,7 +95,7 @@ def guesses(made: Draft, choice: Choice, time: Found | None) -> tuple[Guess, ...
     return tuple(rows + _of_points(made))
 
 
-def _begins_still(course: Course) -> bool:
+def _begins_still(course: MappedRecording) -> bool:
     return begins_still(course.time, list(course.every.values()))
 
 
@@ -122,7 +122,7 @@ def _of_points(made: Draft) -> list[Guess]:
     return rows
 
 
-def to_check(made: Draft, mapped: Mapped, choice: Choice) -> tuple[str, ...]:
+def to_check(made: Draft, mapped: Mapped, choice: BenchChoice) -> tuple[str, ...]:
     """What only the experimenter knows."""
     said = []
     if made.usual_muscle:

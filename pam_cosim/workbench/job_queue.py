@@ -12,8 +12,16 @@ from pam_cosim.diagnosis import EffectLookedAt, Message
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fitting import Standing
 from pam_cosim.units import readable_factor
-from pam_cosim.workbench.protocol import Busy, Event, Failed, Idle, Progress, Ranking, Told
-from pam_cosim.workbench.told import Following, diagnosis_events, shown_rms
+from pam_cosim.workbench.diagnosis_events import Following, diagnosis_events, shown_rms
+from pam_cosim.workbench.protocol import (
+    BusyEvent,
+    FailedEvent,
+    IdleEvent,
+    LineEvent,
+    PageEvent,
+    ProgressEvent,
+    RankingEvent,
+)
 
 if TYPE_CHECKING:
     from pam_cosim.workbench.session import Session
@@ -44,12 +52,12 @@ class Job:
     drawn: float = 0.0
     ranked: float = 0.0
 
-    def busy(self) -> Busy:
+    def busy(self) -> BusyEvent:
         """What is told of it."""
-        return Busy(self.what, self.text, self.began, self.held)
+        return BusyEvent(self.what, self.text, self.began, self.held)
 
 
-class Work:
+class JobQueue:
     """The long thing of a session, if there is one. Everything here runs in the study's thread."""
 
     def __init__(self, session: Session) -> None:
@@ -135,7 +143,7 @@ class Work:
         """Tells the verdict of the standing study, or that there is none."""
         windows, diagnosis = self.session.windows, self.session.state.diagnosis
         windows.forget("Ranking", "Verdict", "Ledger")
-        for event in diagnosis_events(diagnosis) if diagnosis is not None else [Ranking((), (), False)]:
+        for event in diagnosis_events(diagnosis) if diagnosis is not None else [RankingEvent((), (), False)]:
             windows.tell(event)
 
     def failed(self, problem: BaseException, during: str = "") -> None:
@@ -146,7 +154,7 @@ class Work:
         job, self.job = self.job, None
         assert job is not None
         self.session.windows.forget("Busy")
-        self.session.windows.tell(Idle(job.what, end, time.time() - job.began))
+        self.session.windows.tell(IdleEvent(job.what, end, time.time() - job.began))
 
     def _heard(self, job: Job, said: object) -> None:
         if job is not self.job:
@@ -156,7 +164,7 @@ class Work:
             return
         windows = self.session.windows
         if isinstance(said, Message):
-            windows.tell(Told(str(said).strip(), "detail" if said.detail else "headline"))
+            windows.tell(LineEvent(str(said).strip(), "detail" if said.detail else "headline"))
             if not said.detail:
                 job.text = str(said)
                 windows.tell(job.busy())
@@ -168,9 +176,9 @@ class Work:
             if self._worth(job, told):
                 windows.tell(told)
 
-    def _worth(self, job: Job, event: Event) -> bool:
+    def _worth(self, job: Job, event: PageEvent) -> bool:
         """Rankings come with every candidate; not all of them need be drawn."""
-        if not isinstance(event, Ranking) or event.final:
+        if not isinstance(event, RankingEvent) or event.final:
             return True
         if time.monotonic() - job.ranked < _RANKED:
             return False
@@ -183,7 +191,7 @@ class Work:
         values = {n: v for n, v in standing.values.items() if n in parameters}
         shown = {n: v * readable_factor(parameters[n].unit) for n, v in values.items()}
         rms = shown_rms(standing.rmse, session.state.data)
-        session.windows.tell(Progress(standing.evaluations, rms, standing.chi2_reduced, shown, str(standing)))
+        session.windows.tell(ProgressEvent(standing.evaluations, rms, standing.chi2_reduced, shown, str(standing)))
         if values and time.monotonic() - job.drawn >= _PACE:
             session.draw_passing(values)
             job.drawn = time.monotonic()
@@ -205,12 +213,12 @@ class Work:
         self._over("done")
 
 
-def failed_by(problem: BaseException, during: str = "") -> Failed:
+def failed_by(problem: BaseException, during: str = "") -> FailedEvent:
     """What went wrong, in words, and where; of a file its name alone is told."""
     if isinstance(problem, InputError):
         place = "" if problem.file is None else Path(str(problem.file)).name
         column = "" if problem.column is None else str(problem.column)
-        return Failed(problem.message, place, problem.line, column, during)
+        return FailedEvent(problem.message, place, problem.line, column, during)
     if isinstance(problem, SimulationFailure):
-        return Failed(f"the simulation failed: {problem}", during=during)
-    return Failed(f"something went wrong that should not ({type(problem).__name__}: {problem})", during=during)
+        return FailedEvent(f"the simulation failed: {problem}", during=during)
+    return FailedEvent(f"something went wrong that should not ({type(problem).__name__}: {problem})", during=during)

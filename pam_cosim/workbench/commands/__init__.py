@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from pam_cosim.workbench.doing.keeping import add, load, save, script
-from pam_cosim.workbench.doing.models import choose, switch, take, undo, where
-from pam_cosim.workbench.doing.runs import begin, cut, roles
-from pam_cosim.workbench.doing.values import reset, set_values
-from pam_cosim.workbench.doing.working import check, diagnose, discard, fit, resume, stop
+from pam_cosim.workbench.commands.files import add, load, save, script
+from pam_cosim.workbench.commands.jobs import check, diagnose, discard, fit, resume, stop
+from pam_cosim.workbench.commands.models import choose, switch, take, undo, where
+from pam_cosim.workbench.commands.parameters import reset, set_values
+from pam_cosim.workbench.commands.runs import begin, cut, roles
 
 COMMANDS: dict[str, Callable[..., dict[str, Any] | None]] = {
     "add": add,

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from pam_cosim.diagnosis import Candidate
 from pam_cosim.errors import InputError
-from pam_cosim.workbench.doing.words import names_of, text_of
+from pam_cosim.workbench.commands.checks import names_of, text_of
 from pam_cosim.workbench.state import label_of
 from pam_cosim.workbench.steps import CHOOSE, SWITCH, TAKE, Step
 

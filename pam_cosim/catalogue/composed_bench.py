@@ -13,19 +13,19 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from html import escape
 
-from pam_cosim.catalogue.place import surrounds
-from pam_cosim.catalogue.rig_parts import (
+from pam_cosim.catalogue.bench_parts import (
     FRAME,
-    RigPart,
+    BenchPart,
     chosen,
     connectors,
+    free_inputs,
     known_parameters,
+    measured_outputs,
     open_parameters,
-    read,
     rig_parts,
     split,
-    told,
 )
+from pam_cosim.catalogue.place import surrounds
 from pam_cosim.catalogue.rig_signals import declarations
 from pam_cosim.compiler import ClassTree, names
 from pam_cosim.compiler.class_tree import ComponentInfo
@@ -36,7 +36,7 @@ from pam_cosim.wording import did_you_mean
 
 
 @dataclass(frozen=True)
-class Rig:
+class ComposedBench:
     """A rig put together.
 
     Attributes:
@@ -50,14 +50,14 @@ class Rig:
     text: str
     inputs: tuple[str, ...]
     outputs: tuple[str, ...]
-    parts: tuple[RigPart, ...]
+    parts: tuple[BenchPart, ...]
 
 
 @dataclass(frozen=True)
 class _Placed:
     """A part under the name that it has in the rig; ``number`` is that of its muscle, zero for what all share."""
 
-    part: RigPart
+    part: BenchPart
     name: str
     number: int
     corner: tuple[int, int]
@@ -78,7 +78,7 @@ class _Draft:
     equations: list[str] = field(default_factory=list)
 
 
-def put_together(
+def compose_bench(
     tree: ClassTree,
     pneumatics: str,
     mechanics: str,
@@ -86,7 +86,7 @@ def put_together(
     measure: str | Sequence[str] | None = None,
     name: str | None = None,
     static: bool = False,
-) -> Rig:
+) -> ComposedBench:
     """The rig of two sides, of muscles between them, and of instruments.
 
     Args:
@@ -116,10 +116,10 @@ class _Composer:
     def __init__(
         self,
         tree: ClassTree,
-        feed: RigPart,
-        hold: RigPart,
-        held: RigPart,
-        instruments: Sequence[RigPart],
+        feed: BenchPart,
+        hold: BenchPart,
+        held: BenchPart,
+        instruments: Sequence[BenchPart],
         measure: str | Sequence[str] | None,
         static: bool,
     ) -> None:
@@ -142,11 +142,11 @@ class _Composer:
 
     # ---- what is told and what is read --------------------------------------------------------------------------
 
-    def _inputs(self) -> dict[str, tuple[RigPart, int, ComponentInfo]]:
-        inputs: dict[str, tuple[RigPart, int, ComponentInfo]] = {}
+    def _inputs(self) -> dict[str, tuple[BenchPart, int, ComponentInfo]]:
+        inputs: dict[str, tuple[BenchPart, int, ComponentInfo]] = {}
         sides = [(self.feed, n) for n in self.numbers] + [(self.held, n) for n in self.numbers] + [(self.hold, 0)]
         for part, number in sides:
-            for declared in told(self.tree, part.qualified_name):
+            for declared in free_inputs(self.tree, part.qualified_name):
                 signal = _numbered(declared.name, number)
                 if signal in inputs:
                     raise InputError(f"{part.name} and {inputs[signal][0].name} both have an input '{signal}'")
@@ -154,8 +154,8 @@ class _Composer:
         return inputs
 
     def _measured(
-        self, instruments: Sequence[RigPart], measure: str | Sequence[str] | None
-    ) -> list[tuple[str, int, RigPart]]:
+        self, instruments: Sequence[BenchPart], measure: str | Sequence[str] | None
+    ) -> list[tuple[str, int, BenchPart]]:
         """Signal, number of the muscle and instrument, in the order asked for."""
         known = {
             _numbered(signal, n): (n, instrument)
@@ -182,7 +182,7 @@ class _Composer:
 
     # ---- what stands where --------------------------------------------------------------------------------------
 
-    def _place(self, part: RigPart, number: int, corner: tuple[int, int]) -> _Placed:
+    def _place(self, part: BenchPart, number: int, corner: tuple[int, int]) -> _Placed:
         wanted = _numbered(part.component_name, number)
         name, other = wanted, 1
         while name in self.taken:
@@ -191,7 +191,7 @@ class _Composer:
         self.taken.add(name)
         return _Placed(part, name, number, corner)
 
-    def rig(self, wanted: str | None) -> Rig:
+    def rig(self, wanted: str | None) -> ComposedBench:
         """All of it."""
         columns = {n: 320 * i for i, n in enumerate(self.numbers)}
         hold = self._place(self.hold, 0, (30 + 160 * (len(self.numbers) - 1), -160))
@@ -220,9 +220,9 @@ class _Composer:
         parts = tuple(dict.fromkeys(one.part for one in everything))
         text = self._text(name, frame, everything)
         told_to = (*([BRANCH] if self.static else []), *self.inputs)
-        return Rig(name, text, told_to, tuple(s for s, _, _ in self.measured), parts)
+        return ComposedBench(name, text, told_to, tuple(s for s, _, _ in self.measured), parts)
 
-    def _corner(self, part: RigPart, x: int, placed: Sequence[_Placed], number: int) -> tuple[int, int]:
+    def _corner(self, part: BenchPart, x: int, placed: Sequence[_Placed], number: int) -> tuple[int, int]:
         """Lower left of an instrument: between the parts, or beside the muscle."""
         (first, *others) = connectors(self.tree, part.qualified_name)
         at_port = first.type == self.outlet.type
@@ -238,7 +238,7 @@ class _Composer:
             corner = (corner[0], corner[1] - 60)
         return corner
 
-    def _frame(self, parts: Sequence[RigPart]) -> str:
+    def _frame(self, parts: Sequence[BenchPart]) -> str:
         """The least of the frames that declares what the parts look for around them."""
         tree, base = self.tree, f"{self.feed.library}.{FRAME}"
         needed = {outer for part in parts for outer in _outers(tree, part.qualified_name, set())}
@@ -301,7 +301,9 @@ class _Composer:
 
     def _signal(self, signal: str, reader: _Placed) -> None:
         declared = next(
-            c for c in read(self.tree, reader.part.qualified_name) if _numbered(c.name, reader.number) == signal
+            c
+            for c in measured_outputs(self.tree, reader.part.qualified_name)
+            if _numbered(c.name, reader.number) == signal
         )
         self.draft.outputs[signal] = declared
         self.draft.equations.append(f"{signal} = {reader.name}.{declared.name}")

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.could_be_measured import NOW, Option
+from pam_cosim.diagnosis.hypothetical_measurements import NOW, Option
 from pam_cosim.diagnosis.probing import Stated, Strengths, shown_from
 from pam_cosim.fitting import Linear
 
@@ -26,7 +26,7 @@ Confused = tuple[str, str, float]
 
 
 @dataclass(frozen=True)
-class Known:
+class ParameterPrecision:
     """How exactly a free parameter will be known.
 
     Attributes:
@@ -49,7 +49,7 @@ class Known:
 
 
 @dataclass(frozen=True)
-class Shown:
+class DetectableEffect:
     """How well the data show an effect.
 
     Attributes:
@@ -71,7 +71,7 @@ class Shown:
 
 
 @dataclass(frozen=True)
-class Alike:
+class ConfusedPair:
     """Two families that the data do not tell apart at the stated strength.
 
     Attributes:
@@ -87,7 +87,7 @@ class Alike:
 
 
 @dataclass(frozen=True)
-class Told:
+class Identifiability:
     """What some choice of samples can tell.
 
     Attributes:
@@ -97,15 +97,15 @@ class Told:
         alike: families that are shown but not told apart, the worst first.
     """
 
-    parameters: tuple[Known, ...]
+    parameters: tuple[ParameterPrecision, ...]
     confused: tuple[Confused, ...]
-    shown: tuple[Shown, ...]
-    alike: tuple[Alike, ...]
+    shown: tuple[DetectableEffect, ...]
+    alike: tuple[ConfusedPair, ...]
 
     @cached_property
-    def families(self) -> dict[str, Shown]:
+    def families(self) -> dict[str, DetectableEffect]:
         """By family, the effect of it that is shown best."""
-        best: dict[str, Shown] = {}
+        best: dict[str, DetectableEffect] = {}
         for one in self.shown:
             best.setdefault(one.family, one)
         return best
@@ -156,7 +156,7 @@ class Rows:
         """What could be measured beyond what was."""
         return [option for option in dict.fromkeys(self.option) if option != NOW]
 
-    def told(self, *further: Option) -> Told:
+    def identifiability(self, *further: Option) -> Identifiability:
         """What can be told by what was measured, and by something further."""
         chosen = {NOW, *further}
         at = np.array([option in chosen for option in self.option])
@@ -168,7 +168,7 @@ class Rows:
         sizes = {p.effect: _sizes(_beyond(own, self._among(at, p.courses(self.base)))) for p in self.probes}
         shown = sorted((_shown(p, sizes[p.effect], price) for p in self.probes), key=lambda s: (s.least, s.effect))
         parameters, confused = self._known(slopes)
-        told = Told(parameters, confused, tuple(shown), ())
+        told = Identifiability(parameters, confused, tuple(shown), ())
         return replace(told, alike=tuple(self._alike(told, moves, price)))
 
     def _among(self, at: NDArray[np.bool_], columns: Array) -> Array:
@@ -181,12 +181,14 @@ class Rows:
         own = [i for i, name in enumerate(probe.linear.names) if name in names]
         return np.column_stack([probe.courses(self.base)[:, 0], probe.linear.slopes[:, own]])
 
-    def _known(self, slopes: Array) -> tuple[tuple[Known, ...], tuple[Confused, ...]]:
+    def _known(self, slopes: Array) -> tuple[tuple[ParameterPrecision, ...], tuple[Confused, ...]]:
         covariance = np.linalg.inv(slopes.T @ slopes)
         deviation = np.sqrt(np.diag(covariance))
         names, base = self.base.names, self.base
         known = [
-            Known(name, self.units[name], float(base.values[i]), float(deviation[i]), float(base.high[i] - base.low[i]))
+            ParameterPrecision(
+                name, self.units[name], float(base.values[i]), float(deviation[i]), float(base.high[i] - base.low[i])
+            )
             for i, name in enumerate(names)
         ]
         correlation = covariance / np.outer(deviation, deviation)
@@ -194,11 +196,11 @@ class Rows:
         confused = [(names[i], names[j], float(correlation[i, j])) for i, j in pairs]
         return tuple(known), tuple(c for c in confused if abs(c[2]) > CRITERIA.fit.confused)
 
-    def _alike(self, told: Told, moves: Mapping[str, Array], price: float) -> list[Alike]:
+    def _alike(self, told: Identifiability, moves: Mapping[str, Array], price: float) -> list[ConfusedPair]:
         """Pairs of visible families of which one may be taken for the other, the worse way round."""
         own = {p.effect: p.strengths for p in self.probes}
         count = {name: len(strengths.own) for name, strengths in own.items()}
-        worst: dict[frozenset[str], Alike] = {}
+        worst: dict[frozenset[str], ConfusedPair] = {}
         for family, best in told.families.items():
             if family not in told.visible:
                 continue
@@ -212,7 +214,7 @@ class Rows:
                 if not own[best.effect].within_bounds(least):
                     least = math.inf
                 if least > 1 and (pair not in worst or least > worst[pair].least):
-                    worst[pair] = Alike(best.effect, family, p.effect, p.family, least)
+                    worst[pair] = ConfusedPair(best.effect, family, p.effect, p.family, least)
         return sorted(worst.values(), key=lambda a: (-a.least, a.effect, a.other))
 
 
@@ -220,14 +222,14 @@ def _sizes(courses: Array) -> list[float]:
     return [float(size) for size in np.linalg.norm(courses, axis=0)]
 
 
-def _shown(probe: Stated, sizes: Sequence[float], price: float) -> Shown:
+def _shown(probe: Stated, sizes: Sequence[float], price: float) -> DetectableEffect:
     """How well an effect is shown that has these sizes, as ``probing.shown_from`` takes them."""
     needed = math.sqrt(CRITERIA.evidence.very_strong + price * len(probe.strengths.own))
     least = shown_from(sizes, needed)
     if not probe.strengths.within_bounds(least):
         least = math.inf
     values, absent = _moving(probe.strengths, least), probe.strengths.at(0.0)
-    return Shown(
+    return DetectableEffect(
         probe.effect, probe.family, sizes[0], least, values, absent, {f.name: f.unit for f in probe.strengths.own}
     )
 

@@ -16,18 +16,18 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.evidence import (
     Scale,
+    any_structure_for_search,
     dominant_effect,
     evidence,
     refuted,
     scale,
-    unexplained,
 )
 from pam_cosim.diagnosis.search import Search
 from pam_cosim.fitting import Fit
 
 
 @dataclass(frozen=True)
-class Bar:
+class AcceptanceThreshold:
     """What a further model must come to, to be of interest.
 
     Attributes:
@@ -44,7 +44,7 @@ class Bar:
     cost: float | None = None
 
 
-class Order:
+class Ranking:
     """The models so far.
 
     Args:
@@ -80,7 +80,7 @@ class Order:
         """Mean square of the noise, as low as a model leaves it."""
         return min(f.residuals["fit"].noise_floor for f in self.fits)
 
-    def possibly(self) -> Scale:
+    def optimistic_scale(self) -> Scale:
         """The scale of what is possible: plain noise as long as the best model leaves more, else what that leaves."""
         return Scale(max(1.0, self.noise()), 1.0) if self.unsolved() else self.scale
 
@@ -110,9 +110,9 @@ class Order:
         beaten = self.evidence(None) - CRITERIA.evidence.very_strong
         done = [c for c in self._done() if self.evidence(c) < beaten]
         done = [c for c in done if not laws or self.of_laws(c.effects)]
-        at_noise = [c for c in done if not self.leaves_structure(c)]
+        at_noise = [c for c in done if not self.has_structure(c)]
         if at_noise:
-            enough = self._enough(at_noise)
+            enough = self._sufficient_count(at_noise)
             done = [c for c in at_noise if len(c.effects) == enough]
         order = {c.effects: (self.evidence(c), c.effects) for c in done}
         first = min(order.values(), default=None)
@@ -126,7 +126,7 @@ class Order:
         """The models that were fitted to the end, or as far as there was time for."""
         return [c for c in self.known.values() if self.over or not c.brief]
 
-    def _enough(self, at_noise: Collection[Candidate]) -> int:
+    def _sufficient_count(self, at_noise: Collection[Candidate]) -> int:
         """How many effects are enough, where all of these models leave noise.
 
         The fewest, unless more have fewer parameters, so few that it makes up for the choice, and better evidence.
@@ -138,24 +138,24 @@ class Order:
                 first = c
         return len(first.effects)
 
-    def leaves_structure(self, c: Candidate) -> bool:
+    def has_structure(self, c: Candidate) -> bool:
         """Whether a model leaves structure, in runs that were fitted or in others."""
         if c.effects not in self._left or self._left[c.effects][0] is not c.fit:
-            self._left[c.effects] = (c.fit, unexplained(c.fit))
+            self._left[c.effects] = (c.fit, any_structure_for_search(c.fit))
         return self._left[c.effects][1]
 
     def unsolved(self) -> bool:
         """Whether the best model leaves structure, or there is none."""
         best = self.best()
-        return best is None or self.leaves_structure(best)
+        return best is None or self.has_structure(best)
 
-    def rungs(self) -> list[Candidate]:
+    def parents(self) -> list[Candidate]:
         """The models that the search goes on from: the best, and the best of laws; or what may replace the best.
 
         That is the best of those that would cost less even with one more effect, once the best leaves noise.
         """
         best = self.best()
-        if best is not None and not self.leaves_structure(best):
+        if best is not None and not self.has_structure(best):
             return [
                 c for c in self.models(len(best.effects)) if self._with_one_more(c.effects) < self.cost(best.effects)
             ][:1]
@@ -173,14 +173,14 @@ class Order:
         other = next(e.name for e in self.search.shelf if e.name not in effects)
         return self._cost((*effects, other), sum(self.search.cost[name] for name in effects) + 1)
 
-    def room(self, count: int) -> bool:
+    def more_effects_can_pay(self, count: int) -> bool:
         """Whether so many effects, of one parameter each, would cost less than the best model, which leaves noise."""
         best = self.best()
-        if best is None or self.leaves_structure(best):
+        if best is None or self.has_structure(best):
             return False
         return self._cost([e.name for e in self.search.shelf][:count], count) < self.cost(best.effects)
 
-    def bars(self, count: int, at: Scale) -> list[Bar]:
+    def bars(self, count: int, at: Scale) -> list[AcceptanceThreshold]:
         """What models with so many effects must come to: to beat one of the best, to rival the answer, to replace it.
 
         Args:
@@ -189,20 +189,22 @@ class Order:
         """
         best = self.best()
         if best is None:
-            return [Bar(self.evidence(None, at))]
-        if not self.leaves_structure(best):
+            return [AcceptanceThreshold(self.evidence(None, at))]
+        if not self.has_structure(best):
             if count > len(best.effects):
-                return [Bar(self.evidence(c, at), c, cost=self.cost(best.effects)) for c in self.rungs()]
-            return [Bar(self.evidence(best, at) + CRITERIA.evidence.very_strong)]
-        bars = [Bar(self.evidence(best, at), best)]
+                return [
+                    AcceptanceThreshold(self.evidence(c, at), c, cost=self.cost(best.effects)) for c in self.parents()
+                ]
+            return [AcceptanceThreshold(self.evidence(best, at) + CRITERIA.evidence.very_strong)]
+        bars = [AcceptanceThreshold(self.evidence(best, at), best)]
         if not self.of_laws(best.effects):
             own = self.best(laws=True)
-            bars.append(Bar(self.evidence(own, at), own, laws=True))
+            bars.append(AcceptanceThreshold(self.evidence(own, at), own, laws=True))
         return bars
 
     def answer(self) -> Candidate | None:
         """The best model; where it leaves structure, one effect that is beyond doubt all the same goes first."""
         best = self.best()
-        if best is not None and self.leaves_structure(best):
+        if best is not None and self.has_structure(best):
             return dominant_effect(self.base, self._done()) or best
         return best
