@@ -13,12 +13,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.optimize import lsq_linear
 
 from pam_cosim.arrays import Array
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.probing import EffectProbe
-from pam_cosim.fitting import Linear
+from pam_cosim.fitting import Linear, bounded_least_squares
 
 _NOTHING_NEW = 1e-4  # of a column's length: what is left of it beside others, below which it says nothing new
 _WEAK = 1e-6  # of the longest column
@@ -114,18 +113,10 @@ def _orthonormal(columns: Array) -> Array:
 
 def reduction(linear: Linear) -> float:
     """By how much the sum of squares falls, to first order, when the parameters go where they like within bounds."""
-    size = np.linalg.norm(linear.slopes, axis=0)
-    felt = size > 0
-    if not felt.any():
-        return 0.0
-    rows = linear.slopes[:, felt] / size[felt]
-    low = np.minimum((linear.low - linear.values)[felt] * size[felt], -1e-12)
-    high = np.maximum((linear.high - linear.values)[felt] * size[felt], 1e-12)
-    triangle: Array = np.asarray(np.linalg.qr(np.column_stack([rows, linear.residual]), mode="r"))
-    n = rows.shape[1]
-    solution = lsq_linear(triangle[:n, :n], triangle[:n, n], (low, high), method="bvls")
-    before = float(triangle[:n, n] @ triangle[:n, n])
-    return max(before - 2 * float(solution.cost), 0.0)
+    low, high = linear.low - linear.values, linear.high - linear.values
+    step = bounded_least_squares(linear.slopes, linear.residual, np.minimum(low, 0.0), np.maximum(high, 0.0))
+    moved = linear.slopes @ step
+    return max(float(moved @ (2 * linear.residual - moved)), 0.0)
 
 
 def _boxed(square: Array, along: Array, low: Array, high: Array) -> Array:

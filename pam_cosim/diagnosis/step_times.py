@@ -13,15 +13,13 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy.optimize import lsq_linear
 
 from pam_cosim.arrays import Array
 from pam_cosim.catalogue import Composition
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.trial import every_parameter
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.fitting import Fit, FitOptions, Free, fit
+from pam_cosim.fitting import Fit, FitOptions, Free, bounded_least_squares, fit
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_source
 from pam_cosim.measurement import DataSet, Run, between_samples, with_step_times
@@ -212,7 +210,7 @@ class _Clock:
         edges = [(self._low[i], self._high[i], _INSIDE * (self._high[i] - self._low[i])) for i in runs]
         low = np.concatenate([room[0], np.concatenate([a + e for a, _, e in edges]) - now])
         high = np.concatenate([room[1], np.concatenate([b - e for _, b, e in edges]) - now])
-        step = _bounded(matrix, np.concatenate(left), low, high)
+        step = bounded_least_squares(matrix, np.concatenate(left), np.minimum(low, 0.0), np.maximum(high, 0.0))
         own = step[at[0] :] + now
         return step[: at[0]], {i: own[at[n] - at[0] : at[n + 1] - at[0]] for n, i in enumerate(runs)}
 
@@ -221,17 +219,3 @@ def _finite(objective: Objective, residual: Array) -> Array:
     if not np.all(np.isfinite(residual)):
         raise SimulationFailure(objective.first_failure)
     return residual
-
-
-def _bounded(matrix: Array, left: Array, low: Array, high: Array) -> Array:
-    """What makes least of ``left`` within bounds; a column without a slope stays."""
-    size = np.linalg.norm(matrix, axis=0)
-    felt: NDArray[np.bool_] = size > 0
-    step = np.zeros(matrix.shape[1])
-    if felt.any():
-        triangle: Array = np.asarray(np.linalg.qr(np.column_stack([matrix[:, felt] / size[felt], left]), mode="r"))
-        n = int(felt.sum())
-        edges = (np.minimum(low, 0.0)[felt] * size[felt], np.maximum(high, 0.0)[felt] * size[felt])
-        edges = (edges[0] - 1e-12, edges[1] + 1e-12)
-        step[felt] = lsq_linear(triangle[:n, :n], triangle[:n, n], edges).x / size[felt]
-    return step
