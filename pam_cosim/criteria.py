@@ -267,14 +267,11 @@ class EvidenceCriteria:
     temperature: float = decides(
         4.0, "1", "the evidence over this weighs rivals: samples, models and noise are not what the evidence assumes"
     )
-    unlisted: float = decides(
-        0.07, "1", "probability that it is something else though what remains is noise: 147 of 158 were right", BLIND
-    )
-    unchecked: float = decides(
-        0.3, "1", "the same where no held-out run checks it, or a signal nobody fitted is off: 59 of 79 right", BLIND
-    )
-    unlisted_by_remainder: float = decides(0.2, "1", "the same of one family beyond doubt that leaves structure", BLIND)
-    unlisted_by_structure: float = decides(0.9, "1", "the same where what remains has structure", BLIND)
+    something_else: tuple[float, ...] = decides(
+        (-3.0, 5.2, 1.6, 2.2, 1.5, 1.0, 0.5), "logits", "of what no effect describes: always; more where structure is "
+        "left, only the form is open, nothing was added; where nothing checks an effect, of several, of a general one",
+        BLIND,
+    )  # fmt: skip
     refuted: float = decides(2.0, "times", "error of a rival on signals that nobody fitted; more refutes it")
 
 

@@ -40,6 +40,7 @@ DECIDE_NOTHING = {
     "_TAIL": "the end of a sum",
     "_SHARES": "anywhere between bounds will do",
     "_NODES": "accuracy of a table",
+    "_MOST_LISTED": "length of a line",
     "_SAME": "digits in which two values of a run are one condition of a table",
 }
 BY_NAME = {c.name: c for c in every_criterion()}

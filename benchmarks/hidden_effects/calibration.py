@@ -36,6 +36,12 @@ def binned(pairs: np.ndarray) -> list[tuple[float, float, np.ndarray]]:
     return [one for one in chosen if len(one[2])]
 
 
+def calibration_error(pairs: np.ndarray) -> float:
+    """Expected calibration error: by how much the share that was right differs from what was stated, over classes."""
+    gaps = [len(some) * abs(some[:, 0].mean() - some[:, 1].mean()) for _, _, some in binned(pairs)]
+    return float(sum(gaps) / len(pairs))
+
+
 def calibration_table(results: Sequence[Result]) -> list[str]:
     """Markdown: stated and true shares by class, and the Brier score; says so where no verdict states one."""
     pairs = stated(results)
@@ -44,7 +50,8 @@ def calibration_table(results: Sequence[Result]) -> list[str]:
     base = float(pairs[:, 1].mean())
     lines = [
         f"{len(pairs)} verdicts state a probability (`unknown` does not count). Brier score {brier(pairs):.3f}; always "
-        f"stating the share that is right, {100 * base:.0f} %, would give {base * (1 - base):.3f}.", "",
+        f"stating the share that is right, {100 * base:.0f} %, would give {base * (1 - base):.3f}. Expected "
+        f"calibration error {100 * calibration_error(pairs):.1f} %.", "",
         "| stated | in the mean | right |", "|---|---|---|",
     ]  # fmt: skip
     for low, high, some in binned(pairs):

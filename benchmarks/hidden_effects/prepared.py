@@ -26,7 +26,7 @@ from benchmarks.hidden_effects.sets import SETS, case_of, make, write
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "build" / "hidden-effects-cases"
-_AFTER = ("breakdown", "calibration", "goals", "one", "outcome", "prepared", "report", "same", "score")
+_AFTER = ("breakdown", "calibration", "goals", "one", "outcome", "posterior", "prepared", "report", "same", "score")
 """Modules of this package that work on cases which are made."""
 
 

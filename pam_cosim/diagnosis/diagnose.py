@@ -35,7 +35,7 @@ from pam_cosim.diagnosis.search_result import (
 )
 from pam_cosim.diagnosis.selection import Selection
 from pam_cosim.diagnosis.subject import subject_of
-from pam_cosim.diagnosis.verdict import Verdict, confidence, explained, judge, rivals, with_facts
+from pam_cosim.diagnosis.verdict import Verdict, explained, judge, rivals, with_facts, with_posterior
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger
@@ -162,6 +162,7 @@ class Diagnosis(Printed):
         lines = [f"Verdict: {v.kind}{what}{sure}"]
         lines += [f"  LOOK FIRST: {doubt.text}" for doubt in self.final.comparison.doubts]
         lines.append(f"  {v.reason}")
+        lines += [f"  Otherwise: {v.otherwise}"] * bool(v.otherwise)
         for role in ROLES:
             for name, before in self.base.comparison.scores[role].items():
                 after = self.final.comparison.scores[role][name]
@@ -289,7 +290,7 @@ def _verdict(finding: SearchResult, sources: Sequence[Path], all_asked: bool) ->
     others = _others(search.data, last, rivals(base, last, tried, family, choice), sources) if last else []
     verdict = judge(base, selected, [c for c, _ in others], tried, family, all_asked=all_asked)
     verdict = with_facts(verdict, base, last, tried, family, choice)
-    return replace(verdict, probability=confidence(base, last, tried, family, choice, verdict)), others
+    return with_posterior(verdict, base, selected, tried, family, choice), others
 
 
 def _ranked(finding: SearchResult, data: DataSet) -> tuple[Candidate, ...]:

@@ -193,6 +193,14 @@ def refuted(rival: Fit, best: Fit) -> bool:
     return bool(ratios) and math.prod(ratios) ** (1 / len(ratios)) > CRITERIA.evidence.refuted
 
 
+def missed(fit: Fit) -> tuple[str, ...]:
+    """Signals that were compared but not fitted, and that a model misses by more than their noise."""
+    comparison = fit.comparison
+    scores = comparison.scores.get("all", {})
+    unfitted = {n: s for n, s in scores.items() if not comparison.data.signals[n].fitted}
+    return tuple(n for n, s in unfitted.items() if s.rmse > CRITERIA.evidence.refuted * s.noise_rmse)
+
+
 def dominant_effect(base: Fit, tried: Sequence[Candidate]) -> Candidate | None:
     """The effect that takes away nearly all that exceeds the noise, where no other family comes near; else None.
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
-from math import exp, isnan
+from math import isnan
 from types import MappingProxyType
 from typing import Literal
 
@@ -19,10 +19,12 @@ from pam_cosim.diagnosis.evidence import (
     dominant_effect,
     evidence,
     has_structure_for_search,
+    missed,
     refuted,
     scale,
 )
 from pam_cosim.diagnosis.model_space import ModelSpace
+from pam_cosim.diagnosis.posterior import Posterior, doubts_of, posterior
 from pam_cosim.fitting import Fit
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import listed
@@ -41,10 +43,11 @@ class Verdict:
         effects: the effect classes, likewise.
         reason: the verdict in a sentence or two.
         remainder: a family is identified, and still what remains has structure: its form is not listed.
-        probability: that these families, and no others, are what is missing (``confidence``).
+        probability: that these families, and no others, are what is missing; of an ambiguous verdict, some of them.
         off: signals that were compared but not fitted, and that the model misses by more than their noise.
         refuted: effects of other families that fit as well, but not those signals.
         bending: effects of other families that fit as well because they say whatever their families can.
+        posterior: how probable it is of every set of families, of nothing and of something else.
     """
 
     kind: Kind
@@ -56,6 +59,24 @@ class Verdict:
     off: tuple[str, ...] = ()
     refuted: tuple[str, ...] = ()
     bending: tuple[str, ...] = ()
+    posterior: Posterior = Posterior()
+
+    def names(self, families: Collection[str]) -> bool:
+        """Whether it says that just these families are missing, or may be."""
+        if self.kind == "ambiguous":
+            return bool(families) and set(families) <= set(self.families)
+        return set(families) == set(self.families)
+
+    @property
+    def otherwise(self) -> str:
+        """What else may be missing, with probabilities, the most probable first; "" where they are not known."""
+        if isnan(self.posterior.something_else):
+            return ""
+        others = [one for one in self.posterior.explanations if not self.names(one.families)]
+        shares = [(" and ".join(one.families) or "nothing", one.probability) for one in others]
+        texts = [f"{what} {100 * share:.0f} %" for what, share in shares[:_MOST_LISTED] if round(100 * share)]
+        other = "something that these data do not show" if self.kind == "none_missing" else "something else"
+        return ", ".join([*texts, f"{other} {100 * self.posterior.something_else:.0f} %"])
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON."""
@@ -69,9 +90,11 @@ class Verdict:
             "off": list(self.off),
             "refuted": list(self.refuted),
             "bending": list(self.bending),
+            "posterior": self.posterior.as_dict(),
         }
 
 
+_MOST_LISTED = 3  # sets of families
 _TOOK_ALL = (
     " It took the held-out runs to tell this, for what the fitted runs alone came to did not hold in them: nothing "
     "checks it. The parameters are those that the fitted runs alone give; to use the model, fit it to all runs."
@@ -153,14 +176,6 @@ def with_facts(
     return replace(verdict, off=off, refuted=wrong, bending=bending)
 
 
-def missed(fit: Fit) -> tuple[str, ...]:
-    """Signals that were compared but not fitted, and that a model misses by more than their noise."""
-    comparison = fit.comparison
-    scores = comparison.scores.get("all", {})
-    unfitted = {n: s for n, s in scores.items() if not comparison.data.signals[n].fitted}
-    return tuple(n for n, s in unfitted.items() if s.rmse > CRITERIA.evidence.refuted * s.noise_rmse)
-
-
 def _best_of_each(
     candidates: Sequence[Candidate], at: Scale, family: Mapping[str, str], choice: ModelSpace
 ) -> dict[frozenset[str], tuple[float, Candidate]]:
@@ -174,51 +189,25 @@ def _best_of_each(
     return best
 
 
-def confidence(
+def with_posterior(
+    verdict: Verdict,
     base: Fit,
-    best: Candidate | None,
+    selected: Sequence[Candidate],
     tried: Sequence[Candidate],
     family: Mapping[str, str],
     choice: ModelSpace,
-    verdict: Verdict,
-) -> float:
-    """Probability that what the verdict says is missing is what is missing.
-
-    Of the models that were fitted each has the weight that its evidence gives it, tempered: data are not as independent
-    as the evidence assumes. That it is none of them has a weight of its own, which is larger where nothing checks the
-    answer, no held-out run or a signal that was compared but not fitted and is off, and large where structure is left.
+) -> Verdict:
+    """The verdict with the probabilities of what may be missing, and of what it says itself.
 
     Args:
-        base: the model without effects, fitted.
-        best: the model with all that was selected; None: nothing was.
-        tried: all models.
-        family: of every effect there is.
-        choice: what a choice among them costs.
-        verdict: what is said.
+        verdict: the answer.
+        selected: models that add one effect after another.
+        base, tried, family, choice: as for ``rivals``.
     """
-    numbers = CRITERIA.evidence
-    left = numbers.unlisted if _checked(best.fit if best else base) else numbers.unchecked
-    if best is None:
-        return 1 - (left if verdict.kind == "none_missing" else numbers.unlisted_by_structure)
-    at = scale([base, *(c.fit for c in tried)])
-    own = frozenset(family[e] for e in best.effects)
-    fitted = [c for c in tried if not c.brief and len(c.effects) <= len(best.effects) and not refuted(c.fit, best.fit)]
-    first = evidence(best.fit, at, best.effects, choice, best)
-    each = _best_of_each(fitted, at, family, choice).items()
-    weights = {f: exp(min((first - e) / (2 * numbers.temperature), 0.0)) for f, (e, _) in each} | {own: 1.0}
-    told = {f for f in weights if f == own or (verdict.kind == "ambiguous" and f <= set(verdict.families))}
-    if any_structure_for_verdict(best.fit):
-        left = numbers.unlisted_by_remainder if verdict.remainder else numbers.unlisted_by_structure
-    return (1 - left) * sum(weights[f] for f in told) / sum(weights.values())
-
-
-def _checked(fit: Fit) -> bool:
-    """Whether runs that were held out speak for a model, and no signal that was compared but not fitted against it.
-
-    Held-out runs that only the uncertainty of the parameters excuses check little.
-    """
-    held = fit.residuals["holdout"]
-    return bool(held.samples) and not has_structure_for_search(held) and not missed(fit)
+    doubts = doubts_of(selected, verdict.kind == "unknown", verdict.remainder)
+    known = posterior(base, selected[-1] if selected else None, tried, family, choice, doubts)
+    named = sum(one.probability for one in known.explanations if verdict.names(one.families))
+    return replace(verdict, posterior=known, probability=named)
 
 
 def judge(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis import Candidate, Diagnosis
+from pam_cosim.diagnosis import Candidate, Diagnosis, Verdict
 from pam_cosim.diagnosis.verdict import explained
 from pam_cosim.reporting.account.diagnosis_rows import (
     candidate_row,
@@ -23,11 +23,18 @@ from pam_cosim.reporting.account.meaning import (
     kind_name,
     meaning,
     not_tried_sentence,
+    probability_rows,
     probability_sentence,
 )
 from pam_cosim.reporting.account.next_run import next_run
 from pam_cosim.reporting.account.wording import number, words
-from pam_cosim.reporting.figures.bars import CandidateBar, balance_picture, ranking_picture, where_picture
+from pam_cosim.reporting.figures.bars import (
+    CandidateBar,
+    balance_picture,
+    probability_picture,
+    ranking_picture,
+    where_picture,
+)
 from pam_cosim.reporting.figures.curves import curve_pictures
 from pam_cosim.reporting.figures.ladder import Rung, ladder_picture
 from pam_cosim.reporting.figures.layer import Layer, before_and_after
@@ -67,6 +74,7 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
         doubts=[doubt.text for doubt in diagnosis.final.comparison.doubts],
         reason=diagnosis.verdict.reason,
         probability=probability_sentence(diagnosis.verdict),
+        probabilities=_probability_picture(diagnosis.verdict),
         meaning=meaning(diagnosis.verdict, diagnosis.data.domain),
         summary=summary_rows(diagnosis),
         ladder=ladder_picture(rungs_of(diagnosis), signals),
@@ -114,6 +122,11 @@ def rungs_of(diagnosis: Diagnosis) -> list[Rung]:
 
 def _effects(diagnosis: Diagnosis) -> str:
     return " + ".join(c.effect for c in diagnosis.path)
+
+
+def _probability_picture(verdict: Verdict) -> Picture | None:
+    rows = probability_rows(verdict)
+    return probability_picture(rows) if rows else None
 
 
 def _ranking_picture(diagnosis: Diagnosis, fitted: Sequence[Candidate], palette: Mapping[str, str]) -> Picture | None:

@@ -34,6 +34,7 @@ from pam_cosim.reporting.account import (
     not_tried_sentence,
     parameter_rows,
     percent,
+    probability_rows,
     probability_sentence,
     summary_rows,
     telling_entries,
@@ -148,6 +149,10 @@ def _judged(event: Judged, domain: Domain) -> VerdictEvent:
         headline="",
         reason=verdict.reason,
         probability=probability_sentence(verdict),
+        probabilities=tuple(
+            {"what": row.what, "share": row.probability, "percent": percent(row.probability), "named": row.named}
+            for row in probability_rows(verdict)
+        ),
         meaning=meaning(verdict, domain),
         families=tuple(words(f) for f in verdict.families),
         effects=tuple(c.effect for c in event.path),

@@ -421,6 +421,8 @@ class VerdictEvent(PageEvent):
 
     Attributes:
         kind, kind_name, headline, error, reason, probability, meaning, compared, not_tried: sentences.
+        probabilities: what may be missing, the most probable first, each with "what", "share" and "named" (by the
+            verdict); the last is what no effect describes.
         effects: what was found, to be added. instrument: what is said of an instrument; "": it is physics.
         summary: the error before and after. parameters: fitted, with intervals.
         next: the next experiment, as ``reporting.account.next_run`` has it; None: there is none to make.
@@ -451,6 +453,7 @@ class VerdictEvent(PageEvent):
     balance: dict[str, float] | None = None
     equations: str = ""
     complete: bool = False
+    probabilities: tuple[Json, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -8,8 +8,10 @@ from functools import cache
 import numpy as np
 import pytest
 
+from pam_cosim.diagnosis.posterior import Explanation, Posterior
 from pam_cosim.measurement import Signal
 from pam_cosim.reporting import diagnosis_report, diagnosis_text
+from pam_cosim.reporting.account import percent
 from tests.field import DOMAIN
 from tests.reporting.html_checks import checked
 from tests.reporting.synthetic import EQUATIONS, SIGNALS, make_data, make_diagnosis
@@ -72,6 +74,20 @@ def test_the_error_before_and_after_stands_first_in_readable_units():
     assert "On runs that were never fitted the rms error of" in text
     assert text.index("The model lacks") < text.index("The error ladder") < text.index("Measured against model")
     assert text.index("Where the error") < text.index("Which effects") < text.index("What this verdict means")
+
+
+def test_what_may_be_missing_is_a_bar_with_its_numbers():
+    diagnosis = make_diagnosis("identified")
+    assert "Probability of what may be missing" not in report("identified")  # one that was saved before there was any
+    sets = (Explanation(("elasticity",), 0.0, 0.6), Explanation((), 9.0, 0.2), Explanation(("leak",), 30.0, 0.004))
+    known = Posterior(sets, 0.196, ("unchecked",))
+    stated = replace(diagnosis, verdict=replace(diagnosis.verdict, posterior=known, probability=0.6))
+    html = diagnosis_report(stated)
+    checked(html)
+    bar = ((0.6, "elasticity"), (0.2, "nothing is missing"), (0.196, "something no effect describes"))
+    assert f"missing: {'; '.join(f'{percent(share)}  {what}' for share, what in bar)}" in html
+    assert "Otherwise: nothing 20 %, something else 20 %" in diagnosis_text(stated)
+    assert diagnosis_report(stated) == html
 
 
 def test_parameters_have_intervals_units_and_plain_remarks():

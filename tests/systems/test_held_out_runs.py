@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pam_cosim import study
-from pam_cosim.criteria import CRITERIA
+from pam_cosim.diagnosis.posterior import something_else
 from pam_cosim.measurement import DataSet
 from rig.instruments import readings
 from rig.measurement import TRUTH, Measurement, Noise, write_data_set
@@ -46,7 +46,8 @@ def test_what_only_held_out_runs_show_is_found_and_not_called_checked(tmp_path: 
     verdict = diagnosis.verdict
     assert (verdict.kind, verdict.families) == ("identified", ("elasticity",))
     assert "It took the held-out runs to tell this" in verdict.reason
-    assert verdict.probability <= 1 - CRITERIA.evidence.unchecked
+    assert "unchecked" in verdict.posterior.doubts
+    assert verdict.probability <= 1 - something_else({"unchecked"})
     # the roles are as they were, and no parameter was fitted to what is shown as held out
     assert [run.role for run in diagnosis.data.runs] == ["fit", "fit", "holdout", "holdout"]
     assert diagnosis.final.comparison.scores["holdout"]

@@ -11,6 +11,7 @@ from pam_cosim.reporting.account.meaning import (
     kind_name,
     meaning,
     not_tried_sentence,
+    probability_rows,
     probability_sentence,
 )
 from pam_cosim.reporting.account.next_run import next_run
@@ -40,6 +41,7 @@ __all__ = [
     "not_tried_sentence",
     "parameter_rows",
     "percent",
+    "probability_rows",
     "probability_sentence",
     "quantity_text",
     "remark",

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from math import isnan
+from typing import NamedTuple
+
 from pam_cosim.diagnosis import Diagnosis, Verdict
 from pam_cosim.model.domain import Domain
 from pam_cosim.reporting.account.wording import listed, quantity_text, words
 
+_NOTHING = "nothing is missing"
+_SMALL_SHARE = 0.01  # what is less probable is one row
 _NAMES = {
     "none_missing": "Nothing missing",
     "identified": "Identified",
@@ -148,6 +153,36 @@ def probability_sentence(verdict: Verdict) -> str:
             "not fitted and is off, is not counted."
         )
     return f"Probability that this, and nothing else, is missing: {100 * p:.0f} %."
+
+
+class ProbabilityRow(NamedTuple):
+    """A part of the bar of a verdict: what may be missing, how probable that is, and whether the verdict names it."""
+
+    what: str
+    probability: float
+    named: bool = False
+
+
+def probability_rows(verdict: Verdict) -> list[ProbabilityRow]:
+    """What may be missing, the most probable first; the probabilities sum to one. None where they are not known.
+
+    Improbable sets of families are one row. What no effect describes, or no sample shows, comes last.
+    """
+    known = verdict.posterior
+    if isnan(known.something_else):
+        return []
+    large = [one for one in known.explanations if one.probability >= _SMALL_SHARE]
+    rows = [
+        ProbabilityRow(
+            listed([words(f) for f in one.families]) or _NOTHING, one.probability, verdict.names(one.families)
+        )
+        for one in large
+    ]
+    rest = 1 - known.something_else - sum(row.probability for row in rows)
+    rows += [ProbabilityRow("other families that were tried", rest)] * (rest >= _SMALL_SHARE / 2)
+    unseen = verdict.kind == "none_missing"
+    other = "something these data do not show" if unseen else "something no effect describes"
+    return [*rows, ProbabilityRow(other, known.something_else)]
 
 
 def not_tried_sentence(diagnosis: Diagnosis) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -10,11 +11,17 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import PercentFormatter
 
 from pam_cosim.comparison import Rule
+from pam_cosim.reporting.account.meaning import ProbabilityRow
 from pam_cosim.reporting.account.wording import percent, shortened, words
 from pam_cosim.reporting.style import (
     BEFORE,
+    BLUE,
+    GREEN,
     INK,
     LINE,
+    ORANGE,
+    PINK,
+    SKY,
     SOFT,
     WIDTH,
     Picture,
@@ -24,6 +31,7 @@ from pam_cosim.reporting.style import (
 )  # fmt: skip
 
 _MOST_RULES = 10
+_WIDE_ENOUGH = 0.06  # part of a bar that a number fits into
 _WORST = -0.2  # an effect that makes the error larger is drawn to here
 
 
@@ -112,7 +120,7 @@ def balance_picture(balance: Mapping[str, float], palette: Mapping[str, str]) ->
         left = 0.0
         for name, share in balance.items():
             axes.barh(0, share, 0.6, left=left, color=palette[name], edgecolor="white", linewidth=1.2)
-            if share > 0.06:
+            if share > _WIDE_ENOUGH:
                 axes.text(left + share / 2, 0, percent(share), ha="center", va="center", color=_on(palette[name]))
             left += share
         axes.set_xlim(0, 1)
@@ -123,6 +131,32 @@ def balance_picture(balance: Mapping[str, float], palette: Mapping[str, str]) ->
             figure,
             "Share of each balance in the error that can be explained",
             "How the explainable error divides among the balances: each is counted with its best single effect.",
+        )
+
+
+def probability_picture(rows: Sequence[ProbabilityRow]) -> Picture:
+    """One bar, divided by what may be missing; the last row is what no effect describes."""
+    named, others = itertools.cycle((BLUE, SKY)), itertools.cycle((ORANGE, GREEN, PINK))
+    colours = [*(next(named if row.named else others) for row in rows[:-1]), SOFT]
+    with drawing():
+        figure = new_figure(0.8 * WIDTH, 0.75 + 0.22 * len(rows))
+        axes = figure.subplots()
+        left = 0.0
+        for (_, share, _), colour in zip(rows, colours, strict=True):
+            axes.barh(0, share, 0.6, left=left, color=colour, edgecolor="white", linewidth=1.2)
+            if share > _WIDE_ENOUGH:
+                axes.text(left + share / 2, 0, percent(share), ha="center", va="center", color=_on(colour))
+            left += share
+        axes.set_xlim(0, 1)
+        axes.axis("off")
+        labels = [f"{percent(share)}  {shortened(what, 90)}" for what, share, _ in rows]
+        handles = [Patch(color=colour, label=label) for colour, label in zip(colours, labels, strict=True)]
+        figure.legend(handles=handles, loc="outside lower left", ncols=1)
+        return picture(
+            figure,
+            f"Probability of what may be missing: {'; '.join(labels)}",
+            "What may be missing, and how probable each is by the evidence of the models that were fitted; the last "
+            "one by how often such a verdict was wrong where the truth is known.",
         )
 
 

@@ -14,6 +14,7 @@ export function verdictParts(v, take, addLearned) {
     said(v.instrument),
     said(v.error),
     said(v.probability),
+    probabilities(v.probabilities),
     said([v.reason, v.compared].filter(Boolean).join(" ")),
     ...(v.doubts ?? []).map((doubt) => said(`Look first: ${doubt}`, "p", { class: "caution" })),
     said(v.not_tried, "p", { class: "soft" }),
@@ -30,6 +31,29 @@ export function verdictParts(v, take, addLearned) {
       missing(v.missing),
     ].filter(Boolean),
   };
+}
+
+/** A bar for each thing that may be missing; what the verdict names stands out. */
+function probabilities(rows) {
+  if (!rows?.length) return "";
+  const bar = (share) => {
+    const whole = make("div", { class: "share-bar" }, make("div", {}));
+    whole.firstChild.style.width = `${100 * share}%`;
+    return whole;
+  };
+  const line = (row) =>
+    make(
+      "tr",
+      { class: row.named ? "named" : "" },
+      make("th", { scope: "row" }, row.what),
+      make("td", {}, bar(row.share)),
+      make("td", { class: "n" }, row.percent),
+    );
+  return make(
+    "table",
+    { class: "probabilities", "aria-label": "Probability of what may be missing" },
+    make("tbody", {}, rows.map(line)),
+  );
 }
 
 function takeButton(v, take) {

@@ -1,0 +1,175 @@
+"""How probable it is that some families are missing, that nothing is, or that it is something no effect describes.
+
+Each set of families has the weight of its best model's evidence, and nothing that of the base model. The evidence is
+tempered: samples, models and noise are not as independent as it assumes. "Something else" is no model whose evidence
+could be reckoned; its probability is a logistic function of what makes an answer doubtful, fitted to cases of which the
+truth is known (``benchmarks.hidden_effects.posterior``).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+from math import exp, isnan, nan
+
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.diagnosis.evidence import evidence, has_structure_for_search, missed, refuted, scale
+from pam_cosim.diagnosis.model_space import ModelSpace
+from pam_cosim.fitting import Fit
+
+
+@dataclass(frozen=True)
+class Explanation:
+    """Families that may be what is missing, these and no others.
+
+    Attributes:
+        families: in alphabetical order; none: nothing is missing.
+        evidence: against their best model, less that against the best of all: twice the logarithm of the odds.
+        probability: of these families.
+    """
+
+    families: tuple[str, ...]
+    evidence: float
+    probability: float
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON."""
+        return {"families": list(self.families), "evidence": self.evidence, "probability": self.probability}
+
+
+@dataclass(frozen=True)
+class Posterior:
+    """What may be missing, with probabilities that sum to one.
+
+    Attributes:
+        explanations: the sets of families of which a model was fitted, the most probable first.
+        something_else: probability of what no effect describes; NaN: not known.
+        doubts: what made that more probable, some of ``DOUBTS``.
+    """
+
+    explanations: tuple[Explanation, ...] = ()
+    something_else: float = nan
+    doubts: tuple[str, ...] = ()
+
+    @property
+    def by_family(self) -> dict[str, float]:
+        """Probability that a family is missing, whatever else is; the most probable first."""
+        sums: dict[str, float] = {}
+        for one in self.explanations:
+            for family in one.families:
+                sums[family] = sums.get(family, 0.0) + one.probability
+        return dict(sorted(sums.items(), key=lambda entry: (-entry[1], entry[0])))
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON."""
+        return {
+            "explanations": [one.as_dict() for one in self.explanations],
+            "families": self.by_family,
+            "something_else": None if isnan(self.something_else) else self.something_else,
+            "doubts": list(self.doubts),
+        }
+
+
+DOUBTS = ("structure", "form_open", "nothing", "unchecked", "several", "general")
+"""What makes it more probable that something else is missing, in the order of ``evidence.something_else``, whose first
+number is there always.
+
+structure: what remains is no noise. form_open: the same, but one family is beyond doubt. nothing: no effect was added,
+and what remains is noise. Where an effect leaves noise: unchecked, no held-out run speaks for it, or a signal that was
+not fitted speaks against it; several, there is more than one; general, one says whatever its family can.
+"""
+
+
+def posterior(
+    base: Fit,
+    best: Candidate | None,
+    tried: Sequence[Candidate],
+    family: Mapping[str, str],
+    choice: ModelSpace,
+    doubts: Collection[str],
+) -> Posterior:
+    """The probabilities beside an answer.
+
+    Models that were fitted in a few steps only do not count, nor those with more effects than the answer, which would
+    follow the noise (one effect where there is none), nor those that signals speak against which were not fitted.
+
+    Args:
+        base: the model without effects, fitted.
+        best: the model with all that was selected; None: nothing was.
+        tried: all models.
+        family: of every effect there is.
+        choice: what a choice among them costs.
+        doubts: of the answer, some of ``DOUBTS``.
+    """
+    effects = best.effects if best else ()
+    models = [c for c in tried if not c.brief and len(c.effects) <= max(len(effects), 1)]
+    models = [c for c in models if not refuted(c.fit, best.fit if best else base)]
+    each = evidence_of_families(base, [*models, *([best] if best else [])], tried, family, choice)
+    own = frozenset(family[e] for e in effects)
+    first = each[own]
+    weights = {f: exp(min((first - e) / (2 * CRITERIA.evidence.temperature), 0.0)) for f, e in each.items()}
+    other = something_else(doubts)
+    share = (1 - other) / sum(weights.values())
+    made = [Explanation(tuple(sorted(f)), each[f] - first, share * weights[f]) for f in each]
+    made.sort(key=lambda one: (-one.probability, one.evidence, one.families))
+    return Posterior(tuple(made), other, tuple(name for name in DOUBTS if name in doubts))
+
+
+def evidence_of_families(
+    base: Fit,
+    models: Sequence[Candidate],
+    tried: Sequence[Candidate],
+    family: Mapping[str, str],
+    choice: ModelSpace,
+) -> dict[frozenset[str], float]:
+    """The evidence against the best model with each set of families, that without any among them.
+
+    Args:
+        base: the model without effects.
+        models: those that count.
+        tried: all models, whose best sets the scale of the noise.
+        family, choice: as for ``posterior``.
+    """
+    at = scale([base, *(c.fit for c in tried)])
+    each = {frozenset[str](): evidence(base, at, (), choice)}
+    for c in models:
+        families = frozenset(family[e] for e in c.effects)
+        each[families] = min(evidence(c.fit, at, c.effects, choice, c), each.get(families, float("inf")))
+    return each
+
+
+def doubts_of(selected: Sequence[Candidate], structure: bool, form_open: bool) -> frozenset[str]:
+    """What makes an answer doubtful, some of ``DOUBTS``.
+
+    Args:
+        selected: models that add one effect after another; none where nothing was added.
+        structure: whether what remains is no noise.
+        form_open: whether the family is beyond doubt all the same.
+    """
+    if structure or form_open:
+        return frozenset({"form_open" if form_open else "structure"})
+    if not selected:
+        return frozenset({"nothing"})
+    applies = {
+        "unchecked": not _checked(selected[-1].fit),
+        "several": len(selected[-1].effects) > 1,
+        "general": any(c.general for c in selected),
+    }
+    return frozenset(name for name, true in applies.items() if true)
+
+
+def something_else(doubts: Collection[str]) -> float:
+    """Probability that something is missing, or something besides, that no effect describes."""
+    always, *more = CRITERIA.evidence.something_else
+    logit = always + sum(number for name, number in zip(DOUBTS, more, strict=True) if name in doubts)
+    return 1 / (1 + exp(-logit))
+
+
+def _checked(fit: Fit) -> bool:
+    """Whether runs that were held out speak for a model, and no signal that was compared but not fitted against it.
+
+    Held-out runs that only the uncertainty of the parameters excuses check little.
+    """
+    held = fit.residuals["holdout"]
+    return bool(held.samples) and not has_structure_for_search(held) and not missed(fit)
