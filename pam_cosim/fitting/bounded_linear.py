@@ -1,4 +1,4 @@
-"""Linear least squares within bounds, exactly: fits, what is expected of models and times of steps all ask for it.
+"""Linear least squares within bounds, exactly: what is expected of models and times of steps ask for it.
 
 Primal-dual active sets: which bounds hold is guessed, the others are solved for, and the solution says which bounds to
 hold next, those that it is beyond, and which to release, those that the slope leads away from. Hintermüller, Ito and

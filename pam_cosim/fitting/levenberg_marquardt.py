@@ -3,7 +3,7 @@
 Fits of models end at bounds more often than not: an exponent at 1.4, a friction that is not there. Methods that
 keep to the inside of the bounds (trust region reflective) then creep along them, and those that go from face to face
 of the box (dogbox) get stuck in corners. Here each step minimises the linearised residuals, damped, within the box
-itself (``bounded_least_squares``); see Kanzow, Yamashita and Fukushima (2004), J. Comput. Appl. Math. 172, for
+itself, by ``scipy.optimize.lsq_linear``; see Kanzow, Yamashita and Fukushima (2004), J. Comput. Appl. Math. 172, for
 why that converges, and Nielsen (1999), IMM-REP-1999-05, for the damping.
 """
 
@@ -13,9 +13,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.optimize import lsq_linear
 
 from pam_cosim.arrays import Array
-from pam_cosim.fitting.bounded_linear import bounded_least_squares
 
 _FIRST_DAMPING = 1e-3  # of the squared size of each column
 _FIRST_TRUST_RADIUS = 1.0  # of a step in any coordinate: a factor of e, or the typical size of the parameter
@@ -23,6 +23,7 @@ _ACCEPTED = 1e-4  # gain ratio that a step must have: what it takes away over wh
 _TRUSTED = 0.25  # gain ratio from which on a small reduction means that little is left to gain
 _RELIABLE = 0.5  # gain ratio from which on the trust radius grows
 _STEP = 1e-7  # relative step that counts as none
+_TINY = 1e-300  # lsq_linear wants the bounds apart
 
 
 @dataclass(frozen=True)
@@ -92,7 +93,8 @@ def _step(triangle: Array, size: Array, damping: float, box: tuple[Array, Array]
     n = len(size)
     within, right = triangle[:n, :n], triangle[:n, n]
     rows = np.vstack([within / size, np.sqrt(damping) * np.eye(n)])
-    wanted = np.concatenate([-right, np.zeros(n)])
-    step = bounded_least_squares(rows, wanted, box[0] * size, box[1] * size) / size
+    bounds = np.minimum(box[0] * size, -_TINY), np.maximum(box[1] * size, _TINY)
+    solution = lsq_linear(rows, np.concatenate([-right, np.zeros(n)]), bounds, method="bvls")
+    step: Array = solution.x / size
     change = within @ step
     return step, -float(2 * right @ change + change @ change)
