@@ -27,9 +27,12 @@ from pam_cosim.diagnosis.identifiability import ConfusedPair, DetectableEffect, 
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.missing_term import LeftInSignal, MissingTerm
 from pam_cosim.diagnosis.next_experiment import NextExperiment
+from pam_cosim.diagnosis.posterior import Explanation, Posterior
 from pam_cosim.diagnosis.verdict import Verdict
 
 __all__ = [
+    "Explanation",
+    "Posterior",
     "ConfusedPair",
     "AllRunsAsked",
     "BaseFitted",
