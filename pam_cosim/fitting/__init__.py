@@ -1,6 +1,6 @@
 """Data set and model -> fitted parameters with intervals."""
 
-from pam_cosim.fitting.bounded_linear import bounded_least_squares, bounded_minimum
+from pam_cosim.fitting.bounded_linear import bounded_least_squares
 from pam_cosim.fitting.chosen_starts import starts_are_open, with_starts
 from pam_cosim.fitting.combinations import Combination
 from pam_cosim.fitting.estimate import Estimate, estimates
@@ -34,7 +34,6 @@ __all__ = [
     "Standing",
     "base_parameters",
     "bounded_least_squares",
-    "bounded_minimum",
     "estimated_starts",
     "estimates",
     "fit",

@@ -41,21 +41,6 @@ def bounded_least_squares(matrix: Array, right: Array, low: Array, high: Array) 
     return x
 
 
-def bounded_minimum(square: Array, along: Array, low: Array, high: Array) -> Array:
-    """The x within bounds that minimises ``x' square x - 2 along' x``, as ``bounded_least_squares``.
-
-    Args:
-        square: (n, n), positive definite.
-        along: (n,). low, high: (n,).
-
-    Raises:
-        numpy.linalg.LinAlgError: ``square`` is not positive definite.
-    """
-    lower: Array = np.asarray(np.linalg.cholesky(square))
-    right: Array = np.asarray(np.linalg.solve(lower, along))
-    return bounded_least_squares(lower.T, right, low, high)
-
-
 def _triangle(rows: Array, right: Array) -> tuple[Array, Array]:
     """The same problem in no more rows than unknowns."""
     n = rows.shape[1]

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from scipy.optimize import lsq_linear
 
 import pam_cosim.fitting.bounded_linear as module
-from pam_cosim.fitting.bounded_linear import bounded_least_squares, bounded_minimum
+from pam_cosim.fitting.bounded_linear import bounded_least_squares
 
 Array = NDArray[np.float64]
 Problem = tuple[Array, Array, Array, Array]
@@ -70,19 +70,6 @@ def test_no_other_point_of_the_box_is_lower(problem: Problem, seed: int) -> None
     for _ in range(20):
         other = np.clip(x + random.normal(size=len(x)) * 10.0 ** random.uniform(-6, 1) * (abs(x) + 1e-4), low, high)
         assert cost(problem, x) <= cost(problem, other) + 1e-9 * float(right @ right)
-
-
-@settings(max_examples=100, deadline=None)
-@given(problems())
-def test_the_quadratic_form_has_the_same_minimum(problem: Problem) -> None:
-    matrix, right, low, high = problem
-    size = np.linalg.norm(matrix, axis=0)
-    matrix = matrix / np.where(size > 0, size, 1.0)
-    rows = np.vstack([matrix, 1e-3 * np.eye(len(low))])
-    extended = np.concatenate([right, np.zeros(len(low))])
-    ridged = (rows, extended, low, high)
-    x, other = bounded_least_squares(*ridged), bounded_minimum(rows.T @ rows, rows.T @ extended, low, high)
-    assert cost(ridged, other) == pytest.approx(cost(ridged, x), rel=1e-8, abs=1e-8 * float(right @ right))
 
 
 def test_a_bound_is_released_again() -> None:
