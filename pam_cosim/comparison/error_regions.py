@@ -78,8 +78,7 @@ def _collect(
     residuals = [r.residual(signal.name) for r in parts]
     kept = [np.isfinite(e) for e in residuals]
     error = np.concatenate([e[k] for e, k in zip(residuals, kept, strict=True)])
-    sigma = signal.sigma or 0.0
-    excess = np.maximum(error**2 - sigma**2, 0.0)
+    excess = np.maximum(error**2 - signal.sigma**2, 0.0)
     if excess.sum() <= 0:
         return None
 

@@ -37,7 +37,7 @@ def reproducibility(runs: Sequence[RunComparison], signals: Mapping[str, Signal]
 
     Args:
         runs: more tell more; NaN where they are too few to tell.
-        signals: by name; those that are fitted and have a noise level count.
+        signals: by name; those that are fitted count.
     """
     if not runs:
         return Reproducibility(float("nan"), float("nan"))
@@ -46,7 +46,7 @@ def reproducibility(runs: Sequence[RunComparison], signals: Mapping[str, Signal]
     tables = _features(runs)
     parts = _parts(runs)
     for name, signal in signals.items():
-        if not signal.fitted or not signal.sigma:
+        if not signal.fitted:
             continue
         measured = [r.residual(name) if r.run.sample_count(name) else None for r in runs]
         residuals = [None if error is None else weighted(error, signal) for error in measured]

@@ -55,7 +55,7 @@ def keep_ledger(
     """The ledger of ``model`` (default: the bench of the data set) with ``effects`` on all runs.
 
     Args:
-        data: the measurement; every signal needs a noise level (``pam_cosim.measurement.complete_noise``).
+        data: the measurement.
         values: parameters [SI], as a fit of the model found them; those under [fit] are estimated along from there.
         model: full name of a class, a bench's name, or a ``.mo`` file.
         effects: names of effects that the model has.
@@ -63,8 +63,8 @@ def keep_ledger(
         tree: the library with these files, if it was read already.
 
     Raises:
-        InputError: a signal without a noise level; an FMU, which has no balances to open; an unknown effect; points at
-            rest, while balances are kept over time.
+        InputError: an FMU, which has no balances to open; an unknown effect; points at rest, while balances are kept
+            over time.
         ModelError: the model cannot be compiled.
     """
     name = data.model_for(model)
@@ -119,9 +119,6 @@ class _Estimation:
         if not models[0].ode.states:
             raise InputError(f"{data.model} has no states: there is no balance to keep a ledger of", data.model)
         self.signals = [n for n, s in data.signals.items() if s.fitted and n in interface.outputs]
-        unknown = [n for n in self.signals if not data.signals[n].sigma]
-        if unknown:
-            raise InputError(f"the noise of {', '.join(unknown)} is not known: a ledger weighs signals by their noise")
         self.sigma = np.array([data.signals[n].sigma for n in self.signals], dtype=float)
         self.free = [n for n in data.fit if n in interface.parameters]
         self.low = np.array([data.fit[n].min for n in self.free])
