@@ -9,10 +9,11 @@ import stat
 import tempfile
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
+from dataclasses import fields, is_dataclass
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
-from pam_cosim.arrays import plain
 from pam_cosim.errors import InputError
 
 _LONGEST_PREFIX = 50  # of a temporary name, which must not be too long where the name itself is not
@@ -121,6 +122,19 @@ def write_text(path: Path, text: str) -> None:
 def write_json(path: Path, content: Any) -> None:
     """As ``write_text``; numbers that do not exist become null."""
     write_text(path, json_text(content))
+
+
+def plain(value: Any) -> Any:
+    """Arrays, tuples and data classes as lists and dictionaries; a number that does not exist is None."""
+    if isinstance(value, dict):
+        return {str(key): plain(one) for key, one in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(one) for one in value]
+    if is_dataclass(value) and not isinstance(value, type):
+        return {field.name: plain(getattr(value, field.name)) for field in fields(value)}
+    if hasattr(value, "tolist"):  # an array or a number of NumPy, which is not loaded for this
+        return plain(value.tolist())
+    return None if isinstance(value, float) and not isfinite(value) else value
 
 
 def json_text(content: Any) -> str:

@@ -11,9 +11,10 @@ import numpy as np
 from scipy.linalg import expm
 
 from pam_cosim.analysis.operating_point import OperatingPoint
-from pam_cosim.arrays import Array, plain
+from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 from pam_cosim.exports import Exported, Table
+from pam_cosim.files import plain
 from pam_cosim.units import is_dimensionless, quotient
 from pam_cosim.wording import did_you_mean
 

@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from pam_cosim.arrays import Array, plain
+from pam_cosim.arrays import Array
 from pam_cosim.exports import Exported, Table, headed
+from pam_cosim.files import plain
 from pam_cosim.units import format_quantity
 
 

@@ -14,11 +14,12 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from pam_cosim.arrays import Array, plain
+from pam_cosim.arrays import Array
 from pam_cosim.comparison.residuals import RunComparison
 from pam_cosim.comparison.scores import score_signal
 from pam_cosim.errors import InputError
 from pam_cosim.exports import write_table
+from pam_cosim.files import plain
 from pam_cosim.measurement import Signal
 from pam_cosim.units import format_quantity, readable_factor, readable_unit
 from pam_cosim.wording import Printed, did_you_mean

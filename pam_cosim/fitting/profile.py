@@ -11,8 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pam_cosim.arrays import Array, plain
+from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
+from pam_cosim.files import plain
 from pam_cosim.fitting.estimate import standard_deviations
 from pam_cosim.fitting.levenberg_marquardt import levenberg_marquardt
 from pam_cosim.fitting.objective import Objective

@@ -6,7 +6,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from pam_cosim.arrays import Array, plain
+from pam_cosim.arrays import Array
+from pam_cosim.files import plain
 from pam_cosim.model.domain import Domain
 from pam_cosim.wording import Printed
 
