@@ -163,8 +163,13 @@ class LinearModel(Exported):
     def _reduced(self, slow: list[int]) -> LinearModel:
         fast = [i for i in range(len(self.states)) if i not in slow]
         if not fast:
-            return replace(self, A=self.A[np.ix_(slow, slow)], B=self.B[slow], C=self.C[:, slow],
-                           states=tuple(self.states[i] for i in slow))  # fmt: skip
+            return replace(
+                self,
+                A=self.A[np.ix_(slow, slow)],
+                B=self.B[slow],
+                C=self.C[:, slow],
+                states=tuple(self.states[i] for i in slow),
+            )
         own = self.A[np.ix_(fast, fast)]
         if np.linalg.matrix_rank(own) < len(fast):
             raise InputError(f"{', '.join(self.states[i] for i in fast)}: cannot follow at once; keep one more state")
@@ -205,9 +210,16 @@ class LinearModel(Exported):
         # its names must not contain a dot
         plain = [[name.replace(".", "_") for name in names] for names in (self.states, self.inputs, self.outputs)]
         return control.ss(
-            self.A, self.B, self.C, self.D, states=plain[0], inputs=plain[1], outputs=plain[2],
-            name=self.model.rpartition(".")[2], remove_useless_states=False,
-        )  # fmt: skip
+            self.A,
+            self.B,
+            self.C,
+            self.D,
+            states=plain[0],
+            inputs=plain[1],
+            outputs=plain[2],
+            name=self.model.rpartition(".")[2],
+            remove_useless_states=False,
+        )
 
     def as_dict(self) -> dict[str, Any]:
         """Matrices, names, units, the point, modes and static gain as plain data; SI units."""

@@ -94,9 +94,16 @@ class Tracking(Exported):
             rms, worst = (format_quantity(float(v[k]), self.unit) for v in (self.error, self.peak))
             gain = self.gain[k]
             rows.append(
-                [f"{frequency:.3g}", rms, f"{self.relative_error[k]:.1%}", worst, f"{abs(gain):.3f}",
-                 f"{np.degrees(np.angle(gain)):.1f}", "" if self.settled[k] else "not settled"]
-            )  # fmt: skip
+                [
+                    f"{frequency:.3g}",
+                    rms,
+                    f"{self.relative_error[k]:.1%}",
+                    worst,
+                    f"{abs(gain):.3f}",
+                    f"{np.degrees(np.angle(gain)):.1f}",
+                    "" if self.settled[k] else "not settled",
+                ]
+            )
         return rows
 
     def _title(self) -> str:

@@ -178,10 +178,12 @@ def _unknown_mechanics(bench: Bench, recorded: ReadRecordings) -> bool:
     """Whether several recordings were taken at lengths or loads that nobody says, and that may differ."""
     variables = [(name, meaning_of(bench.interface.inputs[name])) for name in bench.choice.unfed]
     return len(recorded.sources) > 1 and any(
-        meaning is not None and meaning.kind in MECHANICAL and name not in recorded.stated
+        meaning is not None
+        and meaning.kind in MECHANICAL
+        and name not in recorded.stated
         and not all(name in own for own in recorded.own)
         for name, meaning in variables
-    )  # fmt: skip
+    )
 
 
 def _is_temperature(variable: Variable) -> bool:

@@ -18,10 +18,21 @@ from pam_cosim.measurement.table import is_unit
 from pam_cosim.units import UnitError, convert
 
 UNITS = {
-    "time": "s", "pressure": "Pa", "contraction": "m", "length": "m", "ratio": "1", "force": "N", "mass": "kg",
-    "temperature": "K", "current": "A", "command": "1", "voltage": "V", "angle": "rad", "count": "1",
+    "time": "s",
+    "pressure": "Pa",
+    "contraction": "m",
+    "length": "m",
+    "ratio": "1",
+    "force": "N",
+    "mass": "kg",
+    "temperature": "K",
+    "current": "A",
+    "command": "1",
+    "voltage": "V",
+    "angle": "rad",
+    "count": "1",
     "direction": "1",
-}  # fmt: skip
+}
 """What can be measured, and its SI unit."""
 
 _KINDS = {
@@ -41,14 +52,14 @@ _KINDS = {
     "voltage": "voltage spannung",
     "count": "cycle zyklus takt index sample trial versuch number nummer numero =no =nr =n =id =point =punkt =lauf",
     "direction": "=dir direction richtung =branch =zweig =ast =sens =phase =hysteresis hysterese inflat deflat loading",
-}  # fmt: skip
+}
 _ROLES = {
     "supply": "supply source versorgung vordruck netzdruck alimentation reservoir tank upstream kessel =sup =src",
     "set": "=set =sp =soll =ref =cmd setpoint soll consigne target desired reference wanted demand told command befehl",
     "inlet": "=in =inl =ein inlet intake einlass zuluft admission beluft belueft fill fullen gonflage remplissage",
     "exhaust": "=out =ex =exh =aus =vent exhaust outlet auslass abluft entluft entlueft echappement purge vidange",
     "ambient": "ambient room umgebung raumtemp raumluft ambiant atmos outside labor",
-}  # fmt: skip
+}
 _WITHOUT_ROLES = ("count", "direction")
 _OF_VALVES = ("inlet", "exhaust")
 _SAID_IN_PASSING = frozenset(
@@ -56,21 +67,37 @@ _SAID_IN_PASSING = frozenset(
 )
 # "unloading" and "entlasten" hold words of the other way: these come first.
 _WAYS = (
-    (-1, "deflat =down =d =ab abwarts =fall falling decreas unload entlast entluft release =vent venting exhaust "
-         "extend extension =ruck ruckhub descen degonfl =back backward return =out"),
-    (1, "inflat =up =u =auf aufwarts =rise rising increas load belast beluft press fill contract =hin hinhub mont "
-        "gonfl =forward =in"),
-)  # fmt: skip
+    (
+        -1,
+        "deflat =down =d =ab abwarts =fall falling decreas unload entlast entluft release =vent venting exhaust "
+        "extend extension =ruck ruckhub descen degonfl =back backward return =out",
+    ),
+    (
+        1,
+        "inflat =up =u =auf aufwarts =rise rising increas load belast beluft press fill contract =hin hinhub mont "
+        "gonfl =forward =in",
+    ),
+)
 _NO_LOAD = ("noload", "unload", "lastfrei", "unbelastet", "leerhub", "freehub", "freestroke", "sanscharge", "zeroload")
-_SPELLINGS = {
-    "bara": "bar", "bar(a)": "bar", "bar(g)": "bar", "bar a": "bar", "bar g": "bar", "bar abs": "bar", "bar rel": "bar",
-    "bar abs.": "bar", "bar (abs)": "bar", "kpaa": "kPa", "kpa abs": "kPa", "psia": "psi", "sec": "s", "sek": "s",
-    "sek.": "s", "secs": "s", "seconds": "s", "sekunden": "s", "secondes": "s", "msec": "ms", "kpa": "kPa",
-    "mpa": "MPa", "bar": "bar", "mbar": "mbar", "psi": "psi", "newton": "N", "n": "N", "celsius": "degC", "c": "degC",
-    "degc": "degC", "grad c": "degC", "deg c": "degC", "ampere": "A", "amp": "A", "volt": "V", "volts": "V",
-    "mm": "mm", "cm": "cm", "millimeter": "mm", "prozent": "%", "percent": "%", "pct": "%", "kelvin": "K", "v": "V",
-    "a": "A",
-}  # fmt: skip
+_WRITTEN = {
+    "bar": "bara, bar(a), bar(g), bar a, bar g, bar abs, bar rel, bar abs., bar (abs), bar",
+    "kPa": "kpaa, kpa abs, kpa",
+    "psi": "psia, psi",
+    "s": "sec, sek, sek., secs, seconds, sekunden, secondes",
+    "ms": "msec",
+    "MPa": "mpa",
+    "mbar": "mbar",
+    "N": "newton, n",
+    "degC": "celsius, c, degc, grad c, deg c",
+    "A": "ampere, amp, a",
+    "V": "volt, volts, v",
+    "mm": "mm, millimeter",
+    "cm": "cm",
+    "%": "prozent, percent, pct",
+    "K": "kelvin",
+}
+"""How units are written beside their own way, folded."""
+_SPELLINGS = {written: unit for unit, several in _WRITTEN.items() for written in several.split(", ")}
 _ABSOLUTE = re.compile(r"\babs|\b(bar|psi|kpa)\s*\(?a\b", re.IGNORECASE)
 
 

@@ -176,9 +176,16 @@ class _Estimation:
         model = Model(augmented.ode, [u.parameter for u in unknown_inputs], self.free, self.signals)
         prior_deviation = (self.high - self.low) / CRITERIA.ledger.free_prior
         none = SmoothingProblem(
-            model, grid, self.sigma, self.start, prior_deviation, self.low, self.high,
-            np.ones(model.states), np.ones(len(unknown_inputs)),
-        )  # fmt: skip
+            model,
+            grid,
+            self.sigma,
+            self.start,
+            prior_deviation,
+            self.low,
+            self.high,
+            np.ones(model.states),
+            np.ones(len(unknown_inputs)),
+        )
         states = states or integrate(model, grid, none.parameters(self.start))
         ranges = np.ptp(states[0], axis=0)
         size = np.where(ranges > 0, ranges, np.maximum(np.max(np.abs(states[0]), axis=0), 1e-6))
@@ -454,6 +461,13 @@ def _variables(augmented: AugmentedModel, unknown_input: UnknownInput) -> dict[s
 
 def _reading(fault: SensorFault, evidence: float, explains: float) -> SensorReading:
     return SensorReading(
-        fault.signal, fault.unit, fault.offset, fault.offset_deviation, fault.gain, fault.gain_deviation, fault.lag,
-        evidence, explains,
-    )  # fmt: skip
+        fault.signal,
+        fault.unit,
+        fault.offset,
+        fault.offset_deviation,
+        fault.gain,
+        fault.gain_deviation,
+        fault.lag,
+        evidence,
+        explains,
+    )

@@ -95,10 +95,19 @@ def make_grid(
     left = np.setdiff1d(np.arange(first[-1]), ends)
     time = np.concatenate(times)
     return Grid(
-        tuple(runs), first, time, left, time[left + 1] - time[left], np.array(parameters), np.concatenate(inputs),
-        np.concatenate(stages), np.concatenate(delayed), np.concatenate(stage_delayed), np.concatenate(measured),
+        tuple(runs),
+        first,
+        time,
+        left,
+        time[left + 1] - time[left],
+        np.array(parameters),
+        np.concatenate(inputs),
+        np.concatenate(stages),
+        np.concatenate(delayed),
+        np.concatenate(stage_delayed),
+        np.concatenate(measured),
         np.array(starts).reshape(len(runs), len(ode.states)),
-    )  # fmt: skip
+    )
 
 
 def _courses(ode: Ode, run: Run, stated: Mapping[str, float]) -> list[Pieces]:

@@ -181,8 +181,12 @@ class RemoteStepper:
     ) -> list[float]:
         """As ``AnyStepper``."""
         arguments = {
-            "duration": duration, "inputs": inputs, "slopes": slopes, "names": names, "can_go_back": can_go_back
-        }  # fmt: skip
+            "duration": duration,
+            "inputs": inputs,
+            "slopes": slopes,
+            "names": names,
+            "can_go_back": can_go_back,
+        }
         values: list[float] = self._answer("advance", arguments, False)
         return values
 

@@ -160,9 +160,15 @@ def _sine(middle: float, swing: float, frequency: float, lead: float, periods: i
 
 
 def _measured(
-    run: Trajectory, output: str, acting: list[str], middle: float, swing: float, frequency: float, lead: float,
+    run: Trajectory,
+    output: str,
+    acting: list[str],
+    middle: float,
+    swing: float,
+    frequency: float,
+    lead: float,
     periods: int,
-) -> tuple[complex, float, float, bool, Array, dict[str, Array]]:  # fmt: skip
+) -> tuple[complex, float, float, bool, Array, dict[str, Array]]:
     grid = np.arange(SAMPLES) / SAMPLES
     times = [lead + (periods - back + grid) / frequency for back in (2, 1)]
     before, last = (np.interp(t, run.time, run[f"{_PLANT}.{output}"]) for t in times)

@@ -42,8 +42,10 @@ class Worker:
                 self.held = False
                 self._process = subprocess.Popen(
                     [sys.executable, "-m", "pam_cosim.workbench.worker"],
-                    stdin=subprocess.PIPE, stdout=subprocess.PIPE, start_new_session=True,
-                )  # fmt: skip
+                    stdin=subprocess.PIPE,
+                    stdout=subprocess.PIPE,
+                    start_new_session=True,
+                )
             return self._process
 
     def run(self, job: str, data: Any, model: str, options: dict[str, Any], heard: Heard, done: Done) -> None:
@@ -129,5 +131,8 @@ def _guardian(group: int) -> subprocess.Popen[bytes]:
     """Ends a group of processes when this one is gone, however it ended: those that stand still cannot look for it."""
     return subprocess.Popen(
         ["/bin/sh", "-c", f"read line; kill -9 -{group}"],
-        stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True,
-    )  # fmt: skip
+        stdin=subprocess.PIPE,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+    )

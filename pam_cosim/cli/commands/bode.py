@@ -48,8 +48,17 @@ def bode(
     with Progress(*columns, console=console, disable=not console.is_terminal) as progress:
         task = progress.add_task("sines", total=len(chosen))
         response = dynamics.frequency_response(
-            model, parse_pairs(settings or []), input=by, outputs=of, amplitude=amplitude, frequencies=chosen, at=point,
-            free=free or [], most_periods=most_periods, files=files or [], timeout=timeout,
+            model,
+            parse_pairs(settings or []),
+            input=by,
+            outputs=of,
+            amplitude=amplitude,
+            frequencies=chosen,
+            at=point,
+            free=free or [],
+            most_periods=most_periods,
+            files=files or [],
+            timeout=timeout,
             progress=lambda done, total: progress.update(task, completed=done, total=total),
-        )  # fmt: skip
+        )
     tell_and_write(response, output, json, plot)

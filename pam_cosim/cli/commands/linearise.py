@@ -68,7 +68,13 @@ def linearise(
         say_written(plot)
     else:
         one = dynamics.linearise(
-            model, parameters, at=point[0] if isinstance(point, list) else point, free=free or [], inputs=inputs,
-            outputs=of, files=files or [], timeout=timeout,
-        ).select(by, None, states)  # fmt: skip
+            model,
+            parameters,
+            at=point[0] if isinstance(point, list) else point,
+            free=free or [],
+            inputs=inputs,
+            outputs=of,
+            files=files or [],
+            timeout=timeout,
+        ).select(by, None, states)
         tell_and_write(one, output, json, plot)

@@ -50,11 +50,19 @@ def observe(
     if not isinstance(point, dict):
         raise InputError("--start: give values by name, such as 'p=1 bar'")
     observation = dynamics.observe(
-        model, recording, parse_pairs(settings or []), noise=parse_pairs(noise), outputs=of,
+        model,
+        recording,
+        parse_pairs(settings or []),
+        noise=parse_pairs(noise),
+        outputs=of,
         unknown={name: _two(name, text) for name, text in parse_pairs(unknown or []).items()},
-        drift=parse_pairs(drift or []), spread=parse_pairs(spread or []), start=point,
-        interpolation="previous" if held else "linear", files=files or [], timeout=timeout,
-    )  # fmt: skip
+        drift=parse_pairs(drift or []),
+        spread=parse_pairs(spread or []),
+        start=point,
+        interpolation="previous" if held else "linear",
+        files=files or [],
+        timeout=timeout,
+    )
     tell_and_write(observation, output, json, plot)
 
 

@@ -36,9 +36,18 @@ def draw_residuals(axes: Axes, run: RunComparison, signal: Signal, layers: Seque
         residual = own.residual(signal.name) * factor
         kept = np.isfinite(residual)
         axes.plot(
-            places(own)[kept], residual[kept], color=layer.colour, zorder=3 + i, marker="o", mec="none",
-            ms=4 if few else 1.6, ls="-" if few else "none", lw=0.8, alpha=1.0 if few else 0.6, rasterized=not few,
-        )  # fmt: skip
+            places(own)[kept],
+            residual[kept],
+            color=layer.colour,
+            zorder=3 + i,
+            marker="o",
+            mec="none",
+            ms=4 if few else 1.6,
+            ls="-" if few else "none",
+            lw=0.8,
+            alpha=1.0 if few else 0.6,
+            rasterized=not few,
+        )
 
 
 def residual_pictures(layers: Sequence[Layer]) -> list[Picture]:
