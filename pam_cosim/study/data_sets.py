@@ -172,6 +172,12 @@ def begun_data(
         return with_starts(simulator, data, values)
 
 
+def overriding(values: Mapping[str, float], data: DataSet) -> dict[str, float]:
+    """Values of all runs [SI], also of those runs of which the data set states another one."""
+    own = {f"{name}@{run.name}": v for run in data.runs for name, v in values.items() if name in run.parameters}
+    return {**own, **values}
+
+
 def values_of_runs(parameters: Mapping[str, Setting], data: DataSet, interface: Interface) -> dict[str, float]:
     """Values by name [SI], of all runs or of one: "load.m", "load.m@run-01"."""
     values: dict[str, float] = {}

@@ -60,7 +60,7 @@ def compare(
     if table is None and (table_csv or table_plot):
         raise InputError("--table-csv and --table-plot need --table ROWS COLUMNS, two parameters of the runs")
     check_results(json, report, table_csv, table_plot, sources=[model, params, *(against or []), *(files or [])])
-    values: dict[str, float | str] = {**(_values_of(params, model) if params else {}), **parse_pairs(settings or [])}
+    values: dict[str, float | str] = {**(_values_of(params, model) if params else {})}
     earlier = [(path.stem, read_comparison(path)) for path in against or []]
     carried = study.evidence(data) if is_fmu(str(data)) else None
     if carried is not None:
@@ -69,6 +69,9 @@ def compare(
         model, values = (str(data), {**carried.values, **values}) if model is None else (model, values)
         typer.echo(f"{carried}\n")
     read = read_data(data, model, files, roles, cuts, begins) if carried is None else carried.data
+    stated = {name for run in read.runs for name in run.parameters}
+    values = {name: value for name, value in values.items() if name not in stated}
+    values.update(parse_pairs(settings or []))
     comparison = study.compare(read, model, values, files=files or [], timeout=timeout)
     typer.echo(str(comparison))
     if carried is not None and model == str(data) and not settings and params is None:
