@@ -12,6 +12,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from pam_cosim.arrays import plain
 from pam_cosim.errors import InputError
 
 _LONGEST_PREFIX = 50  # of a temporary name, which must not be too long where the name itself is not
@@ -124,7 +125,7 @@ def write_json(path: Path, content: Any) -> None:
 
 def json_text(content: Any) -> str:
     """As JSON; numbers that do not exist become null."""
-    return json.dumps(_plain(content), indent=1, allow_nan=False) + "\n"
+    return json.dumps(plain(content), indent=1, allow_nan=False) + "\n"
 
 
 def read_file(path: Path, most: int = MOST_BYTES) -> bytes:
@@ -257,15 +258,3 @@ def make_folder(folder: Path) -> None:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise InputError(f"the folder cannot be made: {error.strerror}", folder) from error
-
-
-def _plain(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {str(k): _plain(v) for k, v in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_plain(v) for v in value]
-    if hasattr(value, "item"):
-        value = value.item()
-    if isinstance(value, float) and not (abs(value) < float("inf")):
-        return None
-    return value

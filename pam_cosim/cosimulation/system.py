@@ -148,6 +148,8 @@ class System(Printed):
         Raises:
             InputError: an unknown name, or a value that cannot be used.
         """
+        for name in parameters:
+            settable(name, self.interface)
         values = {name: dict(some) for name, some in self.values.items()}
         for component, some in couple_values(parameters, self.components).items():
             values[component] = values.get(component, {}) | some

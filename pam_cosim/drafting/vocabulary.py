@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from math import inf
@@ -208,45 +209,71 @@ def _unit_in_name(name: str) -> tuple[str, str]:
         return "%", share[1]
     parts = [part for part in re.split(r"[\W_]+", name) if part]
     for place in range(len(parts) - 1, 0, -1):
-        part, rest = parts[place], parts[:place] + parts[place + 1 :]
-        kinds = set(_kinds_in([folded(word) for one in rest for word in split_words(one)]))
-        unit = known_unit(part) if len(part) > 1 or is_unit(part) else ""
-        if not unit or (_roles_of([folded(part)]) and not kinds & {"length"}):
-            continue
-        among = {kind for kind in UNITS if fits(unit, kind)}
-        among |= {"contraction", "length"} if "ratio" in among else set()  # Of the length at rest.
-        if among & (kinds or set(UNITS)) and (kinds or len(part) > 1) or "voltage" in among:
+        rest = parts[:place] + parts[place + 1 :]
+        unit = _unit_beside(parts[place], rest)
+        if unit:
             return unit, " ".join(rest)
     return "", name
 
 
+def _unit_beside(part: str, rest: Sequence[str]) -> str:
+    """The unit that a part of a name is, if it can be one of what the other parts say; "" where it is none."""
+    unit = known_unit(part) if len(part) > 1 or is_unit(part) else ""
+    kinds = set(_kinds_in([folded(word) for one in rest for word in split_words(one)]))
+    is_role = bool(_roles_of([folded(part)]))
+    if not unit or (is_role and "length" not in kinds):
+        return ""
+    among = {kind for kind in UNITS if fits(unit, kind)}
+    if "ratio" in among:
+        among |= {"contraction", "length"}  # Of the length at rest.
+    says_so = bool(among & kinds) if kinds else bool(among) and len(part) > 1
+    return unit if says_so or "voltage" in among else ""
+
+
 def _meaning(words: list[str], unit: str, *, exact: bool = False) -> Meaning | None:
     named = _kinds_in(words)
-    possible = [kind for kind in UNITS if unit and fits(unit, kind)]
-    if not unit:
-        kind = named[0] if named else None
-        kind = "command" if "command" in named and kind in ("current", "contraction") else kind
-    else:
-        kind = next((one for one in named if one in possible), None)
-        if kind is None and named and set(named) & {"contraction", "length"} and "ratio" in possible:
-            kind = "ratio"
-        if kind is None and possible and (not exact or possible[0] != "ratio"):
-            kind = "contraction" if "contraction" in possible else possible[0] if "ratio" not in possible else None
-        if kind == "mass" and "force" in named:
-            kind = "force"
-        if kind in ("contraction", "ratio", "command") and "ratio" in possible:
-            shares = {"ratio", "contraction", "length"} & set(named)
-            kind = "ratio" if shares else "command" if "command" in named else None
-        if kind is None and "force" in named and "mass" in possible:
-            kind = "force"
+    kind = _kind_with_unit(named, unit, exact) if unit else _kind_without_unit(named)
     if kind is None:
         return None
     if kind in _WITHOUT_ROLES:
         return Meaning(kind)
+    of_valves = set(_OF_VALVES)
     roles = _roles_of(words)
-    roles -= set() if kind in ("command", "current") else set(_OF_VALVES)
-    roles &= set(_OF_VALVES) if kind in ("command", "current") else roles
-    return Meaning(kind, frozenset(roles))
+    return Meaning(kind, frozenset(roles & of_valves if kind in ("command", "current") else roles - of_valves))
+
+
+def _kind_without_unit(named: Sequence[str]) -> str | None:
+    """What the words say first; a commanded current or contraction is a command."""
+    kind = named[0] if named else None
+    return "command" if "command" in named and kind in ("current", "contraction") else kind
+
+
+def _kind_with_unit(named: Sequence[str], unit: str, exact: bool) -> str | None:
+    """What the words say among what has the unit; without words, what usually has it."""
+    possible = [kind for kind in UNITS if fits(unit, kind)]
+    kind = next((one for one in named if one in possible), None)
+    lengths = bool({"contraction", "length"} & set(named))
+    if kind is None and lengths and "ratio" in possible:
+        kind = "ratio"
+    if kind is None:
+        kind = _usual_kind(possible, exact)
+    if kind == "mass" and "force" in named:
+        kind = "force"
+    if kind in ("contraction", "ratio", "command") and "ratio" in possible:
+        share = lengths or "ratio" in named
+        kind = "ratio" if share else "command" if "command" in named else None
+    if kind is None and "force" in named and "mass" in possible:
+        kind = "force"
+    return kind
+
+
+def _usual_kind(possible: Sequence[str], exact: bool) -> str | None:
+    """What a unit alone says."""
+    if not possible or (exact and possible[0] == "ratio"):
+        return None
+    if "contraction" in possible:
+        return "contraction"
+    return None if "ratio" in possible else possible[0]
 
 
 def _kinds_in(words: list[str]) -> list[str]:

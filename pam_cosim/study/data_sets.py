@@ -12,7 +12,7 @@ from pam_cosim.compiler import read_library
 from pam_cosim.drafting import DraftRequests, NewDataSet, draft
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import starts_are_open, with_starts
-from pam_cosim.measurement import DataSet, Moment, complete_noise, overrides_of, read_data_set
+from pam_cosim.measurement import DataSet, Moment, overrides_of, read_data_set
 from pam_cosim.model.domain import Domain
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.references import is_fmu, is_ratio, parameter_of, sources_of
@@ -156,7 +156,7 @@ def begun_data(
     files: Paths = (),
     timeout: float | None = None,
 ) -> DataSet:
-    """The data set, with its noise, where every run says how it begins.
+    """The data set where every run says how it begins.
 
     Args:
         data: the measurement.
@@ -165,7 +165,6 @@ def begun_data(
         files: further Modelica files.
         timeout: as in ``simulate``.
     """
-    data = complete_noise(data)
     if not starts_are_open(data):
         return data
     with opened(model, files, timeout=timeout) as simulator:

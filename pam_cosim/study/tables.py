@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -11,6 +9,7 @@ from typing import Any
 from pam_cosim.comparison import Comparison
 from pam_cosim.diagnosis import NextExperiment
 from pam_cosim.errors import InputError
+from pam_cosim.exports import table_text
 from pam_cosim.files import read_json, write_text
 from pam_cosim.units import format_quantity, readable_factor, readable_unit
 
@@ -37,15 +36,12 @@ def write_next_run(path: Path, plan: NextExperiment) -> None:
     rows = list(zip(*columns.values(), strict=True))
     if plan.interpolation == "previous":
         rows = _with_steps(rows)
-    text = io.StringIO()
-    text.write(f"# run {_line(plan.run)}, {_line(plan.change)}\n")
+    remarks = [f"# run {_line(plan.run)}, {_line(plan.change)}\n"]
     for name, value in plan.parameters.items():
-        text.write(f"# set {name} = {_cell(value, units[name])} {_file_unit(units[name])}\n")
-    table = csv.writer(text, lineterminator="\n")
-    table.writerow([_headed(n, _file_unit(units[n])) for n in columns])
-    for row in rows:
-        table.writerow([_cell(v, units[n]) for n, v in zip(columns, row, strict=True)])
-    write_text(path, text.getvalue())
+        remarks.append(f"# set {name} = {_cell(value, units[name])} {_file_unit(units[name])}\n")
+    heads = [_headed(n, _file_unit(units[n])) for n in columns]
+    cells = ([_cell(v, units[n]) for n, v in zip(columns, row, strict=True)] for row in rows)
+    write_text(path, "".join(remarks) + table_text((heads, cells)))
 
 
 def _with_steps(rows: Sequence[tuple[float, ...]]) -> list[tuple[float, ...]]:

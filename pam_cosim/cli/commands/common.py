@@ -15,6 +15,7 @@ import typer
 from rich.console import Console
 from rich.markup import escape
 
+from pam_cosim import renamed
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_distinct, check_spared, check_writable, identity
 
@@ -75,8 +76,8 @@ TimeoutOption = Annotated[
         min=0.0,
     ),
 ]
-VariablesOption = Annotated[
-    list[str] | None, typer.Option("--output", help="A variable to keep beside the model's outputs; can be repeated.")
+KeepOption = Annotated[
+    list[str] | None, typer.Option("--keep", help="A variable to keep beside the model's outputs; may be repeated.")
 ]
 Data = Annotated[Path, typer.Argument(help="Folder of a data set, or what 'diagnose --save' wrote.")]
 DataOrFmu = Annotated[
@@ -92,6 +93,11 @@ def check_results(*outputs: Path | None, sources: Iterable[Path | str | None] = 
         results[path] = identity(path)
     check_distinct(named)
     check_spared(named, [source for source in sources if source is not None])
+
+
+def say_renamed(option: str) -> None:
+    """Answers an option that has another name now with that."""
+    print(f"pam-cosim: {renamed.OPTIONS[option].message(option)}", file=sys.stderr)
 
 
 def check_model_file(path: Path) -> None:

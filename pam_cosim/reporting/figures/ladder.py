@@ -51,8 +51,8 @@ def draw_ladder(axes: Axes, rungs: Sequence[Rung], signal: Signal, size: float =
                      hatch=None if role == "fit" else "////", linewidth=1.0, zorder=3)  # fmt: skip
             axes.annotate(number(value), (at, value), (0, 2.5), textcoords="offset points", ha="center", va="bottom",
                           fontsize=size, color=INK, zorder=6)  # fmt: skip
-    _noise(axes, signal, factor, len(rungs))
-    noise = (signal.sigma or 0.0) * factor
+    noise = signal.sigma * factor
+    axes.axhline(noise, color=INK, lw=1.1, dashes=(3, 2), zorder=5)
     axes.set_ylim(0, 1.16 * max(highest, noise) or 1)
     space = 1.2 if len(rungs) == 1 else 0.6
     axes.set_xlim(-space, len(rungs) - 1 + space)
@@ -61,11 +61,6 @@ def draw_ladder(axes: Axes, rungs: Sequence[Rung], signal: Signal, size: float =
     axes.grid(True, axis="y")
     unit = unit_text(signal.unit)
     axes.set_ylabel(f"rms error [{unit}]" if unit else "rms error")
-
-
-def _noise(axes: Axes, signal: Signal, factor: float, rungs: int) -> None:
-    if signal.sigma is not None and np.isfinite(signal.sigma):
-        axes.axhline(signal.sigma * factor, color=INK, lw=1.1, dashes=(3, 2), zorder=5)
 
 
 def ladder_legend(roles: Sequence[str]) -> list[Patch | Line2D]:
