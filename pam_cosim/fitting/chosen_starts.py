@@ -131,7 +131,7 @@ def _explains(simulator: AnySimulator, data: DataSet, run: Run, own: Mapping[str
     probe = StartProbe(simulator, data, run, own)
     samples = probe.first_samples()
     aims = np.array([samples[name].value for name in probe.signals])
-    noise = np.array([data.signals[name].sigma or 1.0 for name in probe.signals])
+    noise = np.array([data.signals[name].sigma for name in probe.signals])
 
     def squares(start: Beginning) -> float:
         there = probe.at(start.values, start.settle)[0][: len(aims)]
@@ -171,7 +171,7 @@ def _takes_away(simulator: AnySimulator, data: DataSet, runs: Sequence[Run], par
 def _repeated(simulator: AnySimulator, data: DataSet, run: Run, own: Mapping[str, float]) -> Run:
     """The run with so many periods before it that one more would change nothing that is measured."""
     most = CRITERIA.starts.periods
-    signals = {n: s.sigma or 0.0 for n, s in data.signals.items() if s.fitted and run.sample_count(n)}
+    signals = {n: s.sigma for n, s in data.signals.items() if s.fitted and run.sample_count(n)}
     tried = replace(run, start=replace(run.start, periods=most))
     begins = beginning(simulator, data, tried, own)
     period = (float(run.time[0]) - start_time(tried)) / most
@@ -180,7 +180,7 @@ def _repeated(simulator: AnySimulator, data: DataSet, run: Run, own: Mapping[str
         times, parameters={**own, **begins.values}, inputs=inputs_of_run(tried), outputs=list(signals),
         start_time=start_time(tried), settle=begins.settle,
     )  # fmt: skip
-    off = np.max([np.abs(course[n] - course[n][-1]) / (sigma or 1.0) for n, sigma in signals.items()], axis=0)
+    off = np.max([np.abs(course[n] - course[n][-1]) / sigma for n, sigma in signals.items()], axis=0)
     there = np.flatnonzero(off > CRITERIA.starts.round)
     count = max(int(there[-1]) + 1 if there.size else 0, 1)
     said = f"{run.name} is periodic: {count} periods of {format_quantity(period, 's', 4)} are simulated before it"
@@ -222,8 +222,8 @@ def _first_time(run: Run, name: str) -> float:
 
 def _beside(data: DataSet, run: Run, name: str, model: float, common: float) -> _First:
     signal = data.signals[name]
-    noise = CRITERIA.starts.away * (signal.sigma or 0.0)
-    sample = first_of_run(run, name, signal.sigma or 0.0)
+    noise = CRITERIA.starts.away * signal.sigma
+    sample = first_of_run(run, name, signal.sigma)
     assert sample is not None
     values = np.concatenate([[model], *(r.measurements[name] for r in data.runs if name in r.measurements)])
     span = float(np.nanmax(values) - np.nanmin(values))

@@ -32,9 +32,7 @@ def condensed(data: DataSet) -> tuple[DataSet, str]:
     if not means:
         return data, ""
     runs = tuple(means.get(run.name, run) for run in data.runs)
-    stated = {
-        name: one.as_stated() for name, one in data.signals.items() if any(name in r.measurements for r in dense)
-    }
+    stated = {name: one.as_stated() for name, one in data.signals.items() if any(name in r.measurements for r in dense)}
     changed = complete_noise(with_noise_of_means(stated, runs), runs)
     result = replace(data, runs=runs, signals=data.signals | changed)
     over = format_quantity(interval, "s")
