@@ -204,8 +204,8 @@ def compose_on(
 ) -> Composition | None:
     """As :func:`compose`, on a model whose structure is known already; who tries many effects reads it once.
 
-    A ratio of a parameter to what is stated of it (``names.ratio_to_stated``) changes nothing in the model: it is the
-    data that are in question.
+    A ratio of a parameter to what is stated of it (``references.ratio_to_stated``) changes nothing in the model: it is
+    the data that are in question.
     """
     draft = _Draft(structure, tree)
     ratios = [name for name in effects if is_ratio(name)]

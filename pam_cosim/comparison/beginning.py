@@ -196,7 +196,7 @@ class StartProbe:
 
     def first_samples(self) -> dict[str, FirstSamples]:
         """Of the signals that are fitted."""
-        known = {name: first_of_run(self.run, name, self.data.signals[name].sigma or 0.0) for name in self.signals}
+        known = {name: first_of_run(self.run, name, self.data.signals[name].sigma) for name in self.signals}
         return {name: one for name, one in known.items() if one is not None}
 
     def at(self, values: Mapping[str, float], settle: Settle = "none") -> tuple[Array, Array]:

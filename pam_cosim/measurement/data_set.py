@@ -316,7 +316,7 @@ class DataSet(Printed):
         """What to simulate ``run`` with [SI]: stated start values, ``fitted``, what is known of it, its own ones.
 
         A fitted value of one run alone has "@" and the run's name after that of the parameter; a ratio to what is
-        stated (``names.ratio_to_stated``) is multiplied by that.
+        stated (``references.ratio_to_stated``) is multiplied by that.
         """
         start = {name: free.start for name, free in self.fit.items() if free.start is not None}
         every = {**start, **(fitted or {})}

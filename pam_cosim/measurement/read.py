@@ -289,12 +289,12 @@ def _begun(document: ExperimentFile, interface: Interface, index: int, whole: Ru
 
     What is stated of its start does not count where it then begins elsewhere, or is no longer the period that it was.
     """
-    mode = instead.starts.get(run.name)
+    mode, cut = instead.start(run), instead.cut(run)
     if mode is not None and run.is_static:
         raise InputError(f"{run.name} holds points at rest, which have no start", run.file)
-    if run.name not in instead.cuts:
+    if cut is None:
         return with_start(document, interface, index, run, mode)
-    made = cut_run(whole if run.name == whole.name else run, instead.cuts[run.name])
+    made = cut_run(whole if run.name == whole.name else run, cut)
     table = document.content.runs[index]
     periodic = document.content.periodic if table.periodic is None else table.periodic
     elsewhere = made.time[0] != run.time[0] or (bool(periodic) and made.time[-1] != run.time[-1])

@@ -55,9 +55,9 @@ def read(
         roles: "fit" or "holdout" by run, where it shall be another one than the data set says.
         cuts: the first and the last time of a run, by run, instead of ``from`` and ``to`` of the data set: [s] of the
             file's own clock or texts with a unit; None: as it was recorded. Where it begins elsewhere then, its start
-            is chosen anew.
-        starts: "rest", "steady", "measured" or "estimated" by run, where it shall begin otherwise than the data set
-            says.
+            is chosen anew. "*" in the place of a run: all that have no name here.
+        starts: "rest", "steady", "measured" or "estimated" by run, likewise, where it shall begin otherwise than the
+            data set says.
 
     Raises:
         InputError: with file, line and column of what cannot be used; no such run, role or start; nothing is left.
@@ -169,6 +169,12 @@ def begun_data(
         return data
     with opened(model, files, timeout=timeout) as simulator:
         return with_starts(simulator, data, values)
+
+
+def overriding(values: Mapping[str, float], data: DataSet) -> dict[str, float]:
+    """Values of all runs [SI], also of those runs of which the data set states another one."""
+    own = {f"{name}@{run.name}": v for run in data.runs for name, v in values.items() if name in run.parameters}
+    return {**own, **values}
 
 
 def values_of_runs(parameters: Mapping[str, Setting], data: DataSet, interface: Interface) -> dict[str, float]:

@@ -178,6 +178,20 @@ def test_a_data_set_states_inputs_that_were_held(command: Command, place: Path) 
     assert run.default_inputs == ("u_out",) and run.parameters["p_supply"] == pytest.approx(138e3)
 
 
+def test_what_is_set_takes_the_place_of_what_the_data_set_states(command: Command, place: Path) -> None:
+    filling(place / "data", {})
+
+    def error(*settings: str) -> float:
+        words = [word for setting in settings for word in ("--set", setting)]
+        done(command("compare", "data", *words, "--json", "c.json"))
+        return float(json.loads((place / "c.json").read_text())["signals"]["p"]["rmse"])
+
+    stated, faster, smaller = error(), error("u_in=0.34 A"), error("tank.V=1 l")
+    assert min(faster, smaller) > 5 * stated
+    assert error("u_in@one=0.34 A") == faster
+    assert error("u_in=0.34 A", "u_in@one=0.3 A") == stated
+
+
 @pytest.mark.parametrize(
     ("columns", "u_in", "message"),
     [

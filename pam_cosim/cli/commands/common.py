@@ -52,11 +52,11 @@ RoleOption = Annotated[
 ]
 CutOption = Annotated[
     list[str] | None,
-    typer.Option("--cut", help='RUN=FROM:TO, such as run-03="2.5 s:": what is kept of it; may be repeated.'),
+    typer.Option("--cut", help='RUN=FROM:TO, such as run-03="2.5 s:": what is kept of it; "*": of all runs.'),
 ]
 BeginOption = Annotated[
     list[str] | None,
-    typer.Option("--begin", help="RUN=rest, steady, measured or estimated: in which state it begins; may be repeated."),
+    typer.Option("--begin", help="RUN=rest, steady, measured or estimated: how it begins; '*': all runs."),
 ]
 FreeOption = Annotated[
     list[str] | None,
