@@ -87,25 +87,34 @@ def parse_variations(
             raise InputError(f"'{name}' is varied twice")
         if varies_inputs({name: text}, interface):
             variations[name] = [one.strip() for one in text.split(",")]
-            continue
-        variable = settable(name, interface)
-        if ranges:
-            if text.count(":") != 1:
-                raise InputError(f"'{word}': write FROM:TO, such as 1:10; --runs says how many")
-            variations[name] = [value_of(p, variable) for p in _alike(text.split(":"), word)]
+        elif ranges:
+            variations[name] = _ends(text, word, settable(name, interface))
         elif ":" in text:
-            parts = text.split(":")
-            if len(parts) != 3 or not parts[2].strip().isdecimal() or int(parts[2]) < 1:
-                raise InputError(f"'{word}': write FROM:TO:N, such as 1:10:5")
-            if int(parts[2]) > MOST_RUNS:
-                raise InputError(f"'{word}': a sweep has {MOST_RUNS} runs at most")
-            low, high = (value_of(p, variable) for p in _alike(parts[:2], word))
-            if not math.isfinite(high - low):
-                raise InputError(f"'{word}': its ends are too far apart")
-            variations[name] = [float(v) for v in np.linspace(low, high, int(parts[2]))]
+            variations[name] = _evenly(text, word, settable(name, interface))
         else:
-            variations[name] = [value_of(p, variable) for p in _alike(text.split(","), word)]
+            variable = settable(name, interface)
+            variations[name] = [value_of(part, variable) for part in _alike(text.split(","), word)]
     return variations
+
+
+def _ends(text: str, word: str, variable: Variable) -> list[float]:
+    """``FROM:TO``."""
+    if text.count(":") != 1:
+        raise InputError(f"'{word}': write FROM:TO, such as 1:10; --runs says how many")
+    return [value_of(part, variable) for part in _alike(text.split(":"), word)]
+
+
+def _evenly(text: str, word: str, variable: Variable) -> list[float]:
+    """``FROM:TO:N``."""
+    parts = text.split(":")
+    if len(parts) != 3 or not parts[2].strip().isdecimal() or int(parts[2]) < 1:
+        raise InputError(f"'{word}': write FROM:TO:N, such as 1:10:5")
+    if int(parts[2]) > MOST_RUNS:
+        raise InputError(f"'{word}': a sweep has {MOST_RUNS} runs at most")
+    low, high = (value_of(part, variable) for part in _alike(parts[:2], word))
+    if not math.isfinite(high - low):
+        raise InputError(f"'{word}': its ends are too far apart")
+    return [float(value) for value in np.linspace(low, high, int(parts[2]))]
 
 
 def parse_point(words: Sequence[str]) -> Literal["rest"] | dict[str, str] | list[float]:

@@ -85,22 +85,28 @@ def recorded(columns: Sequence[Found], interface: Interface, count: int) -> list
     told: list[dict[str, StatedValue]] = [{} for _ in range(count)]
     for column in columns:
         meaning = column.meaning
-        if meaning is None or not (meaning.kind == "mass" or "ambient" in meaning.roles) or not column.unit:
+        if meaning is None or not column.unit or not (meaning.kind == "mass" or "ambient" in meaning.roles):
             continue
         unit = UNITS[meaning.kind]
-        alike = [
-            name
-            for name, v in interface.parameters.items()
-            if v.unit == unit and meaning == read_variable(name.rpartition(".")[2], v.description, v.unit)
-        ]
+        alike = _parameters_that_mean(meaning, unit, interface)
+        if len(alike) != 1:
+            continue
+        why = f"{column.name} was recorded, and this is its mean"
         for i, values in column.values.items():
-            steady = span(values) == 0.0 or is_constant(values) or "ambient" in meaning.roles
-            if len(alike) == 1 and steady and np.isfinite(values).any():
+            steady = "ambient" in meaning.roles or span(values) == 0.0 or is_constant(values)
+            if steady and np.isfinite(values).any():
                 mean = float(np.nanmean(convert(values, column.unit, unit)))
-                told[i][alike[0]] = StatedValue(
-                    text_of(mean, unit), mean, f"{column.name} was recorded, and this is its mean"
-                )
+                told[i][alike[0]] = StatedValue(text_of(mean, unit), mean, why)
     return told
+
+
+def _parameters_that_mean(meaning: Meaning, unit: str, interface: Interface) -> list[str]:
+    parameters = {name: v for name, v in interface.parameters.items() if v.unit == unit}
+    return [
+        name
+        for name, v in parameters.items()
+        if read_variable(name.rpartition(".")[2], v.description, v.unit) == meaning
+    ]
 
 
 def constant_values(mapped: Mapped, recording: int, interface: Interface) -> dict[str, StatedValue]:

@@ -37,7 +37,7 @@ from pam_cosim.ledger.grid import Grid, make_grid
 from pam_cosim.ledger.ledger import BalanceEntry, Ledger, SensorReading, TermSeries
 from pam_cosim.ledger.model import Model
 from pam_cosim.ledger.radau import further_nodes, integrate
-from pam_cosim.ledger.sensor import SensorFault, fault_beside, try_sensors
+from pam_cosim.ledger.sensor import SensorFault, Unaugmented, fault_beside, try_sensors
 from pam_cosim.ledger.smoother import Point, SmoothingProblem, smooth, unknown_sizes
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.domain import Domain
@@ -110,18 +110,21 @@ class _Estimation:
         samples = int(np.isfinite(problem.grid.measured).sum())
         smoothed = [augmented.smoothed.chi2] if augmented else []
         best = min([unaugmented.chi2, *(f.chi2 for f in unaugmented.faults), *smoothed]) / samples
-        replaced = None
-        by_itself = min([unaugmented.deviance, *(f.deviance for f in unaugmented.faults)])
-        if best > CRITERIA.ledger.at_noise or (
-            augmented and augmented.smoothed.deviance < by_itself and self._swallows(augmented)
-        ):
-            for further in self.models[1:]:
-                candidate = self._explain(further)
-                if candidate and (replaced is None or candidate.smoothed.deviance < replaced.smoothed.deviance):
-                    replaced = candidate
+        is_open = best > CRITERIA.ledger.at_noise
+        replaced = self._replaced() if is_open or self._is_doubtful(unaugmented, augmented) else None
         plain = replaced is not None and replaced.deviance < CRITERIA.ledger.at_noise * samples
-        beside = self._beside() if best > CRITERIA.ledger.at_noise and not plain else None
+        beside = self._beside() if is_open and not plain else None
         return self._judged(Rivals(unaugmented, augmented, replaced, beside, samples))
+
+    def _is_doubtful(self, unaugmented: Unaugmented, augmented: Explanation | None) -> bool:
+        """Whether unknown inputs explain the samples, and one of them may do so for what has none."""
+        by_itself = min([unaugmented.deviance, *(f.deviance for f in unaugmented.faults)])
+        return augmented is not None and augmented.smoothed.deviance < by_itself and self._swallows(augmented)
+
+    def _replaced(self) -> Explanation | None:
+        """The best one with a law replaced by an unknown input."""
+        found = [one for one in map(self._explain, self.models[1:]) if one is not None]
+        return min(found, key=lambda one: one.smoothed.deviance, default=None)
 
     def _beside(self) -> Explanation | None:
         """The unknown inputs together with a fault of one instrument, the most probable one."""

@@ -59,11 +59,11 @@ def couple(
     """Several FMUs, coupled."""
     if formerly:
         say_renamed("couple --observe VARIABLE")
-    check_results(output, plot, ssp, sources=[system, inputs, *(files or []), *_files_of(controllers or [])])
-    made = dict(_controller(word) for word in controllers or [])
-    read = coupling.read_system(system, made, files=files or [], timeout=timeout)
-    read = read.having(parse_pairs(settings or []))
-    read = read.sampling(dict(_sample(word) for word in samples or []))
+    files, controllers = files or [], controllers or []
+    check_results(output, plot, ssp, sources=[system, inputs, *files, *_files_of(controllers)])
+    made = dict(map(_controller, controllers))
+    read = coupling.read_system(system, made, files=files, timeout=timeout)
+    read = read.having(parse_pairs(settings or [])).sampling(dict(map(_sample, samples or [])))
     course = read_inputs(inputs, read.interface) if inputs else None
     options: dict[str, Any] = {"method": method, "extrapolation": extrapolation, "loops": loops}
     if ssp:
@@ -87,6 +87,11 @@ def couple(
                 _write(error.run, output, plot)
             raise
     _write(run, output, plot)
+    _tell(run)
+
+
+def _tell(run: CoupledRun) -> None:
+    """A line for each variable: between which values it lies, and where it ends."""
     for name, values in run.trajectory.values.items():
         unit = run.trajectory.units[name]
         low, high, last = (format_quantity(float(v), unit) for v in (values.min(), values.max(), values[-1]))

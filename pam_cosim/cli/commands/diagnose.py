@@ -72,19 +72,16 @@ def diagnose(
     expect: Annotated[list[str] | None, typer.Option(help="One that is likely to be missing; may be repeated.")] = None,
 ) -> None:
     """Find the physical effect that the model lacks."""
-    for path in (output, learned):
-        if path is not None:
-            check_model_file(path)
-    if save is not None and save.suffix != ".npz":
-        raise InputError("a diagnosis is saved as .npz: name a file that ends so", save)
-    check_results(output, save, json, report, following, learned, sources=[model, *(files or [])])
+    files = files or []
+    _check_endings(output, learned, save)
+    check_results(output, save, json, report, following, learned, sources=[model, *files])
     read = read_data(data, model, files, roles, cuts, begins)
     with console.status("refitting the base model") as status:
         say = teller(status)
         diagnosis = study.diagnose(
             read,
             model,
-            files=files or [],
+            files=files,
             say=say,
             progress=follower(status),
             workers=workers,
@@ -96,7 +93,7 @@ def diagnose(
         )
     typer.echo(reporting.diagnosis_text(diagnosis))
     if output:
-        study.add(diagnosis, output=output, files=files or [])
+        study.add(diagnosis, output=output, files=files)
     if save:
         products.save(diagnosis, save)
     if json:
@@ -104,11 +101,20 @@ def diagnose(
     if report:
         reporting.write_report(report, reporting.diagnosis_report(diagnosis))
     if output:
-        _say_model(diagnosis, data, save, output, files or [])
+        _say_model(diagnosis, data, save, output, files)
     say_written(save)
     say_written(json)
     say_written(report)
     _write_advice(diagnosis, following, learned)
+
+
+def _check_endings(output: Path | None, learned: Path | None, save: Path | None) -> None:
+    """Models are written as Modelica, and a diagnosis is saved as arrays."""
+    for path in (output, learned):
+        if path is not None:
+            check_model_file(path)
+    if save is not None and save.suffix != ".npz":
+        raise InputError("a diagnosis is saved as .npz: name a file that ends so", save)
 
 
 def _say_model(diagnosis: Diagnosis, data: Path, save: Path | None, output: Path, files: Sequence[Path]) -> None:

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from pam_cosim import study
+from pam_cosim.analysis import LinearCourse
 from pam_cosim.cli.arguments import parse_pairs, parse_point
 from pam_cosim.cli.commands.common import (
     FilesOption,
@@ -59,13 +60,7 @@ def linearise(
         along = dynamics.linearise_along(
             model, parameters, inputs, times=point, outputs=of, files=files or [], timeout=timeout
         )
-        typer.echo(str(along))
-        if json:
-            write_json(json, along.as_dict())
-        if plot:
-            study.draw(along, plot)
-        say_written(json)
-        say_written(plot)
+        _tell(along, json, plot)
     else:
         one = dynamics.linearise(
             model,
@@ -78,3 +73,14 @@ def linearise(
             timeout=timeout,
         ).select(by, None, states)
         tell_and_write(one, output, json, plot)
+
+
+def _tell(along: LinearCourse, json: Path | None, plot: Path | None) -> None:
+    """Prints the models along a run and writes them where that was asked for; they make no table."""
+    typer.echo(str(along))
+    if json:
+        write_json(json, along.as_dict())
+    if plot:
+        study.draw(along, plot)
+    say_written(json)
+    say_written(plot)
