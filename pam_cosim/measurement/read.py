@@ -9,7 +9,7 @@ from pathlib import Path
 from pam_cosim.errors import InputError, ModelError
 from pam_cosim.measurement.cuts import Cut, Overrides, cut_run
 from pam_cosim.measurement.data_set import Along, DataSet, FreeParameter, Run, StatedSignal
-from pam_cosim.measurement.experiment import FILE_NAME, ExperimentFile, RunTable, Value, read_experiment
+from pam_cosim.measurement.experiment import FILE_NAME, ExperimentFile, KeyPath, RunTable, Value, read_experiment
 from pam_cosim.measurement.input_maps import input_maps, with_names_of_maps
 from pam_cosim.measurement.noise import complete_noise
 from pam_cosim.measurement.parameters import free_parameter, known_values
@@ -52,18 +52,18 @@ def read_data_set(
     name = model or _model_of(document, benches)
     interface = describe(name) if model else _interface(document, name, describe)
     maps = input_maps(document, interface)
-    if maps and (with_maps is None or is_fmu(name)):
-        raise _no_map(document, maps[0])
     unmapped = name if maps else ""
-    if maps and with_maps is not None:
+    if maps:
+        if with_maps is None or is_fmu(name):
+            raise _no_map(document, maps[0])
         name = with_maps(name, maps)
         interface = describe(name)
     document = with_names_of_maps(document, interface)
     content = document.content
+    title = content.title or document.file.parent.resolve().name
     parameters = known_values(document, interface, content.parameters, "parameters")
-    free = {
-        one: free_parameter(document, interface, one, table, parameters, "fit") for one, table in content.fit.items()
-    }
+    shared = [free_parameter(document, interface, one, table, parameters, "fit") for one, table in content.fit.items()]
+    free = dict(zip(content.fit, shared, strict=True))
     known = {one: value for one, value in parameters.items() if one not in free}
     _check_signals(document, interface)
     _check_runs(document)
@@ -71,11 +71,11 @@ def read_data_set(
     instead = overrides or Overrides()
     read = [_runs(document, interface, index, run, known, instead) for index, run in enumerate(content.runs)]
     runs = tuple(run for several in read for run in several)
-    instead.check(content.title or document.file.parent.resolve().name, [run.name for run in runs])
+    instead.check(title, [run.name for run in runs])
     _check_branches(document, interface, read)
     return DataSet(
         folder=document.file.parent,
-        title=content.title or document.file.parent.resolve().name,
+        title=title,
         model=name,
         bench=_bench(document) or name,
         unmapped=unmapped,
@@ -224,26 +224,21 @@ def _runs(
     instead: Overrides,
 ) -> list[Run]:
     """The run of a recording, or those of the curves of a file of points at rest."""
-    path = ("runs", index, "parameters")
-    for name in table.parameters:
-        if name in document.content.fit:
-            message = f"{name} is free under [fit] and cannot have a value of its own in a run"
-            raise document.error(message, *path, name)
-    own = known_values(document, interface, table.parameters, *path)
+    own = _own_values(document, interface, index, table)
     values = {name: value for name, value in {**known, **own}.items() if name not in table.fit}
+    points: list[Points] = []
     if _is_static(document, table):
         held = {one: value for one, value in values.items() if one in interface.inputs}
         points, files = read_points(document, index, interface, held)
-        recordings = [one.recording for one in points]
+        recording = points[0].recording
     else:
         _check_dynamic(document, table, index)
-        points = []
         recording, files = read_run(document, index, interface)
-        recordings = [recording]
-    for name in recordings[0].inputs:
+    for name in recording.inputs:
         if name in values:
+            place: KeyPath = ("runs", index, "parameters") if name in own else ("parameters",)
             message = f"{name} is constant here and a column of {shown(table.file)}; keep one of them"
-            raise document.error(message, *(path if name in own else ("parameters",)), name)
+            raise document.error(message, *place, name)
     run = Run(
         name=_name(table.file),
         file=files[0],
@@ -251,22 +246,33 @@ def _runs(
         role=table.role,
         interpolation=table.interpolation,
         parameters=values,
-        time=recordings[0].time,
-        inputs=recordings[0].inputs,
-        measurements=recordings[0].measurements,
-        notes=recordings[0].notes,
-        averaged=recordings[0].averaged,
-        default_inputs=tuple(n for n in interface.inputs if n not in recordings[0].inputs and n not in values),
+        time=recording.time,
+        inputs=recording.inputs,
+        measurements=recording.measurements,
+        notes=recording.notes,
+        averaged=recording.averaged,
+        default_inputs=tuple(n for n in interface.inputs if n not in recording.inputs and n not in values),
     )
-    if table.fit and len(points) > 1:
-        message = f"{shown(table.file)} holds {len(points)} curves, which have no parameter of their own"
-        raise document.error(f"{message}; free it under [fit]", "runs", index, "fit")
-    every = [_curve(run, one, i == 0) for i, one in enumerate(points)]
-    every = every or pieces_of(_cut_as_stated(document, index, run), table.gaps or document.content.gaps)
+    if points:
+        every = [_curve(run, one, i == 0) for i, one in enumerate(points)]
+        parts = f"holds {len(every)} curves"
+    else:
+        every = pieces_of(_cut_as_stated(document, index, run), table.gaps or document.content.gaps)
+        parts = f"falls into {len(every)} pieces"
     if table.fit and len(every) > 1:
-        message = f"{shown(table.file)} falls into {len(every)} pieces, which have no parameter of their own"
-        raise document.error(f"{message}; free it under [fit]", "runs", index, "fit")
+        message = f"{shown(table.file)} {parts}, which have no parameter of their own; free it under [fit]"
+        raise document.error(message, "runs", index, "fit")
     return [_begun(document, interface, index, run, one, instead) for one in every]
+
+
+def _own_values(document: ExperimentFile, interface: Interface, index: int, table: RunTable) -> dict[str, float]:
+    """What is stated of one run alone [SI]."""
+    path = ("runs", index, "parameters")
+    for name in table.parameters:
+        if name in document.content.fit:
+            message = f"{name} is free under [fit] and cannot have a value of its own in a run"
+            raise document.error(message, *path, name)
+    return known_values(document, interface, table.parameters, *path)
 
 
 def _cut_as_stated(document: ExperimentFile, index: int, run: Run) -> Run:
