@@ -45,23 +45,31 @@ def reproducibility(runs: Sequence[RunComparison], signals: Mapping[str, Signal]
     gains: dict[int, float] = {}
     total = 0.0
     tables, parts = _features(runs), _parts(runs)
-    for name, signal in signals.items():
-        if not signal.fitted:
-            continue
-        measured = [r.residual(name) if r.run.sample_count(name) else None for r in runs]
-        residuals = [None if error is None else weighted(error, signal) for error in measured]
-        pieces = [_piece(tables, residuals, where) for where in parts]
-        known = {number: piece for number, piece in enumerate(pieces) if piece is not None}
-        if len(known) < 2:
+    for signal in signals.values():
+        measured = [r.residual(signal.name) if r.run.sample_count(signal.name) else None for r in runs]
+        pieces = _pieces(tables, measured, parts, signal) if signal.fitted else {}
+        if len(pieces) < 2:
             continue
         total += sum(_samples(error, signal) for error in measured if error is not None)
-        for number, gain in _gains(known).items():
+        for number, gain in _gains(pieces).items():
             gains[number] = gains.get(number, 0.0) + gain
     if total == 0 or len(gains) < 2:
         return unknown
     by_piece = np.array([gains[k] for k in sorted(gains)])
     error = float(np.std(by_piece, ddof=1)) * np.sqrt(len(by_piece))
     return Reproducibility(float(by_piece.sum()) / total, float(by_piece.sum()) / error if error > 0 else 0.0)
+
+
+def _pieces(
+    tables: Sequence[Array],
+    measured: Sequence[Array | None],
+    parts: Sequence[tuple[int, slice]],
+    signal: Signal,
+) -> dict[int, tuple[Array, Array]]:
+    """Features and weighted residuals of each part that has samples, by its number."""
+    residuals = [None if error is None else weighted(error, signal) for error in measured]
+    pieces = {number: _piece(tables, residuals, where) for number, where in enumerate(parts)}
+    return {number: piece for number, piece in pieces.items() if piece is not None}
 
 
 def _gains(pieces: Mapping[int, tuple[Array, Array]]) -> dict[int, float]:

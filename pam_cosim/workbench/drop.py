@@ -123,23 +123,25 @@ class Drop:
 
 def _checked(wishes: Mapping[str, Any]) -> Json:
     """What a page may say, checked: texts, and texts by name."""
-    known = {"title", "model", "muscle", "columns", "parameters", "recording", "roles"}
-    stray = next((key for key in wishes if key not in known), None)
+    stray = next((key for key in wishes if key not in (*_TEXTS, *_BY_NAME)), None)
     if stray is not None:
         raise InputError(f"a draft knows no {shown(stray)}")
-    made: Json = {}
-    for key, value in wishes.items():
-        if value in (None, "", {}):
-            continue
-        if key in ("title", "model", "muscle"):
-            made[key] = text_of(value, key)
-        elif isinstance(value, Mapping) and all(isinstance(k, str) and isinstance(v, str) for k, v in value.items()):
-            made[key] = {name: text for name, text in value.items() if text}
-        else:
-            raise InputError(f"{key} wants texts by name")
+    said = {key: value for key, value in wishes.items() if value not in (None, "", {})}
+    made: Json = {key: text_of(said[key], key) for key in _TEXTS if key in said}
+    made |= {key: _texts_by_name(said[key], key) for key in _BY_NAME if key in said}
     if "model" in made and any(c in made["model"] for c in "/\\"):
         raise InputError("a bench is named, or a Modelica class; files are given where the workbench is started")
     return made
+
+
+_TEXTS = ("title", "model", "muscle")
+_BY_NAME = ("columns", "parameters", "recording", "roles")
+
+
+def _texts_by_name(value: Any, key: str) -> dict[str, str]:
+    if not isinstance(value, Mapping) or not all(isinstance(one, str) for pair in value.items() for one in pair):
+        raise InputError(f"{key} wants texts by name")
+    return {name: text for name, text in value.items() if text}
 
 
 def _drafted(made: NewDataSet) -> DraftEvent:
