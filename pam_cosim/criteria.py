@@ -393,6 +393,14 @@ class NextExperimentCriteria:
     paces: tuple[float, ...] = decides((0.5, 2.0), "1", "factors on all times")
     joined: int = decides(3, "changes", "best ones of a run, of which two are made together")
     listed_rules: int = decides(5, "rules", "of where the error sits, that describe a missing term")
+    rivals: int = decides(4, "models", "that a run is designed for where none leaves noise: their pairs are six")
+    drawn: int = decides(40, "courses", "drawn at random within the limits of a rig before any is improved")
+    improved: int = decides(80, "courses", "made out of the best ones: twice as many as were drawn")
+    parents: int = decides(6, "courses", "the best ones, out of which further ones are made")
+    levels: tuple[int, int] = decides((2, 12), "levels", "of the inputs in a drawn course: what a person can follow")
+    recorded_levels: int = decides(60, "levels", "of a recorded course that is improved; more say the same")
+    cycles: tuple[float, float] = decides((0.5, 20.0), "a run", "of sines: slower ones are ramps")
+    rows: int = decides(400, "samples", "of a course while courses are compared; all of them count in the end")
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from pam_cosim.cli.commands.common import INTERRUPTED, interrupted, remarks, res
 from pam_cosim.errors import InputError, SimulationFailure
 
 _RUN = ("build", "describe", "simulate", "sweep", "couple", "linearise", "bode", "observe", "track", "actuator")
-_STUDY = ("new", "check", "compare", "fit", "diagnose", "add", "effects", "bench", "workbench", "demo")
+_STUDY = ("new", "check", "compare", "fit", "diagnose", "plan", "add", "effects", "bench", "workbench", "demo")
 COMMANDS = _RUN + _STUDY
 _STYLE: dict[str, Any] = {"add_completion": False, "pretty_exceptions_enable": False, "rich_markup_mode": None}
 

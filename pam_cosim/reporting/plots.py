@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation, Tracking
 from pam_cosim.comparison import Comparison, ConditionTable
 from pam_cosim.diagnosis import Diagnosis
+from pam_cosim.diagnosis.planning import RunPlan
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, write_bytes
 from pam_cosim.fitting import Fit, Profiles
@@ -28,6 +29,7 @@ from pam_cosim.reporting.figures.layer import SPARSE, rivals
 from pam_cosim.reporting.figures.ledger import ledger_figure
 from pam_cosim.reporting.figures.observed import observation_figure
 from pam_cosim.reporting.figures.panels import panels
+from pam_cosim.reporting.figures.planned import plan_figure
 from pam_cosim.reporting.figures.showcase import showcase
 from pam_cosim.reporting.figures.sweep import sweep_figure
 from pam_cosim.reporting.figures.tracked import tracking_figure
@@ -130,6 +132,7 @@ _registered(FrequencyResponse, frequency_figure)
 _registered(Observation, observation_figure)
 _registered(Tracking, tracking_figure)
 _registered(LinearCourse, poles_along)
+_registered(RunPlan, plan_figure)
 
 
 @draw.register

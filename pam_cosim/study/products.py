@@ -22,6 +22,7 @@ from cattrs.strategies import configure_tagged_union, include_subclasses
 from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation, Tracking
 from pam_cosim.comparison import Comparison, ConditionTable
 from pam_cosim.diagnosis import Diagnosis
+from pam_cosim.diagnosis.planning import RunPlan
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, read_file, write_bytes
 from pam_cosim.fitting import Fit, Leeway, Profiles, Record
@@ -37,6 +38,7 @@ Product = (
     | Profiles
     | Ledger
     | Diagnosis
+    | RunPlan
     | LinearModel
     | LinearCourse
     | FrequencyResponse
