@@ -230,6 +230,16 @@ class FitCriteria:
     difference_step: float = decides(1e-3, "search units", "of a finite difference: far above the solver's error")
     failures_kept: int = decides(10, "messages", "kinds of breakdown that are kept")
     interval: float = decides(1.96, "sd", "half width of a 95 % interval", "normal distribution")
+    tail: float = decides(0.025, "of samples", "on either side of a 95 % band")
+    samples: int = decides(200, "samples", "of the parameters: the ends of a 95 % band are known to a seventh of an sd")
+    wider: float = decides(1.5, "sd", "of the posterior as it is about the optimum, that samples are drawn from")
+    least_effective: float = decides(20.0, "samples", "of equal weight, below which ends of a band are rough")
+    discarded_samples: int = decides(20, "samples", "the first ones, which know where the search began")
+    reflections: int = decides(1000, "reflections", "of a sample at the bounds, at most")
+    same_hit: float = decides(1e-9, "quarter periods", "within which two hits of one wall are one")
+    unseen: float = decides(
+        10.0, "times the bounds' distance", "sd of what keeps a parameter that no sample sees finite"
+    )
     parallel: float = decides(
         1e-3, "1", "relative difference of the slopes by two parameters' logarithms, below which they may be one"
     )

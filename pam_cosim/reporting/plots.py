@@ -15,10 +15,11 @@ from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis.planning import RunPlan
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, write_bytes
-from pam_cosim.fitting import Fit, Profiles
+from pam_cosim.fitting import Fit, PredictiveBands, Profiles
 from pam_cosim.ledger import Ledger
 from pam_cosim.reporting.account.labels import model_labels
 from pam_cosim.reporting.diagnosis_page import layers_of, rungs_of
+from pam_cosim.reporting.figures.banded import bands_figure
 from pam_cosim.reporting.figures.bode import bode, poles_along
 from pam_cosim.reporting.figures.condition_maps import condition_maps
 from pam_cosim.reporting.figures.course import course
@@ -133,6 +134,7 @@ _registered(Observation, observation_figure)
 _registered(Tracking, tracking_figure)
 _registered(LinearCourse, poles_along)
 _registered(RunPlan, plan_figure)
+_registered(PredictiveBands, bands_figure)
 
 
 @draw.register

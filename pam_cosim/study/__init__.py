@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from pam_cosim.study.library import bench, benches, effects, rig_parts
     from pam_cosim.study.many_runs import sweep
     from pam_cosim.study.plans import plan
+    from pam_cosim.study.predictions import predict
     from pam_cosim.study.products import load, save
     from pam_cosim.study.runs import simulate
     from pam_cosim.study.tracking import track
@@ -48,6 +49,7 @@ __all__ = [
     "new",
     "observe",
     "plan",
+    "predict",
     "profile",
     "read",
     "read_system",
@@ -75,6 +77,7 @@ _MODULES = {
     "pam_cosim.study.library": ("bench", "benches", "effects", "rig_parts"),
     "pam_cosim.study.many_runs": ("sweep",),
     "pam_cosim.study.plans": ("plan",),
+    "pam_cosim.study.predictions": ("predict",),
     "pam_cosim.study.products": ("load", "save"),
     "pam_cosim.study.runs": ("simulate",),
     "pam_cosim.study.tracking": ("track",),

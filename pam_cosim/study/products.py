@@ -25,7 +25,7 @@ from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis.planning import RunPlan
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, read_file, write_bytes
-from pam_cosim.fitting import Fit, Leeway, Profiles, Record
+from pam_cosim.fitting import Fit, Leeway, PredictiveBands, Profiles, Record
 from pam_cosim.ledger import Ledger
 from pam_cosim.simulation import Trajectory
 from pam_cosim.study.saved_content import arrays_in, check_plain, plain_value
@@ -39,6 +39,7 @@ Product = (
     | Ledger
     | Diagnosis
     | RunPlan
+    | PredictiveBands
     | LinearModel
     | LinearCourse
     | FrequencyResponse

@@ -5,7 +5,6 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 from contextlib import ExitStack
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -17,8 +16,7 @@ from pam_cosim.diagnosis.planning.course import Course
 from pam_cosim.diagnosis.planning.limits import Limits
 from pam_cosim.diagnosis.prediction import Hypothesis, Prediction
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.measurement import DataSet, Run, Start
-from pam_cosim.measurement.start import StartMode
+from pam_cosim.measurement import DataSet, Run, further_run
 from pam_cosim.model.interface import Interface
 
 
@@ -58,29 +56,14 @@ class Rivals:
         return self._hypotheses[0].sigma
 
     def run_of(self, course: Course, interval: float | None = None) -> Run:
-        """A course as a run of the data set, without measurements; it begins as the model does by itself, or steady.
+        """A course as a run of the data set, without measurements.
 
         Args:
             course: what is driven and set.
             interval: between two samples [s]; None: that of the recordings.
         """
-        template = next(run for run in self.data.runs if not run.is_static)
         time, inputs = course.table(self.limits, interval)
-        mode: StartMode = "steady" if template.start.mode == "steady" else "rest"
-        return replace(
-            template,
-            name="planned run",
-            role="fit",
-            interpolation="linear",
-            parameters={**template.parameters, **course.parameters},
-            time=time,
-            inputs=inputs,
-            measurements={name: np.full(len(time), np.nan) for name in self.data.signals},
-            averaged={},
-            notes=(),
-            start=Start(mode=mode),
-            recorded=None,
-        )
+        return further_run(self.data, time, inputs, course.parameters)
 
     def predictions(self, run: Run, tolerance: float | None = None) -> list[Prediction] | None:
         """What each model foretells of a run; None where one breaks down or a signal leaves its limits."""

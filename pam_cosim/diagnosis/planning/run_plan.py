@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 
+import numpy as np
+
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.units import format_quantity
@@ -56,6 +58,19 @@ class PlannedRun:
     def chi2(self) -> float:
         """Of the pair that is least apart."""
         return min(one.chi2 for one in self.separations)
+
+    @property
+    def inputs(self) -> dict[str, Array]:
+        """(n,) values of each input at the times of the predictions [SI]; of a step the first row is before it."""
+        at = np.array(self.table["time"])
+        is_last = np.append(np.diff(self.time) > 0, True)
+        after, before = np.searchsorted(at, self.time, side="right") - 1, np.searchsorted(at, self.time, side="left")
+        on_row = np.isin(self.time, at)
+        columns = {name: np.array(values) for name, values in self.table.items() if name != "time"}
+        return {
+            name: np.where(on_row, values[np.where(is_last, after, before)], np.interp(self.time, at, values))
+            for name, values in columns.items()
+        }
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from pam_cosim import study
@@ -13,7 +12,7 @@ from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis.planning import RunPlan, limits_of
 from pam_cosim.diagnosis.planning.rivals import Rivals
 from pam_cosim.errors import InputError
-from pam_cosim.measurement import DataSet, read_data_set, read_recording
+from pam_cosim.measurement import DataSet, further_run, read_data_set, read_recording
 from rig.short import write_light_data
 from tests.diagnosis.test_next_experiment import rival
 from tests.reporting.synthetic import make_diagnosis
@@ -51,27 +50,10 @@ def test_the_table_alone_gives_the_run(diagnosis: Diagnosis, plan: RunPlan) -> N
     limits = limits_of(diagnosis.data, {"load.m": (2.0, 4.0)}, 3.0)
     (run,) = plan.runs
     with Rivals(diagnosis.rival_models, diagnosis.data, limits) as rivals:
-        course = replace(
-            diagnosis.data.runs[0],
-            interpolation="linear",
-            parameters={**diagnosis.data.runs[0].parameters, **run.parameters},
-            time=run.time,
-            inputs={n: _joined(run.table, n, run.time) for n in run.table if n != "time"},
-            measurements={n: np.full(len(run.time), np.nan) for n in diagnosis.data.signals},
-        )
+        course = further_run(diagnosis.data, run.time, run.inputs, run.parameters)
         predictions = rivals.predictions(course)
         assert predictions is not None
         assert rivals.separations(predictions)[0] == pytest.approx(run.chi2, rel=1e-3)
-
-
-def _joined(table: dict[str, list[float]], name: str, time: np.ndarray) -> np.ndarray:
-    """Lines between the rows; the row that comes first at a step is the one before it."""
-    at, values = np.array(table["time"]), np.array(table[name])
-    last = np.append(np.diff(time) > 0, True)
-    after = values[np.searchsorted(at, time, side="right") - 1]
-    before = values[np.searchsorted(at, time, side="left")]
-    on_row = np.isin(time, at)
-    return np.where(on_row, np.where(last, after, before), np.interp(time, at, values))
 
 
 def test_two_searches_with_one_seed_are_one(diagnosis: Diagnosis, plan: RunPlan) -> None:
