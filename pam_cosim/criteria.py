@@ -407,6 +407,7 @@ class NextExperimentCriteria:
     drawn: int = decides(40, "courses", "drawn at random within the limits of a rig before any is improved")
     improved: int = decides(80, "courses", "made out of the best ones: twice as many as were drawn")
     parents: int = decides(6, "courses", "the best ones, out of which further ones are made")
+    as_good: float = decides(0.8, "of chi-square", "of the best course, from which on a simpler one is taken")
     levels: tuple[int, int] = decides((2, 12), "levels", "of the inputs in a drawn course: what a person can follow")
     recorded_levels: int = decides(60, "levels", "of a recorded course that is improved; more say the same")
     cycles: tuple[float, float] = decides((0.5, 20.0), "a run", "of sines: slower ones are ramps")

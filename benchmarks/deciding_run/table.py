@@ -18,7 +18,7 @@ def table(results: Sequence[Result]) -> str:
     """Markdown: verdicts after one run more, by the verdict before."""
     asked = [r for r in results if "first" in r]
     lines = [
-        f"{len(asked)} cases were diagnosed from two fifths of a run; {sum('further' in r for r in asked)} "
+        f"{len(asked)} cases were diagnosed from their first recording; {sum('further' in r for r in asked)} "
         f"verdicts left rivals; {len(results) - len(asked)} cases could not be run.",
         "",
         "| verdict before | the truth among those named | one run more | cases | " + " | ".join(OUTCOMES) + " |",

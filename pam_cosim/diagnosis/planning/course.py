@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.planning.limits import Limits
 
 
@@ -32,6 +33,11 @@ class Course:
     waves: Array
     constants: Mapping[str, float]
     parameters: Mapping[str, float]
+
+    @property
+    def complexity(self) -> int:
+        """Number of levels; a sine counts as as many as a person can follow."""
+        return len(self.knots) + CRITERIA.next_experiment.levels[1] * int(np.count_nonzero(self.waves[:, 0]))
 
     def table(self, limits: Limits, interval: float | None = None) -> tuple[Array, dict[str, Array]]:
         """(n,) times [s] and (n,) values of each input [SI]; a step is two rows at one time.

@@ -111,7 +111,9 @@ class _Search:
             usable.sort(key=lambda entry: -entry[0])
             child = self._scored(self._child([course for _, course in usable[: criteria.parents]]))
             usable += [child] if child is not None else []
-        course = max(usable, key=lambda entry: entry[0])[1]
+        best = max(score for score, _ in usable)
+        nearly = [entry for entry in usable if entry[0] >= criteria.as_good * best]
+        course = min(nearly, key=lambda entry: (entry[1].complexity, -entry[0]))[1]
         # what was drawn is judged as it is, also where other runs are known
         chances = [entry[0] for entry in drawn if entry is not None]
         base = soft_minimum(self._total(np.zeros(len(self.rivals.pairs))))
