@@ -152,6 +152,25 @@ def parse_pairs(words: Sequence[str]) -> dict[str, str]:
     return pairs
 
 
+def parse_limits(words: Sequence[str]) -> dict[str, tuple[str, str]]:
+    """``NAME=FROM:TO`` words to lowest and highest values as texts, by name.
+
+    Raises:
+        InputError: not of that form, or a name twice.
+    """
+    limits: dict[str, tuple[str, str]] = {}
+    for word in words:
+        name, text = _split(word, "NAME=FROM:TO, such as u_in='0 A:0.35 A'")
+        if name in limits:
+            raise InputError(f"'{name}' is limited twice")
+        ends = text.split(":")
+        if len(ends) != 2:
+            raise InputError(f"'{word}': write NAME=FROM:TO, such as u_in='0 A:0.35 A'")
+        low, high = _alike([end.strip() for end in ends], word)
+        limits[name] = (low, high)
+    return limits
+
+
 def parse_cuts(words: Sequence[str]) -> dict[str, tuple[str | None, str | None]]:
     """``RUN=FROM:TO`` words to first and last times by run; one that is left out is None.
 

@@ -122,9 +122,24 @@ def _near(
     at = scale([base, *(c.fit for c in tried)])
     own = frozenset(family[e] for e in best.effects)
     limit = evidence(best.fit, at, best.effects, choice, best) + CRITERIA.evidence.very_strong
-    each = _best_of_each(among, at, family, choice).items()
+    each = best_of_each(among, at, family, choice).items()
     near = [(score, c) for theirs, (score, c) in each if not theirs >= own and score < limit]
     return [c for _, c in sorted(near, key=lambda entry: (entry[0], entry[1].effects))]
+
+
+def nearest(base: Fit, tried: Sequence[Candidate], family: Mapping[str, str], choice: ModelSpace) -> list[Candidate]:
+    """The models with most evidence, one of each set of families, best first: what is left where none leaves noise.
+
+    Args:
+        base: the model without effects, fitted.
+        tried: all models.
+        family: of every effect there is.
+        choice: what a choice among them costs.
+    """
+    at = scale([base, *(c.fit for c in tried)])
+    fitted = [c for c in tried if not c.brief]
+    each = sorted(best_of_each(fitted, at, family, choice).values(), key=lambda entry: (entry[0], entry[1].effects))
+    return [c for _, c in each[: CRITERIA.next_experiment.rivals]]
 
 
 def with_facts(
@@ -161,10 +176,10 @@ def missed(fit: Fit) -> tuple[str, ...]:
     return tuple(n for n, s in unfitted.items() if s.rmse > CRITERIA.evidence.refuted * s.noise_rmse)
 
 
-def _best_of_each(
+def best_of_each(
     candidates: Sequence[Candidate], at: Scale, family: Mapping[str, str], choice: ModelSpace
 ) -> dict[frozenset[str], tuple[float, Candidate]]:
-    """The best model with each set of families, with its evidence."""
+    """The best model with each set of families, with its evidence, in the order of the candidates."""
     best: dict[frozenset[str], tuple[float, Candidate]] = {}
     for c in candidates:
         families = frozenset(family[e] for e in c.effects)
@@ -204,7 +219,7 @@ def confidence(
     own = frozenset(family[e] for e in best.effects)
     fitted = [c for c in tried if not c.brief and len(c.effects) <= len(best.effects) and not refuted(c.fit, best.fit)]
     first = evidence(best.fit, at, best.effects, choice, best)
-    each = _best_of_each(fitted, at, family, choice).items()
+    each = best_of_each(fitted, at, family, choice).items()
     weights = {f: exp(min((first - e) / (2 * numbers.temperature), 0.0)) for f, (e, _) in each} | {own: 1.0}
     told = {f for f in weights if f == own or (verdict.kind == "ambiguous" and f <= set(verdict.families))}
     if any_structure_for_verdict(best.fit):

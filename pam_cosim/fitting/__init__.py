@@ -11,6 +11,8 @@ from pam_cosim.fitting.linear import Linear, linearised, residual_rows, rows_of_
 from pam_cosim.fitting.methods import METHODS, Record, summary
 from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.parameter_file import parameters_in, read_parameters, write_parameters
+from pam_cosim.fitting.parameter_posterior import ParameterPosterior, parameter_posterior
+from pam_cosim.fitting.predictive_bands import Band, PredictiveBands, predictive_bands
 from pam_cosim.fitting.profile import Profile, Profiles
 from pam_cosim.fitting.solve import spread_starts
 from pam_cosim.fitting.start_estimates import estimated_starts, runs_without_start, simulated
@@ -18,6 +20,7 @@ from pam_cosim.fitting.tracker import Convergence, Progress, Standing
 
 __all__ = [
     "METHODS",
+    "Band",
     "Combination",
     "Convergence",
     "Estimate",
@@ -26,6 +29,8 @@ __all__ = [
     "Free",
     "Leeway",
     "Linear",
+    "ParameterPosterior",
+    "PredictiveBands",
     "Profile",
     "Profiles",
     "Progress",
@@ -37,7 +42,9 @@ __all__ = [
     "fit",
     "linearised",
     "model_parameter",
+    "parameter_posterior",
     "parameters_in",
+    "predictive_bands",
     "profile",
     "read_parameters",
     "residual_rows",

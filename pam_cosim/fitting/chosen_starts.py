@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pam_cosim.comparison.beginning import (
-    Beginning,
+from pam_cosim.comparison.initial_state import (
+    InitialState,
     StartProbe,
-    beginning,
     first_of_run,
+    initial_state,
     inputs_of_run,
     measured,
     start_time,
@@ -126,18 +126,18 @@ def _with_start(
     return _begun(run, "estimated", f"{said}: estimated")
 
 
-def _explains(simulator: AnySimulator, data: DataSet, run: Run, own: Mapping[str, float], begins: Beginning) -> bool:
+def _explains(simulator: AnySimulator, data: DataSet, run: Run, own: Mapping[str, float], begins: InitialState) -> bool:
     """Whether all signals are much nearer to their first samples from there: a force that is missing stays away."""
     probe = StartProbe(simulator, data, run, own)
     samples = probe.first_samples()
     aims = np.array([samples[name].value for name in probe.signals])
     noise = np.array([data.signals[name].sigma for name in probe.signals])
 
-    def squares(start: Beginning) -> float:
+    def squares(start: InitialState) -> float:
         there = probe.at(start.values, start.settle)[0][: len(aims)]
         return float(np.sum(((there - aims) / noise) ** 2))
 
-    return squares(Beginning()) > CRITERIA.starts.worth * squares(begins)
+    return squares(InitialState()) > CRITERIA.starts.worth * squares(begins)
 
 
 def _as_others(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float], reason: str) -> Run:
@@ -173,7 +173,7 @@ def _repeated(simulator: AnySimulator, data: DataSet, run: Run, own: Mapping[str
     most = CRITERIA.starts.periods
     signals = {n: s.sigma for n, s in data.signals.items() if s.fitted and run.sample_count(n)}
     tried = replace(run, start=replace(run.start, periods=most))
-    begins = beginning(simulator, data, tried, own)
+    begins = initial_state(simulator, data, tried, own)
     period = (float(run.time[0]) - start_time(tried)) / most
     times = start_time(tried) + period * np.arange(most + 1)
     course = simulator.run(

@@ -15,6 +15,7 @@ from pam_cosim.measurement.data_set import (
 )
 from pam_cosim.measurement.experiment import error_in
 from pam_cosim.measurement.first_samples import FirstSamples, first_samples
+from pam_cosim.measurement.further_run import further_run, rows_of
 from pam_cosim.measurement.noise import complete_noise, estimate_noise, record_step
 from pam_cosim.measurement.read import read_data_set
 from pam_cosim.measurement.recording import Recording, read_recording
@@ -48,10 +49,12 @@ __all__ = [
     "error_in",
     "estimate_noise",
     "first_samples",
+    "further_run",
     "overrides_of",
     "record_step",
     "read_data_set",
     "read_recording",
+    "rows_of",
     "with_step_times",
     "write_data_set",
 ]

@@ -14,7 +14,7 @@ from pam_cosim.measurement import DataSet
 from pam_cosim.model.references import START_VALUES
 from pam_cosim.model.settings import Setting
 from pam_cosim.simulation.models import Paths, describe, opened
-from pam_cosim.study.data_sets import begun_data, for_model, overriding, values_of_runs
+from pam_cosim.study.data_sets import data_with_starts, for_model, overriding, values_of_runs
 
 
 def compare(
@@ -33,7 +33,7 @@ def compare(
     name, data = data.model_for(model), for_model(data, model, files)
     interface = describe(name, files)
     values = overriding(values_of_runs(parameters or {}, data, interface), data)
-    data = begun_data(data, name, values, files, timeout)
+    data = data_with_starts(data, name, values, files, timeout)
     with opened(name, files, [START_VALUES] * data.estimates_starts, timeout) as simulator:
         starts = estimated_starts(simulator, data, runs_without_start(data, values, interface), values)
         return _compare(simulator, data, values | {name: e.value for name, e in starts.items()})

@@ -145,11 +145,11 @@ def new(
         Path(folder), paths, wishes, read_library(files=as_paths(files)), described_with(files), as_paths(files)
     )
     written = read(folder, files=files)
-    begun = begun_data(written, written.model, files=files)
+    begun = data_with_starts(written, written.model, files=files)
     return replace(made, data=written, starts=begun.starts)
 
 
-def begun_data(
+def data_with_starts(
     data: DataSet,
     model: str,
     values: Mapping[str, float] | None = None,

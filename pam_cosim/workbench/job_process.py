@@ -12,7 +12,7 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
-from pam_cosim.processes.keeper import ANSWER, read_frame, write_frame
+from pam_cosim.processes.watchdog import ANSWER, read_frame, write_frame
 
 CAN_HOLD = hasattr(signal, "SIGSTOP")
 _PATIENCE = 2.0  # [s] for the process to end when nobody asks any more

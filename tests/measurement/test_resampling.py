@@ -104,9 +104,7 @@ def test_in_a_data_set(tmp_path):
     assert data.signals["x"].sigma == pytest.approx(1e-4 / np.sqrt(20))
     assert any("10000 rows are" in note and "2 steps of inputs kept" in note for note in data.notes())
     file.write_text(f'{head}[[runs]]\nfile = "run.csv"\n')
-    assert read_data_set(tmp_path, describe).signals["x"].sigma == pytest.approx(
-        1e-4 / np.sqrt(20), rel=0.15
-    )
+    assert read_data_set(tmp_path, describe).signals["x"].sigma == pytest.approx(1e-4 / np.sqrt(20), rel=0.15)
     file.write_text(f'model = "{MODEL}"\n[[runs]]\nfile = "run.csv"\n[runs.recording]\nresample = "20 mm"\n')
     with pytest.raises(InputError) as caught:
         read_data_set(tmp_path, describe)

@@ -22,6 +22,7 @@ from pam_cosim.files import check_distinct, check_spared, check_writable, identi
 if TYPE_CHECKING:
     from pam_cosim.analysis import FrequencyResponse, LinearModel, Observation, Tracking
     from pam_cosim.diagnosis import Event, Message
+    from pam_cosim.fitting import PredictiveBands
     from pam_cosim.measurement import DataSet
 
 INTERRUPTED = 130  # as shells have it for a command that Ctrl-C ended
@@ -144,7 +145,7 @@ def say_written(path: Path | None) -> None:
 
 
 def tell_and_write(
-    product: LinearModel | FrequencyResponse | Observation | Tracking,
+    product: LinearModel | FrequencyResponse | Observation | PredictiveBands | Tracking,
     output: Path | None,
     json: Path | None,
     plot: Path | None,
