@@ -149,16 +149,20 @@ def _feed(ports: Ports, given: _Given) -> BenchChoice:
     fed = {*inputs, *given.formulas, *given.stated}
     unfed = tuple(name for name in ports.inputs if name not in fed and name != BRANCH)
     left = _signals_among(free, used)
-    known = [c.meaning for c in used]
     driven = _is_driven(ports, fed, left)
-    measured = bool(outputs) or any(name in readable for name in given.formulas)
-    unused = [c for c in left if c.meaning not in known]
-    cost = _UNUSED * len(unused) + _UNFED * len(unfed) + _ROUNDABOUT * (far_inputs + far_outputs)
+    unread = [name for name in readable if name not in outputs and name not in given.formulas]
+    measured = bool(outputs) or len(unread) < len(readable)
+    cost = _UNUSED * _unused(left, used) + _UNFED * len(unfed) + _ROUNDABOUT * (far_inputs + far_outputs)
     cost += _UNLIKELY * _unlikely(inputs, outputs) + _UNDRIVEN * ((not driven) + 2 * (not measured))
     cost -= _NAMED * len([name for name, column in inputs.items() if name == column.name])
     cost += _ISOMETRIC if _must_be_fixed(ports, used) else 0.0
-    unread = len([name for name in readable if name not in outputs and name not in given.formulas])
-    return BenchChoice(ports, inputs, outputs, unfed, (), cost, unread, driven and measured)
+    return BenchChoice(ports, inputs, outputs, unfed, (), cost, len(unread), driven and measured)
+
+
+def _unused(left: Sequence[Found], used: Sequence[Found]) -> int:
+    """How many columns are left that mean something else than those that are used."""
+    known = [c.meaning for c in used]
+    return len([c for c in left if c.meaning not in known])
 
 
 def _readable(ports: Ports) -> dict[str, Variable]:

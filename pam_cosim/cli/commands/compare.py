@@ -26,7 +26,7 @@ from pam_cosim.cli.commands.common import (
     read_data,
     say_written,
 )
-from pam_cosim.comparison import Comparison, write_tables
+from pam_cosim.comparison import Comparison, ConditionTable, write_tables
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_json
@@ -78,16 +78,27 @@ def compare(
     tables = [comparison.table(*table, signal) for signal in comparison.scores["all"]] if table else []
     for one in tables:
         typer.echo(f"\n{one}")
+    _write(comparison, tables, json, report)
+    _write_tables(tables, table_csv, table_plot)
+
+
+def _write(comparison: Comparison, tables: Sequence[ConditionTable], json: Path | None, report: Path | None) -> None:
     if json:
-        write_json(json, comparison.as_dict() | ({"tables": [one.as_dict() for one in tables]} if tables else {}))
+        further = {"tables": [one.as_dict() for one in tables]} if tables else {}
+        write_json(json, comparison.as_dict() | further)
     if report:
         reporting.write_report(report, reporting.comparison_report(comparison))
-    if table_csv:
-        write_tables(table_csv, tables)
-    if table_plot:
-        reporting.plot_tables(tables, table_plot)
-    for path in (json, report, table_csv, table_plot):
-        say_written(path)
+    say_written(json)
+    say_written(report)
+
+
+def _write_tables(tables: Sequence[ConditionTable], csv: Path | None, picture: Path | None) -> None:
+    if csv:
+        write_tables(csv, tables)
+    if picture:
+        reporting.plot_tables(tables, picture)
+    say_written(csv)
+    say_written(picture)
 
 
 def _with_evidence(
