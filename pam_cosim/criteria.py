@@ -140,7 +140,7 @@ class StartCriteria:
         1e-3, "of a state", "by which a free parameter must move where the model begins, to be what says it"
     )
     worth: float = decides(
-        1.5, "1", "times fewer squares that first samples must leave with a start of their own; the whole run, where "
+        1.5, "1", "times fewer squares that first samples must leave with a start of their own; the whole runs, where "
         "they are off by no more than an offset of an instrument: that stays",
     )  # fmt: skip
     pause: float = decides(10.0, "intervals", "of the usual length; a longer one is a pause of the logger")

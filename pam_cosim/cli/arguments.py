@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Literal
 
@@ -16,9 +16,10 @@ from pam_cosim.fmu.description import model_identifier
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.references import is_file
 from pam_cosim.model.settings import settable, value_of
-from pam_cosim.study.dynamics import conditions_of
 from pam_cosim.sweeps import MOST_RUNS
 from pam_cosim.sweeps.patterns import varies_inputs
+
+TABLES = (".csv", ".nc", ".parquet")
 
 
 def fmu_files(models: Sequence[str], output: Path) -> list[tuple[str, Path]]:
@@ -39,19 +40,19 @@ def fmu_files(models: Sequence[str], output: Path) -> list[tuple[str, Path]]:
     return [(model, file) for file, model in files.items()]
 
 
-def parse_settings(settings: Sequence[str], interface: Interface) -> dict[str, float]:
-    """``NAME=VALUE`` words to values [SI]; one without a unit is in the model's own unit.
+def file_and_variables(words: Sequence[str], interface: Callable[[], Interface]) -> tuple[Path | None, list[str]]:
+    """The file that ``--output`` names, and the variables of the model, which it named before version 0.2.0.
 
     Raises:
-        InputError: not of that form, a name twice, and as ``settings.resolve``.
+        InputError: several files.
     """
-    values: dict[str, float] = {}
-    for word in settings:
-        name, text = _split(word, "NAME=VALUE, such as NAME='5 kg'")
-        if name in values:
-            raise InputError(f"'{name}' is set twice")
-        values[name] = value_of(text, settable(name, interface))
-    return values
+    unsure = [word for word in words if Path(word).suffix.lower() not in TABLES]
+    known = interface().variables if unsure else {}
+    variables = [word for word in unsure if word in known]
+    files = [Path(word) for word in words if word not in variables]
+    if len(files) > 1:
+        raise InputError(f"-o names {len(files)} files, {' and '.join(map(str, files))}; a variable is kept by --keep")
+    return (files[0] if files else None), variables
 
 
 def parse_named(words: Sequence[str]) -> dict[str, str]:
@@ -77,7 +78,7 @@ def parse_variations(
     ``inputs=A.csv,B.csv`` stays a list of texts, of files or of formulas.
 
     Raises:
-        InputError: as ``parse_settings``.
+        InputError: not of that form, a name twice, and as ``settings.value_of``.
     """
     variations: dict[str, list[float] | list[str]] = {}
     for word in words:
@@ -107,8 +108,8 @@ def parse_variations(
     return variations
 
 
-def parse_point(words: Sequence[str], interface: Interface) -> Literal["rest"] | dict[str, float] | list[float]:
-    """What ``--at`` says: "rest", values by name [SI] of one state, or times [s] of a run.
+def parse_point(words: Sequence[str]) -> Literal["rest"] | dict[str, str] | list[float]:
+    """What ``--at`` says: "rest", values by name of one state, or times [s] of a run.
 
     Raises:
         InputError: not of that form, or several of these.
@@ -124,7 +125,7 @@ def parse_point(words: Sequence[str], interface: Interface) -> Literal["rest"] |
         raise InputError(f"'{twice}' is given twice")
     if "time" in names:
         raise InputError("a time is of a run and has its state; give either times or values of a state")
-    return conditions_of(dict(pairs), interface)
+    return dict(pairs)
 
 
 def parse_pairs(words: Sequence[str]) -> dict[str, str]:

@@ -31,7 +31,7 @@ class Hypothesis:
         self.candidate, self.data = candidate, data
         self.values = candidate.fit.values | candidate.fit.start_values
         self.free = [n for n, e in candidate.fit.parameters.items() if not e.at_bound and not e.run]
-        self.sigma = {n: s.sigma for n, s in data.signals.items() if s.fitted and s.sigma}
+        self.sigma = {n: s.sigma for n, s in data.fitted_signals.items()}
         name, told = candidate.equations.split()[1], [parameter_of(n) for n in self.free]
         self._simulator = Simulator(build_source(name, candidate.equations, files, sensitivities=told, lean=True))
         self._held: Array | None = None

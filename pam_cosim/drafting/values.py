@@ -70,10 +70,13 @@ def _signal(name: str, meaning: Meaning | None, course: MappedRecording, interfa
     """The recorded signal of that name and meaning: a force is a force, imposed as ``F_load`` or not."""
     variables = {**interface.inputs, **interface.outputs}
     alike = [
-        one for one, values in course.every.items()
-        if name in (one, one.partition("_")[0]) and meaning is not None and meaning == meaning_of(variables[one])
+        one
+        for one, values in course.every.items()
+        if name in (one, one.partition("_")[0])
+        and meaning is not None
+        and meaning == meaning_of(variables[one])
         and np.isfinite(values).any()
-    ]  # fmt: skip
+    ]
     return alike[0] if alike else None
 
 
@@ -147,10 +150,14 @@ def to_state(interface: Interface, points: bool = False) -> dict[str, Variable]:
     return {
         name: v
         for name, v in interface.parameters.items()
-        if v.start is not None and name.count(".") <= 1 and not name.endswith("_start") and v.min is not None
-        and name not in {*free(interface), *perhaps(interface)} and (is_geometry(v) or not points)
+        if v.start is not None
+        and name.count(".") <= 1
+        and not name.endswith("_start")
+        and v.min is not None
+        and name not in {*free(interface), *perhaps(interface)}
+        and (is_geometry(v) or not points)
         and not any(word in v.description.casefold() for word in _CHOSEN)
-    }  # fmt: skip
+    }
 
 
 def is_geometry(variable: Variable) -> bool:
@@ -203,10 +210,13 @@ def _told_by_fit(interface: Interface, words: Sequence[str]) -> dict[str, Variab
     return {
         name: v
         for name, v in interface.parameters.items()
-        if v.min is not None and v.max is not None and v.unit not in _MEASURED and name.count(".") == 1
+        if v.min is not None
+        and v.max is not None
+        and v.unit not in _MEASURED
+        and name.count(".") == 1
         and any(word in v.description.casefold() for word in words)
         and not any(word in v.description.casefold() for word in _CHOSEN)
-    }  # fmt: skip
+    }
 
 
 def check(stated: Mapping[str, str], interface: Interface) -> None:

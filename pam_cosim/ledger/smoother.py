@@ -279,7 +279,7 @@ def linearise(problem: SmoothingProblem, point: Point, slack: float = _SLACK) ->
     flow = (-by_left[:, :, :n], -by_free)
     return LinearisedProblem(
         matrix, gradient, corner_gradient, cost, log_weights, residual, values[0], stage, flow, (rows, rows_free)
-    )  # fmt: skip
+    )
 
 
 # ---- the random walks -----------------------------------------------------------------------------------------

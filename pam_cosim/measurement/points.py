@@ -107,8 +107,9 @@ def _check_imposed(table: Table, interface: Interface, imposed: Mapping[str, Arr
         what = listed(needed)
         raise InputError(
             f"there is no column {shown(missing[0])}, nor a value under [parameters]: a row imposes {what}",
-            table.file, table.header_line,
-        )  # fmt: skip
+            table.file,
+            table.header_line,
+        )
     if not any(name in imposed for name in needed):
         message = f"no column varies that is imposed: {listed(needed)} are the same in all rows"
         raise InputError(message, table.file, table.header_line)

@@ -8,9 +8,10 @@ from pathlib import Path
 
 from pam_cosim.errors import InputError, ModelError
 from pam_cosim.measurement.cuts import Cut, Overrides, cut_run
-from pam_cosim.measurement.data_set import Along, DataSet, FreeParameter, Run, Signal
+from pam_cosim.measurement.data_set import Along, DataSet, FreeParameter, Run, StatedSignal
 from pam_cosim.measurement.experiment import FILE_NAME, ExperimentFile, RunTable, Value, read_experiment
 from pam_cosim.measurement.input_maps import input_maps, with_names_of_maps
+from pam_cosim.measurement.noise import complete_noise
 from pam_cosim.measurement.parameters import free_parameter, known_values
 from pam_cosim.measurement.paths import file_inside
 from pam_cosim.measurement.pieces import pieces_of
@@ -34,7 +35,7 @@ def read_data_set(
     with_maps: Callable[[str, Sequence[InputMap]], str] | None = None,
     overrides: Overrides | None = None,
 ) -> DataSet:
-    """Reads a data set and converts it to the units of its bench.
+    """Reads a data set, converts it to the units of its bench, and completes the noise of its signals.
 
     Args:
         folder: the folder, or its ``experiment.toml``.
@@ -78,7 +79,7 @@ def read_data_set(
         model=name,
         bench=_bench(document) or name,
         unmapped=unmapped,
-        signals=with_noise_of_means(_signals(document, interface, runs), runs),
+        signals=complete_noise(with_noise_of_means(_signals(document, interface, runs), runs), runs),
         parameters=known,
         fit=free | {one.name: one for several in own for one in several},
         runs=runs,
@@ -135,7 +136,7 @@ def _check_signals(document: ExperimentFile, interface: Interface) -> None:
             raise document.error(message, "signals", name)
 
 
-def _signals(document: ExperimentFile, interface: Interface, runs: tuple[Run, ...]) -> dict[str, Signal]:
+def _signals(document: ExperimentFile, interface: Interface, runs: tuple[Run, ...]) -> dict[str, StatedSignal]:
     """Declared signals in the file's order, then measured columns that are not declared.
 
     Where some signals are declared, the others are shown but not fitted: a column may be in a file for other reasons.
@@ -149,14 +150,14 @@ def _signals(document: ExperimentFile, interface: Interface, runs: tuple[Run, ..
     return {name: _signal(document, name, interface.outputs[name].unit) for name in names}
 
 
-def _signal(document: ExperimentFile, name: str, unit: str) -> Signal:
+def _signal(document: ExperimentFile, name: str, unit: str) -> StatedSignal:
     declared = document.content.signals
     table = declared.get(name)
     if table is None:
-        return Signal(name, unit, fitted=not declared)
+        return StatedSignal(name, unit, fitted=not declared)
     sigma = _deviation(document, name, "sigma", table.sigma, unit)
     repeatability = _deviation(document, name, "repeatability", table.repeatability, unit)
-    return Signal(name, unit, sigma, repeatability=repeatability or 0.0)
+    return StatedSignal(name, unit, sigma, repeatability=repeatability or 0.0)
 
 
 def _deviation(document: ExperimentFile, name: str, key: str, value: Value | None, unit: str) -> float | None:
@@ -288,12 +289,12 @@ def _begun(document: ExperimentFile, interface: Interface, index: int, whole: Ru
 
     What is stated of its start does not count where it then begins elsewhere, or is no longer the period that it was.
     """
-    mode = instead.starts.get(run.name)
+    mode, cut = instead.start(run), instead.cut(run)
     if mode is not None and run.is_static:
         raise InputError(f"{run.name} holds points at rest, which have no start", run.file)
-    if run.name not in instead.cuts:
+    if cut is None:
         return with_start(document, interface, index, run, mode)
-    made = cut_run(whole if run.name == whole.name else run, instead.cuts[run.name])
+    made = cut_run(whole if run.name == whole.name else run, cut)
     table = document.content.runs[index]
     periodic = document.content.periodic if table.periodic is None else table.periodic
     elsewhere = made.time[0] != run.time[0] or (bool(periodic) and made.time[-1] != run.time[-1])

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -12,6 +10,7 @@ from pam_cosim.comparison import Comparison
 from pam_cosim.diagnosis import NextExperiment
 from pam_cosim.diagnosis.planning import RunPlan
 from pam_cosim.errors import InputError
+from pam_cosim.exports import table_text
 from pam_cosim.files import check_writable, read_json, write_text
 from pam_cosim.units import format_quantity, readable_factor, readable_unit
 
@@ -76,14 +75,11 @@ def _text_of_run(
 ) -> str:
     """Comments, and the inputs of a run as a table with units."""
     units = {"time": "s", **units}
-    text = io.StringIO()
-    for line in said:
-        text.write(f"# {_line(line)}\n")
-    table = csv.writer(text, lineterminator="\n")
-    table.writerow([_headed(n, _file_unit(units[n])) for n in names])
-    for row in rows:
-        table.writerow([_cell(v, units[n]) for n, v in zip(names, row, strict=True)])
-    return text.getvalue()
+    remarks = "".join(f"# {_line(line)}\n" for line in said)
+    heads = [_headed(n, _file_unit(units[n])) for n in names]
+    return remarks + table_text(
+        (heads, ([_cell(v, units[n]) for n, v in zip(names, row, strict=True)] for row in rows))
+    )
 
 
 def _with_steps(rows: Sequence[tuple[float, ...]]) -> list[tuple[float, ...]]:

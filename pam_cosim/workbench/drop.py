@@ -153,17 +153,23 @@ def _drafted(made: NewDataSet) -> DraftEvent:
         starts=made.starts,
         to_check=made.to_check,
         runs=tuple({"name": r.name, "role": r.role, "describe": r.describe()} for r in data.runs),
-        names=tuple({"name": n, "unit": unit_text(v.unit), "input": n in interface.inputs, "description": v.description}
-                    for n, v in {**interface.inputs, **interface.outputs}.items()),
+        names=tuple(
+            {"name": n, "unit": unit_text(v.unit), "input": n in interface.inputs, "description": v.description}
+            for n, v in {**interface.inputs, **interface.outputs}.items()
+        ),
         parameters=tuple(
-            {"name": n, "unit": unit_text(v.unit), "description": v.description,
-             "value": None if v.start is None else v.start * readable_factor(v.unit)}
+            {
+                "name": n,
+                "unit": unit_text(v.unit),
+                "description": v.description,
+                "value": None if v.start is None else v.start * readable_factor(v.unit),
+            }
             for n, v in interface.parameters.items()
         ),
         benches=tuple(study.benches()),
         toml=text,
         curves=tuple(_curves(made)),
-    )  # fmt: skip
+    )
 
 
 def _curves(made: NewDataSet) -> list[Json]:
@@ -175,9 +181,14 @@ def _curves(made: NewDataSet) -> list[Json]:
             unit = made.data.signals[name].unit
             shown_values = values[kept] * readable_factor(unit)
             curves.append(
-                {"run": run.name, "signal": name, "unit": unit_text(unit), "time": _numbers(run.time[kept]),
-                 "values": _numbers(shown_values)}
-            )  # fmt: skip
+                {
+                    "run": run.name,
+                    "signal": name,
+                    "unit": unit_text(unit),
+                    "time": _numbers(run.time[kept]),
+                    "values": _numbers(shown_values),
+                }
+            )
     return curves
 
 

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from pam_cosim import study
-from pam_cosim.cli.arguments import parse_point, parse_settings
+from pam_cosim.cli.arguments import parse_pairs, parse_point
 from pam_cosim.cli.commands.common import (
     FilesOption,
     JsonOption,
@@ -50,10 +50,9 @@ def linearise(
 ) -> None:
     """A, B, C and D of a model about a state, a rest or times of a run."""
     check_results(output, json, plot, sources=[model, course, *(files or [])])
-    interface = dynamics.exchange(model, files or []).interface
-    parameters = parse_settings(settings or [], interface)
-    inputs = read_inputs(course, interface) if course else None
-    point = parse_point(at or ["rest"], interface)
+    parameters = parse_pairs(settings or [])
+    inputs = read_inputs(course, dynamics.exchange(model, files or []).interface) if course else None
+    point = parse_point(at or ["rest"])
     if isinstance(point, list) and len(point) > 1:
         if output is not None or by or states:
             raise InputError("-o, --by and --state are for one point; give one --at")
@@ -69,7 +68,13 @@ def linearise(
         say_written(plot)
     else:
         one = dynamics.linearise(
-            model, parameters, at=point[0] if isinstance(point, list) else point, free=free or [], inputs=inputs,
-            outputs=of, files=files or [], timeout=timeout,
-        ).select(by, None, states)  # fmt: skip
+            model,
+            parameters,
+            at=point[0] if isinstance(point, list) else point,
+            free=free or [],
+            inputs=inputs,
+            outputs=of,
+            files=files or [],
+            timeout=timeout,
+        ).select(by, None, states)
         tell_and_write(one, output, json, plot)

@@ -33,9 +33,8 @@ def bands_figure(prediction: PredictiveBands) -> Figure:
 
 def _draw(axes: Axes, time: Array, band: Band, base: Array) -> None:
     factor = readable_factor(band.unit)
-    if np.isfinite(band.reading_low).any():
-        low, high = (band.reading_low - base) * factor, (band.reading_high - base) * factor
-        axes.fill_between(time, low, high, color=BAND, lw=0, label="95 % of readings")
+    low, high = (band.reading_low - base) * factor, (band.reading_high - base) * factor
+    axes.fill_between(time, low, high, color=BAND, lw=0, label="95 % of readings")
     low, high = (band.low - base) * factor, (band.high - base) * factor
     axes.fill_between(time, low, high, color=AFTER, alpha=0.35, lw=0, label="95 %, parameters")
     if band.measured.size:

@@ -21,7 +21,7 @@ from pam_cosim.reporting.style import (
     drawing,
     new_figure,
     picture,
-)  # fmt: skip
+)
 
 _MOST_RULES = 10
 _WORST = -0.2  # an effect that makes the error larger is drawn to here
