@@ -404,6 +404,7 @@ class NextExperimentCriteria:
     joined: int = decides(3, "changes", "best ones of a run, of which two are made together")
     listed_rules: int = decides(5, "rules", "of where the error sits, that describe a missing term")
     rivals: int = decides(4, "models", "that a run is designed for where none leaves noise: their pairs are six")
+    members: int = decides(3, "models", "of each explanation that is left: laws of its families that fit as well")
     drawn: int = decides(40, "courses", "drawn at random within the limits of a rig before any is improved")
     improved: int = decides(80, "courses", "made out of the best ones: twice as many as were drawn")
     parents: int = decides(6, "courses", "the best ones, out of which further ones are made")

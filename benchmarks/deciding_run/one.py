@@ -16,6 +16,7 @@ from benchmarks.hidden_effects.outcome import judged
 from pam_cosim import study
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis.planning import plan
+from pam_cosim.diagnosis.planning.members import members
 from pam_cosim.diagnosis.planning.moves import Moves
 from pam_cosim.diagnosis.planning.rivals import Rivals
 from pam_cosim.measurement import DataSet, Run, further_run
@@ -56,7 +57,7 @@ def _further(scene: Scene, first: Diagnosis) -> dict[str, Any]:
 def _at_random(scene: Scene, first: Diagnosis) -> tuple[Run, float]:
     """A run drawn within the same limits that the rig can play, and the chi-square that was expected of it."""
     moves, rng = Moves(scene.limits, first.data.runs), np.random.default_rng([scene.seed, RANDOM])
-    with Rivals(first.rival_models, first.data, scene.limits) as rivals:
+    with Rivals(members(first), first.data, scene.limits) as rivals:
         for _ in range(DRAWS):
             run = rivals.run_of(moves.drawn(rng))
             with suppress(RuntimeError):

@@ -60,7 +60,7 @@ def solve(number: int) -> dict[str, Any]:
                 "readings": band.coverage,
                 "samples": int(np.isfinite(band.measured).sum()),
                 "truth": float(np.mean(inside[known])) if known.any() else None,
-                "half_width": half_width / sigma if sigma else None,
+                "half_width": half_width / sigma,
             })  # fmt: skip
         effective = bands.posterior.effective
     return {
@@ -84,7 +84,7 @@ def table(results: Sequence[Mapping[str, Any]]) -> str:
         rows = [row for r in chosen for row in r["runs"]]
         readings = np.average([row["readings"] for row in rows], weights=[row["samples"] for row in rows])
         truth = np.mean([row["truth"] for row in rows if row["truth"] is not None])
-        width = np.median([row["half_width"] for row in rows if row["half_width"] is not None])
+        width = np.median([row["half_width"] for row in rows])
         lines.append(
             f"| {colour} | {len(chosen)} | {len(rows)} | {100 * readings:.1f} % | {100 * truth:.0f} % | {width:.2g} |"
         )

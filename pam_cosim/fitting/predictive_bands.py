@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
-from pathlib import Path
 
 import numpy as np
 
@@ -14,7 +12,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.comparison import simulate_run
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.files import write_json, write_text
+from pam_cosim.exports import Exported, Table, headed
 from pam_cosim.fitting.parameter_posterior import ParameterPosterior
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
@@ -30,8 +28,7 @@ class Band:
         unit: SI unit.
         value: (n,) with the fitted parameters [unit].
         low, high: (n,) between which the signal lies with 95 % [unit], as far as the parameters say.
-        reading_low, reading_high: (n,) between which a reading of it lies with 95 % [unit]; NaN where its noise is not
-            known.
+        reading_low, reading_high: (n,) between which a reading of it lies with 95 % [unit].
         measured: (n,) readings [unit], NaN where there is none; empty: nobody ran it.
     """
 
@@ -54,7 +51,7 @@ class Band:
 
 
 @dataclass(frozen=True)
-class PredictiveBands(Printed):
+class PredictiveBands(Printed, Exported):
     """A run that was foretold.
 
     Attributes:
@@ -87,22 +84,14 @@ class PredictiveBands(Printed):
             "failed": self.failed,
         }
 
-    def to_json(self, path: Path) -> None:
-        """Writes all of it as JSON."""
-        write_json(path, self.as_dict())
-
-    def to_csv(self, path: Path) -> None:
-        """Writes the bands over time as CSV: of each signal its value and the ends of both bands [SI]."""
-        heads, columns = ["time [s]"], [self.time]
+    def table(self) -> Table:
+        """Time, and of each signal its value and the ends of both bands; SI units."""
+        heads, columns = [headed("time", "s")], [self.time]
         for name, band in self.bands.items():
             for end in ("value", "low", "high", "reading_low", "reading_high"):
-                heads.append(f"{name if end == 'value' else f'{name}.{end}'} [{band.unit or '1'}]")
+                heads.append(headed(name if end == "value" else f"{name}.{end}", band.unit))
                 columns.append(getattr(band, end))
-        text = io.StringIO()
-        text.write(",".join(heads) + "\n")
-        for row in zip(*columns, strict=True):
-            text.write(",".join("" if np.isnan(v) else f"{v:.9g}" for v in row) + "\n")
-        write_text(path, text.getvalue())
+        return heads, ([float(v) for v in row] for row in zip(*columns, strict=True))
 
     def __str__(self) -> str:
         count, effective = len(self.posterior.samples), self.posterior.effective
@@ -168,15 +157,11 @@ def _band(data: DataSet, run: Run, name: str, best: Array, drawn: Array, weights
     signal, reach = data.signals[name], CRITERIA.fit.interval
     tail = CRITERIA.fit.tail
     low, high = _quantile(drawn, weights, tail), _quantile(drawn, weights, 1 - tail)
-    if signal.sigma is None:
-        reading = np.full(len(best), np.nan), np.full(len(best), np.nan)
-    else:
-        centre = weights @ drawn
-        around = reach * np.sqrt(weights @ (drawn - centre) ** 2 + signal.sigma**2)
-        reading = centre - around, centre + around
+    centre = weights @ drawn
+    around = reach * np.sqrt(weights @ (drawn - centre) ** 2 + signal.sigma**2)
     measured = run.measurements.get(name, np.zeros(0))
     readings = measured if np.isfinite(measured).any() else np.zeros(0)
-    return Band(signal.unit, best, low, high, *reading, measured=readings)
+    return Band(signal.unit, best, low, high, centre - around, centre + around, readings)
 
 
 def _quantile(drawn: Array, weights: Array, level: float) -> Array:

@@ -15,6 +15,7 @@ from pam_cosim.diagnosis.events import Remark
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.planning.course import Course
 from pam_cosim.diagnosis.planning.limits import Limits, limits_of
+from pam_cosim.diagnosis.planning.members import members
 from pam_cosim.diagnosis.planning.moves import Moves, Random
 from pam_cosim.diagnosis.planning.rivals import Rivals, soft_minimum
 from pam_cosim.diagnosis.planning.run_plan import PlannedRun, RunPlan, Separation
@@ -51,8 +52,8 @@ def plan(
         InputError: the verdict leaves no choice, or within the limits nothing can be chosen.
         SimulationFailure: no course could be simulated.
     """
-    models = diagnosis.rival_models
-    if len(models) < 2:
+    explanations = members(diagnosis)
+    if len(explanations) < 2:
         raise InputError(f"the verdict is {diagnosis.verdict.kind}: there are no rivals to decide between")
     if runs < 1:
         raise InputError("plan one run at least")
@@ -61,8 +62,8 @@ def plan(
         raise InputError("no input and no parameter differs in the recordings: state limits within which they may")
     recorded = [run for run in diagnosis.data.runs if not run.is_static]
     moves, rng = Moves(limits, recorded), np.random.default_rng(seed)
-    with Rivals(models, diagnosis.data, limits, files) as rivals:
-        names = tuple(" + ".join(one.effects) for one in models)
+    with Rivals(explanations, diagnosis.data, limits, files) as rivals:
+        names = tuple(" + ".join(one.effects) for one in rivals.models)
         say(Remark(f"looking for the run that separates {', '.join(names)}").message)
         search = _Search(rivals, moves, rng)
         planned: list[PlannedRun] = []
@@ -76,6 +77,7 @@ def plan(
         diagnosis.model,
         diagnosis.verdict.kind,
         names,
+        tuple(tuple(" + ".join(one.effects) for one in models) for models in explanations),
         tuple(dict.fromkeys(_families(diagnosis, names))),
         tuple(planned),
         units | {n: diagnosis.data.signals[n].unit for n in sigma},

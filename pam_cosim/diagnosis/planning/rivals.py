@@ -21,18 +21,27 @@ from pam_cosim.model.interface import Interface
 
 
 class Rivals:
-    """Fitted models with different effects; a context manager.
+    """Fitted models of different explanations; a context manager.
 
     Args:
-        models: at least two candidates with a fit.
+        explanations: at least two, each with its models, candidates with a fit.
         data: the measurement, with noise levels.
         limits: of the rig.
         files: further Modelica files.
     """
 
-    def __init__(self, models: Sequence[Candidate], data: DataSet, limits: Limits, files: Sequence[Path] = ()) -> None:
-        self.models, self.data, self.limits = tuple(models), data, limits
-        self.pairs = list(itertools.combinations(range(len(self.models)), 2))
+    def __init__(
+        self,
+        explanations: Sequence[Sequence[Candidate]],
+        data: DataSet,
+        limits: Limits,
+        files: Sequence[Path] = (),
+    ) -> None:
+        self.models = tuple(model for models in explanations for model in models)
+        self.data, self.limits = data, limits
+        of = [number for number, models in enumerate(explanations) for _ in models]
+        every = itertools.combinations(range(len(self.models)), 2)
+        self.pairs = [(i, j) for i, j in every if of[i] != of[j]]
         self._files, self._stack = files, ExitStack()
         self._hypotheses: list[Hypothesis] = []
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 
 import numpy as np
@@ -40,7 +40,7 @@ class PlannedRun:
         parameters: what is set before it [SI].
         table: columns of time [s] and inputs [SI] where any of them bends; lines join the rows, and a step is two rows
             at one time.
-        separations: of each pair of rivals, by this run alone.
+        separations: of each pair of models with different families, by this run alone.
         at_random: the same for the pair that is least apart, by a course drawn at random, in the median; NaN: none of
             those that were drawn could be simulated.
         time: (n,) [s] of the predictions.
@@ -81,7 +81,8 @@ class RunPlan(Printed):
         title: of the data set.
         model: the base model.
         verdict: kind of the verdict.
-        rivals: effects of each model, best first, joined by " + ".
+        rivals: effects of each model, joined by " + ": those of one explanation after one another, best first.
+        explanations: the same, of each set of families the models that stand for it.
         families: of these effects.
         runs: to be made, one after another.
         units: by name of an input, a parameter or a signal.
@@ -93,6 +94,7 @@ class RunPlan(Printed):
     model: str
     verdict: str
     rivals: tuple[str, ...]
+    explanations: tuple[tuple[str, ...], ...]
     families: tuple[str, ...]
     runs: tuple[PlannedRun, ...]
     units: dict[str, str]
@@ -123,7 +125,7 @@ class RunPlan(Printed):
         least = min(self.separations, key=lambda one: one.chi2)
         strong = CRITERIA.evidence.very_strong
         if self.decides:
-            says = f"{runs} should decide between {listed(self.rivals)}"
+            says = f"{runs} should decide between {listed(_named(models) for models in self.explanations)}"
         else:
             close = [f"{one.first} and {one.second}" for one in self.separations if not one.decides]
             says = f"{runs} will not decide between {listed(close)}: measure another signal, or widen the limits"
@@ -145,6 +147,7 @@ class RunPlan(Printed):
             "model": self.model,
             "verdict": self.verdict,
             "rivals": list(self.rivals),
+            "explanations": [list(models) for models in self.explanations],
             "families": list(self.families),
             "chi2": self.chi2,
             "decides": self.decides,
@@ -156,11 +159,20 @@ class RunPlan(Printed):
         }
 
     def __str__(self) -> str:
-        lines = [f"{self.title}: the verdict is {self.verdict}; {len(self.rivals)} models are left", self.expectation]
+        lines = [
+            f"{self.title}: the verdict is {self.verdict}; {len(self.explanations)} explanations are left",
+            self.expectation,
+        ]
         lines += [f"  {one.first} against {one.second}: chi-square {one.chi2:.3g}" for one in self.separations]
         for number, run in enumerate(self.runs, 1):
             lines.append(f"run {number}: {run.table['time'][-1]:.4g} s{_settings(run.parameters, self.units)}")
         return "\n".join(lines)
+
+
+def _named(models: Sequence[str]) -> str:
+    """The best law of an explanation, and the others that fit as well."""
+    best, *others = models
+    return f"{best} (or {', '.join(others)})" if others else best
 
 
 def _run(run: PlannedRun) -> dict[str, object]:

@@ -1,7 +1,8 @@
-"""Planned runs: what to drive, and what each rival foretells of it."""
+"""Planned runs: what to drive, what each rival foretells of it, and by how much the rivals differ."""
 
 from __future__ import annotations
 
+from itertools import cycle
 from textwrap import fill
 
 import numpy as np
@@ -14,14 +15,15 @@ from pam_cosim.reporting.style import BALANCES, BAND, FURTHER, INK, new_figure
 from pam_cosim.units import format_quantity, readable_factor
 
 _LETTERS = 110  # of a line of the title
+_STYLES = ("-", "--", ":", "-.")
 
 
 def plan_figure(plan: RunPlan) -> Figure:
-    """A column for each run: its inputs, and the signals that the models foretell, with their noise as a band."""
+    """A column for each run: its inputs, the signals that the models foretell, and their differences to the first."""
     inputs = [name for name in plan.runs[0].table if name != "time"]
     moving = [name for name in inputs if any(len(set(run.table[name])) > 1 for run in plan.runs)]
     signals = list(plan.sigma)
-    rows = len(moving) + len(signals)
+    rows = len(moving) + len(signals) + 1
     figure = new_figure(8.0 if len(plan.runs) == 1 else 11.0, 1.2 + 1.5 * rows)
     grid = figure.subplots(rows, len(plan.runs), sharex="col", sharey="row", squeeze=False)
     for j, run in enumerate(plan.runs):
@@ -29,12 +31,15 @@ def plan_figure(plan: RunPlan) -> Figure:
             _input(grid[i, j], plan, run, name)
         for i, name in enumerate(signals, len(moving)):
             _signal(grid[i, j], plan, run, name)
+        _differences(grid[-1, j], plan, run)
         grid[-1, j].set_xlabel("time [s]")
         grid[0, j].set_title(_title(plan, run, inputs, moving))
     for i, name in enumerate([*moving, *signals]):
         unit = unit_text(plan.units[name])
         grid[i, 0].set_ylabel(f"{name} [{unit}]" if unit else name)
     grid[len(moving), 0].legend(loc="best")
+    grid[-1, 0].set_ylabel("difference [sd of the noise]")
+    grid[-1, 0].legend(loc="best", ncols=len(signals))
     figure.suptitle(fill(plan.expectation, _LETTERS), fontsize=8.5)
     figure.align_ylabels()
     return figure
@@ -47,14 +52,27 @@ def _input(axes: Axes, plan: RunPlan, run: PlannedRun, name: str) -> None:
 
 
 def _signal(axes: Axes, plan: RunPlan, run: PlannedRun, name: str) -> None:
-    factor, sigma = readable_factor(plan.units[name]), plan.sigma[name]
+    factor = readable_factor(plan.units[name])
     for k, rival in enumerate(plan.rivals):
-        values, colour = run.predicted[rival][name] * factor, (BALANCES[2], *FURTHER)[k % (1 + len(FURTHER))]
-        if not k:
-            around = 2 * sigma * factor
-            axes.fill_between(run.time, values - around, values + around, color=BAND, lw=0, label="2 sd of the noise")
-        axes.plot(run.time, values, color=colour, lw=1.2, ls="-" if not k else "--", label=rival)
+        style = "--" if k else "-"
+        axes.plot(run.time, run.predicted[rival][name] * factor, color=_colour(k), lw=1.2, ls=style, label=rival)
     axes.grid(True)
+
+
+def _differences(axes: Axes, plan: RunPlan, run: PlannedRun) -> None:
+    """Each rival minus the first one, a line style for each signal."""
+    first, *others = plan.rivals
+    axes.axhspan(-2, 2, color=BAND, lw=0)
+    for k, rival in enumerate(others, 1):
+        for style, (name, sigma) in zip(cycle(_STYLES), plan.sigma.items()):
+            apart = (run.predicted[rival][name] - run.predicted[first][name]) / sigma
+            axes.plot(run.time, apart, color=_colour(k), lw=1.2, ls=style, label=f"{name}, {rival}")
+    axes.grid(True)
+
+
+def _colour(rival: int) -> str:
+    colours = (BALANCES[2], *FURTHER)
+    return colours[rival % len(colours)]
 
 
 def _title(plan: RunPlan, run: PlannedRun, inputs: list[str], moving: list[str]) -> str:

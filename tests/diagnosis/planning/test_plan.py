@@ -10,6 +10,7 @@ import pytest
 from pam_cosim import study
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis.planning import RunPlan, limits_of
+from pam_cosim.diagnosis.planning.members import members
 from pam_cosim.diagnosis.planning.rivals import Rivals
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, further_run, read_data_set, read_recording
@@ -45,11 +46,26 @@ def test_it_separates_the_rivals_better_than_chance(plan: RunPlan) -> None:
     assert min(run.table["u_in"]) >= 0.0 and max(run.table["u_in"]) <= 0.35
 
 
+def test_laws_that_fit_as_well_stand_for_their_family(diagnosis: Diagnosis) -> None:
+    """A second spring that fits as well is separated from the creep too, and from the first spring not at all."""
+    spring, creep = diagnosis.candidates
+    data = diagnosis.data
+    rubber = rival("YoungBladder", "elasticity", data, E=1e6)
+    cubic = rival("PolynomialBladder", "elasticity", data, k1=250.0, k2=0.0, k3=2e4)  # bends: three parameters
+    more = replace(diagnosis, candidates=(spring, rubber, cubic, creep))
+    laws = [[c.effect for c in models] for models in members(more)]
+    assert laws == [["LinearBladder", "YoungBladder"], ["MaxwellCreep"]]
+    plan = study.plan(more, seconds="2 s")
+    assert "between LinearBladder (or YoungBladder), MaxwellCreep" in plan.expectation
+    pairs = {(one.first, one.second) for one in plan.separations}
+    assert pairs == {("LinearBladder", "MaxwellCreep"), ("YoungBladder", "MaxwellCreep")}
+
+
 def test_the_table_alone_gives_the_run(diagnosis: Diagnosis, plan: RunPlan) -> None:
     """What a rig plays from the table separates the rivals as was said."""
     limits = limits_of(diagnosis.data, {"load.m": (2.0, 4.0)}, 3.0)
     (run,) = plan.runs
-    with Rivals(diagnosis.rival_models, diagnosis.data, limits) as rivals:
+    with Rivals([[one] for one in diagnosis.rival_models], diagnosis.data, limits) as rivals:
         course = further_run(diagnosis.data, run.time, run.inputs, run.parameters)
         predictions = rivals.predictions(course)
         assert predictions is not None
