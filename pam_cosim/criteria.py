@@ -140,7 +140,7 @@ class StartCriteria:
         1e-3, "of a state", "by which a free parameter must move where the model begins, to be what says it"
     )
     worth: float = decides(
-        1.5, "1", "times fewer squares that first samples must leave with a start of their own; the whole run, where "
+        1.5, "1", "times fewer squares that first samples must leave with a start of their own; the whole runs, where "
         "they are off by no more than an offset of an instrument: that stays",
     )  # fmt: skip
     pause: float = decides(10.0, "intervals", "of the usual length; a longer one is a pause of the logger")
@@ -230,6 +230,16 @@ class FitCriteria:
     difference_step: float = decides(1e-3, "search units", "of a finite difference: far above the solver's error")
     failures_kept: int = decides(10, "messages", "kinds of breakdown that are kept")
     interval: float = decides(1.96, "sd", "half width of a 95 % interval", "normal distribution")
+    tail: float = decides(0.025, "of samples", "on either side of a 95 % band")
+    samples: int = decides(200, "samples", "of the parameters: the ends of a 95 % band are known to a seventh of an sd")
+    wider: float = decides(1.5, "sd", "of the posterior as it is about the optimum, that samples are drawn from")
+    least_effective: float = decides(20.0, "samples", "of equal weight, below which ends of a band are rough")
+    discarded_samples: int = decides(20, "samples", "the first ones, which know where the search began")
+    reflections: int = decides(1000, "reflections", "of a sample at the bounds, at most")
+    same_hit: float = decides(1e-9, "quarter periods", "within which two hits of one wall are one")
+    unseen: float = decides(
+        10.0, "times the bounds' distance", "sd of what keeps a parameter that no sample sees finite"
+    )
     parallel: float = decides(
         1e-3, "1", "relative difference of the slopes by two parameters' logarithms, below which they may be one"
     )
@@ -390,6 +400,16 @@ class NextExperimentCriteria:
     paces: tuple[float, ...] = decides((0.5, 2.0), "1", "factors on all times")
     joined: int = decides(3, "changes", "best ones of a run, of which two are made together")
     listed_rules: int = decides(5, "rules", "of where the error sits, that describe a missing term")
+    rivals: int = decides(4, "models", "that a run is designed for where none leaves noise: their pairs are six")
+    members: int = decides(3, "models", "of each explanation that is left: laws of its families that fit as well")
+    drawn: int = decides(40, "courses", "drawn at random within the limits of a rig before any is improved")
+    improved: int = decides(80, "courses", "made out of the best ones: twice as many as were drawn")
+    parents: int = decides(6, "courses", "the best ones, out of which further ones are made")
+    as_good: float = decides(0.8, "of chi-square", "of the best course, from which on a simpler one is taken")
+    levels: tuple[int, int] = decides((2, 12), "levels", "of the inputs in a drawn course: what a person can follow")
+    recorded_levels: int = decides(60, "levels", "of a recorded course that is improved; more say the same")
+    cycles: tuple[float, float] = decides((0.5, 20.0), "a run", "of sines: slower ones are ramps")
+    rows: int = decides(400, "samples", "of a course while courses are compared; all of them count in the end")
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,8 @@ import stat
 import tempfile
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
+from dataclasses import fields, is_dataclass
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
@@ -122,9 +124,22 @@ def write_json(path: Path, content: Any) -> None:
     write_text(path, json_text(content))
 
 
+def plain(value: Any) -> Any:
+    """Arrays, tuples and data classes as lists and dictionaries; a number that does not exist is None."""
+    if isinstance(value, dict):
+        return {str(key): plain(one) for key, one in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(one) for one in value]
+    if is_dataclass(value) and not isinstance(value, type):
+        return {field.name: plain(getattr(value, field.name)) for field in fields(value)}
+    if hasattr(value, "tolist"):  # an array or a number of NumPy, which is not loaded for this
+        return plain(value.tolist())
+    return None if isinstance(value, float) and not isfinite(value) else value
+
+
 def json_text(content: Any) -> str:
     """As JSON; numbers that do not exist become null."""
-    return json.dumps(_plain(content), indent=1, allow_nan=False) + "\n"
+    return json.dumps(plain(content), indent=1, allow_nan=False) + "\n"
 
 
 def read_file(path: Path, most: int = MOST_BYTES) -> bytes:
@@ -257,15 +272,3 @@ def make_folder(folder: Path) -> None:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise InputError(f"the folder cannot be made: {error.strerror}", folder) from error
-
-
-def _plain(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {str(k): _plain(v) for k, v in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_plain(v) for v in value]
-    if hasattr(value, "item"):
-        value = value.item()
-    if isinstance(value, float) and not (abs(value) < float("inf")):
-        return None
-    return value

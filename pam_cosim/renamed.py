@@ -32,3 +32,10 @@ PYTHON: dict[str, Renaming] = {}
 
 COMMANDS: dict[str, Renaming] = {}
 """Commands, by the old name."""
+
+OPTIONS: dict[str, Renaming] = {
+    "simulate --output VARIABLE": Renaming("--keep VARIABLE", "0.2.0", "0.4.0"),
+    "sweep --output VARIABLE": Renaming("--keep VARIABLE", "0.2.0", "0.4.0"),
+    "couple --observe VARIABLE": Renaming("--keep VARIABLE", "0.2.0", "0.4.0"),
+}
+"""Options, by the command and the old name."""

@@ -22,6 +22,7 @@ from rig.plan import Run
 from rig.schedule import Phase
 
 DURATION, RATE = 4.0, 50.0  # s, Hz
+RAMP = 2e-3  # s, steps of a current that goes along a line
 FINER, LONGER = 10, 0.5  # what a run with faulty instruments is simulated at, by RATE, and beyond its end [s]
 
 
@@ -73,15 +74,25 @@ def write_light_data(
     return folder
 
 
+def _pieces(seconds: float, u_in: tuple[float, float], u_out: tuple[float, float]) -> list[Phase]:
+    """Currents that go from one value to another in a time."""
+    rests = u_in[0] == u_in[1] and u_out[0] == u_out[1]
+    count = 1 if rests else max(1, round(seconds / RAMP))
+    shares = [(k + 0.5) / count for k in range(count)]
+    between = [tuple(float(a + share * (b - a)) for a, b in (u_in, u_out)) for share in shares]
+    return [Phase(seconds / count, u_in=i, u_out=o) for i, o in between]
+
+
 def planned(file: Path, load: float) -> Run:
-    """The run that ``pam-cosim diagnose --next`` wrote, from one supply, with steps of the currents."""
+    """The run that ``pam-cosim plan`` or ``diagnose --next`` wrote, from one supply; lines become steps of RAMP."""
     with open(file, newline="") as lines:
         rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
     times, u_in, u_out = (np.array([float(r[c]) for r in rows]) for c in ("time [s]", "u_in [A]", "u_out [A]"))
     phases = [
-        Phase(float(later - at), u_in=float(a), u_out=float(b))
-        for at, later, a, b in zip(times[:-1], times[1:], u_in[:-1], u_out[:-1], strict=True)
-        if later > at
+        phase
+        for k in range(len(times) - 1)
+        if times[k + 1] > times[k]
+        for phase in _pieces(float(times[k + 1] - times[k]), (u_in[k], u_in[k + 1]), (u_out[k], u_out[k + 1]))
     ]
     return Run(load, float(rows[0]["p_supply [kPa]"]) * 1e3, tuple(phases))
 

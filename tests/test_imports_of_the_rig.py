@@ -1,9 +1,16 @@
 """The rig is independent: it imports nothing of the software, tests and benchmarks, and the software nothing of it."""
 
+from __future__ import annotations
+
 import ast
+import os
+import subprocess
+import sys
+import zipfile
 from pathlib import Path
 
 import pytest
+from hatchling.builders.wheel import WheelBuilder
 
 ROOT = Path(__file__).parents[1]
 OUTSIDE = ("pam_cosim", "tests", "benchmarks", "examples", "scripts")
@@ -37,3 +44,17 @@ def test_the_rig_is_no_part_of_the_wheel() -> None:
 
     wheel = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["hatch"]["build"]["targets"]["wheel"]
     assert "rig" not in wheel["only-include"]
+
+
+def test_the_rig_is_a_distribution_of_its_own(tmp_path: Path) -> None:
+    """Its wheel makes data in an empty folder, with nothing of the checkout but what the wheel holds."""
+    (wheel,) = WheelBuilder(str(ROOT / "rig")).build(directory=str(tmp_path), versions=["standard"])
+    with zipfile.ZipFile(wheel) as archive:
+        names = archive.namelist()
+        archive.extractall(tmp_path / "site")
+    modules = {file.relative_to(ROOT).as_posix() for file in (ROOT / "rig").rglob("*.py")}
+    assert modules | {"rig/effect_sizes.json"} == {name for name in names if ".dist-info/" not in name}
+    words = [sys.executable, "-m", "rig.short", "data", "--effect", "elasticity:linear"]
+    environment = {**os.environ, "PYTHONPATH": str(tmp_path / "site")}
+    subprocess.run(words, cwd=tmp_path, env=environment, check=True, capture_output=True)
+    assert (tmp_path / "data" / "experiment.toml").exists()

@@ -12,7 +12,7 @@ PACKAGE = Path(__file__).parents[1] / "pam_cosim"
 FLOORS = (
     ("errors", "arrays", "criteria", "renamed", "resources", "wording"),
     ("files", "counts", "units", "processes"),
-    ("model",),
+    ("exports", "model"),
     ("compiler",),
     ("catalogue",),
     ("fmu",),

@@ -69,13 +69,14 @@ class Case:
 
 @dataclass(frozen=True)
 class Made:
-    """A case that was simulated: what was recorded, and its description."""
+    """A case that was simulated: what was recorded, its description, and what is hidden, at its strength."""
 
     case: Case
     setup: Setup
     sensors: Sensors
     recorded: list[Signals]
     description: dict[str, Any]
+    hidden: tuple[Effect | Fault, ...] = ()
 
 
 _GROUP_ORDER, _BENCH_ORDER = spread(GROUPS), spread(SHARES)
@@ -240,7 +241,7 @@ def make(case: Case, changed: Callable[[Setup], Setup] = lambda setup: setup) ->
         ],
         "noise": noise_of(setup, clean, recorded),
     }
-    return Made(case, setup, sensors, recorded, description)
+    return Made(case, setup, sensors, recorded, description, tuple(hidden))
 
 
 def _maker(form: Hidden, rng: Random, setup: Setup, ruler: Ruler) -> Callable[[float], Any]:

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import math
 import resource
 import sys
 import tempfile
@@ -65,7 +64,7 @@ def _diagnosis(folder: Path, description: Mapping[str, Any], workers: int) -> di
     verdict = diagnosis.verdict
     noise = description["noise"]
     signals = {name: diagnosis.data.signals[name] for name in noise["fit"]}
-    sigma = {name: signal.sigma or math.nan for name, signal in signals.items()}
+    sigma = {name: signal.sigma for name, signal in signals.items()}
     coarse = {name for name, signal in signals.items() if signal.step}
     final = diagnosis.final.comparison
     return {

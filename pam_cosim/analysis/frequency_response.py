@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from dataclasses import dataclass
 from html import escape
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from pam_cosim.analysis.linear import LinearModel
 from pam_cosim.arrays import Array
-from pam_cosim.files import write_json, write_text
+from pam_cosim.exports import Exported, Table
+from pam_cosim.files import plain
 from pam_cosim.units import format_quantity
 
 
 @dataclass(frozen=True)
-class FrequencyResponse:
+class FrequencyResponse(Exported):
     """How outputs answer to a sine of an input.
 
     Attributes:
@@ -71,52 +69,43 @@ class FrequencyResponse:
 
     def as_dict(self) -> dict[str, Any]:
         """Plain data; SI units, phases in degrees."""
-        linear = self.linear_gain
+        linear = None if self.linear is None else self.linear_gain
         rows = {
             name: {
-                "gain": np.abs(self.gain[:, i]).tolist(),
-                "phase": phase(self.gain[:, i]).tolist(),
-                "distortion": self.distortion[:, i].tolist(),
-                "shift": self.shift[:, i].tolist(),
-                "linear_gain": None if self.linear is None else np.abs(linear[:, i]).tolist(),
-                "linear_phase": None if self.linear is None else phase(linear[:, i]).tolist(),
-                "bandwidth": None if np.isnan(self.bandwidth[name]) else self.bandwidth[name],
+                "gain": np.abs(self.gain[:, i]),
+                "phase": phase(self.gain[:, i]),
+                "distortion": self.distortion[:, i],
+                "shift": self.shift[:, i],
+                "linear_gain": None if linear is None else np.abs(linear[:, i]),
+                "linear_phase": None if linear is None else phase(linear[:, i]),
+                "bandwidth": self.bandwidth[name],
             }
             for i, name in enumerate(self.outputs)
         }
-        return {
+        content = {
             "model": self.model,
             "input": self.input,
             "amplitude": self.amplitude,
-            "units": dict(self.units),
-            "frequencies": self.frequencies.tolist(),
-            "periods": self.periods.tolist(),
-            "settled": [bool(v) for v in self.settled],
+            "units": self.units,
+            "frequencies": self.frequencies,
+            "periods": self.periods,
+            "settled": self.settled,
             "outputs": rows,
             "linear": None if self.linear is None else self.linear.as_dict(),
         }
+        return dict(plain(content))
 
-    def to_json(self, path: Path | str) -> Path:
-        """Writes ``as_dict``."""
-        write_json(Path(path), self.as_dict())
-        return Path(path)
-
-    def to_csv(self, path: Path | str) -> Path:
-        """Writes a row for each frequency."""
-        text = io.StringIO()
-        writer = csv.writer(text, lineterminator="\n")
+    def table(self) -> Table:
+        """A row for each frequency."""
         parts = ("gain", "phase [deg]", "distortion", "linear gain", "linear phase [deg]")
         heads = [f"{name} {part}" for name in self.outputs for part in parts]
-        writer.writerow(["frequency [Hz]", *heads, "periods", "settled"])
         linear = self.linear_gain
         columns = [self.frequencies]
         for i in range(len(self.outputs)):
             own, other = self.gain[:, i], linear[:, i]
             columns += [np.abs(own), phase(own), self.distortion[:, i], np.abs(other), phase(other)]
-        for row, periods, settled in zip(np.array(columns).T.tolist(), self.periods, self.settled, strict=True):
-            writer.writerow([*map(repr, row), int(periods), int(settled)])
-        write_text(Path(path), text.getvalue())
-        return Path(path)
+        rows = zip(*columns, self.periods.astype(int), self.settled, strict=True)
+        return ["frequency [Hz]", *heads, "periods", "settled"], rows
 
     def _lines(self) -> tuple[list[str], list[list[str]]]:
         heads = ["frequency [Hz]"]

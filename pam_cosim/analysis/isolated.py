@@ -10,9 +10,9 @@ from typing import Any, Concatenate, ParamSpec, TypeVar
 
 from pam_cosim.analysis.exchange import ExchangeModel
 from pam_cosim.errors import InputError
-from pam_cosim.processes import keeper
+from pam_cosim.processes import watchdog
 from pam_cosim.simulation.failure import RunFailure
-from pam_cosim.simulation.fmu_process import cause_of_end, start_kept
+from pam_cosim.simulation.fmu_process import cause_of_end, start_watched
 from pam_cosim.simulation.isolated import TIME_LIMIT
 
 P = ParamSpec("P")
@@ -46,9 +46,9 @@ def work_on(
         with ExchangeModel(path) as model:
             return job(model, *arguments, **named)
     kind, content = _asked(path, limit, pickle.dumps((job, arguments, named)))
-    if kind == keeper.LATE:
+    if kind == watchdog.LATE:
         raise RunFailure(f"{path.name} was ended: no progress for {limit:g} s; a longer time limit may help")
-    if kind == keeper.CRASHED:
+    if kind == watchdog.CRASHED:
         raise RunFailure(f"{path.name} crashed its process ({cause_of_end(int(content))})")
     done, answer = pickle.loads(content)
     if not done:
@@ -58,14 +58,14 @@ def work_on(
 
 
 def _asked(path: Path, limit: float, request: bytes) -> tuple[bytes, Any]:
-    process = start_kept(path, limit, "pam_cosim.analysis.worker")
+    process = start_watched(path, limit, "pam_cosim.analysis.worker")
     assert process.stdin is not None and process.stdout is not None
     try:
         with contextlib.suppress(OSError):  # it has ended: the answer says why
-            keeper.write_frame(process.stdin, keeper.REQUEST, request)
-        answer = keeper.read_frame(process.stdout)
+            watchdog.write_frame(process.stdin, watchdog.REQUEST, request)
+        answer = watchdog.read_frame(process.stdout)
         with contextlib.suppress(OSError):
-            keeper.write_frame(process.stdin, keeper.CLOSE)
+            watchdog.write_frame(process.stdin, watchdog.CLOSE)
         return answer
     except EOFError:
         raise RunFailure(f"the process that watches {path.name} has ended") from None

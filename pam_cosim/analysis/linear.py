@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from html import escape
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,7 +13,8 @@ from scipy.linalg import expm
 from pam_cosim.analysis.operating_point import OperatingPoint
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
-from pam_cosim.files import write_json, write_text
+from pam_cosim.exports import Exported, Table
+from pam_cosim.files import plain
 from pam_cosim.units import is_dimensionless, quotient
 from pam_cosim.wording import did_you_mean
 
@@ -44,7 +42,7 @@ class Mode:
 
 
 @dataclass(frozen=True)
-class LinearModel:
+class LinearModel(Exported):
     """d(dx)/dt = A dx + B du, dy = C dx + D du about an operating point; all in the units of the model (SI).
 
     Attributes:
@@ -165,8 +163,13 @@ class LinearModel:
     def _reduced(self, slow: list[int]) -> LinearModel:
         fast = [i for i in range(len(self.states)) if i not in slow]
         if not fast:
-            return replace(self, A=self.A[np.ix_(slow, slow)], B=self.B[slow], C=self.C[:, slow],
-                           states=tuple(self.states[i] for i in slow))  # fmt: skip
+            return replace(
+                self,
+                A=self.A[np.ix_(slow, slow)],
+                B=self.B[slow],
+                C=self.C[:, slow],
+                states=tuple(self.states[i] for i in slow),
+            )
         own = self.A[np.ix_(fast, fast)]
         if np.linalg.matrix_rank(own) < len(fast):
             raise InputError(f"{', '.join(self.states[i] for i in fast)}: cannot follow at once; keep one more state")
@@ -207,24 +210,31 @@ class LinearModel:
         # its names must not contain a dot
         plain = [[name.replace(".", "_") for name in names] for names in (self.states, self.inputs, self.outputs)]
         return control.ss(
-            self.A, self.B, self.C, self.D, states=plain[0], inputs=plain[1], outputs=plain[2],
-            name=self.model.rpartition(".")[2], remove_useless_states=False,
-        )  # fmt: skip
+            self.A,
+            self.B,
+            self.C,
+            self.D,
+            states=plain[0],
+            inputs=plain[1],
+            outputs=plain[2],
+            name=self.model.rpartition(".")[2],
+            remove_useless_states=False,
+        )
 
     def as_dict(self) -> dict[str, Any]:
         """Matrices, names, units, the point, modes and static gain as plain data; SI units."""
-        return {
+        content = {
             "model": self.model,
-            "states": list(self.states),
-            "inputs": list(self.inputs),
-            "outputs": list(self.outputs),
-            "units": dict(self.units),
-            "A": self.A.tolist(),
-            "B": self.B.tolist(),
-            "C": self.C.tolist(),
-            "D": self.D.tolist(),
+            "states": self.states,
+            "inputs": self.inputs,
+            "outputs": self.outputs,
+            "units": self.units,
+            "A": self.A,
+            "B": self.B,
+            "C": self.C,
+            "D": self.D,
             "method": self.method,
-            "notes": list(self.notes),
+            "notes": self.notes,
             "point": {
                 "kind": self.point.kind,
                 "how": self.point.how,
@@ -239,30 +249,21 @@ class LinearModel:
             "modes": [
                 {
                     "pole": [mode.pole.real, mode.pole.imag],
-                    "time_constant": _finite(mode.time_constant),
+                    "time_constant": mode.time_constant,
                     "frequency": mode.frequency,
-                    "damping": _finite(mode.damping),
+                    "damping": mode.damping,
                     "shares": mode.shares,
                 }
                 for mode in self.modes
             ],
-            "static_gain": [[_finite(v) for v in row] for row in self.static_gain.tolist()],
+            "static_gain": self.static_gain,
         }
+        return dict(plain(content))
 
-    def to_json(self, path: Path | str) -> Path:
-        """Writes ``as_dict``."""
-        write_json(Path(path), self.as_dict())
-        return Path(path)
-
-    def to_csv(self, path: Path | str) -> Path:
-        """Writes [A B; C D] as one table: a row for each rate and output, a column for each state and input."""
-        text = io.StringIO()
-        writer = csv.writer(text, lineterminator="\n")
-        writer.writerow(["", *(self._headed(name) for name in (*self.states, *self.inputs))])
-        rows = zip(self._rows(), self._table().tolist(), strict=True)
-        writer.writerows([[head, *map(repr, row)] for head, row in rows])
-        write_text(Path(path), text.getvalue())
-        return Path(path)
+    def table(self) -> Table:
+        """[A B; C D]: a row for each rate and output, a column for each state and input."""
+        heads = ["", *(self._headed(name) for name in (*self.states, *self.inputs))]
+        return heads, [[head, *row] for head, row in zip(self._rows(), self._table().tolist(), strict=True)]
 
     def _table(self) -> Array:
         return np.asarray(np.block([[self.A, self.B], [self.C, self.D]]))
@@ -352,10 +353,6 @@ class LinearCourse:
         return "\n\n".join(
             "\n".join([f"{m.point.time:g} s", *(f"  {line}" for line in m.modes_text())]) for m in self.models
         )
-
-
-def _finite(value: float) -> float | None:
-    return value if np.isfinite(value) else None
 
 
 def _told(mode: Mode) -> str:

@@ -68,7 +68,16 @@ def linear_model(
     if model.event_indicators:
         notes.append("The FMU has events; its discrete states are those of the start.")
     return LinearModel(
-        model.interface.model, whole[:n, :n], whole[:n, n:], whole[n:, :n], whole[n:, n:],
-        tuple(model.states), tuple(inputs), tuple(chosen),
-        {name: model.unit(name) for name in [*columns, *chosen]}, point, method, tuple(notes),
-    )  # fmt: skip
+        model.interface.model,
+        whole[:n, :n],
+        whole[:n, n:],
+        whole[n:, :n],
+        whole[n:, n:],
+        tuple(model.states),
+        tuple(inputs),
+        tuple(chosen),
+        {name: model.unit(name) for name in [*columns, *chosen]},
+        point,
+        method,
+        tuple(notes),
+    )

@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from html import escape
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
-from pam_cosim.files import write_json, write_text
+from pam_cosim.exports import Exported, Table, headed
+from pam_cosim.files import plain
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import did_you_mean
 
@@ -39,7 +37,7 @@ class Error:
 
 
 @dataclass(frozen=True)
-class Observation:
+class Observation(Exported):
     """Estimates from measurements by an extended Kalman filter, each after the sample of its time was taken in.
 
     Attributes:
@@ -139,13 +137,13 @@ class Observation:
     def as_dict(self) -> dict[str, Any]:
         """Plain data; SI units."""
         low, high = self.nis_range
-        return {
+        content = {
             "model": self.model,
-            "units": dict(self.units),
-            "outputs": list(self.outputs),
-            "time": self.time.tolist(),
-            "values": {n: v.tolist() for n, v in self.values.items()},
-            "deviations": {n: v.tolist() for n, v in self.deviations.items()},
+            "units": self.units,
+            "outputs": self.outputs,
+            "time": self.time,
+            "values": self.values,
+            "deviations": self.deviations,
             "consistency": {
                 "nis": self.nis,
                 "low": low,
@@ -154,27 +152,18 @@ class Observation:
                 "log_likelihood": self.log_likelihood,
                 "whiteness": self.whiteness,
             },
-            "errors": {n: vars(e) for n, e in self.errors().items()},
+            "errors": self.errors(),
         }
+        return dict(plain(content))
 
-    def to_json(self, path: Path | str) -> Path:
-        """Writes ``as_dict``."""
-        write_json(Path(path), self.as_dict())
-        return Path(path)
-
-    def to_csv(self, path: Path | str) -> Path:
-        """Writes each estimate and its standard deviation, a row for each sample."""
-        text = io.StringIO()
-        writer = csv.writer(text, lineterminator="\n")
+    def table(self) -> Table:
+        """Each estimate and its standard deviation, a row for each sample."""
         heads, columns = ["time [s]"], [self.time]
         for name, values in self.values.items():
-            unit = f" [{self.units[name]}]" if self.units[name] else ""
-            heads += [f"{name}{unit}", f"{name} standard deviation{unit}"]
+            unit = self.units[name]
+            heads += [headed(name, unit), headed(f"{name} standard deviation", unit)]
             columns += [values, self.deviations[name]]
-        writer.writerow(heads)
-        writer.writerows([map(repr, row) for row in np.array(columns).T.tolist()])
-        write_text(Path(path), text.getvalue())
-        return Path(path)
+        return heads, zip(*columns, strict=True)
 
     def _lines(self) -> list[str]:
         lines = []

@@ -91,20 +91,9 @@ def go_to_state(model: ExchangeModel, conditions: Mapping[str, float]) -> str:
     implied = [n for n in names if n not in model.states and n not in model.interface.inputs]
     if not implied:
         return "at the given state"
-    loose = [n for n in model.states if n not in conditions]
-    scale = np.array([model.scale(n) for n in loose])
     size = np.array([max(abs(conditions[n]), model.scale(n)) for n in implied])
     wanted = np.array([conditions[n] for n in implied])
-    positions = [model.states.index(n) for n in loose]
-    for _ in range(50):
-        miss = (wanted - model.values(implied)) / size
-        if np.abs(miss).max() <= STILL * 1e-4:
-            break
-        slope = model.jacobian(implied, loose)[0] * scale / size[:, None]
-        step = np.linalg.lstsq(slope, miss, rcond=1e-10)[0] * scale if loose else np.zeros(0)
-        state = model.state()
-        state[positions] += step
-        model.set(state=state)
+    _move_loose(model, [n for n in model.states if n not in conditions], implied, wanted, size)
     reached = model.values(implied)
     if not np.all(np.abs(wanted - reached) <= STILL * size):
         worst = int(np.argmax(np.abs(wanted - reached) / size))
@@ -115,6 +104,21 @@ def go_to_state(model: ExchangeModel, conditions: Mapping[str, float]) -> str:
             f"states: {', '.join(model.states) or 'none'}"
         )
     return "at the state nearest to the start at which " + ", ".join(_said(model, n, conditions[n]) for n in implied)
+
+
+def _move_loose(model: ExchangeModel, loose: Sequence[str], implied: Sequence[str], wanted: Array, size: Array) -> None:
+    """Moves the loose states, as little as they must over their nominal sizes, to where other variables are wanted."""
+    scale = np.array([model.scale(n) for n in loose])
+    positions = [model.states.index(n) for n in loose]
+    for _ in range(50):
+        miss = (wanted - model.values(implied)) / size
+        if np.abs(miss).max() <= STILL * 1e-4:
+            return
+        slope = model.jacobian(implied, loose)[0] * scale / size[:, None]
+        step = np.linalg.lstsq(slope, miss, rcond=1e-10)[0] * scale if loose else np.zeros(0)
+        state = model.state()
+        state[positions] += step
+        model.set(state=state)
 
 
 def _said(model: ExchangeModel, name: str, value: float) -> str:

@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from dataclasses import dataclass
 from html import escape
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.files import write_json, write_text
+from pam_cosim.exports import Exported, Table, headed
+from pam_cosim.files import plain
 from pam_cosim.units import format_quantity
 
 
 @dataclass(frozen=True)
-class Tracking:
+class Tracking(Exported):
     """An output that shall follow mean + amplitude sin(2 pi f t).
 
     Attributes:
@@ -64,7 +62,7 @@ class Tracking:
 
     def as_dict(self) -> dict[str, Any]:
         """Plain data; SI units, phases in degrees."""
-        return {
+        content = {
             "plant": self.plant,
             "controller": self.controller,
             "output": self.output,
@@ -72,33 +70,23 @@ class Tracking:
             "mean": self.mean,
             "amplitude": self.amplitude,
             "rate": self.rate,
-            "frequencies": self.frequencies.tolist(),
-            "gain": np.abs(self.gain).tolist(),
-            "phase": np.degrees(np.angle(self.gain)).tolist(),
-            "error": self.error.tolist(),
-            "relative_error": self.relative_error.tolist(),
-            "peak": self.peak.tolist(),
-            "settled": [bool(v) for v in self.settled],
+            "frequencies": self.frequencies,
+            "gain": np.abs(self.gain),
+            "phase": np.degrees(np.angle(self.gain)),
+            "error": self.error,
+            "relative_error": self.relative_error,
+            "peak": self.peak,
+            "settled": self.settled,
         }
+        return dict(plain(content))
 
-    def to_json(self, path: Path | str) -> Path:
-        """Writes ``as_dict``."""
-        write_json(Path(path), self.as_dict())
-        return Path(path)
-
-    def to_csv(self, path: Path | str) -> Path:
-        """Writes a row for each frequency."""
-        text = io.StringIO()
-        writer = csv.writer(text, lineterminator="\n")
-        unit = f" [{self.unit}]" if self.unit else ""
-        errors = [f"rms error{unit}", "relative error", f"peak error{unit}"]
-        writer.writerow(["frequency [Hz]", *errors, "gain", "phase [deg]", "settled"])
+    def table(self) -> Table:
+        """A row for each frequency."""
+        errors = [headed("rms error", self.unit), "relative error", headed("peak error", self.unit)]
         degrees = np.degrees(np.angle(self.gain))
         columns = (self.frequencies, self.error, self.relative_error, self.peak, np.abs(self.gain), degrees)
-        for row, settled in zip(np.array(columns).T.tolist(), self.settled, strict=True):
-            writer.writerow([*map(repr, row), int(settled)])
-        write_text(Path(path), text.getvalue())
-        return Path(path)
+        rows = zip(*columns, self.settled, strict=True)
+        return ["frequency [Hz]", *errors, "gain", "phase [deg]", "settled"], rows
 
     def _rows(self) -> list[list[str]]:
         rows = [["frequency [Hz]", "rms error", "of the sine", "peak", "gain", "phase [deg]", ""]]
@@ -106,9 +94,16 @@ class Tracking:
             rms, worst = (format_quantity(float(v[k]), self.unit) for v in (self.error, self.peak))
             gain = self.gain[k]
             rows.append(
-                [f"{frequency:.3g}", rms, f"{self.relative_error[k]:.1%}", worst, f"{abs(gain):.3f}",
-                 f"{np.degrees(np.angle(gain)):.1f}", "" if self.settled[k] else "not settled"]
-            )  # fmt: skip
+                [
+                    f"{frequency:.3g}",
+                    rms,
+                    f"{self.relative_error[k]:.1%}",
+                    worst,
+                    f"{abs(gain):.3f}",
+                    f"{np.degrees(np.angle(gain)):.1f}",
+                    "" if self.settled[k] else "not settled",
+                ]
+            )
         return rows
 
     def _title(self) -> str:

@@ -11,7 +11,7 @@ from typing import Any
 
 from pam_cosim.analysis.exchange import ExchangeModel
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.processes.keeper import ANSWER, PROGRESS, read_frame, write_frame
+from pam_cosim.processes.watchdog import ANSWER, PROGRESS, read_frame, write_frame
 from pam_cosim.simulation.worker import private_input, private_output
 
 

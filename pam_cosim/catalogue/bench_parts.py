@@ -88,11 +88,9 @@ def chosen(parts: Sequence[BenchPart], role: str, name: str | None) -> BenchPart
     """
     choices = [part for part in parts if part.role == role]
     if name is None:
-        usual = [part for part in choices if part.usual]
-        if not usual:
-            raise InputError(f"name the {role}; known: {', '.join(part.name for part in choices) or 'none'}")
-        return usual[0]
-    meant = [p for p in choices if name == p.qualified_name] or [p for p in choices if _bare(name) == _bare(p.name)]
+        return _usual(choices, role)
+    exact = [part for part in choices if part.qualified_name == name]
+    meant = exact or [part for part in choices if _bare(part.name) == _bare(name)]
     if not meant:
         hint = did_you_mean(name, [part.name for part in choices])
         raise InputError(f"there is no {role} '{name}'; {hint}")
@@ -100,6 +98,13 @@ def chosen(parts: Sequence[BenchPart], role: str, name: str | None) -> BenchPart
         full = " or ".join(part.qualified_name for part in meant)
         raise InputError(f"'{name}' is the name of several parts: say {full}")
     return meant[0]
+
+
+def _usual(choices: Sequence[BenchPart], role: str) -> BenchPart:
+    usual = next((part for part in choices if part.usual), None)
+    if usual is None:
+        raise InputError(f"name the {role}; known: {', '.join(part.name for part in choices) or 'none'}")
+    return usual
 
 
 def kebab(name: str) -> str:

@@ -204,29 +204,37 @@ def compose_on(
 ) -> Composition | None:
     """As :func:`compose`, on a model whose structure is known already; who tries many effects reads it once.
 
-    A ratio of a parameter to what is stated of it (``names.ratio_to_stated``) changes nothing in the model: it is the
-    data that are in question.
+    A ratio of a parameter to what is stated of it (``references.ratio_to_stated``) changes nothing in the model: it is
+    the data that are in question.
     """
     draft = _Draft(structure, tree)
     ratios = [name for name in effects if is_ratio(name)]
     draft.parameters |= {name: (name,) for name in ratios}
-    effects = [name for name in effects if not is_ratio(name)]
-    own, every = origins(structure.parts), [*effect_classes(tree), *unknown_terms(tree)]
-    known = {e.name: e for e in every if e.library in own} | {e.qualified_name: e for e in every}
-    for wanted in effects:
-        if wanted not in known and wanted in {e.name for e in every}:
-            return None
-        if wanted not in known:
-            raise InputError(f"there is no effect '{wanted}'; 'pam-cosim effects' lists them")
-        if not draft.place(known[wanted]):
-            return None
+    wanted = [name for name in effects if not is_ratio(name)]
+    classes = _effects_of(tree, structure, wanted)
+    if classes is None or not all(draft.place(effect) for effect in classes):
+        return None
     for parameter, value in values.items():
         draft.state(parameter, value)
     base = names.unquoted(names.last(structure.model))
-    made = "With" * bool(effects) + "And".join(names.unquoted(names.last(w)) for w in effects)
+    made = "With" * bool(wanted) + "And".join(names.unquoted(names.last(one)) for one in wanted)
     chosen = names.identifier(name or base + (made or "Alone"))
-    text = _text(chosen, structure, draft, [known[e] for e in effects], ratios)
+    text = _text(chosen, structure, draft, classes, ratios)
     return Composition(chosen, text, draft.parameters, structure.model)
+
+
+def _effects_of(tree: ClassTree, structure: Structure, wanted: Sequence[str]) -> list[EffectClass] | None:
+    """The classes of effects by name; None where one of them is of another library than the model.
+
+    Raises:
+        InputError: there is no such effect.
+    """
+    own, every = origins(structure.parts), [*effect_classes(tree), *unknown_terms(tree)]
+    known = {e.name: e for e in every if e.library in own} | {e.qualified_name: e for e in every}
+    for one in wanted:
+        if one not in known and one not in {e.name for e in every}:
+            raise InputError(f"there is no effect '{one}'; 'pam-cosim effects' lists them")
+    return [known[one] for one in wanted] if all(one in known for one in wanted) else None
 
 
 def _nested(modifications: Sequence[tuple[str, str]]) -> list[str]:

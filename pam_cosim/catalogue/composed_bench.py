@@ -9,7 +9,7 @@ that of the same name from another part. The frame around the parts is the least
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from html import escape
 
@@ -163,22 +163,38 @@ class _Composer:
             for signal in instrument.signals
             for n in self.numbers
         }
-        asked = [*self.feed.signals, *self.hold.signals] if measure is None else _asked(measure)
-        wanted: dict[str, None] = {}
-        for signal in asked:
-            meant = [signal] if signal in known else [s for n in self.numbers if (s := _numbered(signal, n)) in known]
-            if measure is None:
-                meant = [s for s in meant if s not in self.inputs]
-            elif not meant:
-                raise InputError(f"the rig has no signal '{signal}' to measure; {did_you_mean(signal, known)}")
-            wanted |= dict.fromkeys(meant)
-        imposed = [signal for signal in wanted if signal in self.inputs]
-        if imposed:
-            part = self.inputs[imposed[0]][0].name
-            raise InputError(f"'{imposed[0]}' is imposed with {part}: it is an input of the rig and is not measured")
+        if measure is None:
+            usual = [s for one in (*self.feed.signals, *self.hold.signals) for s in self._meant(one, known)]
+            wanted = dict.fromkeys(signal for signal in usual if signal not in self.inputs)
+        else:
+            wanted = self._wanted(_asked(measure), known)
         if not wanted:
             raise InputError(f"the rig measures nothing; name signals to measure: {', '.join(known)}")
         return [(signal, *known[signal]) for signal in wanted]
+
+    def _meant(self, signal: str, known: Container[str]) -> list[str]:
+        """A signal by its name, or that of each muscle; empty where there is none."""
+        if signal in known:
+            return [signal]
+        return [one for n in self.numbers if (one := _numbered(signal, n)) in known]
+
+    def _wanted(self, asked: Sequence[str], known: Mapping[str, object]) -> dict[str, None]:
+        """The signals that are asked for, each once.
+
+        Raises:
+            InputError: there is no such signal, or it is imposed.
+        """
+        wanted: dict[str, None] = {}
+        for signal in asked:
+            meant = self._meant(signal, known)
+            if not meant:
+                raise InputError(f"the rig has no signal '{signal}' to measure; {did_you_mean(signal, known)}")
+            wanted |= dict.fromkeys(meant)
+        imposed = next((signal for signal in wanted if signal in self.inputs), None)
+        if imposed is not None:
+            part = self.inputs[imposed][0].name
+            raise InputError(f"'{imposed}' is imposed with {part}: it is an input of the rig and is not measured")
+        return wanted
 
     # ---- what stands where --------------------------------------------------------------------------------------
 
@@ -197,30 +213,36 @@ class _Composer:
         hold = self._place(self.hold, 0, (30 + 160 * (len(self.numbers) - 1), -160))
         feeds = {n: self._place(self.feed, n, (x - 110, -20)) for n, x in columns.items()}
         muscles = {n: self._place(self.held, n, (x + 30, -20)) for n, x in columns.items()}
-        instruments: list[_Placed] = []
-        for _, number, part in self.measured:
-            if not any(one.part == part and one.number == number for one in instruments):
-                instruments.append(self._place(part, number, self._corner(part, columns[number], instruments, number)))
+        instruments = self._instruments(columns)
         frame = self._frame([self.feed, self.hold, self.held, *(one.part for one in instruments)])
         everything = [*feeds.values(), *muscles.values(), hold, *instruments]
         for one in everything:
             self._component(one, everything)
         for end, number in zip(self.ends, self.numbers, strict=True):
             between = [one for one in instruments if one.number == number]
-            muscle, feed = muscles[number], feeds[number]
-            self._join(feed, self.outlet, muscle, between)
-            self._join(hold, end, muscle, between)
+            self._join(feeds[number], self.outlet, muscles[number], between)
+            self._join(hold, end, muscles[number], between)
         for signal, number, part in self.measured:
-            reader = next(one for one in instruments if one.part == part and one.number == number)
-            self._signal(signal, reader)
-        still = "QuasiStatic" if self.static else ""
-        title = f"{still}{names.last(self.feed.qualified_name)}{names.last(self.hold.qualified_name)}"
-        own = "" if self.held.usual else names.last(self.held.qualified_name)
-        name = names.identifier(wanted or title + own)
+            self._signal(signal, next(one for one in instruments if (one.part, one.number) == (part, number)))
+        name = names.identifier(wanted or self._title())
         parts = tuple(dict.fromkeys(one.part for one in everything))
         text = self._text(name, frame, everything)
-        told_to = (*([BRANCH] if self.static else []), *self.inputs)
-        return ComposedBench(name, text, told_to, tuple(s for s, _, _ in self.measured), parts)
+        inputs = (*([BRANCH] if self.static else []), *self.inputs)
+        return ComposedBench(name, text, inputs, tuple(signal for signal, _, _ in self.measured), parts)
+
+    def _instruments(self, columns: Mapping[int, int]) -> list[_Placed]:
+        """One of each kind at each muscle, however many signals it reads."""
+        placed: list[_Placed] = []
+        for _, number, part in self.measured:
+            if (part, number) not in [(one.part, one.number) for one in placed]:
+                placed.append(self._place(part, number, self._corner(part, columns[number], placed, number)))
+        return placed
+
+    def _title(self) -> str:
+        """A name made from those of its parts; the usual muscle is not among them."""
+        still = "QuasiStatic" if self.static else ""
+        own = "" if self.held.usual else names.last(self.held.qualified_name)
+        return f"{still}{names.last(self.feed.qualified_name)}{names.last(self.hold.qualified_name)}{own}"
 
     def _corner(self, part: BenchPart, x: int, placed: Sequence[_Placed], number: int) -> tuple[int, int]:
         """Lower left of an instrument: between the parts, or beside the muscle."""

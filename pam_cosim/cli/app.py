@@ -19,8 +19,9 @@ from pam_cosim.cli.commands.common import INTERRUPTED, interrupted, remarks, res
 from pam_cosim.errors import InputError, SimulationFailure
 
 _RUN = ("build", "describe", "simulate", "sweep", "couple", "linearise", "bode", "observe", "track", "actuator")
-_STUDY = ("new", "check", "compare", "fit", "diagnose", "add", "effects", "bench", "workbench", "demo")
-COMMANDS = _RUN + _STUDY
+_STUDY = ("new", "check", "compare", "fit", "diagnose", "plan", "predict", "add", "effects", "bench")
+_SHOW = ("workbench", "demo")
+COMMANDS = _RUN + _STUDY + _SHOW
 _STYLE: dict[str, Any] = {"add_completion": False, "pretty_exceptions_enable": False, "rich_markup_mode": None}
 
 

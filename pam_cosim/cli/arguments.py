@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Literal
 
@@ -16,9 +16,10 @@ from pam_cosim.fmu.description import model_identifier
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.references import is_file
 from pam_cosim.model.settings import settable, value_of
-from pam_cosim.study.dynamics import conditions_of
 from pam_cosim.sweeps import MOST_RUNS
 from pam_cosim.sweeps.patterns import varies_inputs
+
+TABLES = (".csv", ".nc", ".parquet")
 
 
 def fmu_files(models: Sequence[str], output: Path) -> list[tuple[str, Path]]:
@@ -39,19 +40,19 @@ def fmu_files(models: Sequence[str], output: Path) -> list[tuple[str, Path]]:
     return [(model, file) for file, model in files.items()]
 
 
-def parse_settings(settings: Sequence[str], interface: Interface) -> dict[str, float]:
-    """``NAME=VALUE`` words to values [SI]; one without a unit is in the model's own unit.
+def file_and_variables(words: Sequence[str], interface: Callable[[], Interface]) -> tuple[Path | None, list[str]]:
+    """The file that ``--output`` names, and the variables of the model, which it named before version 0.2.0.
 
     Raises:
-        InputError: not of that form, a name twice, and as ``settings.resolve``.
+        InputError: several files.
     """
-    values: dict[str, float] = {}
-    for word in settings:
-        name, text = _split(word, "NAME=VALUE, such as NAME='5 kg'")
-        if name in values:
-            raise InputError(f"'{name}' is set twice")
-        values[name] = value_of(text, settable(name, interface))
-    return values
+    unsure = [word for word in words if Path(word).suffix.lower() not in TABLES]
+    known = interface().variables if unsure else {}
+    variables = [word for word in unsure if word in known]
+    files = [Path(word) for word in words if word not in variables]
+    if len(files) > 1:
+        raise InputError(f"-o names {len(files)} files, {' and '.join(map(str, files))}; a variable is kept by --keep")
+    return (files[0] if files else None), variables
 
 
 def parse_named(words: Sequence[str]) -> dict[str, str]:
@@ -77,7 +78,7 @@ def parse_variations(
     ``inputs=A.csv,B.csv`` stays a list of texts, of files or of formulas.
 
     Raises:
-        InputError: as ``parse_settings``.
+        InputError: not of that form, a name twice, and as ``settings.value_of``.
     """
     variations: dict[str, list[float] | list[str]] = {}
     for word in words:
@@ -86,29 +87,38 @@ def parse_variations(
             raise InputError(f"'{name}' is varied twice")
         if varies_inputs({name: text}, interface):
             variations[name] = [one.strip() for one in text.split(",")]
-            continue
-        variable = settable(name, interface)
-        if ranges:
-            if text.count(":") != 1:
-                raise InputError(f"'{word}': write FROM:TO, such as 1:10; --runs says how many")
-            variations[name] = [value_of(p, variable) for p in _alike(text.split(":"), word)]
+        elif ranges:
+            variations[name] = _ends(text, word, settable(name, interface))
         elif ":" in text:
-            parts = text.split(":")
-            if len(parts) != 3 or not parts[2].strip().isdecimal() or int(parts[2]) < 1:
-                raise InputError(f"'{word}': write FROM:TO:N, such as 1:10:5")
-            if int(parts[2]) > MOST_RUNS:
-                raise InputError(f"'{word}': a sweep has {MOST_RUNS} runs at most")
-            low, high = (value_of(p, variable) for p in _alike(parts[:2], word))
-            if not math.isfinite(high - low):
-                raise InputError(f"'{word}': its ends are too far apart")
-            variations[name] = [float(v) for v in np.linspace(low, high, int(parts[2]))]
+            variations[name] = _evenly(text, word, settable(name, interface))
         else:
-            variations[name] = [value_of(p, variable) for p in _alike(text.split(","), word)]
+            variable = settable(name, interface)
+            variations[name] = [value_of(part, variable) for part in _alike(text.split(","), word)]
     return variations
 
 
-def parse_point(words: Sequence[str], interface: Interface) -> Literal["rest"] | dict[str, float] | list[float]:
-    """What ``--at`` says: "rest", values by name [SI] of one state, or times [s] of a run.
+def _ends(text: str, word: str, variable: Variable) -> list[float]:
+    """``FROM:TO``."""
+    if text.count(":") != 1:
+        raise InputError(f"'{word}': write FROM:TO, such as 1:10; --runs says how many")
+    return [value_of(part, variable) for part in _alike(text.split(":"), word)]
+
+
+def _evenly(text: str, word: str, variable: Variable) -> list[float]:
+    """``FROM:TO:N``."""
+    parts = text.split(":")
+    if len(parts) != 3 or not parts[2].strip().isdecimal() or int(parts[2]) < 1:
+        raise InputError(f"'{word}': write FROM:TO:N, such as 1:10:5")
+    if int(parts[2]) > MOST_RUNS:
+        raise InputError(f"'{word}': a sweep has {MOST_RUNS} runs at most")
+    low, high = (value_of(part, variable) for part in _alike(parts[:2], word))
+    if not math.isfinite(high - low):
+        raise InputError(f"'{word}': its ends are too far apart")
+    return [float(value) for value in np.linspace(low, high, int(parts[2]))]
+
+
+def parse_point(words: Sequence[str]) -> Literal["rest"] | dict[str, str] | list[float]:
+    """What ``--at`` says: "rest", values by name of one state, or times [s] of a run.
 
     Raises:
         InputError: not of that form, or several of these.
@@ -124,7 +134,7 @@ def parse_point(words: Sequence[str], interface: Interface) -> Literal["rest"] |
         raise InputError(f"'{twice}' is given twice")
     if "time" in names:
         raise InputError("a time is of a run and has its state; give either times or values of a state")
-    return conditions_of(dict(pairs), interface)
+    return dict(pairs)
 
 
 def parse_pairs(words: Sequence[str]) -> dict[str, str]:
@@ -140,6 +150,25 @@ def parse_pairs(words: Sequence[str]) -> dict[str, str]:
             raise InputError(f"'{name}' is given twice")
         pairs[name] = text
     return pairs
+
+
+def parse_limits(words: Sequence[str]) -> dict[str, tuple[str, str]]:
+    """``NAME=FROM:TO`` words to lowest and highest values as texts, by name.
+
+    Raises:
+        InputError: not of that form, or a name twice.
+    """
+    limits: dict[str, tuple[str, str]] = {}
+    for word in words:
+        name, text = _split(word, "NAME=FROM:TO, such as u_in='0 A:0.35 A'")
+        if name in limits:
+            raise InputError(f"'{name}' is limited twice")
+        ends = text.split(":")
+        if len(ends) != 2:
+            raise InputError(f"'{word}': write NAME=FROM:TO, such as u_in='0 A:0.35 A'")
+        low, high = _alike([end.strip() for end in ends], word)
+        limits[name] = (low, high)
+    return limits
 
 
 def parse_cuts(words: Sequence[str]) -> dict[str, tuple[str | None, str | None]]:

@@ -1,9 +1,9 @@
 """Trajectory and data set -> residuals, scores, and where the error sits."""
 
-from pam_cosim.comparison.beginning import Beginning, beginning, measured, start_time
 from pam_cosim.comparison.compare import Comparison, compare, scored
 from pam_cosim.comparison.condition_table import STATISTICS, Condition, ConditionTable, Statistic, write_tables
 from pam_cosim.comparison.error_regions import Rule, samples_in, where
+from pam_cosim.comparison.initial_state import InitialState, initial_state, measured, start_time
 from pam_cosim.comparison.outliers import outliers, without_outliers
 from pam_cosim.comparison.plausibility import Doubt
 from pam_cosim.comparison.reproducibility import Reproducibility, reproducibility
@@ -21,7 +21,7 @@ from pam_cosim.comparison.state_course import state_course
 
 __all__ = [
     "STATISTICS",
-    "Beginning",
+    "InitialState",
     "Comparison",
     "Condition",
     "ConditionTable",
@@ -33,7 +33,7 @@ __all__ = [
     "Series",
     "SignalScore",
     "Statistic",
-    "beginning",
+    "initial_state",
     "chi2_reduced",
     "compare",
     "expected_squares",

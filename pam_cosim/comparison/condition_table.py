@@ -7,9 +7,7 @@ by their number); so are these.
 
 from __future__ import annotations
 
-import csv
-import io
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal, get_args
@@ -20,7 +18,8 @@ from pam_cosim.arrays import Array
 from pam_cosim.comparison.residuals import RunComparison
 from pam_cosim.comparison.scores import score_signal
 from pam_cosim.errors import InputError
-from pam_cosim.files import write_text
+from pam_cosim.exports import write_table
+from pam_cosim.files import plain
 from pam_cosim.measurement import Signal
 from pam_cosim.units import format_quantity, readable_factor, readable_unit
 from pam_cosim.wording import Printed, did_you_mean
@@ -88,21 +87,22 @@ class ConditionTable(Printed):
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units; None where there is no sample."""
-        return {
+        content: dict[str, object] = {
             "signal": self.signal,
             "unit": self.unit,
-            "rows": {"name": self.rows.name, "unit": self.rows.unit, "values": list(self.rows.values)},
-            "columns": {"name": self.columns.name, "unit": self.columns.unit, "values": list(self.columns.values)},
-            "samples": [[int(n) for n in row] for row in self.samples],
+            "rows": {"name": self.rows.name, "unit": self.rows.unit, "values": self.rows.values},
+            "columns": {"name": self.columns.name, "unit": self.columns.unit, "values": self.columns.values},
+            "samples": self.samples.astype(int),
             **{statistic: self._statistic_as_dict(statistic) for statistic in STATISTICS},
         }
+        return dict(plain(content))
 
     def _statistic_as_dict(self, statistic: Statistic) -> dict[str, object]:
-        (row_mean, row_sd), (column_mean, column_sd) = self.by_row(statistic), self.by_column(statistic)
+        rows, columns = self.by_row(statistic), self.by_column(statistic)
         return {
-            "values": [_plain(row) for row in self.values(statistic)],
-            "by_row": {"mean": _plain(row_mean), "sd": _plain(row_sd)},
-            "by_column": {"mean": _plain(column_mean), "sd": _plain(column_sd)},
+            "values": self.values(statistic),
+            "by_row": {"mean": rows[0], "sd": rows[1]},
+            "by_column": {"mean": columns[0], "sd": columns[1]},
         }
 
     def texts(self, statistic: Statistic) -> list[list[str]]:
@@ -212,12 +212,7 @@ def write_tables(path: Path, tables: Sequence[ConditionTable]) -> None:
     Raises:
         InputError: the file cannot be written.
     """
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(tables[0].csv_head())
-    for table in tables:
-        writer.writerows(table.csv_rows())
-    write_text(path, text.getvalue())
+    write_table(path, (tables[0].csv_head(), [row for table in tables for row in table.csv_rows()]))
 
 
 def _value(run: RunComparison, name: str, runs: Sequence[RunComparison], fitted: dict[str, float]) -> float:
@@ -234,10 +229,6 @@ def _moments(cells: Array) -> tuple[Array, Array]:
     kept = [row[np.isfinite(row)] for row in cells]
     mean = np.array([row.mean() if row.size else np.nan for row in kept])
     return mean, np.array([row.std() if row.size else np.nan for row in kept])
-
-
-def _plain(numbers: Iterable[float]) -> list[float | None]:
-    return [float(v) if np.isfinite(v) else None for v in numbers]
 
 
 def _cell(value: float) -> str:

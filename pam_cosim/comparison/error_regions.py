@@ -75,37 +75,65 @@ def _collect(
     parts = [r for r in runs if r.run.sample_count(signal.name)]
     if not parts:
         return None
-    residuals = [r.residual(signal.name) for r in parts]
-    kept = [np.isfinite(e) for e in residuals]
-    error = np.concatenate([e[k] for e, k in zip(residuals, kept, strict=True)])
-    sigma = signal.sigma or 0.0
-    excess = np.maximum(error**2 - sigma**2, 0.0)
+    present = _Present(parts, [r.residual(signal.name) for r in parts])
+    excess = np.maximum(present.of(present.residuals) ** 2 - signal.sigma**2, 0.0)
     if excess.sum() <= 0:
         return None
-
-    def joined(values: list[Array]) -> Array:
-        return np.concatenate([v[k] for v, k in zip(values, kept, strict=True)])
-
-    dividing = next(((n, row) for row in domain.phases for n, v in outputs.items() if v.unit == row[0]), None)
-    phases: list[tuple[str, Mask]] = []
-    if dividing is not None:
-        output, (_, rising, resting, falling) = dividing
-        slope = joined([_slope(r.run.time, r.model[output]) for r in parts])
-        limit = CRITERIA.where.still * float(np.max(np.abs(slope), initial=0.0))
-        phases = [(rising, slope > limit), (resting, np.abs(slope) <= limit), (falling, slope < -limit)]
-    bands = [band for n, v in outputs.items() for band in _bands(n, v, joined([r.model[n] for r in parts]))]
-    names = np.concatenate([np.full(int(k.sum()), i) for i, k in enumerate(kept)])
-    by_run = [(f"in {r.run.name}", names == i) for i, r in enumerate(parts)] if len(parts) > 1 else []
-    of_runs = by_run + _by_parameter(parts, names)
+    bands = [band for n, v in outputs.items() for band in _bands(n, v, present.of([r.model[n] for r in parts]))]
+    of_runs = _by_run(present)
     if all(r.run.is_static for r in parts):
-        imposed = [n for n in parts[0].run.inputs if n in inputs and all(n in r.run.inputs for r in parts)]
-        given = [band for n in imposed for band in _given(n, inputs[n], joined([r.run.inputs[n] for r in parts]))]
-        return _Samples(excess, [[], given + bands + of_runs])
-    late = joined([_relative_time(r.run.time) for r in parts])
-    times = [("early", late < 1 / 3), ("middle", (late >= 1 / 3) & (late < 2 / 3)), ("late", late >= 2 / 3)]
+        return _Samples(excess, [[], _by_imposed(present, inputs) + bands + of_runs])
     movers = [n for n, v in outputs.items() if v.unit in domain.moving]
-    moving = [m for n in movers for m in _moving(n, joined([_speed(r, n) for r in parts]))]
-    return _Samples(excess, [phases, bands + moving + times + of_runs])
+    moving = [m for n in movers for m in _moving(n, present.of([_speed(r, n) for r in parts]))]
+    return _Samples(excess, [_phases(present, outputs, domain), bands + moving + _times(present) + of_runs])
+
+
+class _Present:
+    """The samples of a signal that are there, of all runs one after the other."""
+
+    def __init__(self, parts: Sequence[RunComparison], residuals: Sequence[Array]) -> None:
+        self.parts, self.residuals = parts, residuals
+        self.kept = [np.isfinite(error) for error in residuals]
+
+    def of(self, values: Sequence[Array]) -> Array:
+        """What belongs to these samples, of what is given for each row of each run."""
+        return np.concatenate([v[k] for v, k in zip(values, self.kept, strict=True)])
+
+    @property
+    def run_numbers(self) -> Array:
+        """Of which run each is."""
+        return np.concatenate([np.full(int(k.sum()), i) for i, k in enumerate(self.kept)])
+
+
+def _phases(present: _Present, outputs: Mapping[str, Variable], domain: Domain) -> list[tuple[str, Mask]]:
+    """The phases that the field divides a run into, by the slope of the output that has the unit for it."""
+    dividing = next(((n, row) for row in domain.phases for n, v in outputs.items() if v.unit == row[0]), None)
+    if dividing is None:
+        return []
+    output, (_, rising, resting, falling) = dividing
+    slope = present.of([_slope(r.run.time, r.model[output]) for r in present.parts])
+    limit = CRITERIA.where.still * float(np.max(np.abs(slope), initial=0.0))
+    return [(rising, slope > limit), (resting, np.abs(slope) <= limit), (falling, slope < -limit)]
+
+
+def _times(present: _Present) -> list[tuple[str, Mask]]:
+    """Thirds of each run."""
+    late = present.of([_relative_time(r.run.time) for r in present.parts])
+    return [("early", late < 1 / 3), ("middle", (late >= 1 / 3) & (late < 2 / 3)), ("late", late >= 2 / 3)]
+
+
+def _by_run(present: _Present) -> list[tuple[str, Mask]]:
+    """Each run, where there are several, and runs that have a parameter's value in common."""
+    numbers, parts = present.run_numbers, present.parts
+    single = [(f"in {r.run.name}", numbers == i) for i, r in enumerate(parts)] if len(parts) > 1 else []
+    return single + _by_parameter(parts, numbers)
+
+
+def _by_imposed(present: _Present, inputs: Mapping[str, Variable]) -> list[tuple[str, Mask]]:
+    """Bands of the inputs that all runs at rest have."""
+    parts = present.parts
+    names = [n for n in parts[0].run.inputs if n in inputs and all(n in r.run.inputs for r in parts)]
+    return [band for n in names for band in _given(n, inputs[n], present.of([r.run.inputs[n] for r in parts]))]
 
 
 def _speed(r: RunComparison, output: str) -> Array:

@@ -86,7 +86,7 @@ def _rms(values: Array) -> float:
 def _far_off(signal: Signal, measured: Array, modelled: Array, fitted: bool) -> Iterator[Doubt]:
     """A model that misses a signal by much of what it moves, and what would mend it at once."""
     error, moves = _rms(measured - modelled), _rms(measured - measured.mean())
-    if error < CRITERIA.doubts.far_off * moves or error < CRITERIA.doubts.beyond_noise * (signal.sigma or 0.0):
+    if error < CRITERIA.doubts.far_off * moves or error < CRITERIA.doubts.beyond_noise * signal.sigma:
         return
     span = format_quantity(float(np.ptp(measured)), signal.unit)
     text = (
@@ -136,7 +136,7 @@ def _as_units(unit: str, gain: float) -> str:
 
 def _one_sided(signal: Signal, measured: Array, modelled: Array) -> Iterator[Doubt]:
     """A measurement that never passes zero, where the model does by far."""
-    room = max(CRITERIA.doubts.passed * float(np.ptp(measured)), CRITERIA.doubts.beyond_noise * (signal.sigma or 0.0))
+    room = max(CRITERIA.doubts.passed * float(np.ptp(measured)), CRITERIA.doubts.beyond_noise * signal.sigma)
     for sign, least, beyond in ((1.0, "falls below", "down to"), (-1.0, "rises above", "up to")):
         own, model = sign * measured, sign * modelled
         there = model < -room

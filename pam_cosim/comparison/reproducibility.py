@@ -37,40 +37,52 @@ def reproducibility(runs: Sequence[RunComparison], signals: Mapping[str, Signal]
 
     Args:
         runs: more tell more; NaN where they are too few to tell.
-        signals: by name; those that are fitted and have a noise level count.
+        signals: by name; those that are fitted count.
     """
+    unknown = Reproducibility(float("nan"), float("nan"))
     if not runs:
-        return Reproducibility(float("nan"), float("nan"))
+        return unknown
     gains: dict[int, float] = {}
     total = 0.0
-    tables = _features(runs)
-    parts = _parts(runs)
-    for name, signal in signals.items():
-        if not signal.fitted or not signal.sigma:
+    tables, parts = _features(runs), _parts(runs)
+    for signal in signals.values():
+        measured = [r.residual(signal.name) if r.run.sample_count(signal.name) else None for r in runs]
+        pieces = _pieces(tables, measured, parts, signal) if signal.fitted else {}
+        if len(pieces) < 2:
             continue
-        measured = [r.residual(name) if r.run.sample_count(name) else None for r in runs]
-        residuals = [None if error is None else weighted(error, signal) for error in measured]
-        pieces = [_piece(tables, residuals, where) for where in parts]
-        usable = [p for p in pieces if p is not None]
-        if len(usable) < 2:
-            continue
-        gram, moment = sum(x.T @ x for x, _ in usable), sum(x.T @ e for x, e in usable)
-        samples = sum(len(e) for _, e in usable)
         total += sum(_samples(error, signal) for error in measured if error is not None)
-        for number, piece in enumerate(pieces):
-            if piece is None:
-                continue
-            x, e = piece
-            left = samples - len(e)
-            weights = np.linalg.solve(
-                gram - x.T @ x + CRITERIA.residuals.ridge * left * np.eye(x.shape[1]), moment - x.T @ e
-            )
-            gains[number] = gains.get(number, 0.0) + float(np.sum(e**2) - np.sum((e - x @ weights) ** 2))
+        for number, gain in _gains(pieces).items():
+            gains[number] = gains.get(number, 0.0) + gain
     if total == 0 or len(gains) < 2:
-        return Reproducibility(float("nan"), float("nan"))
+        return unknown
     by_piece = np.array([gains[k] for k in sorted(gains)])
     error = float(np.std(by_piece, ddof=1)) * np.sqrt(len(by_piece))
     return Reproducibility(float(by_piece.sum()) / total, float(by_piece.sum()) / error if error > 0 else 0.0)
+
+
+def _pieces(
+    tables: Sequence[Array],
+    measured: Sequence[Array | None],
+    parts: Sequence[tuple[int, slice]],
+    signal: Signal,
+) -> dict[int, tuple[Array, Array]]:
+    """Features and weighted residuals of each part that has samples, by its number."""
+    residuals = [None if error is None else weighted(error, signal) for error in measured]
+    pieces = {number: _piece(tables, residuals, where) for number, where in enumerate(parts)}
+    return {number: piece for number, piece in pieces.items() if piece is not None}
+
+
+def _gains(pieces: Mapping[int, tuple[Array, Array]]) -> dict[int, float]:
+    """By how much each piece's sum of squares falls, where the others foretell it (ridge regression)."""
+    gram = sum(x.T @ x for x, _ in pieces.values())
+    moment = sum(x.T @ e for x, e in pieces.values())
+    samples = sum(len(e) for _, e in pieces.values())
+    gains = {}
+    for number, (x, e) in pieces.items():
+        ridge = CRITERIA.residuals.ridge * (samples - len(e)) * np.eye(x.shape[1])
+        weights = np.linalg.solve(gram - x.T @ x + ridge, moment - x.T @ e)
+        gains[number] = float(np.sum(e**2) - np.sum((e - x @ weights) ** 2))
+    return gains
 
 
 def _samples(error: Array, signal: Signal) -> float:

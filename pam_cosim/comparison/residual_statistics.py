@@ -94,13 +94,13 @@ def series_of(
 
     Args:
         runs: of a model.
-        signals: by name; those that are fitted and have a noise level count.
+        signals: by name; those that are fitted count.
         shifts: (n,) what is added to the weighted residuals, by run and signal.
     """
     series = []
     for r in runs:
         for name, signal in signals.items():
-            if signal.fitted and signal.sigma and r.run.sample_count(name):
+            if signal.fitted and r.run.sample_count(name):
                 error = r.residual(name)
                 kept = np.isfinite(error)
                 values = weighted(error[kept], signal)

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison.beginning import beginning, inputs_of_run, start_time
+from pam_cosim.comparison.initial_state import initial_state, inputs_of_run, start_time
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
 
@@ -60,7 +60,7 @@ def simulate_run(
         )
         return RunComparison(run, dict(points.values))
     own = data.parameters_of(run, parameters)
-    start = beginning(simulator, data, run, own)
+    start = initial_state(simulator, data, run, own)
     trajectory = simulator.run(
         run.time,
         parameters={**own, **start.values},

@@ -33,9 +33,8 @@ def weighted(error: Array, signal: Signal) -> Array:
 
     Args:
         error: (n,) measured minus model [unit of the signal], may be NaN.
-        signal: with a known noise.
+        signal: with its noise.
     """
-    assert signal.sigma is not None, "residuals are weighed by a noise level; see measurement.with_noise"
     if not signal.step:
         return error / signal.sigma
     return np.asarray(np.sign(error) * np.sqrt(_deviance(error / signal.noise, signal.step / signal.noise)))
@@ -43,7 +42,6 @@ def weighted(error: Array, signal: Signal) -> Array:
 
 def slope(error: Array, signal: Signal) -> Array:
     """(n,) derivative of ``weighted`` by the error [1/unit]."""
-    assert signal.sigma is not None
     if not signal.step:
         return np.full(len(error), 1.0 / signal.sigma)
     steps = signal.step / signal.noise

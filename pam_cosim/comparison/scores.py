@@ -84,8 +84,8 @@ def score_signal(runs: Sequence[RunComparison], signal: Signal) -> SignalScore |
         max_time=float(t[worst]),
         max_run=names[worst],
         correlation=float(np.corrcoef(y, m)[0, 1]) if span and np.ptp(m) else np.nan,
-        chi2_reduced=chi2 / effective if signal.sigma is not None else np.nan,
-        noise_rmse=float(signal.sigma if signal.sigma is not None else np.nan),
+        chi2_reduced=chi2 / effective,
+        noise_rmse=float(signal.sigma),
         samples=len(e),
         autocorrelation=correlation,
         whiteness_score=whiteness_score,
@@ -94,9 +94,7 @@ def score_signal(runs: Sequence[RunComparison], signal: Signal) -> SignalScore |
 
 
 def _series(error: Array, signal: Signal) -> Series:
-    """Differences of one run as they count; as they are where nobody knows the noise."""
-    if signal.sigma is None:
-        return Series.plain(error)
+    """Differences of one run as they count."""
     return Series(weighted(error, signal), expected_squares(error, signal))
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison.beginning import beginning, inputs_of_run, start_time
+from pam_cosim.comparison.initial_state import initial_state, inputs_of_run, start_time
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
 
@@ -33,7 +33,7 @@ def state_course(
         SimulationFailure: the run did not reach its end.
     """
     own = data.parameters_of(run, parameters)
-    start = beginning(simulator, data, run, own)
+    start = initial_state(simulator, data, run, own)
     begins = start_time(run)
     course = simulator.run(
         np.append(begins, np.maximum(run.time if times is None else times, begins)),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence, Set
 
 import casadi as ca
 
@@ -113,23 +113,11 @@ def _linear(matrix: ca.SX, right: ca.SX) -> ca.SX:
     b = [right[i] for i in range(size)]
     steps: list[tuple[int, int]] = []
     while (pivot := _constant_pivot(a, steps)) is not None:
-        row, column = pivot
-        for i in range(size):
-            if i != row and not a[i][column].is_zero() and i not in [r for r, _ in steps]:
-                factor = a[i][column] / a[row][column]
-                a[i] = [x if y.is_zero() else ca.simplify(x - factor * y) for x, y in zip(a[i], a[row], strict=True)]
-                a[i][column] = ca.SX(0)
-                b[i] = b[i] - factor * b[row]
-        steps.append((row, column))
-    rows = [i for i in range(size) if i not in [r for r, _ in steps]]
-    columns = [j for j in range(size) if j not in [c for _, c in steps]]
-    values: dict[int, ca.SX] = {}
-    if rows:
-        core = ca.vertcat(*[ca.horzcat(*[a[i][j] for j in columns]) for i in rows])
-        rest = ca.vertcat(*[b[i] for i in rows])
-        small = len(rows) <= _LARGEST_BY_MINORS
-        answer = ca.mtimes(ca.inv_minor(core), rest) if small else ca.solve(core, rest)
-        values = {j: answer[k] for k, j in enumerate(columns)}
+        _eliminate(a, b, pivot, {row for row, _ in steps})
+        steps.append(pivot)
+    rows = [i for i in range(size) if i not in {row for row, _ in steps}]
+    columns = [j for j in range(size) if j not in {column for _, column in steps}]
+    values = _solve_core(a, b, rows, columns)
     for row, column in reversed(steps):
         total = b[row]
         for j, value in values.items():
@@ -137,6 +125,31 @@ def _linear(matrix: ca.SX, right: ca.SX) -> ca.SX:
                 total = total - a[row][j] * value
         values[column] = total / a[row][column]
     return ca.vertcat(*[values[j] for j in range(size)])
+
+
+def _eliminate(a: list[list[ca.SX]], b: list[ca.SX], pivot: tuple[int, int], done: Set[int]) -> None:
+    """Takes the column of a pivot out of the rows that were no pivots' yet."""
+    row, column = pivot
+    for i in range(len(a)):
+        if i == row or i in done or a[i][column].is_zero():
+            continue
+        factor = a[i][column] / a[row][column]
+        a[i] = [x if y.is_zero() else ca.simplify(x - factor * y) for x, y in zip(a[i], a[row], strict=True)]
+        a[i][column] = ca.SX(0)
+        b[i] = b[i] - factor * b[row]
+
+
+def _solve_core(
+    a: Sequence[Sequence[ca.SX]], b: Sequence[ca.SX], rows: Sequence[int], columns: Sequence[int]
+) -> dict[int, ca.SX]:
+    """Values by column, of rows without constant pivots."""
+    if not rows:
+        return {}
+    core = ca.vertcat(*[ca.horzcat(*[a[i][j] for j in columns]) for i in rows])
+    rest = ca.vertcat(*[b[i] for i in rows])
+    small = len(rows) <= _LARGEST_BY_MINORS
+    answer = ca.mtimes(ca.inv_minor(core), rest) if small else ca.solve(core, rest)
+    return {j: answer[k] for k, j in enumerate(columns)}
 
 
 def _constant_pivot(a: Sequence[Sequence[ca.SX]], steps: Sequence[tuple[int, int]]) -> tuple[int, int] | None:

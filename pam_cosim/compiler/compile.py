@@ -194,9 +194,12 @@ class _Assembly:
         fixed = not (_names(condition) - _names(self.p))
         digits = [s.digits for s in shown]
         return Statement(
-            condition, tuple(texts), tuple(zip(values, digits, strict=True)), assertion.is_error,
+            condition,
+            tuple(texts),
+            tuple(zip(values, digits, strict=True)),
+            assertion.is_error,
             assertion.at_start or fixed,
-        )  # fmt: skip
+        )
 
     def _known(self, expression: ca.SX) -> ca.SX:
         return self.beginning.known(put(expression, self.system.variables, self.solved))

@@ -298,8 +298,11 @@ class Instantiator:
             if not instance.present:
                 return
         if "outer" in instance.prefixes and "inner" not in instance.prefixes:
-            instance.target = self._find_inner(instance)
-            return
+            assert instance.parent is not None
+            if instance.parent.parent is not None:
+                instance.target = self._find_inner(instance)
+                return
+            instance.prefixes |= {"inner"}  # the model itself is the top, where one is added
         type_ = self._type(declaration.type, scope, instance.modification)
         instance.prefixes |= type_.prefixes
         home = instance.home or scope
@@ -376,19 +379,36 @@ class Instantiator:
             self.expand(child)
 
     def _find_inner(self, instance: Instance) -> Instance:
-        holder = instance.parent.parent if instance.parent is not None else None
-        name = instance.local_name
-        while holder is not None:
+        assert instance.parent is not None and instance.parent.parent is not None
+        holder, name = instance.parent.parent, instance.local_name
+        while True:
             candidate = holder.children.get(name)
-            if candidate is not None and "inner" in candidate.prefixes:
+            is_top = holder.parent is None
+            if candidate is not None and ("inner" in candidate.prefixes or is_top and "outer" in candidate.prefixes):
                 return self.expand(candidate)
+            if holder.parent is None:
+                return self._added_inner(instance, holder)
             holder = holder.parent
-        declaration = instance.declaration
-        assert declaration is not None
-        raise instance_source(instance).error(
-            f"'outer {declaration.type.text} {name}' finds no 'inner {declaration.type.text} {name}' above it",
-            declaration.at,
-        )
+
+    def _added_inner(self, outer: Instance, top: Instance) -> Instance:
+        """What nothing declares ``inner`` is added to the top of the model with its default values, MLS 5.4."""
+        declaration, scope, name = outer.declaration, outer.scope, outer.local_name
+        assert declaration is not None and scope is not None
+        of = self.lookup.find(scope, declaration.type.names, declaration.type.absolute)
+        definition = None if of is None else self.followed(of).definition
+        if definition is None or definition.partial or definition.kind not in ("model", "block", "class"):
+            raise instance_source(outer).error(
+                f"'outer {declaration.type.text} {name}' finds no 'inner {declaration.type.text} {name}' above it",
+                declaration.at,
+            )
+        if name in top.children:
+            raise instance_source(outer).error(
+                f"'outer {declaration.type.text} {name}' finds a '{name}' above it that is not inner: "
+                f"declare it 'inner {declaration.type.text} {name}'",
+                declaration.at,
+            )
+        top.children[name] = Instance(name, top, scope, declaration, NOTHING, frozenset({"inner"}), home=scope)
+        return self.expand(top.children[name])
 
     # ---- types --------------------------------------------------------------------------------------------
 

@@ -81,9 +81,11 @@ def _description(system: System, parts: Mapping[str, CoupledFmu], stop_time: flo
         connections = Xml.SubElement(top, tag("ssd", "Connections"))
         for one in system.connections:
             ends = {
-                "startElement": one.source.component, "startConnector": one.source.variable,
-                "endElement": one.target.component, "endConnector": one.target.variable,
-            }  # fmt: skip
+                "startElement": one.source.component,
+                "startConnector": one.source.variable,
+                "endElement": one.target.component,
+                "endConnector": one.target.variable,
+            }
             plain = joined(one.source, one.target, parts)
             element = Xml.SubElement(connections, tag("ssd", "Connection"), ends)
             if (plain.factor, plain.offset) != (one.factor, one.offset):  # more than a conversion of units

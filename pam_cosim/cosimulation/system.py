@@ -148,6 +148,8 @@ class System(Printed):
         Raises:
             InputError: an unknown name, or a value that cannot be used.
         """
+        for name in parameters:
+            settable(name, self.interface)
         values = {name: dict(some) for name, some in self.values.items()}
         for component, some in couple_values(parameters, self.components).items():
             values[component] = values.get(component, {}) | some
@@ -220,9 +222,16 @@ class System(Printed):
         plan = self._plan(step, tolerance, extrapolation, stop)
         with self._running(solver_tolerance) as steppers:
             network = Network(
-                self.components, self.connections, steppers, inputs, method=method, extrapolation=extrapolation,
-                loops=loops, order=order, observed=observed,
-            )  # fmt: skip
+                self.components,
+                self.connections,
+                steppers,
+                inputs,
+                method=method,
+                extrapolation=extrapolation,
+                loops=loops,
+                order=order,
+                observed=observed,
+            )
             recorder = Recorder(self._columns(observed, inputs))
             try:
                 integrate(network, plan, stop, lambda: self._write_down(network, recorder, inputs), progress)
@@ -342,6 +351,12 @@ def _choice(what: str, value: str, known: Sequence[str]) -> None:
 def _run(recorder: Recorder, method: str, plan: StepControl, work: RunCost) -> CoupledRun:
     sizes = plan.lengths or [0.0]
     return CoupledRun(
-        recorder.trajectory(), method, len(plan.lengths), plan.rejected, dict(work.component_steps), work.rollbacks,
-        min(sizes), max(sizes),
-    )  # fmt: skip
+        recorder.trajectory(),
+        method,
+        len(plan.lengths),
+        plan.rejected,
+        dict(work.component_steps),
+        work.rollbacks,
+        min(sizes),
+        max(sizes),
+    )

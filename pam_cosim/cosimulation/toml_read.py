@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Any
@@ -57,7 +58,7 @@ def read_toml(file: Path) -> Written:
         if key not in _KEYS:
             raise wrong(f"unknown key '{key}'; {did_you_mean(key, _KEYS)}", key)
     components, connections = content.get("components"), content.get("connections", [])
-    parameters, title = content.get("parameters", {}), content.get("title", "")
+    title = content.get("title", "")
     if not isinstance(components, dict) or not components:
         raise InputError("name the components under [components]: NAME = 'MODEL'", file)
     if not isinstance(title, str) or not title.isprintable():
@@ -67,17 +68,21 @@ def read_toml(file: Path) -> Written:
     for name, model in components.items():
         if not isinstance(model, str):
             raise wrong(f"component '{name}' must name a model: a bench, a class, or a file", "components", name)
-    samples = content.get("samples", {})
-    for key, table in (("parameters", parameters), ("samples", samples)):
-        if not isinstance(table, dict):
-            raise wrong(f"{key} must be a table", key)
-        for name, value in table.items():
-            if isinstance(value, bool) or not isinstance(value, (int, float, str)):
-                raise wrong(f"'{name}' must be a number or a text with a unit; names with a dot need quotes", key, name)
+    parameters, samples = (_settings(content.get(key, {}), key, wrong) for key in ("parameters", "samples"))
     models = {
         name: _model(model, file, lambda m, n=name: wrong(m, "components", n)) for name, model in components.items()
     }
     return Written(models, connections, parameters, samples, title, _stop_time(content, wrong))
+
+
+def _settings(table: Any, key: str, wrong: Callable[..., InputError]) -> dict[str, Setting]:
+    """A table of numbers and texts with units."""
+    if not isinstance(table, dict):
+        raise wrong(f"{key} must be a table", key)
+    for name, value in table.items():
+        if isinstance(value, bool) or not isinstance(value, (int, float, str)):
+            raise wrong(f"'{name}' must be a number or a text with a unit; names with a dot need quotes", key, name)
+    return table
 
 
 def _stop_time(content: dict[str, Any], wrong: Any) -> float | None:

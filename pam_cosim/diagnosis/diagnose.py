@@ -35,7 +35,7 @@ from pam_cosim.diagnosis.search_result import (
 )
 from pam_cosim.diagnosis.selection import Selection
 from pam_cosim.diagnosis.subject import subject_of
-from pam_cosim.diagnosis.verdict import Verdict, explained, judge, rivals, with_facts, with_posterior
+from pam_cosim.diagnosis.verdict import Verdict, explained, judge, nearest, rivals, with_facts, with_posterior
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger
@@ -68,6 +68,8 @@ class Diagnosis(Printed):
         step_times: steps of commands that stand between two samples, to which the search gave a time.
         means: where very many rows became means, which are in ``data``: a sentence on it.
         folds: where what remains has structure: which effects are needed whichever runs are left out.
+        rivals: effects of each model that is left, best first: of an ambiguous verdict those that it names, of an
+            unknown one those that come nearest; see ``rival_models``.
     """
 
     data: DataSet
@@ -88,6 +90,13 @@ class Diagnosis(Printed):
     step_times: int = 0
     means: str = ""
     folds: Folds | None = None
+    rivals: tuple[tuple[str, ...], ...] = ()
+
+    @property
+    def rival_models(self) -> tuple[Candidate, ...]:
+        """The models that are left, best first; none where the verdict leaves no choice."""
+        known = {c.effects: c for c in (*reversed(self.candidates), *self.path)}
+        return tuple(known[effects] for effects in self.rivals if effects in known)
 
     @property
     def final(self) -> Fit:
@@ -133,6 +142,7 @@ class Diagnosis(Printed):
             "doubts": [vars(doubt) for doubt in self.final.comparison.doubts],
             "outliers": self.outliers,
             "step_times": self.step_times,
+            "rivals": [list(effects) for effects in self.rivals],
             "next_experiment": self.next_experiment.as_dict() if self.next_experiment else None,
             "missing_term": self._missing(),
             "untried": [list(names) for names in self.untried],
@@ -279,7 +289,19 @@ def diagnose(
         step_times=finding.step_times,
         means=subject.means,
         folds=folds,
+        rivals=_models_left(verdict, asked or finding, [c for c, _ in others]),
     )
+
+
+def _models_left(verdict: Verdict, finding: SearchResult, others: Sequence[Candidate]) -> tuple[tuple[str, ...], ...]:
+    """Effects of the models that a verdict leaves, best first."""
+    if verdict.kind == "ambiguous":
+        return (finding.path[-1].effects, *(c.effects for c in others))
+    if verdict.kind == "unknown":
+        search, tried = finding.search, finding.selection.tried
+        near = nearest(finding.base, tried, search.family, search.choice)
+        return tuple(c.effects for c in near)
+    return ()
 
 
 def _verdict(finding: SearchResult, sources: Sequence[Path], all_asked: bool) -> tuple[Verdict, list[Plan]]:

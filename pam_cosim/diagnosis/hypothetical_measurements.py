@@ -109,7 +109,6 @@ def _unmeasured(simulator: AnySimulator, data: DataSet, modelled: Sequence[Mappi
 
 
 def _reading(signal: Signal) -> str:
-    assert signal.sigma is not None
     return f"{signal.name} in every run, to {format_quantity(signal.sigma, signal.unit, 2)}"
 
 

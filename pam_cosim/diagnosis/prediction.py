@@ -31,7 +31,7 @@ class Hypothesis:
         self.candidate, self.data = candidate, data
         self.values = candidate.fit.values | candidate.fit.start_values
         self.free = [n for n, e in candidate.fit.parameters.items() if not e.at_bound and not e.run]
-        self.sigma = {n: s.sigma for n, s in data.signals.items() if s.fitted and s.sigma}
+        self.sigma = {n: s.sigma for n, s in data.fitted_signals.items()}
         name, told = candidate.equations.split()[1], [parameter_of(n) for n in self.free]
         self._simulator = Simulator(build_source(name, candidate.equations, files, sensitivities=told, lean=True))
         self._held: Array | None = None
@@ -47,8 +47,12 @@ class Hypothesis:
         """Inputs, outputs and parameters of the model."""
         return self._simulator.interface
 
-    def predict(self, run: Run) -> Prediction:
+    def predict(self, run: Run, tolerance: float | None = None) -> Prediction:
         """Signals of a run and their slopes, all samples of all signals, in noise standard deviations.
+
+        Args:
+            run: inputs, known parameters and sample times.
+            tolerance: of the solver; None: its own.
 
         Raises:
             SimulationFailure: the run did not reach its end.
@@ -57,7 +61,8 @@ class Hypothesis:
         slopes = {
             (s, p): n for s in self.sigma for p in self.free if (n := sensitivity_name(s, parameter_of(p))) in known
         }
-        comparison = simulate_run(self._simulator, self.data, run, self.values, None, [*self.sigma, *slopes.values()])
+        wanted = [*self.sigma, *slopes.values()]
+        comparison = simulate_run(self._simulator, self.data, run, self.values, tolerance, wanted)
         values = np.concatenate([comparison.model[s] / sigma for s, sigma in self.sigma.items()])
         columns = np.zeros((len(values), len(self.free)))
         for j, p in enumerate(self.free):

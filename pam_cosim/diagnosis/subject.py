@@ -15,7 +15,7 @@ from pam_cosim.diagnosis.trial import run_trial
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import starts_are_open, with_starts
 from pam_cosim.fmu import build_model
-from pam_cosim.measurement import DataSet, complete_noise, condensed
+from pam_cosim.measurement import DataSet, condensed
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_fmu, sources_of
 from pam_cosim.processes.workers import wake
@@ -81,7 +81,7 @@ def subject_of(
     data, said = condensed(data)
     if said:
         say(Remark(said).message)
-    data = complete_noise(replace(data, domain=domain_of(tree, name)))
+    data = replace(data, domain=domain_of(tree, name))
     if starts_are_open(data):
         with Simulator(build_model(name, files)) as simulator:
             data = with_starts(simulator, data)

@@ -145,9 +145,24 @@ def _near(
     at = scale([base, *(c.fit for c in tried)])
     own = frozenset(family[e] for e in best.effects)
     limit = evidence(best.fit, at, best.effects, choice, best) + CRITERIA.evidence.very_strong
-    each = _best_of_each(among, at, family, choice).items()
+    each = best_of_each(among, at, family, choice).items()
     near = [(score, c) for theirs, (score, c) in each if not theirs >= own and score < limit]
     return [c for _, c in sorted(near, key=lambda entry: (entry[0], entry[1].effects))]
+
+
+def nearest(base: Fit, tried: Sequence[Candidate], family: Mapping[str, str], choice: ModelSpace) -> list[Candidate]:
+    """The models with most evidence, one of each set of families, best first: what is left where none leaves noise.
+
+    Args:
+        base: the model without effects, fitted.
+        tried: all models.
+        family: of every effect there is.
+        choice: what a choice among them costs.
+    """
+    at = scale([base, *(c.fit for c in tried)])
+    fitted = [c for c in tried if not c.brief]
+    each = sorted(best_of_each(fitted, at, family, choice).values(), key=lambda entry: (entry[0], entry[1].effects))
+    return [c for _, c in each[: CRITERIA.next_experiment.rivals]]
 
 
 def with_facts(
@@ -176,10 +191,10 @@ def with_facts(
     return replace(verdict, off=off, refuted=wrong, bending=bending)
 
 
-def _best_of_each(
+def best_of_each(
     candidates: Sequence[Candidate], at: Scale, family: Mapping[str, str], choice: ModelSpace
 ) -> dict[frozenset[str], tuple[float, Candidate]]:
-    """The best model with each set of families, with its evidence."""
+    """The best model with each set of families, with its evidence, in the order of the candidates."""
     best: dict[frozenset[str], tuple[float, Candidate]] = {}
     for c in candidates:
         families = frozenset(family[e] for e in c.effects)

@@ -62,41 +62,58 @@ def take_bench(
     Raises:
         InputError: there is no such bench, or none that the recordings feed.
     """
-    candidates, runs = [one for one in map(_at_rest(known), ports(tree)) if one is not None], len(known.sources)
-    rigs = {one.name: one for one in candidates if one.parts}
-    if wishes.model is not None and wishes.model not in rigs:
+    ready = [one for one in map(_at_rest(known), ports(tree)) if one is not None]
+    composed = {one.name: one for one in ready if one.parts}
+    if wishes.model is not None and wishes.model not in composed:
         if wishes.muscle is not None:
             raise InputError(f"a muscle is named for a bench that is put together, and {wishes.model} is there already")
         return _named(place, wishes.model, known, describe)
-    muscle = wishes.muscle
-    said = [" ".join([source.file.stem, *source.labels]) for source in known.sources]
-    told = muscle_in(said, _muscles(tree)) if muscle is None and wishes.model is None else None
-    if told is not None:
-        muscle = told.name
-    if muscle is not None:
-        candidates = list(rigs.values())
-    if known.points and wishes.model is None:
+    told = _told_muscle(wishes, known, tree)
+    muscle = wishes.muscle if told is None else told.name
+    candidates = ready if muscle is None else list(composed.values())
+    if wishes.model is not None:
+        candidates = [composed[wishes.model]]
+    elif known.points:
         candidates = [one for one in candidates if _all_imposed(one)]
-    candidates = candidates if wishes.model is None else [rigs[wishes.model]]
-    every = dict.fromkeys([*known.stated, *(name for own in known.own for name in own)])
-    stated = [name for name in every if "." not in name]
-    choice = choose(candidates, known.columns, known.asked, known.formulas, runs, stated)
-    fed = listed(f"{one} = {column.name}" for one, column in choice.fed.items())
-    why = f"guessed: the bench, because it takes and shows what was recorded: {fed}"
-    if choice.others:
-        why += f". Others would do: {listed(choice.others)}"
+    choice = choose(candidates, known.columns, known.asked, known.formulas, len(known.sources), _stated_inputs(known))
+    why = _why(choice)
     if not choice.ports.parts:
         return Bench(choice, choice.ports.name, describe(choice.ports.name), why, None, True)
-    feed, hold = choice.ports.parts
-    outputs = [one for one in choice.ports.outputs if one not in choice.ports.inputs]
-    measure = [one for one in outputs if one in choice.outputs or one in known.formulas]
-    text = compose_bench(tree, feed, hold, muscle, measure, name, known.points).text
-    (place / f"{name}.mo").write_text(text, encoding="utf-8", newline="\n")
+    file = place / f"{name}.mo"
+    file.write_text(_composed(choice, name, known, tree, muscle), encoding="utf-8", newline="\n")
     made = f"{name}.mo was put together from {choice.ports.name}"
     if told is not None:
         made += f", with the muscle {told.name}, of which the files or their names tell"
     why = made if wishes.model else f"{why}. {made}"
-    return Bench(choice, f"{name}.mo", describe(str(place / f"{name}.mo")), why, told, muscle is None)
+    return Bench(choice, file.name, describe(str(file)), why, told, muscle is None)
+
+
+def _told_muscle(wishes: DraftRequests, known: ReadRecordings, tree: ClassTree) -> Muscle | None:
+    """The muscle that files or their names tell of, where the user names neither one nor a bench."""
+    if wishes.muscle is not None or wishes.model is not None:
+        return None
+    said = [" ".join([source.file.stem, *source.labels]) for source in known.sources]
+    return muscle_in(said, _muscles(tree))
+
+
+def _stated_inputs(known: ReadRecordings) -> list[str]:
+    """Inputs whose values the user states, of all recordings or of some; a name with a dot is a parameter's."""
+    every = dict.fromkeys([*known.stated, *(name for own in known.own for name in own)])
+    return [name for name in every if "." not in name]
+
+
+def _why(choice: BenchChoice) -> str:
+    fed = listed(f"{one} = {column.name}" for one, column in choice.fed.items())
+    why = f"guessed: the bench, because it takes and shows what was recorded: {fed}"
+    return f"{why}. Others would do: {listed(choice.others)}" if choice.others else why
+
+
+def _composed(choice: BenchChoice, name: str, known: ReadRecordings, tree: ClassTree, muscle: str | None) -> str:
+    """The Modelica text of a bench that is put together, with what was measured on it."""
+    feed, hold = choice.ports.parts
+    outputs = [one for one in choice.ports.outputs if one not in choice.ports.inputs]
+    measure = [one for one in outputs if one in choice.outputs or one in known.formulas]
+    return compose_bench(tree, feed, hold, muscle, measure, name, known.points).text
 
 
 def _at_rest(known: ReadRecordings) -> Callable[[Ports], Ports | None]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -55,6 +55,23 @@ class BenchChoice:
         return {**self.inputs, **self.outputs}
 
 
+@dataclass(frozen=True)
+class _Given:
+    """What the user and the recordings give a bench, as ``choose`` has it."""
+
+    columns: Sequence[Found]
+    asked: Mapping[str, str]
+    formulas: Mapping[str, str]
+    runs: int
+    stated: Collection[str]
+
+    @property
+    def signals(self) -> list[Found]:
+        """Columns of which it is known what they are, but for time and what stands around a muscle."""
+        known = [c for c in self.columns if c.meaning is not None and not c.of("time")]
+        return [c for c in known if not _is_parameter(c)]
+
+
 def choose(
     candidates: Sequence[Ports],
     columns: Sequence[Found],
@@ -76,24 +93,34 @@ def choose(
     Raises:
         InputError: no bench has the names that the user says, or none can be fed.
     """
-    said = [name for name in (*asked, *formulas) if name != "time"]
-    able = [one for one in candidates if all(name in one.inputs or name in one.outputs for name in said)]
-    able = [one for one in able if all(name in one.inputs for name in stated)]
-    said += stated
-    if not able:
-        known = dict.fromkeys(name for one in candidates for name in (*one.inputs, *one.outputs))
-        name = next((name for name in said if name not in known), said[0] if said else "")
-        raise InputError(f"no bench has an input or output {shown(name)}; {did_you_mean(name, known)}")
-    choices = [_feed(one, columns, asked, formulas, runs, stated) for one in able]
+    given = _Given(columns, asked, formulas, runs, stated)
+    choices = [_feed(one, given) for one in _having(candidates, given)]
     order = sorted(choices, key=lambda c: (c.cost, c.ports.rank, c.unread))
-    if not order[0].driven:
-        raise InputError(_nothing_fits(order[0], columns))
     best = order[0]
+    if not best.driven:
+        raise InputError(_nothing_fits(best, columns))
     others = tuple(c.ports.name for c in order[1:] if c.cost <= best.cost)
     inputs, outputs = (
         {n: _among(c, columns, best, n in asked) for n, c in side.items()} for side in (best.inputs, best.outputs)
     )
     return BenchChoice(best.ports, inputs, outputs, best.unfed, others[:3], best.cost, best.unread)
+
+
+def _having(candidates: Sequence[Ports], given: _Given) -> list[Ports]:
+    """The benches that have every name that the user says.
+
+    Raises:
+        InputError: there is none.
+    """
+    named = [name for name in (*given.asked, *given.formulas) if name != "time"]
+    able = [one for one in candidates if all(name in one.inputs or name in one.outputs for name in named)]
+    able = [one for one in able if all(name in one.inputs for name in given.stated)]
+    if able:
+        return able
+    said = [*named, *given.stated]
+    known = dict.fromkeys(name for one in candidates for name in (*one.inputs, *one.outputs))
+    name = next((name for name in said if name not in known), said[0] if said else "")
+    raise InputError(f"no bench has an input or output {shown(name)}; {did_you_mean(name, known)}")
 
 
 def _among(column: Found, columns: Sequence[Found], best: BenchChoice, asked: bool) -> Found:
@@ -111,37 +138,54 @@ def meaning_of(variable: Variable) -> Meaning | None:
     return read_variable(variable.name, variable.description, variable.unit)
 
 
-def _feed(
-    ports: Ports,
-    columns: Sequence[Found],
-    asked: Mapping[str, str],
-    formulas: Mapping[str, str],
-    runs: int,
-    stated: Collection[str],
-) -> BenchChoice:
-    free = [c for c in columns if c.meaning is not None and not c.of("time") and not _is_parameter(c)]
-    reserved = set(asked.values())
-    whole = [c for c in free if len(c.values) == runs and c.whole]
-    free = [c for c in free if not c.in_names]
-    inputs, roundabout = _assign(ports.inputs, whole, asked, columns, reserved)
-    imposed = {meaning_of(v) for v in ports.inputs.values()}
-    readable = {n: v for n, v in ports.outputs.items() if not (ports.parts and meaning_of(v) in imposed)}
-    left = [c for c in free if c not in inputs.values()]
-    outputs, more = _assign(readable, left, asked, columns, reserved)
-    wanted = [n for n in ports.inputs if n not in {*inputs, *formulas, *stated, BRANCH}]
-    driving = [name for name, v in ports.inputs.items() if _drives(meaning_of(v))]
+def _feed(ports: Ports, given: _Given) -> BenchChoice:
+    """A bench with the columns that feed it best, and what that costs."""
+    whole = [c for c in given.signals if len(c.values) == given.runs and c.whole]
+    free = [c for c in given.signals if not c.in_names]
+    inputs, far_inputs = _assign(ports.inputs, whole, given)
+    readable = _readable(ports)
+    outputs, far_outputs = _assign(readable, [c for c in free if c not in inputs.values()], given)
     used = [*inputs.values(), *outputs.values()]
-    left = [c for c in free if c not in used and c.meaning and c.meaning.kind not in _NO_SIGNALS]
-    unused = [c for c in left if c.meaning not in [u.meaning for u in used]]
-    # A bench without inputs runs by itself: where more was recorded than it shows, something drove it.
-    driven = any(name in {*inputs, *formulas, *stated} for name in driving) if driving else not left
-    measured = bool(outputs) or any(name in readable for name in formulas)
-    cost = _UNUSED * len(unused) + _UNFED * len(wanted) + _ROUNDABOUT * (roundabout + more)
+    fed = {*inputs, *given.formulas, *given.stated}
+    unfed = tuple(name for name in ports.inputs if name not in fed and name != BRANCH)
+    left = _signals_among(free, used)
+    driven = _is_driven(ports, fed, left)
+    unread = [name for name in readable if name not in outputs and name not in given.formulas]
+    measured = bool(outputs) or len(unread) < len(readable)
+    cost = _UNUSED * _unused(left, used) + _UNFED * len(unfed) + _ROUNDABOUT * (far_inputs + far_outputs)
     cost += _UNLIKELY * _unlikely(inputs, outputs) + _UNDRIVEN * ((not driven) + 2 * (not measured))
     cost -= _NAMED * len([name for name, column in inputs.items() if name == column.name])
     cost += _ISOMETRIC if _must_be_fixed(ports, used) else 0.0
-    unread = len([name for name in readable if name not in outputs and name not in formulas])
-    return BenchChoice(ports, inputs, outputs, tuple(wanted), (), cost, unread, driven and measured)
+    return BenchChoice(ports, inputs, outputs, unfed, (), cost, len(unread), driven and measured)
+
+
+def _unused(left: Sequence[Found], used: Sequence[Found]) -> int:
+    """How many columns are left that mean something else than those that are used."""
+    known = [c.meaning for c in used]
+    return len([c for c in left if c.meaning not in known])
+
+
+def _readable(ports: Ports) -> dict[str, Variable]:
+    """Outputs that a recording can show; what a composed bench imposes, it does not measure besides."""
+    if not ports.parts:
+        return dict(ports.outputs)
+    imposed = {meaning_of(variable) for variable in ports.inputs.values()}
+    return {name: variable for name, variable in ports.outputs.items() if meaning_of(variable) not in imposed}
+
+
+def _signals_among(columns: Sequence[Found], used: Sequence[Found]) -> list[Found]:
+    """Recorded signals that are not used."""
+    left = [c for c in columns if c not in used]
+    return [c for c in left if c.meaning is not None and c.meaning.kind not in _NO_SIGNALS]
+
+
+def _is_driven(ports: Ports, fed: Collection[str], left: Sequence[Found]) -> bool:
+    """Whether what drives the runs was recorded.
+
+    A bench without such inputs runs by itself: where more was recorded than it shows, something drove it.
+    """
+    driving = [name for name, variable in ports.inputs.items() if _drives(meaning_of(variable))]
+    return any(name in fed for name in driving) if driving else not left
 
 
 def _is_parameter(column: Found) -> bool:
@@ -163,27 +207,22 @@ def _drives(meaning: Meaning | None) -> bool:
 
 
 def _assign(
-    variables: Mapping[str, Variable],
-    columns: Sequence[Found],
-    asked: Mapping[str, str],
-    every: Sequence[Found],
-    reserved: Iterable[str],
+    variables: Mapping[str, Variable], columns: Sequence[Found], given: _Given
 ) -> tuple[dict[str, Found], float]:
     """The best column for each variable, and how far round about that is."""
-    taken: dict[str, Found] = {}
-    by_name = {c.name: c for c in every}
-    taken |= {name: by_name[asked[name]] for name in variables if name in asked}
+    by_name = {c.name: c for c in given.columns}
+    taken = {name: by_name[given.asked[name]] for name in variables if name in given.asked}
+    reserved = set(given.asked.values())
     cost = 0.0
     for name, variable in variables.items():
         meaning = meaning_of(variable)
         if name in taken or meaning is None:
             continue
-        rank = [
-            (far, column.name != name, -column.known, -_moves(column), i, column)
-            for i, column in enumerate(columns)
-            if column not in taken.values() and column.name not in reserved
-            and (far := _distance(column.meaning, meaning)) is not None
-        ]  # fmt: skip
+        rank = []
+        for i, column in enumerate(columns):
+            far = _distance(column.meaning, meaning)
+            if far is not None and column not in taken.values() and column.name not in reserved:
+                rank.append((far, column.name != name, -column.known, -_moves(column), i, column))
         if rank:
             best = min(rank, key=lambda one: one[:5])
             taken[name], cost = best[5], cost + best[0]
@@ -209,14 +248,15 @@ def _distance(column: Meaning | None, variable: Meaning) -> float | None:
 
 def _unlikely(inputs: Mapping[str, Found], outputs: Mapping[str, Found]) -> float:
     """How many columns are imposed that do not look so, or read that do."""
-    pressure = next(
-        (c for c in (*outputs.values(), *inputs.values()) if c.of("pressure") or c.of("pressure", "set")), None
+    pressures = (c for c in (*outputs.values(), *inputs.values()) if c.of("pressure") or c.of("pressure", "set"))
+    pressure = next(pressures, None)
+    read, imposed = (
+        [c for c in side.values() if c.meaning and c.meaning.kind in MECHANICAL] for side in (outputs, inputs)
     )
-    read = [c for c in outputs.values() if c.meaning and c.meaning.kind in MECHANICAL]
-    imposed = [c for c in inputs.values() if c.meaning and c.meaning.kind in MECHANICAL]
-    doubt = sum(1.0 for c in read if _held(c, pressure))
+    held = [c for c in read if _held(c, pressure)]
+    doubt = float(len(held))
     doubt += sum(0.5 if c.of("force") else 0.4 for c in imposed if not _held(c, pressure))
-    return doubt + (0.5 if len(read) > 1 and not any(_held(c, pressure) for c in read) else 0.0)
+    return doubt + (0.5 if len(read) > 1 and not held else 0.0)
 
 
 def _held(column: Found, pressure: Found | None) -> bool:

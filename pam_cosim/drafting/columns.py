@@ -121,21 +121,22 @@ def _check_alike(columns: Sequence[Found], sources: Sequence[RecordingSource]) -
 
 def _found(name: str, sources: Sequence[RecordingSource]) -> Found:
     places = {i: s.table.columns[name] for i, s in enumerate(sources) if name in s.table.columns}
-    units = {column.unit for column in places.values()}
     first = next(iter(places.values()))
+    alike = all(column.unit == first.unit for column in places.values())
     reading = read_heading(name, first.unit)
-    values = {i: column.values for i, column in places.items() if np.isfinite(column.values).any()}
     one = Found(
-        name, reading.unit, reading.written and len(units) == 1, reading.meaning, values,
-        absolute=reading.absolute, known=reading.known, places=places,
-    )  # fmt: skip
-    if len(units) > 1:
-        other = next(i for i, column in places.items() if column.unit != first.unit)
-        message = (
-            f"its unit is {shown(first.unit)} in {sources[min(places)].file.name} and {shown(places[other].unit)} here"
-        )
-        raise InputError(f"{message}; draft data sets of their own", sources[other].file, None, name)
-    if not values:
+        name,
+        reading.unit,
+        reading.written and alike,
+        reading.meaning,
+        {i: column.values for i, column in places.items() if np.isfinite(column.values).any()},
+        absolute=reading.absolute,
+        known=reading.known,
+        places=places,
+    )
+    if not alike:
+        raise _two_units(name, places, sources)
+    if not one.values:
         return replace(one, meaning=None, why=("it is empty",))
     words = next((s.words[h] for s in sources for h in (name, first.heading) if h in s.words), ())
     if words:
@@ -149,6 +150,14 @@ def _found(name: str, sources: Sequence[RecordingSource]) -> Found:
     if not one.stated:
         one = replace(one, why=(*one.why, f"unit {reading.unit} by its name"))
     return one
+
+
+def _two_units(name: str, places: Mapping[int, Column], sources: Sequence[RecordingSource]) -> InputError:
+    first = min(places)
+    other = next(i for i, column in places.items() if column.unit != places[first].unit)
+    there, here = (shown(places[i].unit) for i in (first, other))
+    message = f"its unit is {there} in {sources[first].file.name} and {here} here; draft data sets of their own"
+    return InputError(message, sources[other].file, None, name)
 
 
 def _with_unit(one: Found) -> Found:
@@ -195,42 +204,56 @@ def _valves(columns: list[Found]) -> list[Found]:
     """Of two signals of valves that do not say which, the first is the inlet's; one alone is too."""
     for kind in ("current", "command"):
         of_kind = [c for c in columns if c.meaning is not None and c.meaning.kind == kind]
-        bare = [c for c in of_kind if c.of(kind)]
-        if bare and len(of_kind) <= 2:
-            taken = {role for c in of_kind if c.meaning for role in c.meaning.roles}
-            left = [role for role in ("inlet", "exhaust") if role not in taken]
-            for column, role in zip(bare, left, strict=False):
-                why = f"the {role} valve's, " + (
-                    "as the first of two" if role == "inlet" else "as the other one is not"
-                )
-                why = why if len(of_kind) > 1 else "the only one: the inlet valve's"
-                made = replace(column, meaning=Meaning(kind, frozenset({role})), why=(*column.why, why))
-                columns = [made if c is column else c for c in columns]
+        if len(of_kind) > 2:
+            continue
+        taken = {role for c in of_kind if c.meaning for role in c.meaning.roles}
+        left = [role for role in ("inlet", "exhaust") if role not in taken]
+        for column, role in zip([c for c in of_kind if c.of(kind)], left, strict=False):
+            made = replace(column, meaning=Meaning(kind, frozenset({role})))
+            made = replace(made, why=(*column.why, _why_valve(role, alone=len(of_kind) == 1)))
+            columns = [made if c is column else c for c in columns]
     return columns
+
+
+def _why_valve(role: str, alone: bool) -> str:
+    if alone:
+        return "the only one: the inlet valve's"
+    return f"the {role} valve's, " + ("as the first of two" if role == "inlet" else "as the other one is not")
 
 
 def _time(columns: list[Found], sources: Sequence[RecordingSource], asked: str | None) -> list[Found]:
     """The columns with one of time at most, and its unit."""
-    if asked is not None:
-        wanted = next((c for c in columns if c.name == asked), None)
-        if wanted is None:
-            raise InputError(f"no file has a column {shown(asked)}; {did_you_mean(asked, [c.name for c in columns])}")
-        why = wanted.why
-    else:
-        likely = [c for c in columns if c.of("time") and _rises(c)]
-        wanted, why = max(likely, key=lambda c: c.known, default=None), ()
-        if wanted is None:
-            wanted = next((c for c in columns if c.meaning is None and _runs(c) and _fits_time(c)), None)
-            why = ("its numbers rise from row to row",)
-        if wanted is None:
-            wanted = next((c for c in columns if c.of("time")), None)  # Its fault is told when it is read.
-            why = ()
+    wanted, why = _likely_time(columns) if asked is None else _asked_time(columns, asked)
     rest = [_no_time(c) if c.of("time") else c for c in columns]
     if wanted is None:
         return rest
     unit, more = (wanted.unit, wanted.why) if wanted.unit and fits(wanted.unit, "time") else _unit_of_time(wanted)
     made = replace(wanted, meaning=Meaning("time"), unit=unit, why=(*why, *more))
     return [made if c.name == wanted.name else c for c in rest]
+
+
+def _asked_time(columns: Sequence[Found], asked: str) -> tuple[Found, tuple[str, ...]]:
+    """The column that the user names.
+
+    Raises:
+        InputError: there is none of that name.
+    """
+    wanted = next((c for c in columns if c.name == asked), None)
+    if wanted is None:
+        raise InputError(f"no file has a column {shown(asked)}; {did_you_mean(asked, [c.name for c in columns])}")
+    return wanted, wanted.why
+
+
+def _likely_time(columns: Sequence[Found]) -> tuple[Found | None, tuple[str, ...]]:
+    """The column that is called time and rises; one that runs as a clock does; one that is called so all the same."""
+    called = [c for c in columns if c.of("time")]
+    rising = [c for c in called if _rises(c)]
+    if rising:
+        return max(rising, key=lambda c: c.known), ()
+    running = next((c for c in columns if c.meaning is None and _runs(c) and _fits_time(c)), None)
+    if running is not None:
+        return running, ("its numbers rise from row to row",)
+    return (called[0] if called else None), ()  # Its fault is told when it is read.
 
 
 def _no_time(column: Found) -> Found:

@@ -27,19 +27,23 @@ def with_senses(columns: Sequence[Found]) -> list[Found]:
 
 
 def _sensed(column: Found, columns: Sequence[Found]) -> Found:
+    """A column of directions with the way that each of its values means; none, where it has more than three."""
     values = [float(v) for v in np.unique(column.every[np.isfinite(column.every)])]
     if len(values) > 3:
         return replace(column, meaning=None)
     for kind, way in _TELLING:
         other = next((c for c in columns if c.of(kind)), None)
-        trends = {} if other is None else {v: way * _trend(column, other, v) for v in values}
-        senses = {v: _sign(trend) for v, trend in trends.items()}
-        if other is not None and {1, -1} <= set(senses.values()):
+        if other is None:
+            continue
+        senses = {v: _sign(way * _trend(column, other, v)) for v in values}
+        if {1, -1} <= set(senses.values()):
             verb = "rises" if way > 0 else "falls"
             up = next(v for v, sense in senses.items() if sense == 1)
             return replace(column, senses=senses, why=(f"'{other.name}' {verb} where it is {column.text_of(up)}",))
-    said = {v: direction_word(column.words[int(v)]) for v in values} if column.words else _by_size(values)
-    return replace(column, senses=said, why=("its words say so" if column.words else "the larger is taken for up",))
+    if column.words:
+        said = {v: direction_word(column.words[int(v)]) for v in values}
+        return replace(column, senses=said, why=("its words say so",))
+    return replace(column, senses=_by_size(values), why=("the larger is taken for up",))
 
 
 def _trend(column: Found, other: Found, value: float) -> float:

@@ -81,11 +81,16 @@ def quantities(files: Sequence[Path], columns: Sequence[Found], counts: Sequence
         if recorded & set(group):
             continue
         each = [[one for one in own if one.kind in group] for own in said]
-        if group == ("force",) and not all(each) and all(says_no_load(file.stem) for file in files):
+        if group == ("force",) and not all(each) and _all_without_load(files):
             each = [[Said("no load", "", 0.0, "N", "force")] for _ in files]
         one = _common(each, counts, group == _LENGTHS)
-        made += [] if one is None else [one]
+        if one is not None:
+            made.append(one)
     return made
+
+
+def _all_without_load(files: Sequence[Path]) -> bool:
+    return all(says_no_load(file.stem) for file in files)
 
 
 def _common(each: Sequence[Sequence[Said]], counts: Sequence[int], lengths: bool) -> Found | None:
@@ -102,11 +107,12 @@ def _common(each: Sequence[Sequence[Said]], counts: Sequence[int], lengths: bool
 
 def _imposed(own: Sequence[Said], each: Sequence[Sequence[Said]]) -> list[Said]:
     """What is called a contraction or a ratio; else a length that is short, or not the same in all names."""
-    called = [one for one in own if one.kind in ("ratio", "contraction") and (one.word or one.kind == "ratio")]
+    called = [one for one in own if one.kind == "ratio" or (one.kind == "contraction" and one.word)]
     if called:
         return called
-    alike = [one for one in own if len(each) > 1 and all(any(one.text == o.text for o in other) for other in each)]
-    left = [one for one in own if one not in alike]
+    texts = [{one.text for one in other} for other in each]
+    everywhere = set.intersection(*texts) if len(texts) > 1 else set()
+    left = [one for one in own if one.text not in everywhere]
     most = CRITERIA.recognition.longest
     return [one for one in left if one.kind == "length" or convert(one.value, one.unit, "m") <= most]
 

@@ -244,15 +244,18 @@ def _signed(
     if meaning.kind == "contraction" and variable.name in choice.outputs and pressure is not None:
         if correlation(pressure, values) < -_C.follows:
             why = "it falls where the pressure rises: its sign is turned round"
-    elif meaning.kind == "force":
-        every = np.concatenate(list(values.values()))
-        if abs(float(np.nanmin(every))) > abs(float(np.nanmax(every))) and float(np.nanmean(every)) < 0.0:
-            why = "it is below zero: its sign is turned round, so that a pull is positive"
+    elif meaning.kind == "force" and _mostly_negative(np.concatenate(list(values.values()))):
+        why = "it is below zero: its sign is turned round, so that a pull is positive"
     if not why:
         return entry, values
     scale = f' * "1 {entry.unit}"' if entry.unit else ""
     turned = ColumnEntry(entry.name, formula=f"-'{entry.column}'{scale}", why=(*entry.why, why))
     return turned, {i: -v for i, v in values.items()}
+
+
+def _mostly_negative(values: Array) -> bool:
+    """Whether values are below zero on average, and farther below than above."""
+    return float(np.nanmean(values)) < 0.0 and abs(float(np.nanmin(values))) > abs(float(np.nanmax(values)))
 
 
 def _courses(
@@ -283,27 +286,54 @@ def _zeroed(
     having = [i for i, course in enumerate(courses) if name in course.every]
     if meaning is None or any(courses[i].first_rest is None for i in having):
         return entry
-    at_rest = {i: _at_rest(courses[i], courses[i].every[name]) for i in having}
-    far = any(abs(at_rest[i]) > _C.away * _error(courses[i], name) for i in having)
-    whole = max((float(np.nanmax(np.abs(courses[i].every[name]))) for i in having), default=0.0)
-    moved = max((span(courses[i].every[name]) for i in having), default=0.0)
-    reading = max(at_rest.values(), key=abs)
-    low, high = _C.atmosphere
+    begin = _begin(name, [courses[i] for i in having])
+    reading = format_quantity(begin.reading, variable.unit)
     why = ""
     if meaning.kind == "pressure" and not meaning.roles:
-        absolute = all(low <= value <= high for value in at_rest.values())
-        if absolute and (moved > 0.0):
-            why = f"it begins with {format_quantity(reading, variable.unit)}, as a gauge of absolute pressure does"
-        elif far and all(abs(value) <= _C.offset * moved for value in at_rest.values()):
-            why = f"it begins at rest with {format_quantity(reading, variable.unit)}"
-    elif name in choice.outputs and _unloaded(courses, pressure, having) and far:
-        small = abs(reading) <= _C.offset * whole
+        if begin.absolute:
+            why = f"it begins with {reading}, as a gauge of absolute pressure does"
+        elif begin.far and begin.slight:
+            why = f"it begins at rest with {reading}"
+    elif name in choice.outputs and begin.far and _unloaded(courses, pressure, having):
+        small = abs(begin.reading) <= _C.offset * begin.largest
         if meaning.kind == "contraction" or (meaning.kind == "force" and small):
-            why = f"it begins at rest, without pressure, with {format_quantity(reading, variable.unit)}"
+            why = f"it begins at rest, without pressure, with {reading}"
     if not why:
         return entry
     zero = _common({i: _times(courses[i]) for i in having}, courses)
     return ColumnEntry(entry.name, entry.column, entry.unit, entry.formula, zero, (*entry.why, f"{why}: its zero"))
+
+
+@dataclass(frozen=True)
+class _Begin:
+    """What a signal reads while recordings rest at their beginning.
+
+    Attributes:
+        reading: the one farthest from zero.
+        far: it is away from zero by more than its error, in some recording.
+        slight: by a small part of what the signal moves, in all.
+        absolute: it is that of the atmosphere in all, and the signal moves.
+        largest: magnitude in any row.
+    """
+
+    reading: float
+    far: bool
+    slight: bool
+    absolute: bool
+    largest: float
+
+
+def _begin(name: str, courses: Sequence[MappedRecording]) -> _Begin:
+    at_rest = [_at_rest(course, course.every[name]) for course in courses]
+    moved = max((span(course.every[name]) for course in courses), default=0.0)
+    low, high = _C.atmosphere
+    return _Begin(
+        reading=max(at_rest, key=abs),
+        far=any(abs(one) > _C.away * _error(course, name) for one, course in zip(at_rest, courses, strict=True)),
+        slight=all(abs(one) <= _C.offset * moved for one in at_rest),
+        absolute=moved > 0.0 and all(low <= one <= high for one in at_rest),
+        largest=max((float(np.nanmax(np.abs(course.every[name]))) for course in courses), default=0.0),
+    )
 
 
 def _at_rest(course: MappedRecording, values: Array) -> float:

@@ -15,6 +15,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting import values
 from pam_cosim.drafting.bench import Bench, class_name, take_bench
 from pam_cosim.drafting.bench_choice import MECHANICAL, meaning_of
+from pam_cosim.drafting.columns import Found
 from pam_cosim.drafting.document import Draft, document
 from pam_cosim.drafting.folder import check_place, copy_files, put, read_draft, temporary_sibling
 from pam_cosim.drafting.mapping import Mapped, MappedRecording, length_parameter, longest_of, map_columns
@@ -24,7 +25,7 @@ from pam_cosim.drafting.requests import DraftRequests, ReadRecordings, known, re
 from pam_cosim.drafting.rest import is_held, is_switch, span
 from pam_cosim.drafting.roles import Role, roles, stated_roles
 from pam_cosim.drafting.summary import NewDataSet, guesses, next_commands, to_check
-from pam_cosim.drafting.vocabulary import AT_REST
+from pam_cosim.drafting.vocabulary import AT_REST, Meaning
 from pam_cosim.drafting.wide import tidied
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import FILE_NAME
@@ -112,11 +113,7 @@ def _content(
     """What the file says."""
     interface, choice = bench.interface, bench.choice
     told = _told(bench, recorded, mapped)
-    traits = [{name: one.number for name, one in run.items()} for run in told]
-    names = [file.stem for file in recorded.files]
-    guessed = roles(mapped.courses, interface, traits, paced=not recorded.points)
-    if _unknown_mechanics(bench, recorded):  # What differs between the runs nobody knows yet.
-        guessed = [Role("fit") for _ in guessed]
+    guessed = _guessed_roles(bench, recorded, mapped, told)
     by_run = any(role.role == "holdout" for role in guessed) or bool(stated)
     outputs = [name for name in interface.outputs if name in choice.outputs or name in recorded.formulas]
     shown = [name for name in outputs if len(outputs) > 1 and _is_temperature(interface.outputs[name])]
@@ -136,7 +133,7 @@ def _content(
         perhaps=values.perhaps(interface, recorded.points),
         to_state=values.to_state(interface, recorded.points),
         files=copies,
-        roles=stated_roles(guessed, names, stated),
+        roles=stated_roles(guessed, [file.stem for file in recorded.files], stated),
         told=told,
         interpolation=[_interpolation(course.inputs) for course in mapped.courses],
         resample=_means(mapped.courses),
@@ -144,6 +141,16 @@ def _content(
         usual_muscle=bench.usual and _no_size(recorded, interface),
         points=drafted(mapped.courses, interface, recorded.files, by_run) if recorded.points else None,
     )
+
+
+def _guessed_roles(
+    bench: Bench, recorded: ReadRecordings, mapped: Mapped, told: Sequence[Mapping[str, values.StatedValue]]
+) -> list[Role]:
+    """Which recordings are held out; none, where nobody knows yet what differs between them."""
+    if _unknown_mechanics(bench, recorded):
+        return [Role("fit") for _ in mapped.courses]
+    traits = [{name: one.number for name, one in run.items()} for run in told]
+    return roles(mapped.courses, bench.interface, traits, paced=not recorded.points)
 
 
 def _told(bench: Bench, recorded: ReadRecordings, mapped: Mapped) -> list[dict[str, values.StatedValue]]:
@@ -171,10 +178,12 @@ def _unknown_mechanics(bench: Bench, recorded: ReadRecordings) -> bool:
     """Whether several recordings were taken at lengths or loads that nobody says, and that may differ."""
     variables = [(name, meaning_of(bench.interface.inputs[name])) for name in bench.choice.unfed]
     return len(recorded.sources) > 1 and any(
-        meaning is not None and meaning.kind in MECHANICAL and name not in recorded.stated
+        meaning is not None
+        and meaning.kind in MECHANICAL
+        and name not in recorded.stated
         and not all(name in own for own in recorded.own)
         for name, meaning in variables
-    )  # fmt: skip
+    )
 
 
 def _is_temperature(variable: Variable) -> bool:
@@ -208,29 +217,32 @@ def _means(courses: Sequence[MappedRecording]) -> str:
 
 def _ignored(bench: Bench, recorded: ReadRecordings, mapped: Mapped) -> dict[str, str]:
     """Columns that are not read, and why."""
-    choice = bench.choice
-    used = {entry.column for entry in mapped.entries.values()} | {c.name for c in choice.fed.values()}
+    used = {entry.column for entry in mapped.entries.values()} | {c.name for c in bench.choice.fed.values()}
     for entry in mapped.entries.values():  # Quantities stand in double quotes, names bare or in single ones.
         named = _NAME.findall(re.sub(r'"[^"]*"', "", entry.formula or ""))
         used |= {quoted or bare for quoted, bare in named}
-    ignored = {name: "a column of text" for source in recorded.sources for name in source.texts}
-    by_meaning = {column.meaning: name for name, column in choice.fed.items()}
-    for column in recorded.columns:
-        if column.name in used or column.in_names:
-            continue
-        if column.meaning is None:
-            why = "nobody knows what it is"
-        elif column.meaning.kind == "count":
-            why = "a count of rows or cycles"
-        elif column.meaning.kind == "direction":
-            why = "a direction, which the course in time tells by itself"
-        elif column.meaning.kind == "voltage":
-            why = "a voltage; a formula under [columns] can scale it"
-        elif column.meaning in by_meaning:
-            name = by_meaning[column.meaning]
-            why = f"it could be {name} too; --column {name}='{column.name}' would take it"
-        else:
-            parameter = column.meaning.roles & {"ambient", "rest"} or column.meaning.kind == "mass"
-            why = f"{column.meaning}, " + ("a parameter" if parameter else "which this bench neither takes nor shows")
-        ignored[column.name] = why
-    return ignored
+    by_meaning = {column.meaning: name for name, column in bench.choice.fed.items()}
+    texts = {name: "a column of text" for source in recorded.sources for name in source.texts}
+    left = [column for column in recorded.columns if column.name not in used and not column.in_names]
+    return texts | {column.name: _why_ignored(column, by_meaning) for column in left}
+
+
+_IGNORED_KINDS = {
+    "count": "a count of rows or cycles",
+    "direction": "a direction, which the course in time tells by itself",
+    "voltage": "a voltage; a formula under [columns] can scale it",
+}
+
+
+def _why_ignored(column: Found, by_meaning: Mapping[Meaning | None, str]) -> str:
+    """Why a column is not read."""
+    meaning = column.meaning
+    if meaning is None:
+        return "nobody knows what it is"
+    if meaning.kind in _IGNORED_KINDS:
+        return _IGNORED_KINDS[meaning.kind]
+    if meaning in by_meaning:
+        name = by_meaning[meaning]
+        return f"it could be {name} too; --column {name}='{column.name}' would take it"
+    parameter = meaning.kind == "mass" or meaning.roles & {"ambient", "rest"}
+    return f"{meaning}, " + ("a parameter" if parameter else "which this bench neither takes nor shows")

@@ -78,14 +78,16 @@ def known(files: Sequence[Path], wishes: DraftRequests) -> ReadRecordings:
     recording = recording_table(wishes.recording or {})
     sources = read_sources(files, recording)
     names = {name for source in sources for name in source.table.columns}
-    asked = {n: c for n, c in (wishes.columns or {}).items() if c in names}
-    formulas = {n: c for n, c in (wishes.columns or {}).items() if c not in names}
+    wanted = wishes.columns or {}
+    asked = {name: column for name, column in wanted.items() if column in names}
+    formulas = {name: text for name, text in wanted.items() if text not in names}
     _check_asked(formulas, names)
     columns = find_columns(sources, asked)
-    columns += quantities(files, columns, [_rows(source) for source in sources])
+    columns += quantities(files, columns, list(map(_rows, sources)))
     time = check_time(columns, sources, recording)
     points = time is None and recording.interval is None
-    columns = _as_points(columns) if points else columns
+    if points:
+        columns = _as_points(columns)
     stated, own = _stated(wishes.parameters or {}, [file.stem for file in files])
     recording = _with_missing(recording, sources)
     return ReadRecordings(tuple(sources), tuple(columns), time, recording, asked, formulas, stated, own, points)

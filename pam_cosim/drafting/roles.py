@@ -76,24 +76,29 @@ def _traits(
     for name in dict.fromkeys(name for course in courses for name in course.every):
         unit = variables[name].unit
         values = [course.every.get(name) for course in courses]
-        whole = span(np.concatenate([v for v in values if v is not None]))
-        held = all(v is None or span(v) <= _C.imposed * whole or is_constant(v) for v in values)
         traits.append(_Trait(f"mean of {name}", unit, _each(values, lambda v: float(np.nanmean(v)))))
-        if held:
+        if _all_held(values):
             continue
         traits.append(_Trait(f"span of {name}", unit, _each(values, span)))
-        if not paced:
-            continue
-        paces = [
-            np.nan
-            if v is None
-            else float(np.nansum(np.abs(np.diff(v[:: max(1, len(v) // 200)])))) / (float(np.ptp(c.time)) or np.inf)
-            for c, v in zip(courses, values, strict=True)
-        ]
-        traits.append(_Trait(f"pace of {name}", f"{unit}/s", np.array(paces)))
+        if paced:
+            paces = [np.nan if v is None else _pace(c.time, v) for c, v in zip(courses, values, strict=True)]
+            traits.append(_Trait(f"pace of {name}", f"{unit}/s", np.array(paces)))
     for name in dict.fromkeys(name for values in own for name in values):
         traits.append(_Trait(name, variables[name].unit, np.array([values.get(name, np.nan) for values in own])))
     return traits
+
+
+def _all_held(values: Sequence[Array | None]) -> bool:
+    """Whether a signal moves in no recording by more than a small part of what it differs by between them."""
+    recorded = [v for v in values if v is not None]
+    whole = span(np.concatenate(recorded))
+    return all(span(v) <= _C.imposed * whole or is_constant(v) for v in recorded)
+
+
+def _pace(time: Array, values: Array) -> float:
+    """How far a signal goes in a second, up and down, in some two hundred steps."""
+    steps = np.diff(values[:: max(1, len(values) // 200)])
+    return float(np.nansum(np.abs(steps))) / (float(np.ptp(time)) or np.inf)
 
 
 def _each(values: Sequence[Array | None], number: Callable[[Array], float]) -> Array:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from shlex import quote
@@ -12,7 +12,7 @@ from pam_cosim.drafting.bench_choice import BenchChoice
 from pam_cosim.drafting.columns import Found
 from pam_cosim.drafting.direction import SENSES
 from pam_cosim.drafting.document import Draft
-from pam_cosim.drafting.mapping import Mapped, MappedRecording
+from pam_cosim.drafting.mapping import ColumnEntry, Mapped, MappedRecording
 from pam_cosim.drafting.rest import begins_still
 from pam_cosim.measurement import DataSet
 from pam_cosim.units import format_quantity
@@ -71,28 +71,36 @@ def _counted(runs: int) -> str:
 
 def guesses(made: Draft, choice: BenchChoice, time: Found | None) -> tuple[Guess, ...]:
     """A line for each column, for the noise of each signal, and for each recording that is held out."""
-    rows = []
-    for name, entry in made.entries.items():
-        column = choice.fed.get(name) or (time if name == "time" else None)
-        unit = f" [{column.unit}]" if column is not None and column.unit else ""
-        what = column.name if column is not None else entry.formula or ""
-        if entry.words:
-            unit = f": {', '.join(f'{word} = {way}' for word, way in entry.words.items())}"
-        elif column is not None and column.senses:
-            unit = f": {', '.join(f'{v:g} = {SENSES[s]}' for v, s in column.senses.items())}"
-        kind = "" if name == "time" else " (input)" if name in made.interface.inputs else " (measured)"
-        rows.append(Guess(what, f"{name}{unit}{kind}", "guessed: " + "; ".join(entry.why) if entry.why else ""))
+    columns = {**choice.fed, **({"time": time} if time is not None else {})}
+    rows = [_of_column(name, entry, columns.get(name), made) for name, entry in made.entries.items()]
     rows += [Guess(name, "not read", why) for name, why in made.ignored.items()]
     for name, sigma in made.sigmas.items():
         unit = made.interface.outputs[name].unit
         noise = "left out" if sigma.value is None else format_quantity(sigma.value, unit)
         rows.append(Guess(f"sigma of {name}", noise, f"guessed: {sigma.why}"))
-    rows += [
-        Guess(file, role.role, f"guessed: {role.why}")
-        for file, role in zip(made.files, made.roles, strict=True)
-        if role.why
-    ]
+    for file, role in zip(made.files, made.roles, strict=True):
+        if role.why:
+            rows.append(Guess(file, role.role, f"guessed: {role.why}"))
     return tuple(rows + _of_points(made))
+
+
+def _of_column(name: str, entry: ColumnEntry, column: Found | None, made: Draft) -> Guess:
+    """What a column was taken for, and why."""
+    what = column.name if column is not None else entry.formula or ""
+    kind = "" if name == "time" else " (input)" if name in made.interface.inputs else " (measured)"
+    why = "guessed: " + "; ".join(entry.why) if entry.why else ""
+    return Guess(what, f"{name}{_unit_or_words(entry, column)}{kind}", why)
+
+
+def _unit_or_words(entry: ColumnEntry, column: Found | None) -> str:
+    """The unit of a column; of directions, what its words or numbers mean."""
+    if entry.words:
+        return f": {', '.join(f'{word} = {way}' for word, way in entry.words.items())}"
+    if column is None:
+        return ""
+    if column.senses:
+        return f": {', '.join(f'{value:g} = {SENSES[sense]}' for value, sense in column.senses.items())}"
+    return f" [{column.unit}]" if column.unit else ""
 
 
 def _begins_still(course: MappedRecording) -> bool:
@@ -124,37 +132,59 @@ def _of_points(made: Draft) -> list[Guess]:
 
 def to_check(made: Draft, mapped: Mapped, choice: BenchChoice) -> tuple[str, ...]:
     """What only the experimenter knows."""
-    said = []
+    return tuple(
+        [
+            *_unknown_muscle(made),
+            *_unknown_geometry(made),
+            *([made.why_model.removeprefix("guessed: ") + "; --model takes another"] if made.why_model else []),
+            *_unfed_inputs(made),
+            *_unknown_directions(made),
+            *_nothing_held_out(made),
+            *_moving_starts(made, mapped),
+            _free(made),
+        ]
+    )
+
+
+def _unknown_muscle(made: Draft) -> Iterator[str]:
     if made.usual_muscle:
         hint = "--muscle DMSP-20 ('pam-cosim bench --list' has them all), its measures, or files called DMSP-20-300..."
-        said.append(f"which muscle it is, nobody says: it is taken for the bench's own; {hint}")
-    unknown = [n for n in made.to_state if n not in made.stated and not all(n in told for told in made.told)]
-    open_names = [n for n in unknown if values.is_geometry(made.to_state[n])]
-    if open_names:
-        said.append(
-            f"geometry and load are the bench's own until you state yours under [parameters]: {listed(open_names)}"
-        )
-    if made.why_model:
-        said.append(made.why_model.removeprefix("guessed: ") + "; --model takes another")
+        yield f"which muscle it is, nobody says: it is taken for the bench's own; {hint}"
+
+
+def _unknown_geometry(made: Draft) -> Iterator[str]:
+    told = [name for name in made.to_state if all(name in run for run in made.told)]
+    unknown = [name for name in made.to_state if name not in made.stated and name not in told]
+    names = [name for name in unknown if values.is_geometry(made.to_state[name])]
+    if names:
+        yield f"geometry and load are the bench's own until you state yours under [parameters]: {listed(names)}"
+
+
+def _unfed_inputs(made: Draft) -> Iterator[str]:
     for name in made.unfed:
         if name not in made.stated:
             hint = f"state its value, or --column {name}=..., or of each file --parameter {name}@FILE=..."
-            said.append(f"no column was recognised as the input {name}: {hint}")
-    said += _unknown_directions(made)
-    aside = made.points is not None and any(made.points.hold_out)
-    if not aside and not any(role.role == "holdout" for role in made.roles):
-        said.append(f"nothing is held out of {_counted(len(made.roles))}: nothing checks a fit on data it has not seen")
+            yield f"no column was recognised as the input {name}: {hint}"
+
+
+def _nothing_held_out(made: Draft) -> Iterator[str]:
+    points = made.points is not None and any(made.points.hold_out)
+    if not points and all(role.role != "holdout" for role in made.roles):
+        yield f"nothing is held out of {_counted(len(made.roles))}: nothing checks a fit on data it has not seen"
+
+
+def _moving_starts(made: Draft, mapped: Mapped) -> Iterator[str]:
     moving = [c.first_rest is None and not _begins_still(c) for c in mapped.courses]
-    under = [file for file, moves in zip(made.files, moving, strict=True) if moves]
-    if under and made.points is None:
-        said.append(f"not at rest at the start, where the model is: {listed(under)}")
+    files = [file for file, moves in zip(made.files, moving, strict=True) if moves]
+    if files and made.points is None:
+        yield f"not at rest at the start, where the model is: {listed(files)}"
+
+
+def _free(made: Draft) -> str:
     free = [name for name in made.free if name not in made.stated]
-    said.append(
-        f"free for the fit: {listed(free)}"
-        if free
-        else "nothing is free: see [fit] for what may be, or let diagnose look"
-    )
-    return tuple(said)
+    if free:
+        return f"free for the fit: {listed(free)}"
+    return "nothing is free: see [fit] for what may be, or let diagnose look"
 
 
 def next_commands(folder: Path, extra: Sequence[Path]) -> tuple[str, ...]:

@@ -70,10 +70,13 @@ def _signal(name: str, meaning: Meaning | None, course: MappedRecording, interfa
     """The recorded signal of that name and meaning: a force is a force, imposed as ``F_load`` or not."""
     variables = {**interface.inputs, **interface.outputs}
     alike = [
-        one for one, values in course.every.items()
-        if name in (one, one.partition("_")[0]) and meaning is not None and meaning == meaning_of(variables[one])
+        one
+        for one, values in course.every.items()
+        if name in (one, one.partition("_")[0])
+        and meaning is not None
+        and meaning == meaning_of(variables[one])
         and np.isfinite(values).any()
-    ]  # fmt: skip
+    ]
     return alike[0] if alike else None
 
 
@@ -82,22 +85,28 @@ def recorded(columns: Sequence[Found], interface: Interface, count: int) -> list
     told: list[dict[str, StatedValue]] = [{} for _ in range(count)]
     for column in columns:
         meaning = column.meaning
-        if meaning is None or not (meaning.kind == "mass" or "ambient" in meaning.roles) or not column.unit:
+        if meaning is None or not column.unit or not (meaning.kind == "mass" or "ambient" in meaning.roles):
             continue
         unit = UNITS[meaning.kind]
-        alike = [
-            name
-            for name, v in interface.parameters.items()
-            if v.unit == unit and meaning == read_variable(name.rpartition(".")[2], v.description, v.unit)
-        ]
+        alike = _parameters_that_mean(meaning, unit, interface)
+        if len(alike) != 1:
+            continue
+        why = f"{column.name} was recorded, and this is its mean"
         for i, values in column.values.items():
-            steady = span(values) == 0.0 or is_constant(values) or "ambient" in meaning.roles
-            if len(alike) == 1 and steady and np.isfinite(values).any():
+            steady = "ambient" in meaning.roles or span(values) == 0.0 or is_constant(values)
+            if steady and np.isfinite(values).any():
                 mean = float(np.nanmean(convert(values, column.unit, unit)))
-                told[i][alike[0]] = StatedValue(
-                    text_of(mean, unit), mean, f"{column.name} was recorded, and this is its mean"
-                )
+                told[i][alike[0]] = StatedValue(text_of(mean, unit), mean, why)
     return told
+
+
+def _parameters_that_mean(meaning: Meaning, unit: str, interface: Interface) -> list[str]:
+    parameters = {name: v for name, v in interface.parameters.items() if v.unit == unit}
+    return [
+        name
+        for name, v in parameters.items()
+        if read_variable(name.rpartition(".")[2], v.description, v.unit) == meaning
+    ]
 
 
 def constant_values(mapped: Mapped, recording: int, interface: Interface) -> dict[str, StatedValue]:
@@ -147,10 +156,14 @@ def to_state(interface: Interface, points: bool = False) -> dict[str, Variable]:
     return {
         name: v
         for name, v in interface.parameters.items()
-        if v.start is not None and name.count(".") <= 1 and not name.endswith("_start") and v.min is not None
-        and name not in {*free(interface), *perhaps(interface)} and (is_geometry(v) or not points)
+        if v.start is not None
+        and name.count(".") <= 1
+        and not name.endswith("_start")
+        and v.min is not None
+        and name not in {*free(interface), *perhaps(interface)}
+        and (is_geometry(v) or not points)
         and not any(word in v.description.casefold() for word in _CHOSEN)
-    }  # fmt: skip
+    }
 
 
 def is_geometry(variable: Variable) -> bool:
@@ -203,10 +216,13 @@ def _told_by_fit(interface: Interface, words: Sequence[str]) -> dict[str, Variab
     return {
         name: v
         for name, v in interface.parameters.items()
-        if v.min is not None and v.max is not None and v.unit not in _MEASURED and name.count(".") == 1
+        if v.min is not None
+        and v.max is not None
+        and v.unit not in _MEASURED
+        and name.count(".") == 1
         and any(word in v.description.casefold() for word in words)
         and not any(word in v.description.casefold() for word in _CHOSEN)
-    }  # fmt: skip
+    }
 
 
 def check(stated: Mapping[str, str], interface: Interface) -> None:

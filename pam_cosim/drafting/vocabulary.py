@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from math import inf
@@ -17,10 +18,21 @@ from pam_cosim.measurement.table import is_unit
 from pam_cosim.units import UnitError, convert
 
 UNITS = {
-    "time": "s", "pressure": "Pa", "contraction": "m", "length": "m", "ratio": "1", "force": "N", "mass": "kg",
-    "temperature": "K", "current": "A", "command": "1", "voltage": "V", "angle": "rad", "count": "1",
+    "time": "s",
+    "pressure": "Pa",
+    "contraction": "m",
+    "length": "m",
+    "ratio": "1",
+    "force": "N",
+    "mass": "kg",
+    "temperature": "K",
+    "current": "A",
+    "command": "1",
+    "voltage": "V",
+    "angle": "rad",
+    "count": "1",
     "direction": "1",
-}  # fmt: skip
+}
 """What can be measured, and its SI unit."""
 
 _KINDS = {
@@ -40,14 +52,14 @@ _KINDS = {
     "voltage": "voltage spannung",
     "count": "cycle zyklus takt index sample trial versuch number nummer numero =no =nr =n =id =point =punkt =lauf",
     "direction": "=dir direction richtung =branch =zweig =ast =sens =phase =hysteresis hysterese inflat deflat loading",
-}  # fmt: skip
+}
 _ROLES = {
     "supply": "supply source versorgung vordruck netzdruck alimentation reservoir tank upstream kessel =sup =src",
     "set": "=set =sp =soll =ref =cmd setpoint soll consigne target desired reference wanted demand told command befehl",
     "inlet": "=in =inl =ein inlet intake einlass zuluft admission beluft belueft fill fullen gonflage remplissage",
     "exhaust": "=out =ex =exh =aus =vent exhaust outlet auslass abluft entluft entlueft echappement purge vidange",
     "ambient": "ambient room umgebung raumtemp raumluft ambiant atmos outside labor",
-}  # fmt: skip
+}
 _WITHOUT_ROLES = ("count", "direction")
 _OF_VALVES = ("inlet", "exhaust")
 _SAID_IN_PASSING = frozenset(
@@ -55,21 +67,37 @@ _SAID_IN_PASSING = frozenset(
 )
 # "unloading" and "entlasten" hold words of the other way: these come first.
 _WAYS = (
-    (-1, "deflat =down =d =ab abwarts =fall falling decreas unload entlast entluft release =vent venting exhaust "
-         "extend extension =ruck ruckhub descen degonfl =back backward return =out"),
-    (1, "inflat =up =u =auf aufwarts =rise rising increas load belast beluft press fill contract =hin hinhub mont "
-        "gonfl =forward =in"),
-)  # fmt: skip
+    (
+        -1,
+        "deflat =down =d =ab abwarts =fall falling decreas unload entlast entluft release =vent venting exhaust "
+        "extend extension =ruck ruckhub descen degonfl =back backward return =out",
+    ),
+    (
+        1,
+        "inflat =up =u =auf aufwarts =rise rising increas load belast beluft press fill contract =hin hinhub mont "
+        "gonfl =forward =in",
+    ),
+)
 _NO_LOAD = ("noload", "unload", "lastfrei", "unbelastet", "leerhub", "freehub", "freestroke", "sanscharge", "zeroload")
-_SPELLINGS = {
-    "bara": "bar", "bar(a)": "bar", "bar(g)": "bar", "bar a": "bar", "bar g": "bar", "bar abs": "bar", "bar rel": "bar",
-    "bar abs.": "bar", "bar (abs)": "bar", "kpaa": "kPa", "kpa abs": "kPa", "psia": "psi", "sec": "s", "sek": "s",
-    "sek.": "s", "secs": "s", "seconds": "s", "sekunden": "s", "secondes": "s", "msec": "ms", "kpa": "kPa",
-    "mpa": "MPa", "bar": "bar", "mbar": "mbar", "psi": "psi", "newton": "N", "n": "N", "celsius": "degC", "c": "degC",
-    "degc": "degC", "grad c": "degC", "deg c": "degC", "ampere": "A", "amp": "A", "volt": "V", "volts": "V",
-    "mm": "mm", "cm": "cm", "millimeter": "mm", "prozent": "%", "percent": "%", "pct": "%", "kelvin": "K", "v": "V",
-    "a": "A",
-}  # fmt: skip
+_WRITTEN = {
+    "bar": "bara, bar(a), bar(g), bar a, bar g, bar abs, bar rel, bar abs., bar (abs), bar",
+    "kPa": "kpaa, kpa abs, kpa",
+    "psi": "psia, psi",
+    "s": "sec, sek, sek., secs, seconds, sekunden, secondes",
+    "ms": "msec",
+    "MPa": "mpa",
+    "mbar": "mbar",
+    "N": "newton, n",
+    "degC": "celsius, c, degc, grad c, deg c",
+    "A": "ampere, amp, a",
+    "V": "volt, volts, v",
+    "mm": "mm, millimeter",
+    "cm": "cm",
+    "%": "prozent, percent, pct",
+    "K": "kelvin",
+}
+"""How units are written beside their own way, folded."""
+_SPELLINGS = {written: unit for unit, several in _WRITTEN.items() for written in several.split(", ")}
 _ABSOLUTE = re.compile(r"\babs|\b(bar|psi|kpa)\s*\(?a\b", re.IGNORECASE)
 
 
@@ -208,45 +236,71 @@ def _unit_in_name(name: str) -> tuple[str, str]:
         return "%", share[1]
     parts = [part for part in re.split(r"[\W_]+", name) if part]
     for place in range(len(parts) - 1, 0, -1):
-        part, rest = parts[place], parts[:place] + parts[place + 1 :]
-        kinds = set(_kinds_in([folded(word) for one in rest for word in split_words(one)]))
-        unit = known_unit(part) if len(part) > 1 or is_unit(part) else ""
-        if not unit or (_roles_of([folded(part)]) and not kinds & {"length"}):
-            continue
-        among = {kind for kind in UNITS if fits(unit, kind)}
-        among |= {"contraction", "length"} if "ratio" in among else set()  # Of the length at rest.
-        if among & (kinds or set(UNITS)) and (kinds or len(part) > 1) or "voltage" in among:
+        rest = parts[:place] + parts[place + 1 :]
+        unit = _unit_beside(parts[place], rest)
+        if unit:
             return unit, " ".join(rest)
     return "", name
 
 
+def _unit_beside(part: str, rest: Sequence[str]) -> str:
+    """The unit that a part of a name is, if it can be one of what the other parts say; "" where it is none."""
+    unit = known_unit(part) if len(part) > 1 or is_unit(part) else ""
+    kinds = set(_kinds_in([folded(word) for one in rest for word in split_words(one)]))
+    is_role = bool(_roles_of([folded(part)]))
+    if not unit or (is_role and "length" not in kinds):
+        return ""
+    among = {kind for kind in UNITS if fits(unit, kind)}
+    if "ratio" in among:
+        among |= {"contraction", "length"}  # Of the length at rest.
+    says_so = bool(among & kinds) if kinds else bool(among) and len(part) > 1
+    return unit if says_so or "voltage" in among else ""
+
+
 def _meaning(words: list[str], unit: str, *, exact: bool = False) -> Meaning | None:
     named = _kinds_in(words)
-    possible = [kind for kind in UNITS if unit and fits(unit, kind)]
-    if not unit:
-        kind = named[0] if named else None
-        kind = "command" if "command" in named and kind in ("current", "contraction") else kind
-    else:
-        kind = next((one for one in named if one in possible), None)
-        if kind is None and named and set(named) & {"contraction", "length"} and "ratio" in possible:
-            kind = "ratio"
-        if kind is None and possible and (not exact or possible[0] != "ratio"):
-            kind = "contraction" if "contraction" in possible else possible[0] if "ratio" not in possible else None
-        if kind == "mass" and "force" in named:
-            kind = "force"
-        if kind in ("contraction", "ratio", "command") and "ratio" in possible:
-            shares = {"ratio", "contraction", "length"} & set(named)
-            kind = "ratio" if shares else "command" if "command" in named else None
-        if kind is None and "force" in named and "mass" in possible:
-            kind = "force"
+    kind = _kind_with_unit(named, unit, exact) if unit else _kind_without_unit(named)
     if kind is None:
         return None
     if kind in _WITHOUT_ROLES:
         return Meaning(kind)
+    of_valves = set(_OF_VALVES)
     roles = _roles_of(words)
-    roles -= set() if kind in ("command", "current") else set(_OF_VALVES)
-    roles &= set(_OF_VALVES) if kind in ("command", "current") else roles
-    return Meaning(kind, frozenset(roles))
+    return Meaning(kind, frozenset(roles & of_valves if kind in ("command", "current") else roles - of_valves))
+
+
+def _kind_without_unit(named: Sequence[str]) -> str | None:
+    """What the words say first; a commanded current or contraction is a command."""
+    kind = named[0] if named else None
+    return "command" if "command" in named and kind in ("current", "contraction") else kind
+
+
+def _kind_with_unit(named: Sequence[str], unit: str, exact: bool) -> str | None:
+    """What the words say among what has the unit; without words, what usually has it."""
+    possible = [kind for kind in UNITS if fits(unit, kind)]
+    kind = next((one for one in named if one in possible), None)
+    lengths = bool({"contraction", "length"} & set(named))
+    if kind is None and lengths and "ratio" in possible:
+        kind = "ratio"
+    if kind is None:
+        kind = _usual_kind(possible, exact)
+    if kind == "mass" and "force" in named:
+        kind = "force"
+    if kind in ("contraction", "ratio", "command") and "ratio" in possible:
+        share = lengths or "ratio" in named
+        kind = "ratio" if share else "command" if "command" in named else None
+    if kind is None and "force" in named and "mass" in possible:
+        kind = "force"
+    return kind
+
+
+def _usual_kind(possible: Sequence[str], exact: bool) -> str | None:
+    """What a unit alone says."""
+    if not possible or (exact and possible[0] == "ratio"):
+        return None
+    if "contraction" in possible:
+        return "contraction"
+    return None if "ratio" in possible else possible[0]
 
 
 def _kinds_in(words: list[str]) -> list[str]:

@@ -12,6 +12,8 @@ from pam_cosim.fitting.linear import Linear, linearised, residual_rows, rows_of_
 from pam_cosim.fitting.methods import METHODS, Record, summary
 from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.parameter_file import parameters_in, read_parameters, write_parameters
+from pam_cosim.fitting.parameter_posterior import ParameterPosterior, parameter_posterior
+from pam_cosim.fitting.predictive_bands import Band, PredictiveBands, predictive_bands
 from pam_cosim.fitting.profile import Profile, Profiles
 from pam_cosim.fitting.solve import spread_starts
 from pam_cosim.fitting.start_estimates import estimated_starts, runs_without_start, simulated
@@ -19,6 +21,7 @@ from pam_cosim.fitting.tracker import Convergence, Progress, Standing
 
 __all__ = [
     "METHODS",
+    "Band",
     "Combination",
     "Convergence",
     "Estimate",
@@ -27,6 +30,8 @@ __all__ = [
     "Free",
     "Leeway",
     "Linear",
+    "ParameterPosterior",
+    "PredictiveBands",
     "Profile",
     "Profiles",
     "Progress",
@@ -39,7 +44,9 @@ __all__ = [
     "fit",
     "linearised",
     "model_parameter",
+    "parameter_posterior",
     "parameters_in",
+    "predictive_bands",
     "profile",
     "read_parameters",
     "residual_rows",

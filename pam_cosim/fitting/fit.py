@@ -202,7 +202,7 @@ def fit(
     values = objective.values(end.z) | {name: e.value for name, e in begun.items()}
     comparison = compare(simulator, data, values, options.tolerance, rules=options.rules)
     by_role = statistics_by_role(comparison)
-    spread = _spread(by_role["fit"])
+    spread = spread_of(by_role["fit"])
     parameters = estimates(chosen, end.z, end.jacobian, objective.bounds, spread)
     return Fit(
         simulator.interface.model,
@@ -258,7 +258,7 @@ def profile(
     chosen = tuple(base_parameters(data, simulator.interface) if free is None else free)
     tracker = Tracker({n: signal.unit for n, signal in data.signals.items()}, progress)
     objective = Objective(simulator, data, data.fit_runs, chosen, fixed, None, tracker)
-    return profiles(objective, fit.values, _spread(fit.residuals["fit"]), fit.model)
+    return profiles(objective, fit.values, spread_of(fit.residuals["fit"]), fit.model)
 
 
 def statistics_by_role(
@@ -277,7 +277,7 @@ def statistics_by_role(
     return by_role
 
 
-def _spread(s: ResidualStatistics) -> float:
-    """Residuals beyond the declared noise, and correlated ones, widen the intervals."""
+def spread_of(s: ResidualStatistics) -> float:
+    """Factor on standard deviations of estimates, for residuals beyond the declared noise or correlated ones."""
     time = s.correlation_time if s.whiteness_score > CRITERIA.residuals.correlated else 1.0
     return float(np.sqrt(max(1.0, s.chi2_reduced) * time))

@@ -21,7 +21,7 @@ class Free:
 
     Attributes:
         name: the parameter of the model; where it is of one run alone, with "@" and the run's name after it; or the
-            ratio of a parameter to what is stated of it (``names.ratio_to_stated``).
+            ratio of a parameter to what is stated of it (``references.ratio_to_stated``).
         low, high: bounds [unit].
         start: first guess [unit].
         unit: SI unit.

@@ -28,19 +28,20 @@ def with_free(
     Raises:
         InputError: the model has no such parameter, it has no bounds, or a start is of none of these.
     """
-    data, start = _beginning(data, interface, start or {})
+    data, starts = _beginning(data, interface, start or {})
     known = {f.name: f for f in base_parameters(data, interface)}
     names = tuple(known) if free is None else tuple(dict.fromkeys(free))
-    starts = dict(start)
-    every = known | {n: model_parameter(n, interface) for n in (*names, *starts) if n not in known}
+    further = [n for n in (*names, *starts) if n not in known]
+    every = known | {n: model_parameter(n, interface) for n in further}
     stray = next((n for n in starts if n not in names and n not in known), None)
     if stray is not None:
         raise InputError(f"'{stray}' has a start and is not free; {did_you_mean(stray, [*names, *known])}")
     moved = {n: f.starting_at(starts.get(n, f.start)) for n, f in every.items()}
+    as_declared = {n: data.fit[n] for n in names if n in data.fit and n not in starts}
     held = {n: f for n, f in moved.items() if n not in names}
     return replace(
         data,
-        fit={n: _declared(moved[n]) if n not in data.fit or n in starts else data.fit[n] for n in names},
+        fit={n: as_declared.get(n) or _declared(moved[n]) for n in names},
         runs=tuple(_holding(run, held) for run in data.runs),
     )
 

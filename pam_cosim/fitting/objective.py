@@ -55,22 +55,17 @@ class Objective:
         self.failures: list[str] = []
         self._latest: tuple[bytes, Array, Array | None] | None = None  # where, residuals, exact Jacobian there
         self.starts: dict[int, StartValues] | None = None  # by number of the run; None: nothing was simulated yet
-        self._signals = [
-            [s for s, signal in data.signals.items() if signal.fitted and run.sample_count(s)] for run in self.runs
-        ]
-        self._told = [
-            {name: self._told_slopes(run, name) for name in names}
-            for run, names in zip(self.runs, self._signals, strict=True)
-        ]
-        self._outputs = [[*told, *(name for slopes in told.values() for _, name in slopes)] for told in self._told]
+        self._signals = [[s for s in data.fitted_signals if run.sample_count(s)] for run in self.runs]
+        measured = list(zip(self.runs, self._signals, strict=True))
+        self._told = [{name: self._told_slopes(run, name) for name in names} for run, names in measured]
+        self._outputs = [_outputs_of(slopes) for slopes in self._told]
         self._exact = self._told_parameters()
         chosen = CRITERIA.fit.tolerance if all(self._exact) else CRITERIA.fit.difference_tolerance
         self.tolerance = chosen if tolerance is None else tolerance
-        counts = [sum(run.sample_count(s) for s in names) for run, names in zip(self.runs, self._signals, strict=True)]
-        self.size = sum(counts)
-        self.series = [(run, s) for run, names in zip(self.runs, self._signals, strict=True) for s in names]
-        self.kept = [np.isfinite(run.measurements[s]) for run, s in self.series]
-        self.ends = np.cumsum([0, *counts])
+        self.series = [(run, name) for run, names in measured for name in names]
+        self.kept = [np.isfinite(run.measurements[name]) for run, name in self.series]
+        self.ends = np.cumsum([0, *(sum(map(run.sample_count, names)) for run, names in measured)])
+        self.size = int(self.ends[-1])
         self.samples = sum(run.sample_count(s) * usual_square(data.signals[s]) for run, s in self.series)
         self._errors: dict[str, float] = {}
 
@@ -345,3 +340,8 @@ class Objective:
                 column: Array = (shifted - at) / (moved[i] - z[i])
                 return column
         return np.zeros(len(at))
+
+
+def _outputs_of(slopes: Mapping[str, Sequence[tuple[int, str]]]) -> list[str]:
+    """What is read from the model in a run: the signals, and their sensitivities."""
+    return [*slopes, *(name for told in slopes.values() for _, name in told)]

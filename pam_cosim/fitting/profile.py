@@ -13,6 +13,7 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
+from pam_cosim.files import plain
 from pam_cosim.fitting.estimate import standard_deviations
 from pam_cosim.fitting.levenberg_marquardt import levenberg_marquardt
 from pam_cosim.fitting.objective import Objective
@@ -81,17 +82,18 @@ class Profile:
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
-        return {
+        content = {
             "unit": self.unit,
             "best": self.best,
-            "values": self.values.tolist(),
-            "rise": self.rise.tolist(),
-            "low": self.low if np.isfinite(self.low) else None,
-            "high": self.high if np.isfinite(self.high) else None,
+            "values": self.values,
+            "rise": self.rise,
+            "low": self.low,
+            "high": self.high,
             "determined": self.determined,
-            "others": {n: v.tolist() for n, v in self.others.items()},
+            "others": self.others,
             "sentence": self.sentence(),
         }
+        return dict(plain(content))
 
 
 @dataclass(frozen=True)

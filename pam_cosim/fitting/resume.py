@@ -92,7 +92,7 @@ def _digest(data: DataSet) -> str:
         digest.update(json.dumps([run.name, run.interpolation, known]).encode())
         for name, values in [("time", run.time), *run.inputs.items(), *run.measurements.items()]:
             digest.update(name.encode() + np.ascontiguousarray(values).tobytes())
-    noise = {n: [s.sigma, s.step] for n, s in data.signals.items() if s.fitted}
+    noise = {n: [s.sigma, s.step] for n, s in data.fitted_signals.items()}
     return hashlib.sha256(digest.digest() + json.dumps(noise).encode()).hexdigest()
 
 

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
 from pam_cosim.comparison import measured, start_time
-from pam_cosim.comparison.beginning import inputs_of_run
+from pam_cosim.comparison.initial_state import inputs_of_run
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.measurement import DataSet, Run
@@ -100,9 +100,13 @@ def start_values(simulator: AnySimulator, data: DataSet, run: Run, parameters: M
     begins = measured(simulator, data, run, bare)
     times = np.unique(np.append(start_time(run), run.time))
     course = simulator.run(
-        times, parameters={**bare, **begins.values}, inputs=inputs_of_run(run), outputs=names,
-        start_time=start_time(run), settle=begins.settle,
-    )  # fmt: skip
+        times,
+        parameters={**bare, **begins.values},
+        inputs=inputs_of_run(run),
+        outputs=names,
+        start_time=start_time(run),
+        settle=begins.settle,
+    )
     mean = np.array([course[n][0] for n in names])
     through = np.array([np.ptp(course[n]) for n in names])
     size = np.array([np.max(np.abs(course[n])) for n in names])

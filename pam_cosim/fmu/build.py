@@ -37,10 +37,20 @@ from pam_cosim.resources import fmu_runtime
 FMI_VERSIONS = ("2.0", "3.0")
 
 _CORE = (
-    "pam_cosimulation.c", "pam_equilibrium.c", "pam_exchange.c", "pam_history.c", "pam_instance.c", "pam_lifecycle.c",
-    "pam_log.c", "pam_sensitivity.c", "pam_snapshot.c", "pam_solver.c", "pam_start.c", "pam_statements.c",
+    "pam_cosimulation.c",
+    "pam_equilibrium.c",
+    "pam_exchange.c",
+    "pam_history.c",
+    "pam_instance.c",
+    "pam_lifecycle.c",
+    "pam_log.c",
+    "pam_sensitivity.c",
+    "pam_snapshot.c",
+    "pam_solver.c",
+    "pam_start.c",
+    "pam_statements.c",
     "pam_values.c",
-)  # fmt: skip
+)
 _SHELLS = {"2.0": "pam_fmi2.c", "3.0": "pam_fmi3.c"}
 
 _TAPE = "pam_tape.c"

@@ -27,8 +27,17 @@ from pam_cosim.processes.interrupts import run_tool
 from pam_cosim.resources import fmu_runtime
 
 # To look for vectors in a model's long straight equations takes a fifth of the compiler's time and finds next to none.
-_FLAGS = ("-std=c99", "-O2", "-fno-slp-vectorize", "-w", "-fvisibility=hidden", "-fno-math-errno",
-          "-ffp-contract=off", "-fno-sanitize=undefined", "-fno-trigraphs")  # fmt: skip
+_FLAGS = (
+    "-std=c99",
+    "-O2",
+    "-fno-slp-vectorize",
+    "-w",
+    "-fvisibility=hidden",
+    "-fno-math-errno",
+    "-ffp-contract=off",
+    "-fno-sanitize=undefined",
+    "-fno-trigraphs",
+)
 # Under Linux nothing here needs the compiler's own library of arithmetic, and to build that, once a machine, takes
 # longer than a diagnosis; the driver ``zig cc`` cannot leave it out.
 _OWN_ARITHMETIC = ("build-lib", "-dynamic", "-fno-compiler-rt", "-fstrip", "-OReleaseFast", "-lc", "-lm")

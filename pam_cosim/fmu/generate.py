@@ -152,20 +152,26 @@ def numbers_of(ode: Ode, functions: Sequence[ca.Function]) -> dict[str, Any]:
         "start_of": _start_of(ode),
         "resting": _resting(ode),
         "statements": [
-            {"is_error": int(s.is_error), "at_start": int(s.at_start), "texts": list(s.texts),
-             "digits": [digits for _, digits in s.values]}
+            {
+                "is_error": int(s.is_error),
+                "at_start": int(s.at_start),
+                "texts": list(s.texts),
+                "digits": [digits for _, digits in s.values],
+            }
             for s in ode.statements
         ],
-    }  # fmt: skip
+    }
 
 
 # In the order of ``pam_model``.
 SIZES = ("nx", "nu", "nd", "ny", "np", "nw", "nc", "ns", "na", "nm", "size_iw", "size_w")
 _DOUBLES = ("state_nominals", "input_starts", "parameter_starts")
 _INTEGERS = ("delayed_inputs", "direct_inputs", "start_of", "resting")
-FUNCTIONS = ("pam_rhs", "pam_out", "pam_loc", "pam_core_rhs", "pam_lin", "pam_variation", "pam_jvp", "pam_init",
-              "pam_init_jvp", "pam_delay", "pam_check", "pam_start_lin", "pam_start_variation",
-              "pam_start_jvp")  # fmt: skip
+_FUNCTIONS = """
+pam_rhs pam_out pam_loc pam_core_rhs pam_lin pam_variation pam_jvp pam_init pam_init_jvp pam_delay pam_check
+pam_start_lin pam_start_variation pam_start_jvp
+"""
+FUNCTIONS = tuple(_FUNCTIONS.split())
 
 
 def _slots(there: Set[str]) -> list[str]:
@@ -204,9 +210,22 @@ def _direct_inputs(ode: Ode) -> list[bool]:
 
 
 _HELPERS = "|".join(
-    ("checkout", "release", "incref", "decref", "n_in", "n_out", "default_in", "name_in", "name_out",
-     "sparsity_in", "sparsity_out", "work", "work_bytes")
-)  # fmt: skip
+    (
+        "checkout",
+        "release",
+        "incref",
+        "decref",
+        "n_in",
+        "n_out",
+        "default_in",
+        "name_in",
+        "name_out",
+        "sparsity_in",
+        "sparsity_out",
+        "work",
+        "work_bytes",
+    )
+)
 _HELPER = re.compile(rf"(?ms)^CASADI_SYMBOL_EXPORT [^\n]*?\w+_(?:{_HELPERS})\([^\n]*(?:}}|\{{\n.*?^}})\n+")
 
 

@@ -113,9 +113,23 @@ def _kinds(expression: ca.SX, symbols: ca.SX, fixed: ca.SX) -> dict[tuple[int, i
 
 # Operations whose derivatives do not tell how the result depends on the operands.
 _STEPS = frozenset(
-    (ca.OP_LT, ca.OP_LE, ca.OP_EQ, ca.OP_NE, ca.OP_NOT, ca.OP_AND, ca.OP_OR, ca.OP_IF_ELSE_ZERO,
-     ca.OP_SIGN, ca.OP_FLOOR, ca.OP_CEIL, ca.OP_FMOD, ca.OP_REMAINDER, ca.OP_COPYSIGN)
-)  # fmt: skip
+    (
+        ca.OP_LT,
+        ca.OP_LE,
+        ca.OP_EQ,
+        ca.OP_NE,
+        ca.OP_NOT,
+        ca.OP_AND,
+        ca.OP_OR,
+        ca.OP_IF_ELSE_ZERO,
+        ca.OP_SIGN,
+        ca.OP_FLOOR,
+        ca.OP_CEIL,
+        ca.OP_FMOD,
+        ca.OP_REMAINDER,
+        ca.OP_COPYSIGN,
+    )
+)
 
 
 def _without_conditions(expression: ca.SX) -> ca.SX:

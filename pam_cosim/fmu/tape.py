@@ -21,12 +21,11 @@ from pam_cosim.arrays import Array
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.fmu.generate import FUNCTIONS, model_functions, numbers_of
 
-OPERATIONS = (
-    "OUTPUT", "ASSIGN", "ADD", "SUB", "MUL", "DIV", "NEG", "EXP", "LOG", "POW", "CONSTPOW", "SQRT",
-    "SQ", "TWICE", "SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN", "LT", "LE", "EQ", "NE", "NOT", "AND", "OR", "FLOOR",
-    "CEIL", "FMOD", "FABS", "SIGN", "COPYSIGN", "IF_ELSE_ZERO", "ERF", "FMIN", "FMAX", "INV", "SINH", "COSH", "TANH",
-    "ASINH", "ACOSH", "ATANH", "ATAN2",
-)  # fmt: skip
+_OPERATIONS = """
+OUTPUT ASSIGN ADD SUB MUL DIV NEG EXP LOG POW CONSTPOW SQRT SQ TWICE SIN COS TAN ASIN ACOS ATAN LT LE EQ NE NOT
+AND OR FLOOR CEIL FMOD FABS SIGN COPYSIGN IF_ELSE_ZERO ERF FMIN FMAX INV SINH COSH TANH ASINH ACOSH ATANH ATAN2
+"""
+OPERATIONS = tuple(_OPERATIONS.split())
 """CasADi's operations in the order of ``pam_tape.c``."""
 TABLES, NUMBERS = "tape.json", "tape.bin"
 _WIDTH = 4  # numbers of an operation: itself, to, a, b

@@ -21,7 +21,7 @@ and physics; two instruments at fault; a fault of an instrument beside a wrong l
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -32,12 +32,13 @@ from pam_cosim.compiler import ClassTree, read_library
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.ledger.augmented import TERM, AugmentedModel, UnknownInput, augmented_models
+from pam_cosim.ledger.explanation import Explanation, Rivals
 from pam_cosim.ledger.grid import Grid, make_grid
 from pam_cosim.ledger.ledger import BalanceEntry, Ledger, SensorReading, TermSeries
 from pam_cosim.ledger.model import Model
 from pam_cosim.ledger.radau import further_nodes, integrate
 from pam_cosim.ledger.sensor import SensorFault, Unaugmented, fault_beside, try_sensors
-from pam_cosim.ledger.smoother import Point, Smoothed, SmoothingProblem, smooth, unknown_sizes, with_some
+from pam_cosim.ledger.smoother import Point, SmoothingProblem, smooth, unknown_sizes
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.domain import Domain
 from pam_cosim.model.references import is_fmu, sources_of
@@ -55,7 +56,7 @@ def keep_ledger(
     """The ledger of ``model`` (default: the bench of the data set) with ``effects`` on all runs.
 
     Args:
-        data: the measurement; every signal needs a noise level (``pam_cosim.measurement.complete_noise``).
+        data: the measurement.
         values: parameters [SI], as a fit of the model found them; those under [fit] are estimated along from there.
         model: full name of a class, a bench's name, or a ``.mo`` file.
         effects: names of effects that the model has.
@@ -63,8 +64,8 @@ def keep_ledger(
         tree: the library with these files, if it was read already.
 
     Raises:
-        InputError: a signal without a noise level; an FMU, which has no balances to open; an unknown effect; points at
-            rest, while balances are kept over time.
+        InputError: an FMU, which has no balances to open; an unknown effect; points at rest, while balances are kept
+            over time.
         ModelError: the model cannot be compiled.
     """
     name = data.model_for(model)
@@ -78,36 +79,6 @@ def keep_ledger(
     return _Estimation(data, dict(values or {}), models, domain_of(tree, name)).ledger()
 
 
-@dataclass(frozen=True)
-class _Explanation:
-    """A smoothed augmented model: unknown inputs that act, the estimate; the fault of an instrument not believed."""
-
-    augmented: AugmentedModel
-    problem: SmoothingProblem
-    unknown_inputs: tuple[UnknownInput, ...]
-    free: tuple[str, ...]
-    smoothed: Smoothed
-    fault: SensorFault | None = None
-
-    @property
-    def deviance(self) -> float:
-        """Of all samples, those of an instrument that is not believed with its fault."""
-        return self.smoothed.deviance + (self.fault.deviance if self.fault else 0.0)
-
-    @property
-    def chi2(self) -> float:
-        """As ``deviance``."""
-        return self.smoothed.chi2 + (self.fault.chi2 if self.fault else 0.0)
-
-    def with_only(self, unknown_input: UnknownInput) -> tuple[float, float]:
-        return with_some(self.problem, self.smoothed, [self.unknown_inputs.index(unknown_input)])
-
-    def without(self, unknown_input: UnknownInput) -> tuple[float, float]:
-        return with_some(
-            self.problem, self.smoothed, [i for i, u in enumerate(self.unknown_inputs) if u is not unknown_input]
-        )
-
-
 class _Estimation:
     """One ledger in the making."""
 
@@ -119,9 +90,6 @@ class _Estimation:
         if not models[0].ode.states:
             raise InputError(f"{data.model} has no states: there is no balance to keep a ledger of", data.model)
         self.signals = [n for n, s in data.signals.items() if s.fitted and n in interface.outputs]
-        unknown = [n for n in self.signals if not data.signals[n].sigma]
-        if unknown:
-            raise InputError(f"the noise of {', '.join(unknown)} is not known: a ledger weighs signals by their noise")
         self.sigma = np.array([data.signals[n].sigma for n in self.signals], dtype=float)
         self.free = [n for n in data.fit if n in interface.parameters]
         self.low = np.array([data.fit[n].min for n in self.free])
@@ -142,22 +110,25 @@ class _Estimation:
         samples = int(np.isfinite(problem.grid.measured).sum())
         smoothed = [augmented.smoothed.chi2] if augmented else []
         best = min([unaugmented.chi2, *(f.chi2 for f in unaugmented.faults), *smoothed]) / samples
-        replaced = None
-        by_itself = min([unaugmented.deviance, *(f.deviance for f in unaugmented.faults)])
-        if best > CRITERIA.ledger.at_noise or (
-            augmented and augmented.smoothed.deviance < by_itself and self._swallows(augmented)
-        ):
-            for further in self.models[1:]:
-                candidate = self._explain(further)
-                if candidate and (replaced is None or candidate.smoothed.deviance < replaced.smoothed.deviance):
-                    replaced = candidate
+        is_open = best > CRITERIA.ledger.at_noise
+        replaced = self._replaced() if is_open or self._is_doubtful(unaugmented, augmented) else None
         plain = replaced is not None and replaced.deviance < CRITERIA.ledger.at_noise * samples
-        beside = self._beside() if best > CRITERIA.ledger.at_noise and not plain else None
-        return self._judged(unaugmented, augmented, replaced, beside, samples)
+        beside = self._beside() if is_open and not plain else None
+        return self._judged(Rivals(unaugmented, augmented, replaced, beside, samples))
 
-    def _beside(self) -> _Explanation | None:
+    def _is_doubtful(self, unaugmented: Unaugmented, augmented: Explanation | None) -> bool:
+        """Whether unknown inputs explain the samples, and one of them may do so for what has none."""
+        by_itself = min([unaugmented.deviance, *(f.deviance for f in unaugmented.faults)])
+        return augmented is not None and augmented.smoothed.deviance < by_itself and self._swallows(augmented)
+
+    def _replaced(self) -> Explanation | None:
+        """The best one with a law replaced by an unknown input."""
+        found = [one for one in map(self._explain, self.models[1:]) if one is not None]
+        return min(found, key=lambda one: one.smoothed.deviance, default=None)
+
+    def _beside(self) -> Explanation | None:
         """The unknown inputs together with a fault of one instrument, the most probable one."""
-        explanations: list[_Explanation] = []
+        explanations: list[Explanation] = []
         for j, name in enumerate(self.signals):
             if len(self.signals) < 2:
                 break
@@ -173,7 +144,7 @@ class _Estimation:
             explanations.append(replace(explanation, fault=fault))
         return min(explanations, key=lambda o: o.deviance, default=None)
 
-    def _swallows(self, explanation: _Explanation) -> bool:
+    def _swallows(self, explanation: Explanation) -> bool:
         """Whether a term is at work next to a balance without an unknown input, so that it may stand for it."""
         covered = {u.balance for u in explanation.unknown_inputs}
         neighbours = [u for b in self.models[1:] for u in b.unknown_inputs if u.balance not in covered]
@@ -208,9 +179,16 @@ class _Estimation:
         model = Model(augmented.ode, [u.parameter for u in unknown_inputs], self.free, self.signals)
         prior_deviation = (self.high - self.low) / CRITERIA.ledger.free_prior
         none = SmoothingProblem(
-            model, grid, self.sigma, self.start, prior_deviation, self.low, self.high,
-            np.ones(model.states), np.ones(len(unknown_inputs)),
-        )  # fmt: skip
+            model,
+            grid,
+            self.sigma,
+            self.start,
+            prior_deviation,
+            self.low,
+            self.high,
+            np.ones(model.states),
+            np.ones(len(unknown_inputs)),
+        )
         states = states or integrate(model, grid, none.parameters(self.start))
         ranges = np.ptp(states[0], axis=0)
         size = np.where(ranges > 0, ranges, np.maximum(np.max(np.abs(states[0]), axis=0), 1e-6))
@@ -255,7 +233,7 @@ class _Estimation:
 
     def _explain(
         self, augmented: AugmentedModel, states: tuple[Array, Array] | None = None, hidden: str | None = None
-    ) -> _Explanation | None:
+    ) -> Explanation | None:
         """The model with all unknown inputs that act and can be told apart; None without any, or if it breaks down."""
         problem, states = self._problem(augmented, augmented.unknown_inputs, hidden, states)
         kept = self._distinct(augmented, problem, states[0])
@@ -264,7 +242,7 @@ class _Estimation:
         problem, _ = self._problem(augmented, kept, hidden, states)
         start = Point(*states, np.zeros((len(states[0]), len(kept))), self.start)
         try:
-            return _Explanation(augmented, problem, kept, tuple(self.free), smooth(problem, start))
+            return Explanation(augmented, problem, kept, tuple(self.free), smooth(problem, start))
         except (np.linalg.LinAlgError, ValueError):
             self.notes.append("the balances could not be opened: the model breaks down near the measured course")
             return None
@@ -299,63 +277,29 @@ class _Estimation:
 
     # ---- judgement --------------------------------------------------------------------------------------------
 
-    def _judged(
-        self,
-        unaugmented: Unaugmented,
-        augmented: _Explanation | None,
-        replaced: _Explanation | None,
-        beside: _Explanation | None,
-        samples: int,
-    ) -> Ledger:
-        excess = max(unaugmented.chi2 - samples, 1e-9)
-
-        def explained(chi2: float) -> float:
-            return float(np.clip((unaugmented.chi2 - max(chi2, samples)) / excess, 0.0, 1.0))
-
-        fault = unaugmented.faults[0] if unaugmented.faults else None
-        deviances = {
-            "none": unaugmented.deviance,
-            "sensor": (fault.deviance if fault else np.inf) + 2 * np.log(max(len(unaugmented.faults), 1)),
-            "augmented": augmented.smoothed.deviance if augmented else np.inf,
-            "replaced": replaced.deviance if replaced else np.inf,
-            "beside": beside.deviance if beside else np.inf,
-        }
-        best = min(deviances, key=lambda k: deviances[k])
-        if deviances[best] > unaugmented.deviance - CRITERIA.evidence.very_strong:
-            best = "none"
-        rival = {"augmented": "replaced", "replaced": "augmented"}.get(best, "none")
-        if best != "none" and rival != "none" and deviances[rival] < deviances[best] + CRITERIA.evidence.very_strong:
-            assert replaced is not None
-            self.notes.append(self._confusion(self._replaced_balance(replaced)))
-        winner = {"augmented": augmented, "replaced": replaced, "beside": beside}.get(best)
-        losses = self._losses(best, winner, fault, deviances)
-        total = sum(losses.values())
-        failing = tuple(
-            sorted((b for b, v in losses.items() if v > CRITERIA.evidence.very_strong), key=lambda b: -losses[b])
-        )
-        after = {
-            "none": unaugmented.chi2, "sensor": fault.chi2 if fault else np.inf,
-        }.get(best, winner.chi2 if winner else np.inf) / samples  # fmt: skip
-        shown = winner or augmented
-        if best == "sensor" and fault is not None:
-            shown = self._explain(self.models[0], None, fault.signal) or augmented
-        disbelieved = fault if best == "sensor" else winner.fault if winner else None
-        if disbelieved is not None:
-            text = f"the reading of {disbelieved.signal} is not believed: the other balances were kept without it"
-            self.notes.append(text)
-        entries = self._entries(unaugmented, augmented, replaced, shown, losses, total, explained)
-        readings = [_reading(f, unaugmented.deviance - f.deviance, explained(f.chi2)) for f in unaugmented.faults]
-        if winner and winner.fault:
-            own = _reading(winner.fault, unaugmented.deviance - winner.deviance, explained(winner.chi2))
-            readings = [own, *(r for r in readings if r.signal != own.signal)]
-        free = fault.free if best == "sensor" and fault else tuple(winner.smoothed.point.free if winner else self.start)
+    def _judged(self, rivals: Rivals) -> Ledger:
+        """The ledger that the best explanation leaves."""
+        unaugmented, winner = rivals.unaugmented, rivals.winner
+        if rivals.is_confused:
+            assert rivals.replaced is not None
+            self.notes.append(self._confusion(self._replaced_balance(rivals.replaced)))
+        losses = self._losses(rivals)
+        failing = [balance for balance, loss in losses.items() if loss > CRITERIA.evidence.very_strong]
+        entries = self._entries(rivals, losses)
+        if rivals.believed_fault is not None:
+            signal = rivals.believed_fault.signal
+            self.notes.append(f"the reading of {signal} is not believed: the other balances were kept without it")
+        free = tuple(winner.smoothed.point.free if winner else self.start)
+        if rivals.best == "sensor" and rivals.fault:
+            free = rivals.fault.free
+        after = rivals.chi2 / rivals.samples
         return Ledger(
-            model=self.models[0].ode.interface.model if not self.data.model else self.data.model,
+            model=self.data.model or self.models[0].ode.interface.model,
             entries=tuple(sorted(entries, key=lambda e: (-e.share, -e.explains, e.balance))),
-            readings=tuple(readings),
-            failing=failing,
+            readings=tuple(_readings(rivals)),
+            failing=tuple(sorted(failing, key=lambda balance: -losses[balance])),
             closed=bool(after <= CRITERIA.ledger.at_noise),
-            before=unaugmented.chi2 / samples,
+            before=unaugmented.chi2 / rivals.samples,
             after=float(after),
             parameters=dict(zip(self.free, map(float, free), strict=True)),
             notes=tuple(self.notes),
@@ -367,81 +311,94 @@ class _Estimation:
         told = next((words for _, hidden, words in self.domain.confused if hidden == balance), None)
         return told or f"a law that leaves the balance of {balance} open explains the samples as well"
 
-    def _losses(
-        self, best: str, winner: _Explanation | None, fault: SensorFault | None, deviances: Mapping[str, float]
-    ) -> dict[str, float]:
+    def _losses(self, rivals: Rivals) -> dict[str, float]:
         """What the best explanation loses without each of its balances."""
-        if best == "sensor" and fault is not None:
-            return {"sensor": min(v for k, v in deviances.items() if k != "sensor") - deviances["sensor"]}
+        best, winner, deviances = rivals.best, rivals.winner, rivals.deviances
+        second = min(deviance for name, deviance in deviances.items() if name != best)
+        if best == "sensor" and rivals.fault is not None:
+            return {"sensor": second - deviances[best]}
         if winner is None:
             return {}
         losses = {u.balance: max(winner.without(u)[0] - winner.smoothed.deviance, 0.0) for u in winner.unknown_inputs}
         if winner.fault is not None:
-            others = min(v for k, v in deviances.items() if k != best)
-            losses["sensor"] = max(others - deviances[best], 0.0)
+            losses["sensor"] = max(second - deviances[best], 0.0)
         if winner.augmented.replaced:  # the law that was replaced counts too
-            own = (
-                winner.unknown_inputs[-1].balance if len(winner.unknown_inputs) == 1 else self._replaced_balance(winner)
-            )
-            losses[own] = max(losses.get(own, 0.0), min(v for k, v in deviances.items() if k != best) - deviances[best])
+            alone = len(winner.unknown_inputs) == 1
+            own = winner.unknown_inputs[-1].balance if alone else self._replaced_balance(winner)
+            losses[own] = max(losses.get(own, 0.0), second - deviances[best])
         return losses
 
-    def _replaced_balance(self, winner: _Explanation) -> str:
+    def _replaced_balance(self, winner: Explanation) -> str:
         before = {u.parameter for u in self.models[0].unknown_inputs}
         return next(u.balance for u in winner.augmented.unknown_inputs if u.parameter not in before)
 
-    def _entries(
-        self,
-        unaugmented: Unaugmented,
-        augmented: _Explanation | None,
-        replaced: _Explanation | None,
-        shown: _Explanation | None,
-        losses: Mapping[str, float],
-        total: float,
-        explained: object,
-    ) -> list[BalanceEntry]:
-        assert callable(explained)
-        entries: dict[str, BalanceEntry] = {}
-        for explanation in (augmented, replaced):
-            for unknown_input in explanation.unknown_inputs if explanation else ():
-                if unknown_input.balance in entries and explanation is not replaced:
-                    continue
-                assert explanation is not None
-                worth, chi2 = explanation.with_only(unknown_input)
-                share = losses.get(unknown_input.balance, 0.0) / total if total else 0.0
-                entry = BalanceEntry(
-                    unknown_input.balance,
-                    float(unaugmented.deviance - worth),
-                    explained(chi2),
-                    share,
-                    unknown_input.unit,
-                    unknown_input.meaning,
-                    unknown_input.parameter,
-                )
-                if unknown_input.balance not in entries or entry.gain > entries[unknown_input.balance].gain:
-                    entries[unknown_input.balance] = entry
-        for unknown_input in shown.unknown_inputs if shown else ():
-            assert shown is not None
-            old = entries.get(unknown_input.balance) or BalanceEntry(unknown_input.balance, 0.0, 0.0, 0.0)
-            courses, units = _courses(shown, unknown_input)
-            entries[unknown_input.balance] = replace(
-                old,
-                unit=unknown_input.unit,
-                meaning=unknown_input.meaning,
-                term=unknown_input.parameter,
-                courses=courses,
-                units=units,
-                base=unknown_input.base,
-                same_as=() if shown.augmented.replaced else self.same.get(unknown_input.balance, ()),
-            )
-        if unaugmented.faults:
-            fault = unaugmented.faults[0]
-            share = losses.get("sensor", 0.0) / total if total else 0.0
+    def _entries(self, rivals: Rivals, losses: Mapping[str, float]) -> list[BalanceEntry]:
+        """An entry for each balance: what it explains, its part of the loss, and its course in time."""
+        total = sum(losses.values())
+        shares = {balance: loss / total for balance, loss in losses.items()} if total else {}
+        entries = _weighed(rivals, shares)
+        shown = rivals.winner or rivals.augmented
+        if rivals.best == "sensor" and rivals.fault is not None:
+            shown = self._explain(self.models[0], None, rivals.fault.signal) or rivals.augmented
+        if shown is not None:
+            for unknown_input in shown.unknown_inputs:
+                old = entries.get(unknown_input.balance) or BalanceEntry(unknown_input.balance, 0.0, 0.0, 0.0)
+                entries[unknown_input.balance] = self._with_course(old, shown, unknown_input)
+        if rivals.fault is not None:
             entries["sensor"] = BalanceEntry(
-                "sensor", unaugmented.deviance - fault.deviance, explained(fault.chi2), share,
+                "sensor",
+                rivals.unaugmented.deviance - rivals.fault.deviance,
+                rivals.explained(rivals.fault.chi2),
+                shares.get("sensor", 0.0),
                 note="an instrument that is off by a constant or a factor, or lags, the same in all runs",
-            )  # fmt: skip
+            )
         return list(entries.values())
+
+    def _with_course(self, entry: BalanceEntry, shown: Explanation, unknown_input: UnknownInput) -> BalanceEntry:
+        courses, units = _courses(shown, unknown_input)
+        return replace(
+            entry,
+            unit=unknown_input.unit,
+            meaning=unknown_input.meaning,
+            term=unknown_input.parameter,
+            courses=courses,
+            units=units,
+            base=unknown_input.base,
+            same_as=() if shown.augmented.replaced else self.same.get(unknown_input.balance, ()),
+        )
+
+
+def _readings(rivals: Rivals) -> list[SensorReading]:
+    """What a fault of each instrument explains, that of the best explanation first."""
+    before, winner = rivals.unaugmented.deviance, rivals.winner
+    readings = [_reading(f, before - f.deviance, rivals.explained(f.chi2)) for f in rivals.unaugmented.faults]
+    if winner is None or winner.fault is None:
+        return readings
+    own = _reading(winner.fault, before - winner.deviance, rivals.explained(winner.chi2))
+    return [own, *(r for r in readings if r.signal != own.signal)]
+
+
+def _weighed(rivals: Rivals, shares: Mapping[str, float]) -> dict[str, BalanceEntry]:
+    """What an unknown input in each balance explains by itself; in the place of a law, where it explains more."""
+    entries: dict[str, BalanceEntry] = {}
+    for explanation in filter(None, (rivals.augmented, rivals.replaced)):
+        for unknown_input in explanation.unknown_inputs:
+            balance = unknown_input.balance
+            if balance in entries and explanation is not rivals.replaced:
+                continue
+            deviance, chi2 = explanation.with_only(unknown_input)
+            entry = BalanceEntry(
+                balance,
+                float(rivals.unaugmented.deviance - deviance),
+                rivals.explained(chi2),
+                shares.get(balance, 0.0),
+                unknown_input.unit,
+                unknown_input.meaning,
+                unknown_input.parameter,
+            )
+            if balance not in entries or entry.gain > entries[balance].gain:
+                entries[balance] = entry
+    return entries
 
 
 def _parallel(a: Array, b: Array) -> bool:
@@ -452,7 +409,7 @@ def _parallel(a: Array, b: Array) -> bool:
     return bool((dot >= (1 - CRITERIA.ledger.parallel) * norms).all() and (norms > 0).all())
 
 
-def _courses(explanation: _Explanation, unknown_input: UnknownInput) -> tuple[tuple[TermSeries, ...], dict[str, str]]:
+def _courses(explanation: Explanation, unknown_input: UnknownInput) -> tuple[tuple[TermSeries, ...], dict[str, str]]:
     problem, smoothed, j = explanation.problem, explanation.smoothed, explanation.unknown_inputs.index(unknown_input)
     grid: Grid = problem.grid
     p = problem.parameters(smoothed.point.free)[grid.run_of_node]
@@ -475,7 +432,7 @@ def _courses(explanation: _Explanation, unknown_input: UnknownInput) -> tuple[tu
     return tuple(courses), units
 
 
-def _imitated(explanation: _Explanation, parameters: Array, j: int) -> Array:
+def _imitated(explanation: Explanation, parameters: Array, j: int) -> Array:
     """(N, Q) [unit of the term per unit of the parameter]: how much of term ``j`` acts as each free parameter does.
 
     Rates only are asked, weighed by the size of their states: what a parameter does to a signal at once, no term does.
@@ -507,6 +464,13 @@ def _variables(augmented: AugmentedModel, unknown_input: UnknownInput) -> dict[s
 
 def _reading(fault: SensorFault, evidence: float, explains: float) -> SensorReading:
     return SensorReading(
-        fault.signal, fault.unit, fault.offset, fault.offset_deviation, fault.gain, fault.gain_deviation, fault.lag,
-        evidence, explains,
-    )  # fmt: skip
+        fault.signal,
+        fault.unit,
+        fault.offset,
+        fault.offset_deviation,
+        fault.gain,
+        fault.gain_deviation,
+        fault.lag,
+        evidence,
+        explains,
+    )

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison.beginning import start_time
+from pam_cosim.comparison.initial_state import start_time
 from pam_cosim.compiler import Ode
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation.inputs import Pieces, pieces
@@ -95,10 +95,19 @@ def make_grid(
     left = np.setdiff1d(np.arange(first[-1]), ends)
     time = np.concatenate(times)
     return Grid(
-        tuple(runs), first, time, left, time[left + 1] - time[left], np.array(parameters), np.concatenate(inputs),
-        np.concatenate(stages), np.concatenate(delayed), np.concatenate(stage_delayed), np.concatenate(measured),
+        tuple(runs),
+        first,
+        time,
+        left,
+        time[left + 1] - time[left],
+        np.array(parameters),
+        np.concatenate(inputs),
+        np.concatenate(stages),
+        np.concatenate(delayed),
+        np.concatenate(stage_delayed),
+        np.concatenate(measured),
         np.array(starts).reshape(len(runs), len(ode.states)),
-    )  # fmt: skip
+    )
 
 
 def _courses(ode: Ode, run: Run, stated: Mapping[str, float]) -> list[Pieces]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from pam_cosim.arrays import Array
+from pam_cosim.files import plain
 from pam_cosim.model.domain import Domain
 from pam_cosim.wording import Printed
 
@@ -34,15 +35,8 @@ class TermSeries:
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON."""
-        return {
-            "run": self.run,
-            "role": self.role,
-            "time": self.time.tolist(),
-            "value": self.value.tolist(),
-            "standard_deviation": self.deviation.tolist(),
-            "against": {n: v.tolist() for n, v in self.against.items()},
-            "imitated": {n: v.tolist() for n, v in self.imitated.items()},
-        }
+        names = {"deviation": "standard_deviation"}
+        return {names.get(name, name): value for name, value in plain(self).items()}
 
 
 @dataclass(frozen=True)
@@ -99,8 +93,8 @@ class BalanceEntry:
             "share": self.share,
             "unit": self.unit,
             "meaning": self.meaning,
-            "size": _number(self.size),
-            "outside": _number(self.outside),
+            "size": plain(self.size),
+            "outside": plain(self.outside),
             "note": self.note,
             "same_as": list(self.same_as),
         }
@@ -285,7 +279,3 @@ def mapped(entry: BalanceEntry, x: str, y: str, cells: int = 16) -> Map:
         mean = np.where(count > 0, total / count, np.nan)
         significance = np.where(count > 0, total / spread, np.nan)
     return Map(x, y, x_edges, y_edges, mean, significance)
-
-
-def _number(value: float) -> float | None:
-    return value if np.isfinite(value) else None

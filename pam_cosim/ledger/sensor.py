@@ -126,9 +126,17 @@ def fault_beside(
     deviance, chi2, lag, change, spread = min(tried, key=lambda t: t[0])
     offset, gain = CRITERIA.ledger.sensor_offset * span, CRITERIA.ledger.sensor_gain
     return SensorFault(
-        signal[0], signal[1], float(change[0]) * offset, float(spread[0]) * offset, float(change[1]) * gain,
-        float(spread[1]) * gain, float(lag), deviance, chi2, tuple(free),
-    )  # fmt: skip
+        signal[0],
+        signal[1],
+        float(change[0]) * offset,
+        float(spread[0]) * offset,
+        float(change[1]) * gain,
+        float(spread[1]) * gain,
+        float(lag),
+        deviance,
+        chi2,
+        tuple(free),
+    )
 
 
 def _lags(grid: Grid) -> Array:

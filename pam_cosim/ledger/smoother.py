@@ -131,18 +131,19 @@ def smooth(problem: SmoothingProblem, start: Point) -> Smoothed:
     q = np.full(len(problem.unknown_size), 1 / float(_spans(problem.grid).max()))
     point, converged, rounds, before, part, growing = start, False, 0, np.inf, 1.0, False
     linear = linearise(problem, point, _FIRST_SLACKS[0])
+    enough = _NOISE_INTENSITY_ROUNDS if len(q) else 0
     for iteration in range(_ITERATIONS):
-        slack = _FIRST_SLACKS[iteration] if iteration < len(_FIRST_SLACKS) else _SLACK
         last = iteration >= len(_FIRST_SLACKS)
+        slack = _SLACK if last else _FIRST_SLACKS[iteration]
         settled = before < _SETTLED or iteration >= _ITERATIONS // 2
-        if len(q) and last and rounds < _NOISE_INTENSITY_ROUNDS and (rounds == 0 or settled):
+        if last and rounds < enough and (rounds == 0 or settled):
             q, rounds, part = likeliest_noise_intensity(problem, linear, point, q), rounds + 1, 1.0
-        elif last and before > _CLOSE and iteration > len(_FIRST_SLACKS) + 1:
+        elif before > _CLOSE and iteration > len(_FIRST_SLACKS) + 1:
             part = max(part / 2, 0.25) if growing else min(2 * part, 1.0)
         point, linear, moved = _advanced(problem, linear, point, q, part, slack)
         growing, before = moved > 0.7 * before, moved
         converged = last and moved < _CLOSE
-        if converged and (not len(q) or rounds == _NOISE_INTENSITY_ROUNDS):
+        if converged and rounds == enough:
             break
     return _result(problem, linear, point, q, converged)
 
@@ -279,7 +280,7 @@ def linearise(problem: SmoothingProblem, point: Point, slack: float = _SLACK) ->
     flow = (-by_left[:, :, :n], -by_free)
     return LinearisedProblem(
         matrix, gradient, corner_gradient, cost, log_weights, residual, values[0], stage, flow, (rows, rows_free)
-    )  # fmt: skip
+    )
 
 
 # ---- the random walks -----------------------------------------------------------------------------------------

@@ -2,10 +2,21 @@
 
 from pam_cosim.measurement.condensing import condensed
 from pam_cosim.measurement.cuts import Cut, Moment, Overrides, overrides_of
-from pam_cosim.measurement.data_set import ROLES, DataSet, FreeParameter, Prior, Role, Run, Signal, Transform
+from pam_cosim.measurement.data_set import (
+    ROLES,
+    DataSet,
+    FreeParameter,
+    Prior,
+    Role,
+    Run,
+    Signal,
+    StatedSignal,
+    Transform,
+)
 from pam_cosim.measurement.experiment import error_in
 from pam_cosim.measurement.first_samples import FirstSamples, first_samples
-from pam_cosim.measurement.noise import complete_noise, estimate_noise, record_step, with_noise
+from pam_cosim.measurement.further_run import further_run, rows_of
+from pam_cosim.measurement.noise import complete_noise, estimate_noise, record_step
 from pam_cosim.measurement.read import read_data_set
 from pam_cosim.measurement.recording import Recording, read_recording
 from pam_cosim.measurement.start import START_MODES, Start, StartMode
@@ -29,6 +40,7 @@ __all__ = [
     "Signal",
     "Start",
     "StartMode",
+    "StatedSignal",
     "Transform",
     "any_text",
     "between_samples",
@@ -37,11 +49,12 @@ __all__ = [
     "error_in",
     "estimate_noise",
     "first_samples",
+    "further_run",
     "overrides_of",
     "record_step",
     "read_data_set",
     "read_recording",
-    "with_noise",
+    "rows_of",
     "with_step_times",
     "write_data_set",
 ]

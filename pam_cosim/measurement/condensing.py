@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from pam_cosim.measurement.data_set import DataSet, Run
+from pam_cosim.measurement.noise import complete_noise
 from pam_cosim.measurement.recording import Recording
 from pam_cosim.measurement.resampling import resampled, with_noise_of_means
 from pam_cosim.units import format_quantity
@@ -31,8 +32,9 @@ def condensed(data: DataSet) -> tuple[DataSet, str]:
     if not means:
         return data, ""
     runs = tuple(means.get(run.name, run) for run in data.runs)
-    changed = {name: one for name, one in data.signals.items() if any(name in r.measurements for r in dense)}
-    result = replace(data, runs=runs, signals=data.signals | with_noise_of_means(changed, runs))
+    stated = {name: one.as_stated() for name, one in data.signals.items() if any(name in r.measurements for r in dense)}
+    changed = complete_noise(with_noise_of_means(stated, runs), runs)
+    result = replace(data, runs=runs, signals=data.signals | changed)
     over = format_quantity(interval, "s")
     said = f"{rows} rows are more than a search needs: it takes means over {over}"
     return result, f'{said}; state resample = "..." under [recording] for another interval'

@@ -15,6 +15,7 @@ from pam_cosim.model.settings import value_of
 from pam_cosim.wording import did_you_mean, shown
 
 _NEAR = 1e-9  # of a run, by which a time may miss a row that it is written like
+ALL_RUNS = "*"  # in the place of a run's name
 
 Moment = float | str | None
 """A time [s] of a recording's own clock, or as a text with a unit; None: its first or last."""
@@ -108,7 +109,7 @@ def _ends(run: Run, cut: Cut) -> str:
 
 @dataclass(frozen=True)
 class Overrides:
-    """What whoever reads a data set says of its runs instead of what the data set says, by run.
+    """What whoever reads a data set says of its runs instead of what the data set says, by run; "*": of all others.
 
     Attributes:
         cuts: from when to when a run goes.
@@ -118,6 +119,14 @@ class Overrides:
     cuts: Mapping[str, Cut] = field(default_factory=dict)
     starts: Mapping[str, StartMode] = field(default_factory=dict)
 
+    def cut(self, run: Run) -> Cut | None:
+        """Of a run; points at rest are cut only by their name."""
+        return self.cuts.get(run.name, None if run.is_static else self.cuts.get(ALL_RUNS))
+
+    def start(self, run: Run) -> StartMode | None:
+        """Of a run; points at rest have one only by their name, which is an error."""
+        return self.starts.get(run.name, None if run.is_static else self.starts.get(ALL_RUNS))
+
     def check(self, title: str, known: Sequence[str]) -> None:
         """Refuses what is said of a run that there is not.
 
@@ -125,7 +134,7 @@ class Overrides:
             InputError: names the nearest one.
         """
         for name in (*self.cuts, *self.starts):
-            if name not in known:
+            if name not in known and name != ALL_RUNS:
                 raise InputError(f"{title} has no run {shown(name)}; {did_you_mean(str(name), known)}")
 
 

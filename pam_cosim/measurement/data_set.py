@@ -27,46 +27,80 @@ ROLES: tuple[Role, ...] = get_args(Role)
 
 
 @dataclass(frozen=True)
-class Signal:
-    """A measured output of the bench.
+class StatedSignal:
+    """What an experimenter states of a measured output, before its noise is complete.
 
     Attributes:
         name: the output's name.
         unit: the bench's unit of it.
-        sigma: standard deviation of the instrument's noise [unit]; None when nobody knows it.
-        estimated: ``sigma`` was estimated from the samples, not stated by the experimenter.
-        fitted: parameters are fitted to it and models judged by it; otherwise it is only shown beside the model.
-        step: of the record [unit], where that is coarse beside the noise: ``sigma`` holds what it adds. 0: none.
-        repeatability: standard deviation between runs of the same test [unit], the noise included: ``sigma`` is this
-            where it is larger. 0: nobody knows.
-        repeats: ``repeatability`` was estimated from runs that repeat one another, not stated by the experimenter.
+        sigma: standard deviation of the noise of a row [unit], a mean where rows are means; None: not stated.
+        fitted: as in ``Signal``.
+        step: of means of a record in coarse steps [unit]; 0: none.
+        repeatability: standard deviation between runs of the same test [unit]; 0: not stated.
     """
 
     name: str
     unit: str = ""
     sigma: float | None = None
+    fitted: bool = True
+    step: float = 0.0
+    repeatability: float = 0.0
+
+
+@dataclass(frozen=True)
+class Signal:
+    """A measured output of the bench, with its noise (``noise.complete_noise``).
+
+    Attributes:
+        name: the output's name.
+        unit: the bench's unit of it.
+        sigma: standard deviation of the instrument's noise [unit].
+        estimated: ``sigma`` was not stated by the experimenter: it was estimated from the samples, or assumed.
+        fitted: parameters are fitted to it and models judged by it; otherwise it is only shown beside the model.
+        step: of the record [unit], where that is coarse beside the noise: ``sigma`` holds what it adds. 0: none.
+        repeatability: standard deviation between runs of the same test [unit], the noise included: ``sigma`` is this
+            where it is larger. 0: nobody knows.
+        repeats: ``repeatability`` was estimated from runs that repeat one another, not stated by the experimenter.
+        assumed: the samples show no noise to estimate, so that ``sigma`` is a share of their range.
+        stated: ``sigma`` as it was stated [unit], before steps and repeated runs count; None: it was not.
+    """
+
+    name: str
+    unit: str
+    sigma: float
     estimated: bool = False
     fitted: bool = True
     step: float = 0.0
     repeatability: float = 0.0
     repeats: bool = False
+    assumed: bool = False
+    stated: float | None = None
 
     @property
     def scatter(self) -> str:
         """What ``sigma`` is the standard deviation of, in a word."""
-        return "repeatability" if self.sigma is not None and self.repeatability >= self.sigma else "noise"
+        return "repeatability" if self.repeatability >= self.sigma else "noise"
 
     @property
     def source(self) -> str:
         """Where ``sigma`` comes from, in words."""
         if self.scatter == "repeatability":
             return "of repeated runs" if self.repeats else "stated repeatability"
+        if self.assumed:
+            return "assumed"
         return "estimated from the samples" if self.estimated else "stated"
+
+    def as_stated(self) -> StatedSignal:
+        """What the experimenter stated of it."""
+        stated = self.stated
+        if stated is None and not self.estimated and self.scatter == "noise":
+            stated = self.sigma  # of a signal that was made otherwise than by reading
+        repeatability = 0.0 if self.repeats else self.repeatability
+        return StatedSignal(self.name, self.unit, stated, self.fitted, repeatability=repeatability)
 
     @property
     def noise(self) -> float:
         """Standard deviation of the noise before it is rounded to steps [unit], at least a part of a step."""
-        assert self.sigma is not None
         least = CRITERIA.noise.least_of_step * self.step
         return sqrt(max(self.sigma**2 - self.step**2 / 12.0, least**2))
 
@@ -219,6 +253,11 @@ class DataSet(Printed):
         return self.model if asked is None or asked == self.unmapped else asked
 
     @property
+    def fitted_signals(self) -> dict[str, Signal]:
+        """The signals that parameters are fitted to and models judged by."""
+        return {name: signal for name, signal in self.signals.items() if signal.fitted}
+
+    @property
     def files(self) -> tuple[Path, ...]:
         """What it was read from: its description and its recordings."""
         return (self.folder / FILE_NAME, *(file for run in self.runs for file in (run.file, *run.more_files)))
@@ -277,7 +316,7 @@ class DataSet(Printed):
         """What to simulate ``run`` with [SI]: stated start values, ``fitted``, what is known of it, its own ones.
 
         A fitted value of one run alone has "@" and the run's name after that of the parameter; a ratio to what is
-        stated (``names.ratio_to_stated``) is multiplied by that.
+        stated (``references.ratio_to_stated``) is multiplied by that.
         """
         start = {name: free.start for name, free in self.fit.items() if free.start is not None}
         every = {**start, **(fitted or {})}
@@ -298,8 +337,8 @@ class DataSet(Printed):
         """What a reader of results from these data should know."""
         notes = [] if self.holdout_runs else ["no holdout run: nothing checks a fit on data it has not seen"]
         for name, signal in self.signals.items():
-            if signal.sigma is None:
-                notes.append(f"the noise of {name} is not known")
+            if signal.assumed:
+                notes.append(f"the noise of {name} is not known: it is assumed")
             if not signal.fitted:
                 notes.append(f"{name} is compared but not fitted: it has no table [signals.{name}]")
         notes += [*self.starts, *self.steps()]
@@ -320,7 +359,7 @@ class DataSet(Printed):
             f"{name} is recorded in steps of {format_quantity(s.step, s.unit)} (quantisation, an instrument): a "
             f"reading counts by the interval it stands for, beside noise of {format_quantity(s.noise, s.unit)}"
             for name, s in self.signals.items()
-            if s.step and s.sigma
+            if s.step
         )
 
     def describe(self) -> str:
@@ -328,9 +367,7 @@ class DataSet(Printed):
         lines = [f"{self.title} ({self.model})"]
         for signal in self.signals.values():
             unit = f" {signal.unit}" if signal.unit not in ("", "1") else ""
-            source = " (estimated)" if signal.estimated else ""
-            sigma = "unknown" if signal.sigma is None else f"{signal.sigma:.3g}{unit}{source}"
-            lines.append(f"  signal {signal.name}: noise {sigma}")
+            lines.append(f"  signal {signal.name}: {signal.scatter} {signal.sigma:.3g}{unit} ({signal.source})")
         lines += [f"  known {name} = {value:g}" for name, value in self.parameters.items()]
         for free in self.fit.values():
             start = "the model's default" if free.start is None else f"{free.start:g}"

@@ -256,26 +256,26 @@ def _unknown_key(path: KeyPath, value: Any) -> str:
     inner = path[2:] if path[0] == "runs" else path
     if inner and inner[0] in ("fit", "signals", "columns") and len(inner) > 2 and isinstance(value, dict):
         return f'a name with a dot needs quotes: "{inner[1]}.{inner[2]}"'
-    match path:
-        case (*_, "prior", _):
-            table: type[_Table] = PriorTable
-        case (*_, "zero", _):
-            table = IntervalTable
-        case (*_, "recording", _):
-            table = RecordingTable
-        case (*_, "columns", _, _):
-            table = ColumnTable
-        case ("runs", _, "loggers", _, _):
-            table = LoggerTable
-        case ("runs", _, _):
-            table = RunTable
-        case ("fit", _, _) | ("runs", _, "fit", _, _):
-            table = FreeTable
-        case ("signals", _, _):
-            table = SignalTable
-        case ("effects", _):
-            table = EffectsTable
-        case _:
-            table = Experiment
-    known = [field.alias or name for name, field in table.model_fields.items()]
+    known = [field.alias or name for name, field in _table_of(path).model_fields.items()]
     return f"unknown key {shown(path[-1])}; {did_you_mean(str(path[-1]), known)}"
+
+
+def _table_of(path: KeyPath) -> type[_Table]:
+    """The table that a key stands in."""
+    within: dict[str | int, type[_Table]] = {"prior": PriorTable, "zero": IntervalTable, "recording": RecordingTable}
+    if len(path) > 1 and path[-2] in within:
+        return within[path[-2]]
+    match path:
+        case (*_, "columns", _, _):
+            return ColumnTable
+        case ("runs", _, "loggers", _, _):
+            return LoggerTable
+        case ("runs", _, _):
+            return RunTable
+        case ("fit", _, _) | ("runs", _, "fit", _, _):
+            return FreeTable
+        case ("signals", _, _):
+            return SignalTable
+        case ("effects", _):
+            return EffectsTable
+    return Experiment

@@ -12,7 +12,7 @@ samples, 7 % with 200, 5 % with 500 and 2.5 % with 2000.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from math import erf, exp, inf, nan, pi, sqrt
 
@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.measurement.data_set import DataSet, Signal
+from pam_cosim.measurement.data_set import Run, Signal, StatedSignal
 from pam_cosim.measurement.repeatability import with_repeatability
 
 _CLIP = CRITERIA.noise.clip
@@ -55,40 +55,48 @@ def estimate_noise(time: ArrayLike, values: ArrayLike) -> float:
     return nan if np.isnan(variance) else sqrt(max(variance, rounding))
 
 
-def with_noise(data_set: DataSet) -> DataSet:
-    """The same data with an estimated ``sigma`` for every signal that has none: the median of its runs.
+def complete_noise(stated: Mapping[str, StatedSignal], runs: Sequence[Run]) -> dict[str, Signal]:
+    """Signals with their noise: stated levels are kept, the others estimated from the samples.
 
-    A signal whose noise cannot be estimated keeps ``sigma = None``.
-    """
-    signals = dict(data_set.signals)
-    for name, signal in data_set.signals.items():
-        sigma = _typical(data_set, name) if signal.sigma is None else None
-        if sigma is not None:
-            signals[name] = replace(signal, sigma=sigma, estimated=True)
-    return replace(data_set, signals=signals)
-
-
-def complete_noise(data: DataSet) -> DataSet:
-    """Keeps stated noise levels, estimates the others from the samples, and assumes 1 % of range where that fails.
-
+    Where the samples show none, 1 % of their range is assumed: sparse ones, such as points read off a printed figure.
     Where runs of the same test differ more than that, or more is stated, their repeatability takes its place.
 
-    Sparse samples, such as points read off a printed figure, show no noise to estimate. A record in steps has their
-    noise of step/sqrt(12) besides a stated one, which is that of the sensor (B. Widrow, I. Kollar, Quantization Noise,
-    2008); an estimated one holds it already. (What rounding does to a residual, ``comparison.rounding`` says.)
+    A record in steps has their noise of step/sqrt(12) besides a stated one, which is that of the sensor (B. Widrow,
+    I. Kollar, Quantization Noise, 2008); an estimated one holds it already. (What rounding does to a residual,
+    ``comparison.rounding`` says.)
+
+    Args:
+        stated: the measured outputs by name.
+        runs: their samples.
     """
-    data = with_noise(data)
-    signals = {}
-    for name, signal in data.signals.items():
-        if signal.sigma and not signal.step:
-            signal = _with_steps(data, signal)
-        if signal.sigma is None or not np.isfinite(signal.sigma) or signal.sigma <= 0:
-            values = np.concatenate([r.measurements[name] for r in data.runs if r.sample_count(name)])
-            span = float(np.nanmax(values) - np.nanmin(values))
-            level = CRITERIA.noise.assumed_share * span or max(abs(float(np.nanmean(values))), 1.0) * 1e-6
-            signal = replace(signal, sigma=level, estimated=True)
-        signals[name] = signal
-    return with_repeatability(replace(data, signals=signals))
+    return with_repeatability({name: _complete(one, runs) for name, one in stated.items()}, runs)
+
+
+def _complete(stated: StatedSignal, runs: Sequence[Run]) -> Signal:
+    """A signal with the noise of one run, stated, estimated or assumed."""
+    samples = [run.measurements[stated.name] for run in runs if stated.name in run.measurements]
+    known = stated.sigma or _typical(runs, stated.name)
+    signal = Signal(
+        stated.name,
+        stated.unit,
+        known or _assumed(samples),
+        estimated=stated.sigma is None,
+        fitted=stated.fitted,
+        step=stated.step,
+        repeatability=stated.repeatability,
+        assumed=not known,
+        stated=stated.sigma,
+    )
+    return signal if signal.assumed or signal.step else _with_steps(signal, samples)
+
+
+def _assumed(samples: Sequence[Array]) -> float:
+    """A share of the range of samples that show no noise; of what stands still, next to nothing of its value."""
+    values = np.concatenate([np.empty(0), *samples])
+    values = values[np.isfinite(values)]
+    if not values.size:
+        values = np.zeros(1)
+    return CRITERIA.noise.assumed_share * float(np.ptp(values)) or max(abs(float(np.mean(values))), 1.0) * 1e-6
 
 
 def record_step(values: ArrayLike) -> float:
@@ -109,16 +117,15 @@ def record_step(values: ArrayLike) -> float:
     return step if bool((off < CRITERIA.noise.off_step * step).all()) else 0.0
 
 
-def _with_steps(data_set: DataSet, signal: Signal) -> Signal:
+def _with_steps(signal: Signal, samples: Sequence[Array]) -> Signal:
     """The signal with the step of its record, where that adds to its noise; its noise with that of the steps.
 
     A stated noise is that of the sensor; an estimated one holds the steps. What is less than a part of a step is no
     estimate: so small a noise is seen only where a signal rests near the edge of a step.
     """
-    runs = [run.measurements[signal.name] for run in data_set.runs if signal.name in run.measurements]
-    steps = [record_step(values) for values in runs if _quantum(values[np.isfinite(values)])]
+    steps = [record_step(values) for values in samples if _quantum(values[np.isfinite(values)])]
     step = float(np.median(steps)) if steps else 0.0
-    noise, rounding = signal.sigma or 0.0, step**2 / 12.0
+    noise, rounding = signal.sigma, step**2 / 12.0
     if rounding < CRITERIA.residuals.slight_excess * noise**2:
         return signal
     if signal.estimated:
@@ -127,13 +134,13 @@ def _with_steps(data_set: DataSet, signal: Signal) -> Signal:
     return replace(signal, step=step, sigma=sqrt(noise**2 + rounding))
 
 
-def _typical(data_set: DataSet, signal: str) -> float | None:
-    """Median over the runs: a run in which the signal shakes says nothing about the instrument."""
-    runs = [run for run in data_set.runs if signal in run.measurements]
+def _typical(all_runs: Sequence[Run], signal: str) -> float:
+    """Median over the runs: a run in which the signal shakes says nothing about the instrument. 0: none shows it."""
+    runs = [run for run in all_runs if signal in run.measurements]
     estimates = [estimate_noise(run.time, run.measurements[signal]) for run in runs if not run.is_static]
     estimates.append(_along_curves([(run.time, run.measurements[signal]) for run in runs if run.is_static]))
-    finite = [sigma for sigma in estimates if not np.isnan(sigma)]
-    return float(np.median(finite)) if finite else None
+    finite = [sigma for sigma in estimates if np.isfinite(sigma)]
+    return float(np.median(finite)) if finite else 0.0
 
 
 def _along_curves(curves: Sequence[tuple[Array, Array]]) -> float:

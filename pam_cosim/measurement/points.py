@@ -59,12 +59,7 @@ def points_of(
         InputError: a column of time, an unknown one, an imposed quantity that is missing or has gaps, a branch that
             is none, a value to hold out that no row has.
     """
-    if TIME in table.columns:
-        message = 'points of kind = "static" have no time; leave the column out: [recording] ignore = ["time"]'
-        raise table.error(message, TIME)
-    for name in table.columns:
-        if name not in interface.inputs and name not in interface.outputs:
-            raise table.error(unknown_column(name, interface, time=False), name)
+    _check_columns(table, interface)
     table = only_whole_rows(table, interface.inputs)
     imposed = {
         name: without_gaps(table, name, interface.inputs[name].unit, "a row must say what is imposed")
@@ -75,19 +70,33 @@ def points_of(
     _check_imposed(table, interface, imposed, held)
     branch = _branch(table, interface, document, index, imposed)
     driving = {name: values for name, values in imposed.items() if name != BRANCH}
+    apart = [_held_out(table, interface, document, index, driving)]
     if branch is not None:
         imposed[BRANCH] = branch
-    aside = _held_out(table, interface, document, index, driving)
-    both = branch is not None and float(np.ptp(branch)) > 0.0
+        apart.append(-branch)
     found = []
-    for curve in curves(driving, read, [aside, *([] if branch is None else [-branch])]):
-        first = curve.rows[0]
-        out = bool(aside[first])
-        said = [_label(curve, interface), _word(branch[first]) if branch is not None and both else ""]
-        label = ", ".join(filter(None, (*said, "held out" if out else "")))
+    for curve in curves(driving, read, apart):
+        out = bool(apart[0][curve.rows[0]])
+        label = ", ".join(filter(None, (_label(curve, interface), _way(branch, curve), "held out" if out else "")))
         recording = _recording(table, curve.rows, imposed, read, curve.along)
         found.append(Points(label, curve.along, interface.inputs[curve.along].unit, recording, out))
     return _distinct(found)
+
+
+def _check_columns(table: Table, interface: Interface) -> None:
+    if TIME in table.columns:
+        message = 'points of kind = "static" have no time; leave the column out: [recording] ignore = ["time"]'
+        raise table.error(message, TIME)
+    for name in table.columns:
+        if name not in interface.inputs and name not in interface.outputs:
+            raise table.error(unknown_column(name, interface, time=False), name)
+
+
+def _way(branch: Array | None, curve: Curve) -> str:
+    """The direction of a curve, where others go the other way."""
+    if branch is None or not float(np.ptp(branch)) > 0.0:
+        return ""
+    return _word(branch[curve.rows[0]])
 
 
 def _distinct(found: list[Points]) -> list[Points]:
@@ -107,8 +116,9 @@ def _check_imposed(table: Table, interface: Interface, imposed: Mapping[str, Arr
         what = listed(needed)
         raise InputError(
             f"there is no column {shown(missing[0])}, nor a value under [parameters]: a row imposes {what}",
-            table.file, table.header_line,
-        )  # fmt: skip
+            table.file,
+            table.header_line,
+        )
     if not any(name in imposed for name in needed):
         message = f"no column varies that is imposed: {listed(needed)} are the same in all rows"
         raise InputError(message, table.file, table.header_line)

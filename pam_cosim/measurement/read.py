@@ -8,9 +8,10 @@ from pathlib import Path
 
 from pam_cosim.errors import InputError, ModelError
 from pam_cosim.measurement.cuts import Cut, Overrides, cut_run
-from pam_cosim.measurement.data_set import Along, DataSet, FreeParameter, Run, Signal
-from pam_cosim.measurement.experiment import FILE_NAME, ExperimentFile, RunTable, Value, read_experiment
+from pam_cosim.measurement.data_set import Along, DataSet, FreeParameter, Run, StatedSignal
+from pam_cosim.measurement.experiment import FILE_NAME, ExperimentFile, KeyPath, RunTable, Value, read_experiment
 from pam_cosim.measurement.input_maps import input_maps, with_names_of_maps
+from pam_cosim.measurement.noise import complete_noise
 from pam_cosim.measurement.parameters import free_parameter, known_values
 from pam_cosim.measurement.paths import file_inside
 from pam_cosim.measurement.pieces import pieces_of
@@ -34,7 +35,7 @@ def read_data_set(
     with_maps: Callable[[str, Sequence[InputMap]], str] | None = None,
     overrides: Overrides | None = None,
 ) -> DataSet:
-    """Reads a data set and converts it to the units of its bench.
+    """Reads a data set, converts it to the units of its bench, and completes the noise of its signals.
 
     Args:
         folder: the folder, or its ``experiment.toml``.
@@ -51,18 +52,18 @@ def read_data_set(
     name = model or _model_of(document, benches)
     interface = describe(name) if model else _interface(document, name, describe)
     maps = input_maps(document, interface)
-    if maps and (with_maps is None or is_fmu(name)):
-        raise _no_map(document, maps[0])
     unmapped = name if maps else ""
-    if maps and with_maps is not None:
+    if maps:
+        if with_maps is None or is_fmu(name):
+            raise _no_map(document, maps[0])
         name = with_maps(name, maps)
         interface = describe(name)
     document = with_names_of_maps(document, interface)
     content = document.content
+    title = content.title or document.file.parent.resolve().name
     parameters = known_values(document, interface, content.parameters, "parameters")
-    free = {
-        one: free_parameter(document, interface, one, table, parameters, "fit") for one, table in content.fit.items()
-    }
+    shared = [free_parameter(document, interface, one, table, parameters, "fit") for one, table in content.fit.items()]
+    free = dict(zip(content.fit, shared, strict=True))
     known = {one: value for one, value in parameters.items() if one not in free}
     _check_signals(document, interface)
     _check_runs(document)
@@ -70,15 +71,15 @@ def read_data_set(
     instead = overrides or Overrides()
     read = [_runs(document, interface, index, run, known, instead) for index, run in enumerate(content.runs)]
     runs = tuple(run for several in read for run in several)
-    instead.check(content.title or document.file.parent.resolve().name, [run.name for run in runs])
+    instead.check(title, [run.name for run in runs])
     _check_branches(document, interface, read)
     return DataSet(
         folder=document.file.parent,
-        title=content.title or document.file.parent.resolve().name,
+        title=title,
         model=name,
         bench=_bench(document) or name,
         unmapped=unmapped,
-        signals=with_noise_of_means(_signals(document, interface, runs), runs),
+        signals=complete_noise(with_noise_of_means(_signals(document, interface, runs), runs), runs),
         parameters=known,
         fit=free | {one.name: one for several in own for one in several},
         runs=runs,
@@ -135,7 +136,7 @@ def _check_signals(document: ExperimentFile, interface: Interface) -> None:
             raise document.error(message, "signals", name)
 
 
-def _signals(document: ExperimentFile, interface: Interface, runs: tuple[Run, ...]) -> dict[str, Signal]:
+def _signals(document: ExperimentFile, interface: Interface, runs: tuple[Run, ...]) -> dict[str, StatedSignal]:
     """Declared signals in the file's order, then measured columns that are not declared.
 
     Where some signals are declared, the others are shown but not fitted: a column may be in a file for other reasons.
@@ -149,14 +150,14 @@ def _signals(document: ExperimentFile, interface: Interface, runs: tuple[Run, ..
     return {name: _signal(document, name, interface.outputs[name].unit) for name in names}
 
 
-def _signal(document: ExperimentFile, name: str, unit: str) -> Signal:
+def _signal(document: ExperimentFile, name: str, unit: str) -> StatedSignal:
     declared = document.content.signals
     table = declared.get(name)
     if table is None:
-        return Signal(name, unit, fitted=not declared)
+        return StatedSignal(name, unit, fitted=not declared)
     sigma = _deviation(document, name, "sigma", table.sigma, unit)
     repeatability = _deviation(document, name, "repeatability", table.repeatability, unit)
-    return Signal(name, unit, sigma, repeatability=repeatability or 0.0)
+    return StatedSignal(name, unit, sigma, repeatability=repeatability or 0.0)
 
 
 def _deviation(document: ExperimentFile, name: str, key: str, value: Value | None, unit: str) -> float | None:
@@ -223,26 +224,21 @@ def _runs(
     instead: Overrides,
 ) -> list[Run]:
     """The run of a recording, or those of the curves of a file of points at rest."""
-    path = ("runs", index, "parameters")
-    for name in table.parameters:
-        if name in document.content.fit:
-            message = f"{name} is free under [fit] and cannot have a value of its own in a run"
-            raise document.error(message, *path, name)
-    own = known_values(document, interface, table.parameters, *path)
+    own = _own_values(document, interface, index, table)
     values = {name: value for name, value in {**known, **own}.items() if name not in table.fit}
+    points: list[Points] = []
     if _is_static(document, table):
         held = {one: value for one, value in values.items() if one in interface.inputs}
         points, files = read_points(document, index, interface, held)
-        recordings = [one.recording for one in points]
+        recording = points[0].recording
     else:
         _check_dynamic(document, table, index)
-        points = []
         recording, files = read_run(document, index, interface)
-        recordings = [recording]
-    for name in recordings[0].inputs:
+    for name in recording.inputs:
         if name in values:
+            place: KeyPath = ("runs", index, "parameters") if name in own else ("parameters",)
             message = f"{name} is constant here and a column of {shown(table.file)}; keep one of them"
-            raise document.error(message, *(path if name in own else ("parameters",)), name)
+            raise document.error(message, *place, name)
     run = Run(
         name=_name(table.file),
         file=files[0],
@@ -250,22 +246,33 @@ def _runs(
         role=table.role,
         interpolation=table.interpolation,
         parameters=values,
-        time=recordings[0].time,
-        inputs=recordings[0].inputs,
-        measurements=recordings[0].measurements,
-        notes=recordings[0].notes,
-        averaged=recordings[0].averaged,
-        default_inputs=tuple(n for n in interface.inputs if n not in recordings[0].inputs and n not in values),
+        time=recording.time,
+        inputs=recording.inputs,
+        measurements=recording.measurements,
+        notes=recording.notes,
+        averaged=recording.averaged,
+        default_inputs=tuple(n for n in interface.inputs if n not in recording.inputs and n not in values),
     )
-    if table.fit and len(points) > 1:
-        message = f"{shown(table.file)} holds {len(points)} curves, which have no parameter of their own"
-        raise document.error(f"{message}; free it under [fit]", "runs", index, "fit")
-    every = [_curve(run, one, i == 0) for i, one in enumerate(points)]
-    every = every or pieces_of(_cut_as_stated(document, index, run), table.gaps or document.content.gaps)
+    if points:
+        every = [_curve(run, one, i == 0) for i, one in enumerate(points)]
+        parts = f"holds {len(every)} curves"
+    else:
+        every = pieces_of(_cut_as_stated(document, index, run), table.gaps or document.content.gaps)
+        parts = f"falls into {len(every)} pieces"
     if table.fit and len(every) > 1:
-        message = f"{shown(table.file)} falls into {len(every)} pieces, which have no parameter of their own"
-        raise document.error(f"{message}; free it under [fit]", "runs", index, "fit")
+        message = f"{shown(table.file)} {parts}, which have no parameter of their own; free it under [fit]"
+        raise document.error(message, "runs", index, "fit")
     return [_begun(document, interface, index, run, one, instead) for one in every]
+
+
+def _own_values(document: ExperimentFile, interface: Interface, index: int, table: RunTable) -> dict[str, float]:
+    """What is stated of one run alone [SI]."""
+    path = ("runs", index, "parameters")
+    for name in table.parameters:
+        if name in document.content.fit:
+            message = f"{name} is free under [fit] and cannot have a value of its own in a run"
+            raise document.error(message, *path, name)
+    return known_values(document, interface, table.parameters, *path)
 
 
 def _cut_as_stated(document: ExperimentFile, index: int, run: Run) -> Run:
@@ -288,12 +295,12 @@ def _begun(document: ExperimentFile, interface: Interface, index: int, whole: Ru
 
     What is stated of its start does not count where it then begins elsewhere, or is no longer the period that it was.
     """
-    mode = instead.starts.get(run.name)
+    mode, cut = instead.start(run), instead.cut(run)
     if mode is not None and run.is_static:
         raise InputError(f"{run.name} holds points at rest, which have no start", run.file)
-    if run.name not in instead.cuts:
+    if cut is None:
         return with_start(document, interface, index, run, mode)
-    made = cut_run(whole if run.name == whole.name else run, instead.cuts[run.name])
+    made = cut_run(whole if run.name == whole.name else run, cut)
     table = document.content.runs[index]
     periodic = document.content.periodic if table.periodic is None else table.periodic
     elsewhere = made.time[0] != run.time[0] or (bool(periodic) and made.time[-1] != run.time[-1])

@@ -8,7 +8,7 @@ it, so that it takes the place of the noise where it is larger.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from math import sqrt
 
@@ -16,20 +16,20 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.measurement.data_set import DataSet, Run, Signal
+from pam_cosim.measurement.data_set import Run, Signal
 
 
-def repeatability(data: DataSet, signal: str) -> float:
+def repeatability(runs: Sequence[Run], signal: str) -> float:
     """Repeatability standard deviation of a signal [its unit], from runs that repeat one another; 0: none do.
 
     Half the mean square difference of samples of two such runs, without what follows, in proportion, from the small
     differences of their inputs.
 
     Args:
-        data: the measurement.
+        runs: the measurement.
         signal: its name.
     """
-    pairs = [p for a, b in _repeats(data) if (p := _differences(a, b, signal)) is not None]
+    pairs = [p for a, b in _repeats(runs) if (p := _differences(a, b, signal)) is not None]
     differences = np.concatenate([d for d, _ in pairs] or [np.empty(0)])
     if len(differences) < CRITERIA.noise.fewest_repeated:
         return 0.0
@@ -40,37 +40,36 @@ def repeatability(data: DataSet, signal: str) -> float:
     return sqrt(float(np.mean(differences**2)) / 2.0)
 
 
-def with_repeatability(data: DataSet) -> DataSet:
-    """The data set with the repeatability of each signal, stated or estimated, as its noise where it is larger."""
-    signals = {name: _raised(_estimated(data, signal)) for name, signal in data.signals.items()}
-    return replace(data, signals=signals)
+def with_repeatability(signals: Mapping[str, Signal], runs: Sequence[Run]) -> dict[str, Signal]:
+    """The signals with their repeatability, stated or estimated, as their noise where it is larger."""
+    return {name: _raised(_estimated(signal, runs)) for name, signal in signals.items()}
 
 
-def _estimated(data: DataSet, signal: Signal) -> Signal:
+def _estimated(signal: Signal, runs: Sequence[Run]) -> Signal:
     if signal.repeatability:
         return signal
-    found, noise = repeatability(data, signal.name), signal.sigma or 0.0
-    if found**2 <= (1.0 + CRITERIA.noise.repeatability_excess) * noise**2:
+    found = repeatability(runs, signal.name)
+    if found**2 <= (1.0 + CRITERIA.noise.repeatability_excess) * signal.sigma**2:
         return signal
     return replace(signal, repeatability=found, repeats=True)
 
 
 def _raised(signal: Signal) -> Signal:
-    if signal.repeatability <= (signal.sigma or 0.0):
+    if signal.repeatability <= signal.sigma:
         return signal
-    return replace(signal, sigma=signal.repeatability, estimated=False)
+    return replace(signal, sigma=signal.repeatability, estimated=False, assumed=False)
 
 
-def _repeats(data: DataSet) -> Iterator[tuple[Run, Run]]:
+def _repeats(runs: Sequence[Run]) -> Iterator[tuple[Run, Run]]:
     """Pairs of runs of the same test: equal parameters, and inputs that are as good as equal."""
-    span = {name: _span(data, name) for run in data.runs for name in run.inputs}
-    for a, b in itertools.combinations(data.runs, 2):
+    span = {name: _span(runs, name) for run in runs for name in run.inputs}
+    for a, b in itertools.combinations(runs, 2):
         if _alike(a, b) and all(_near(a, b, name, span[name]) for name in a.inputs):
             yield a, b
 
 
-def _span(data: DataSet, name: str) -> float:
-    values = np.concatenate([run.inputs[name] for run in data.runs if name in run.inputs])
+def _span(runs: Sequence[Run], name: str) -> float:
+    values = np.concatenate([run.inputs[name] for run in runs if name in run.inputs])
     return float(np.ptp(values))
 
 

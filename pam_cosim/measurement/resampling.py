@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
-from pam_cosim.measurement.data_set import Run, Signal
+from pam_cosim.measurement.data_set import Run, StatedSignal
 from pam_cosim.measurement.noise import record_step
 from pam_cosim.measurement.recording import Averaged, Recording, locked
 from pam_cosim.measurement.steps import jumps as jumps_of
@@ -82,7 +82,7 @@ def noise_of_mean(sigma: float, averaged: Averaged) -> float:
     return sqrt(sigma**2 / averaged.samples + rounding)
 
 
-def with_noise_of_means(signals: Mapping[str, Signal], runs: Sequence[Run]) -> dict[str, Signal]:
+def with_noise_of_means(signals: Mapping[str, StatedSignal], runs: Sequence[Run]) -> dict[str, StatedSignal]:
     """Stated noise is that of a sample: where runs hold means of several, that of the run with the fewest counts."""
     changed = dict(signals)
     for name, signal in signals.items():

@@ -108,8 +108,10 @@ def find_layout(lines: list[Line], stated: Layout, file: Path) -> TextLayout:
         words = " or ".join(WORDS[layout.separator] for layout in fits)
         raise InputError(
             f"the columns may be separated by {words}; state it under [recording], as separator = "
-            f'"{_key(fits[0].separator)}"', file, fits[0].header_line,
-        )  # fmt: skip
+            f'"{_key(fits[0].separator)}"',
+            file,
+            fits[0].header_line,
+        )
     if not read:
         raise _no_rows(lines, file)
     best = fits[0] if fits else max(read, key=lambda layout: (layout.complaint is None, len(layout.headings)))
@@ -126,8 +128,12 @@ def _no_rows(lines: list[Line], file: Path) -> InputError:
     held = [number for number, line in lines if not is_comment(line)]
     if not held:
         return InputError("the file is empty; begin with a header such as 'time [s],p [kPa]'", file)
-    return InputError("there are no rows below the header: no line begins with a number and has several cells, "
-                      "separated by commas, semicolons, tabs or blanks", file, held[-1])  # fmt: skip
+    return InputError(
+        "there are no rows below the header: no line begins with a number and has several cells, "
+        "separated by commas, semicolons, tabs or blanks",
+        file,
+        held[-1],
+    )
 
 
 def _by(separator: str, lines: list[Line], stated: Layout) -> TextLayout | None:
@@ -210,8 +216,10 @@ def _header(separator: str, above: list[_Row], ends: list[str], comments: list[L
         cells = _names(separator, _COMMENT.sub("", comments[-1][1], count=1), count) if comments else []
         if comments and len(cells) == count:
             return _Header(comments[-1][0], cells)
-        return ("the header is missing; begin with a line such as 'time [s],p [kPa]', or state it under [recording]: "
-                'names = ["time [s]", "p [kPa]"]')  # fmt: skip
+        return (
+            "the header is missing; begin with a line such as 'time [s],p [kPa]', or state it under [recording]: "
+            'names = ["time [s]", "p [kPa]"]'
+        )
     last = above[-1]
     if len(above) > 1 and _are_units(last.cells):
         names = _names(separator, above[-2].text, count)

@@ -84,13 +84,19 @@ def text_columns(file: Path, stated: Layout) -> dict[str, tuple[str, ...]]:
         return {}
     layout = find_layout(lines, stated, file)
     looked_at = _rows(lines[layout.start : layout.start + LOOKED_AT], layout.separator)
-    texts = {
-        i: heading
-        for i, (heading, _) in enumerate(layout.headings)
-        if (cells := [row[i] for row in looked_at if i < len(row) and row[i]]) and not any(map(_MEANT.fullmatch, cells))
-    }
+    texts = [i for i in range(len(layout.headings)) if _is_text(_filled(looked_at, i))]
     rows = _rows(lines[layout.start :], layout.separator) if texts else []
-    return {h: tuple(dict.fromkeys(row[i] for row in rows if i < len(row) and row[i])) for i, h in texts.items()}
+    return {layout.headings[i][0]: tuple(dict.fromkeys(_filled(rows, i))) for i in texts}
+
+
+def _filled(rows: Sequence[Sequence[str]], column: int) -> list[str]:
+    """The cells of a column that are not empty."""
+    return [row[column] for row in rows if column < len(row) and row[column]]
+
+
+def _is_text(cells: Sequence[str]) -> bool:
+    """Whether there are cells, and none of them is meant as a number."""
+    return bool(cells) and not any(map(_MEANT.fullmatch, cells))
 
 
 def _rows(lines: Sequence[Line], separator: str) -> list[list[str]]:

@@ -101,10 +101,11 @@ class _Writer:
             if not signal.fitted:
                 continue
             yield f"\n[signals.{toml_key(name)}]"
-            if signal.sigma is not None and not signal.estimated:
-                yield f"sigma = {self._quantity(name, signal.sigma, difference=True)}"
-            if signal.repeatability and not signal.repeats:
-                yield f"repeatability = {self._quantity(name, signal.repeatability, difference=True)}"
+            stated = signal.as_stated()
+            if stated.sigma is not None:
+                yield f"sigma = {self._quantity(name, stated.sigma, difference=True)}"
+            if stated.repeatability:
+                yield f"repeatability = {self._quantity(name, stated.repeatability, difference=True)}"
 
     def _parameters(self) -> Iterator[str]:
         if self.data_set.parameters:

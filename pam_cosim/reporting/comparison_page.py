@@ -51,8 +51,8 @@ def _headline(comparison: Comparison) -> str:
     parts = []
     for name, s in comparison.scores["all"].items():
         signal = comparison.data.signals[name]
-        noise = "" if signal.sigma is None else f" (noise {quantity_text(signal.sigma, signal.unit)})"
-        parts.append(f"{quantity_text(s.rmse, signal.unit)} in {name}{noise}")
+        error, noise = (quantity_text(value, signal.unit) for value in (s.rmse, signal.sigma))
+        parts.append(f"{error} in {name} (noise {noise})")
     return f"The rms error over all runs is {listed(parts)}." if parts else "There is no sample to compare with."
 
 

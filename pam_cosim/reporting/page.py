@@ -61,7 +61,7 @@ def signal_rows(data: DataSet) -> list[dict[str, str]]:
             {
                 "name": name,
                 "noise": quantity_text(signal.sigma, signal.unit),
-                "source": NOTHING if signal.sigma is None else signal.source,
+                "source": signal.source,
                 "use": "fitted" if signal.fitted else "compared, not fitted",
                 "fit": str(counts["fit"]),
                 "holdout": str(counts["holdout"]),

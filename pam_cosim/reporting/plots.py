@@ -12,12 +12,14 @@ from matplotlib.figure import Figure
 from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation, Tracking
 from pam_cosim.comparison import Comparison, ConditionTable
 from pam_cosim.diagnosis import Diagnosis
+from pam_cosim.diagnosis.planning import RunPlan
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, write_bytes
-from pam_cosim.fitting import Fit, Profiles
+from pam_cosim.fitting import Fit, PredictiveBands, Profiles
 from pam_cosim.ledger import Ledger
 from pam_cosim.reporting.account.labels import model_labels
 from pam_cosim.reporting.diagnosis_page import layers_of, rungs_of
+from pam_cosim.reporting.figures.banded import bands_figure
 from pam_cosim.reporting.figures.bode import bode, poles_along
 from pam_cosim.reporting.figures.condition_maps import condition_maps
 from pam_cosim.reporting.figures.course import course
@@ -28,6 +30,7 @@ from pam_cosim.reporting.figures.layer import SPARSE, rivals
 from pam_cosim.reporting.figures.ledger import ledger_figure
 from pam_cosim.reporting.figures.observed import observation_figure
 from pam_cosim.reporting.figures.panels import panels
+from pam_cosim.reporting.figures.planned import plan_figure
 from pam_cosim.reporting.figures.showcase import showcase
 from pam_cosim.reporting.figures.sweep import sweep_figure
 from pam_cosim.reporting.figures.tracked import tracking_figure
@@ -130,6 +133,8 @@ _registered(FrequencyResponse, frequency_figure)
 _registered(Observation, observation_figure)
 _registered(Tracking, tracking_figure)
 _registered(LinearCourse, poles_along)
+_registered(RunPlan, plan_figure)
+_registered(PredictiveBands, bands_figure)
 
 
 @draw.register

@@ -30,4 +30,4 @@ def most_telling(layers: Sequence[Layer], signals: Sequence[Signal]) -> tuple[Ru
 
 
 def _mean_square(run: RunComparison, signal: Signal) -> float:
-    return float(np.nanmean(run.residual(signal.name) ** 2)) / (signal.sigma or 1.0) ** 2
+    return float(np.nanmean(run.residual(signal.name) ** 2)) / signal.sigma**2

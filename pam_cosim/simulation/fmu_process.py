@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from pam_cosim.processes import keeper
+from pam_cosim.processes import watchdog
 from pam_cosim.processes.memory import MOST_MEMORY
 from pam_cosim.simulation.driver import RunProgress, prepare_driver
 from pam_cosim.simulation.failure import RunFailure
@@ -44,7 +44,7 @@ class FmuProcess:
         """Frees the FMU and ends its process, also where it does not want to; the next run would start another."""
         if self._process is not None and self._process.stdin is not None:
             with contextlib.suppress(OSError):
-                keeper.write_frame(self._process.stdin, keeper.CLOSE)
+                watchdog.write_frame(self._process.stdin, watchdog.CLOSE)
         self._end()
 
     def _end(self) -> None:
@@ -72,22 +72,22 @@ class FmuProcess:
             raise self._late(None, request)
         if self._process is not None and self._process.poll() is not None:
             self._end()
-        process = self._process = self._process or start_kept(self.path, self.timeout, self._worker)
+        process = self._process = self._process or start_watched(self.path, self.timeout, self._worker)
         assert process.stdin is not None and process.stdout is not None
         try:
             with contextlib.suppress(OSError):  # it has ended: the answer says why
-                keeper.write_frame(process.stdin, keeper.REQUEST, pickle.dumps(request))
-            kind, content = keeper.read_frame(process.stdout)
+                watchdog.write_frame(process.stdin, watchdog.REQUEST, pickle.dumps(request))
+            kind, content = watchdog.read_frame(process.stdout)
         except EOFError:
             self._end()
             raise ProcessFailure(f"the process that watches {self.path.name} has ended") from None
         except BaseException:
             self._end()
             raise
-        if kind == keeper.ANSWER:
+        if kind == watchdog.ANSWER:
             return self._unpacked(content)
         self._end()
-        if kind == keeper.LATE:
+        if kind == watchdog.LATE:
             progress = pickle.loads(content) if content else None
             self._never_loaded = bool(content) and progress is None
             raise self._late(progress, request)
@@ -113,14 +113,14 @@ class FmuProcess:
         return ProcessFailure(reason, progress.time if progress else None, request["arguments"].get("parameters"))
 
 
-def start_kept(path: Path, timeout: float, worker: str) -> subprocess.Popen[bytes]:
-    """The keeper of a process that answers requests: the module ``worker`` with an FMU's path."""
+def start_watched(path: Path, timeout: float, worker: str) -> subprocess.Popen[bytes]:
+    """The watchdog of a process that answers requests: the module ``worker`` with an FMU's path."""
     prepare_driver()  # not within the time limit
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
     limit = timeout if math.isfinite(timeout) else 0.0
     tick = min(_LONGEST_TICK, timeout / _TICKS)
     answering = [sys.executable, "-m", worker, str(path), str(tick)]
-    command = [sys.executable, "-I", "-S", str(Path(keeper.__file__)), str(limit), *answering]
+    command = [sys.executable, "-I", "-S", str(Path(watchdog.__file__)), str(limit), *answering]
     # a session of its own: an interrupt from the terminal is this process's alone, which then ends the others
     return subprocess.Popen(
         command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment, start_new_session=True

@@ -28,7 +28,7 @@ class IsolatedSimulator:
     """As ``Simulator``, for FMUs that are not trusted: one that crashes or hangs ends one run only.
 
     Between this process and the FMU's stands a third one, which ends the latter when it makes no progress or when this
-    process ends, however it does (``keeper``). One that hangs while it is loaded is not loaded again.
+    process ends, however it does (``watchdog``). One that hangs while it is loaded is not loaded again.
 
     A run is made by co-simulation. Where the FMU has none, or says that it fails, as explicit solvers do on stiff
     models, it is made by model exchange with CVode, in another process, and ``Trajectory.solver`` says so. That depends
@@ -181,8 +181,12 @@ class RemoteStepper:
     ) -> list[float]:
         """As ``AnyStepper``."""
         arguments = {
-            "duration": duration, "inputs": inputs, "slopes": slopes, "names": names, "can_go_back": can_go_back
-        }  # fmt: skip
+            "duration": duration,
+            "inputs": inputs,
+            "slopes": slopes,
+            "names": names,
+            "can_go_back": can_go_back,
+        }
         values: list[float] = self._answer("advance", arguments, False)
         return values
 

@@ -267,8 +267,18 @@ class Simulator:
 
         def drive() -> Outcome:
             parameters = parameter_references, parameter_values
-            request = Request(layout, parameters, input_references, output_references, tolerance, self._used,
-                              max_seconds, plain, at_rest, settle)  # fmt: skip
+            request = Request(
+                layout,
+                parameters,
+                input_references,
+                output_references,
+                tolerance,
+                self._used,
+                max_seconds,
+                plain,
+                at_rest,
+                settle,
+            )
             return self._driver.run(request)
 
         self._end_steps()

@@ -14,7 +14,8 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
-from pam_cosim.files import read_file, write_text, written_whole
+from pam_cosim.exports import write_table
+from pam_cosim.files import read_file, written_whole
 from pam_cosim.simulation.netcdf import with_netcdf_names
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed
@@ -97,13 +98,9 @@ class Trajectory(Printed):
 
     def to_csv(self, path: Path) -> Path:
         """Writes every number so that it reads back exactly; the file is written whole or not at all."""
-        text = io.StringIO()
-        writer = csv.writer(text, lineterminator="\n")
-        names = list(self.values)
-        writer.writerow(["time [s]", *(_header(name, self.units.get(name, "")) for name in names)])
-        columns = [self.time.tolist(), *(self.values[name].tolist() for name in names)]
-        writer.writerows([repr(value) for value in row] for row in zip(*columns, strict=True))
-        write_text(Path(path), text.getvalue())
+        heads = [_header(name, self.units.get(name, "")) for name in self.values]
+        columns = [self.time.tolist(), *(values.tolist() for values in self.values.values())]
+        write_table(Path(path), (["time [s]", *heads], zip(*columns, strict=True)))
         return Path(path)
 
     @classmethod

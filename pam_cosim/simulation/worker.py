@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.processes.keeper import ANSWER, PROGRESS, read_frame, write_frame
 from pam_cosim.processes.memory import limit_memory
+from pam_cosim.processes.watchdog import ANSWER, PROGRESS, read_frame, write_frame
 from pam_cosim.simulation.driver import RunProgress
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.simulator import Simulator

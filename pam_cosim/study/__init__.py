@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from pam_cosim.study.judged_fmu import build_with_data, evidence
     from pam_cosim.study.library import bench, benches, effects, rig_parts
     from pam_cosim.study.many_runs import sweep
+    from pam_cosim.study.plans import plan
+    from pam_cosim.study.predictions import predict
     from pam_cosim.study.products import load, save
     from pam_cosim.study.runs import simulate
     from pam_cosim.study.tracking import track
@@ -46,6 +48,8 @@ __all__ = [
     "load",
     "new",
     "observe",
+    "plan",
+    "predict",
     "profile",
     "read",
     "read_system",
@@ -72,6 +76,8 @@ _MODULES = {
     "pam_cosim.study.fits": ("fit", "profile"),
     "pam_cosim.study.library": ("bench", "benches", "effects", "rig_parts"),
     "pam_cosim.study.many_runs": ("sweep",),
+    "pam_cosim.study.plans": ("plan",),
+    "pam_cosim.study.predictions": ("predict",),
     "pam_cosim.study.products": ("load", "save"),
     "pam_cosim.study.runs": ("simulate",),
     "pam_cosim.study.tracking": ("track",),

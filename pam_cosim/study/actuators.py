@@ -85,22 +85,38 @@ class Actuator(Printed):
         ElementTree.SubElement(world, "site", name="fixed", pos=f"0 0 {2 * self.length:.9g}")
         body = ElementTree.SubElement(world, "body", name="load", pos=f"0 0 {self.length:.9g}")
         ElementTree.SubElement(
-            body, "joint", name="lift", type="slide", axis="0 0 1", damping="20",
-            limited="true", range=f"0 {self.contractions[1]:.9g}",
-        )  # fmt: skip
+            body,
+            "joint",
+            name="lift",
+            type="slide",
+            axis="0 0 1",
+            damping="20",
+            limited="true",
+            range=f"0 {self.contractions[1]:.9g}",
+        )
         ElementTree.SubElement(body, "geom", type="sphere", size="0.02", mass="1")
         ElementTree.SubElement(body, "site", name="moving")
         tendon = ElementTree.SubElement(ElementTree.SubElement(root, "tendon"), "spatial", name="muscle")
         for site in ("fixed", "moving"):
             ElementTree.SubElement(tendon, "site", site=site)
         follows = {} if time_constant is None else {"dyntype": "filterexact", "dynprm": f"{time_constant:.9g}"}
-        ElementTree.SubElement(ElementTree.SubElement(root, "actuator"), "general", {
-            "name": "muscle", "tendon": "muscle", "gaintype": "affine", "biastype": "affine",
-            "gainprm": " ".join(f"{one:.9g}" for one in (*self.gain, 0.0)),
-            "biasprm": " ".join(f"{one:.9g}" for one in (*self.bias, 0.0)),
-            "ctrllimited": "true", "ctrlrange": " ".join(f"{one:.9g}" for one in self.pressures),
-            "forcelimited": "true", "forcerange": f"{-1.5 * self.greatest:.9g} 0", **follows,
-        })  # fmt: skip
+        ElementTree.SubElement(
+            ElementTree.SubElement(root, "actuator"),
+            "general",
+            {
+                "name": "muscle",
+                "tendon": "muscle",
+                "gaintype": "affine",
+                "biastype": "affine",
+                "gainprm": " ".join(f"{one:.9g}" for one in (*self.gain, 0.0)),
+                "biasprm": " ".join(f"{one:.9g}" for one in (*self.bias, 0.0)),
+                "ctrllimited": "true",
+                "ctrlrange": " ".join(f"{one:.9g}" for one in self.pressures),
+                "forcelimited": "true",
+                "forcerange": f"{-1.5 * self.greatest:.9g} 0",
+                **follows,
+            },
+        )
         ElementTree.indent(root)
         return ElementTree.tostring(root, encoding="unicode") + "\n"
 
@@ -143,8 +159,9 @@ def actuator(
         SimulationFailure: there is no equilibrium.
     """
     interface = describe(model, files)
-    for name, known in zip((*names, length), (interface.inputs, interface.inputs, interface.outputs,
-                                               interface.parameters), strict=True):  # fmt: skip
+    for name, known in zip(
+        (*names, length), (interface.inputs, interface.inputs, interface.outputs, interface.parameters), strict=True
+    ):
         if name not in known:
             raise InputError(f"{model} has no '{name}' for an actuator; {did_you_mean(name, list(known))}")
     values = resolve(parameters or {}, interface)
@@ -175,6 +192,14 @@ def _fitted(model: str, p: Array, x: Array, force: Array, rest: float) -> Actuat
     g0, g1, b0, b1 = (float(one) for one in found)
     error = np.maximum(-(table @ found), 0.0) - force[pulls]
     return Actuator(
-        model, (g0, g1), (b0, b1), rest, (float(p.min()), float(p.max())), (float(x.min()), float(x.max())),
-        float(force.max()), float(np.sqrt(np.mean(error**2))), float(np.abs(error).max()), int(pulls.sum()),
-    )  # fmt: skip
+        model,
+        (g0, g1),
+        (b0, b1),
+        rest,
+        (float(p.min()), float(p.max())),
+        (float(x.min()), float(x.max())),
+        float(force.max()),
+        float(np.sqrt(np.mean(error**2))),
+        float(np.abs(error).max()),
+        int(pulls.sum()),
+    )

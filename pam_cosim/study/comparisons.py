@@ -14,7 +14,7 @@ from pam_cosim.measurement import DataSet
 from pam_cosim.model.references import START_VALUES
 from pam_cosim.model.settings import Setting
 from pam_cosim.simulation.models import Paths, describe, opened
-from pam_cosim.study.data_sets import begun_data, for_model, values_of_runs
+from pam_cosim.study.data_sets import data_with_starts, for_model, overriding, values_of_runs
 
 
 def compare(
@@ -27,12 +27,13 @@ def compare(
 ) -> Comparison:
     """Simulates every run of ``data`` with ``model`` (default: its bench) and scores the differences.
 
-    ``parameters`` are further values and ``timeout`` a limit, as in ``simulate``.
+    ``parameters`` are further values, which take the place of those that the data set states, and ``timeout`` a limit,
+    as in ``simulate``.
     """
     name, data = data.model_for(model), for_model(data, model, files)
     interface = describe(name, files)
-    values = values_of_runs(parameters or {}, data, interface)
-    data = begun_data(data, name, values, files, timeout)
+    values = overriding(values_of_runs(parameters or {}, data, interface), data)
+    data = data_with_starts(data, name, values, files, timeout)
     with opened(name, files, [START_VALUES] * data.estimates_starts, timeout) as simulator:
         starts = estimated_starts(simulator, data, runs_without_start(data, values, interface), values)
         return _compare(simulator, data, values | {name: e.value for name, e in starts.items()})

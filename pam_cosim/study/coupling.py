@@ -138,9 +138,14 @@ def read_system(
         raise InputError(f"a controller has the name of a component: {', '.join(controllers or {})}", file)
     try:
         system = couple(
-            both, written.connections, {**written.parameters, **(parameters or {})}, samples=written.samples,
-            title=written.title, files=files, timeout=timeout,
-        )  # fmt: skip
+            both,
+            written.connections,
+            {**written.parameters, **(parameters or {})},
+            samples=written.samples,
+            title=written.title,
+            files=files,
+            timeout=timeout,
+        )
     except InputError as problem:
         raise problem if problem.file else InputError(problem.message, file) from problem
     return replace(system, stop_time=written.stop_time)

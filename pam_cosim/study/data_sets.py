@@ -12,7 +12,7 @@ from pam_cosim.compiler import read_library
 from pam_cosim.drafting import DraftRequests, NewDataSet, draft
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import starts_are_open, with_starts
-from pam_cosim.measurement import DataSet, Moment, complete_noise, overrides_of, read_data_set
+from pam_cosim.measurement import DataSet, Moment, overrides_of, read_data_set
 from pam_cosim.model.domain import Domain
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.references import is_fmu, is_ratio, parameter_of, sources_of
@@ -55,9 +55,9 @@ def read(
         roles: "fit" or "holdout" by run, where it shall be another one than the data set says.
         cuts: the first and the last time of a run, by run, instead of ``from`` and ``to`` of the data set: [s] of the
             file's own clock or texts with a unit; None: as it was recorded. Where it begins elsewhere then, its start
-            is chosen anew.
-        starts: "rest", "steady", "measured" or "estimated" by run, where it shall begin otherwise than the data set
-            says.
+            is chosen anew. "*" in the place of a run: all that have no name here.
+        starts: "rest", "steady", "measured" or "estimated" by run, likewise, where it shall begin otherwise than the
+            data set says.
 
     Raises:
         InputError: with file, line and column of what cannot be used; no such run, role or start; nothing is left.
@@ -145,18 +145,18 @@ def new(
         Path(folder), paths, wishes, read_library(files=as_paths(files)), described_with(files), as_paths(files)
     )
     written = read(folder, files=files)
-    begun = begun_data(written, written.model, files=files)
+    begun = data_with_starts(written, written.model, files=files)
     return replace(made, data=written, starts=begun.starts)
 
 
-def begun_data(
+def data_with_starts(
     data: DataSet,
     model: str,
     values: Mapping[str, float] | None = None,
     files: Paths = (),
     timeout: float | None = None,
 ) -> DataSet:
-    """The data set, with its noise, where every run says how it begins.
+    """The data set where every run says how it begins.
 
     Args:
         data: the measurement.
@@ -165,11 +165,16 @@ def begun_data(
         files: further Modelica files.
         timeout: as in ``simulate``.
     """
-    data = complete_noise(data)
     if not starts_are_open(data):
         return data
     with opened(model, files, timeout=timeout) as simulator:
         return with_starts(simulator, data, values)
+
+
+def overriding(values: Mapping[str, float], data: DataSet) -> dict[str, float]:
+    """Values of all runs [SI], also of those runs of which the data set states another one."""
+    own = {f"{name}@{run.name}": v for run in data.runs for name, v in values.items() if name in run.parameters}
+    return {**own, **values}
 
 
 def values_of_runs(parameters: Mapping[str, Setting], data: DataSet, interface: Interface) -> dict[str, float]:

@@ -103,9 +103,16 @@ def linearise(
         conditions = {} if isinstance(at, str) else conditions_of(at, known.interface)
         rest = isinstance(at, str) or bool(free)
         return work_on(
-            known.path, known.trusted, timeout, linearise_at, settings, conditions, rest, list(free),
+            known.path,
+            known.trusted,
+            timeout,
+            linearise_at,
+            settings,
+            conditions,
+            rest,
+            list(free),
             _listed(outputs),
-        )  # fmt: skip
+        )
     if free:
         raise InputError("inputs are free at a rest only")
     if isinstance(at, tuple):
@@ -258,7 +265,7 @@ def frequency_response(
         raise InputError(f"the amplitude must be above zero, not {size:g}")
     sines = Sines(
         input, tuple(face.outputs if outputs is None else outputs), tuple(chosen.tolist()), size, most_periods
-    )  # fmt: skip
+    )
     settings = resolve(parameters or {}, face)
     conditions = {} if isinstance(at, str) else conditions_of(at, face)
     if conditions and not free:

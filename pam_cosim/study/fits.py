@@ -20,7 +20,7 @@ from pam_cosim.fitting import profile as _profile
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.settings import Setting, resolve
 from pam_cosim.simulation.models import Paths, describe, opened
-from pam_cosim.study.data_sets import begun_data, for_model, values_of_runs
+from pam_cosim.study.data_sets import data_with_starts, for_model, values_of_runs
 
 
 def fit(
@@ -65,7 +65,7 @@ def fit(
     checked_starts(starts)
     data = _freed(data, model, free, start, files)
     fixed = resolve(parameters or {}, describe(data.model_for(model), files))
-    data = begun_data(data, data.model_for(model), fixed, files, timeout)
+    data = data_with_starts(data, data.model_for(model), fixed, files, timeout)
     with opened(data.model_for(model), files, data.differentiated, timeout) as simulator:
         chosen = base_parameters(data, simulator.interface)
         if not chosen:
@@ -114,6 +114,6 @@ def profile(
         InputError: as ``fit``.
     """
     fixed = resolve(parameters or {}, describe(data.model_for(model), files))
-    data = begun_data(data, data.model_for(model), fixed, files, timeout)
+    data = data_with_starts(data, data.model_for(model), fixed, files, timeout)
     with opened(data.model_for(model), files, data.differentiated, timeout) as simulator:
         return _profile(simulator, data, fit, fixed=fixed, progress=progress)

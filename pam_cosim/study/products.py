@@ -22,9 +22,10 @@ from cattrs.strategies import configure_tagged_union, include_subclasses
 from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation, Tracking
 from pam_cosim.comparison import Comparison, ConditionTable
 from pam_cosim.diagnosis import Diagnosis
+from pam_cosim.diagnosis.planning import RunPlan
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, read_file, write_bytes
-from pam_cosim.fitting import Fit, Leeway, Profiles, Record
+from pam_cosim.fitting import Fit, Leeway, PredictiveBands, Profiles, Record
 from pam_cosim.ledger import Ledger
 from pam_cosim.simulation import Trajectory
 from pam_cosim.study.saved_content import arrays_in, check_plain, plain_value
@@ -37,6 +38,8 @@ Product = (
     | Profiles
     | Ledger
     | Diagnosis
+    | RunPlan
+    | PredictiveBands
     | LinearModel
     | LinearCourse
     | FrequencyResponse

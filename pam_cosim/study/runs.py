@@ -44,7 +44,7 @@ def simulate(
         parameters: by name, what differs from the model's defaults: parameters, inputs that are held constant, start
             values; a number [SI] or a text with a unit such as "207 kPa".
         inputs: over time: ``Inputs``, a CSV file, a mapping of names to arrays or functions of time, a pandas frame
-            (``sources.inputs_of``).
+            (``input_sources.inputs_of``).
         outputs: further variables to keep, beside the model's outputs.
         stop_time: [s]; default: the last time of ``inputs``, or the model's own.
         interval: [s] between outputs; default: the model's own.

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from pam_cosim.comparison import Comparison
 from pam_cosim.diagnosis import NextExperiment
+from pam_cosim.diagnosis.planning import RunPlan
 from pam_cosim.errors import InputError
-from pam_cosim.files import read_json, write_text
+from pam_cosim.exports import table_text
+from pam_cosim.files import check_writable, read_json, write_text
 from pam_cosim.units import format_quantity, readable_factor, readable_unit
 
 
@@ -32,20 +32,53 @@ def write_next_run(path: Path, plan: NextExperiment) -> None:
     Raises:
         InputError: the file cannot be written.
     """
-    units: Mapping[str, str] = {"time": "s", **plan.units}
-    columns = plan.table
-    rows = list(zip(*columns.values(), strict=True))
+    rows = list(zip(*plan.table.values(), strict=True))
     if plan.interpolation == "previous":
         rows = _with_steps(rows)
-    text = io.StringIO()
-    text.write(f"# run {_line(plan.run)}, {_line(plan.change)}\n")
-    for name, value in plan.parameters.items():
-        text.write(f"# set {name} = {_cell(value, units[name])} {_file_unit(units[name])}\n")
-    table = csv.writer(text, lineterminator="\n")
-    table.writerow([_headed(n, _file_unit(units[n])) for n in columns])
-    for row in rows:
-        table.writerow([_cell(v, units[n]) for n, v in zip(columns, row, strict=True)])
-    write_text(path, text.getvalue())
+    said = [f"run {_line(plan.run)}, {_line(plan.change)}", *_settings(plan.parameters, plan.units)]
+    write_text(path, _text_of_run(said, list(plan.table), rows, plan.units))
+
+
+def write_planned_runs(path: Path, plan: RunPlan) -> list[Path]:
+    """Writes the inputs of planned runs as CSV, the second one with "-2" after the name; the files.
+
+    What each is expected to decide and what else to set stands in comments above.
+
+    Args:
+        path: the file of the first run.
+        plan: the runs.
+
+    Raises:
+        InputError: a file cannot be written.
+    """
+    files = planned_files(path, len(plan.runs))
+    for file in files:
+        check_writable(file)
+    for file, run in zip(files, plan.runs, strict=True):
+        said = [plan.expectation, *_settings(run.parameters, plan.units)]
+        rows = list(zip(*run.table.values(), strict=True))
+        write_text(file, _text_of_run(said, list(run.table), rows, plan.units))
+    return files
+
+
+def planned_files(path: Path, count: int) -> list[Path]:
+    """The files of so many planned runs."""
+    return [path, *(path.with_stem(f"{path.stem}-{number}") for number in range(2, count + 1))]
+
+
+def _settings(parameters: Mapping[str, float], units: Mapping[str, str]) -> list[str]:
+    return [f"set {name} = {_cell(v, units[name])} {_file_unit(units[name])}" for name, v in parameters.items()]
+
+
+def _text_of_run(
+    said: Sequence[str], names: Sequence[str], rows: Sequence[tuple[float, ...]], units: Mapping[str, str]
+) -> str:
+    """Comments, and the inputs of a run as a table with units."""
+    units = {"time": "s", **units}
+    remarks = "".join(f"# {_line(line)}\n" for line in said)
+    heads = [_headed(n, _file_unit(units[n])) for n in names]
+    cells = ([_cell(v, units[n]) for n, v in zip(names, row, strict=True)] for row in rows)
+    return remarks + table_text((heads, cells))
 
 
 def _with_steps(rows: Sequence[tuple[float, ...]]) -> list[tuple[float, ...]]:

@@ -64,16 +64,9 @@ def track(
         SimulationFailure: a component failed.
     """
     chosen = np.asarray(frequencies, dtype=float)
-    if not chosen.size or not np.all(np.isfinite(chosen) & (chosen > 0)) or not rate > 0:
-        raise InputError("frequencies and the rate must be above zero")
-    if periods < 2 or not lead > 0:
-        raise InputError("two periods at least are compared, after a lead above zero")
+    _check_times(chosen, rate, lead, periods)
     face = models.describe(plant, files)
-    if output not in face.outputs:
-        raise InputError(f"{face.model} has no output '{output}'; {did_you_mean(output, face.outputs)}")
-    middle, swing = (value_of(v, face.outputs[output]) for v in (mean, amplitude))
-    if not swing > 0:
-        raise InputError(f"the amplitude must be above zero, not {swing:g}")
+    middle, swing = _sizes(face, output, mean, amplitude)
     made = [controller() if callable(controller) else controller for _ in chosen]
     interval = _interval(made[0], rate)
     joined, acting = _connections(face, _face(made[0], files), output)
@@ -81,22 +74,58 @@ def track(
     for i, (frequency, one) in enumerate(zip(chosen, made, strict=True)):
         system = couple({_PLANT: plant, _CONTROL: one}, joined, parameters, files=files, timeout=timeout)
         wanted = _sine(middle, swing, float(frequency), lead, periods)
-        inputs = Inputs(wanted[0], {f"{_CONTROL}.{output}_wanted": wanted[1]})
         run = system.simulate(
-            float(wanted[0][-1]), method="jacobi", extrapolation="constant", step=interval, inputs=inputs,
+            float(wanted[0][-1]),
+            method="jacobi",
+            extrapolation="constant",
+            step=interval,
+            inputs=Inputs(wanted[0], {f"{_CONTROL}.{output}_wanted": wanted[1]}),
             outputs=[f"{_PLANT}.{name}" for name in acting],
-        ).trajectory  # fmt: skip
+        ).trajectory
         rows.append(_measured(run, output, acting, middle, swing, float(frequency), lead, periods))
         if progress is not None:
             progress(i + 1, len(chosen))
     gain, error, peak, settled, courses = (np.array(column) for column in list(zip(*rows, strict=True))[:5])
-    actuation = {name: np.array([row[5][name] for row in rows]) for name in acting}
-    name = controller if isinstance(controller, str) else getattr(controller, "__name__", "a controller in Python")
     return Tracking(
-        face.model, Path(name).stem if name.endswith((".fmu", ".mo")) else name, output, face.outputs[output].unit,
-        middle, swing, 1 / interval, chosen, gain, error, peak, settled, np.arange(SAMPLES) / SAMPLES, courses,
-        actuation,
-    )  # fmt: skip
+        face.model,
+        _name_of(controller),
+        output,
+        face.outputs[output].unit,
+        middle,
+        swing,
+        1 / interval,
+        chosen,
+        gain,
+        error,
+        peak,
+        settled,
+        np.arange(SAMPLES) / SAMPLES,
+        courses,
+        {name: np.array([row[5][name] for row in rows]) for name in acting},
+    )
+
+
+def _check_times(frequencies: Array, rate: float, lead: float, periods: int) -> None:
+    if not frequencies.size or not np.all(np.isfinite(frequencies) & (frequencies > 0)) or not rate > 0:
+        raise InputError("frequencies and the rate must be above zero")
+    if periods < 2 or not lead > 0:
+        raise InputError("two periods at least are compared, after a lead above zero")
+
+
+def _sizes(plant: Interface, output: str, mean: Setting, amplitude: Setting) -> tuple[float, float]:
+    """Mean and amplitude of the sine [SI]."""
+    if output not in plant.outputs:
+        raise InputError(f"{plant.model} has no output '{output}'; {did_you_mean(output, plant.outputs)}")
+    middle, swing = (value_of(value, plant.outputs[output]) for value in (mean, amplitude))
+    if not swing > 0:
+        raise InputError(f"the amplitude must be above zero, not {swing:g}")
+    return middle, swing
+
+
+def _name_of(controller: str | Callable[[], Controller]) -> str:
+    if not isinstance(controller, str):
+        return str(getattr(controller, "__name__", "a controller in Python"))
+    return Path(controller).stem if controller.endswith((".fmu", ".mo")) else controller
 
 
 def _interval(one: str | Controller, rate: float) -> float:
@@ -131,9 +160,15 @@ def _sine(middle: float, swing: float, frequency: float, lead: float, periods: i
 
 
 def _measured(
-    run: Trajectory, output: str, acting: list[str], middle: float, swing: float, frequency: float, lead: float,
+    run: Trajectory,
+    output: str,
+    acting: list[str],
+    middle: float,
+    swing: float,
+    frequency: float,
+    lead: float,
     periods: int,
-) -> tuple[complex, float, float, bool, Array, dict[str, Array]]:  # fmt: skip
+) -> tuple[complex, float, float, bool, Array, dict[str, Array]]:
     grid = np.arange(SAMPLES) / SAMPLES
     times = [lead + (periods - back + grid) / frequency for back in (2, 1)]
     before, last = (np.interp(t, run.time, run[f"{_PLANT}.{output}"]) for t in times)

@@ -80,12 +80,8 @@ def design_of(
     Raises:
         InputError: another design, an unknown name, a value that cannot be used, no run at all or too many.
     """
-    if kind not in DESIGNS:
-        raise InputError(f"there is no design '{kind}'; there are {', '.join(DESIGNS)}")
     sampled = kind in ("random", "latin-hypercube")
-    if (runs is None) == sampled:
-        needed = "says how many runs to make" if sampled else "makes the runs that its values say"
-        raise InputError(f"the design '{kind}' {needed}: {'give' if sampled else 'leave out'} the number of runs")
+    _check_kind(kind, runs, sampled)
     columns = _columns(vary, kind)
     if not columns:
         raise InputError("nothing is varied: name a parameter, an input or a start value and its values")
@@ -100,6 +96,16 @@ def design_of(
     for point in points:
         resolve({n: v for n, v in zip(values, point.tolist(), strict=True) if n not in places}, interface)
     return Design(kind, units, points, {}, patterns)
+
+
+def _check_kind(kind: str, runs: int | None, sampled: bool) -> None:
+    """Raises InputError: another design, or a number of runs where the values say it, and none where they do not."""
+    if kind not in DESIGNS:
+        raise InputError(f"there is no design '{kind}'; there are {', '.join(DESIGNS)}")
+    if sampled and runs is None:
+        raise InputError(f"the design '{kind}' says how many runs to make: give the number of runs")
+    if not sampled and runs is not None:
+        raise InputError(f"the design '{kind}' makes the runs that its values say: leave out the number of runs")
 
 
 def _columns(vary: Any, kind: str) -> dict[str, Any]:

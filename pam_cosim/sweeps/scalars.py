@@ -68,21 +68,28 @@ def _seconds(unit: str) -> str:
 FUNCTIONS: dict[str, _Function] = {
     "initial": _Function(lambda t, y, a: float(y[0]), "the first value"),
     "final": _Function(lambda t, y, a: float(y[-1]), "the last value"),
-    "steady": _Function(_steady, "the mean over the last part of the run, 10 % if not said",
-                        argument=CRITERIA.run.steady_part),
+    "steady": _Function(
+        _steady, "the mean over the last part of the run, 10 % if not said", argument=CRITERIA.run.steady_part
+    ),
     "min": _Function(lambda t, y, a: float(y.min()), "the lowest value"),
     "max": _Function(lambda t, y, a: float(y.max()), "the highest value"),
     "range": _Function(lambda t, y, a: float(np.ptp(y)), "highest less lowest value"),
     "mean": _Function(_mean, "the mean over time"),
     "integral": _Function(_integral, "the integral over time", lambda unit: product(unit, "s")),
-    "time_to": _Function(_time_to, "time from the start to a part of the whole change, 90 % if not said otherwise; "
-                         "none where the run has not settled",
-                         _seconds, 0.9),
-    "time_of_max": _Function(lambda t, y, a: float(t[np.argmax(y)] - t[0]), "time from the start to the highest value",
-                             _seconds),
-    "time_of_min": _Function(lambda t, y, a: float(t[np.argmin(y)] - t[0]), "time from the start to the lowest value",
-                             _seconds),
-}  # fmt: skip
+    "time_to": _Function(
+        _time_to,
+        "time from the start to a part of the whole change, 90 % if not said otherwise; "
+        "none where the run has not settled",
+        _seconds,
+        0.9,
+    ),
+    "time_of_max": _Function(
+        lambda t, y, a: float(t[np.argmax(y)] - t[0]), "time from the start to the highest value", _seconds
+    ),
+    "time_of_min": _Function(
+        lambda t, y, a: float(t[np.argmin(y)] - t[0]), "time from the start to the lowest value", _seconds
+    ),
+}
 
 
 @dataclass(frozen=True)

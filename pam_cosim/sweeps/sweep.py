@@ -100,9 +100,19 @@ class SweepPlan:
     def job(self) -> SweepJob:
         """The same for a process that makes runs."""
         return SweepJob(
-            self.fmu, None, self.foreign, self.timeout, self.times, self.design.names, self.fixed, self.inputs,
-            self.outputs, self.scalars, self.keep, tuple(p.inputs for p in self.design.patterns),
-        )  # fmt: skip
+            self.fmu,
+            None,
+            self.foreign,
+            self.timeout,
+            self.times,
+            self.design.names,
+            self.fixed,
+            self.inputs,
+            self.outputs,
+            self.scalars,
+            self.keep,
+            tuple(p.inputs for p in self.design.patterns),
+        )
 
 
 def _digest(content: bytes) -> str:

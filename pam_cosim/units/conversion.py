@@ -13,8 +13,15 @@ from pam_cosim.wording import shown
 
 LARGEST = 1e100  # [SI] of what anybody measures or states: its square is a number too
 _EXAMPLES = {
-    "Pa": "kPa, bar or psi", "m": "mm", "K": "degC", "A": "mA", "N": "kN", "kg": "g", "m3": "l", "s": "ms",
-}  # fmt: skip
+    "Pa": "kPa, bar or psi",
+    "m": "mm",
+    "K": "degC",
+    "A": "mA",
+    "N": "kN",
+    "kg": "g",
+    "m3": "l",
+    "s": "ms",
+}
 _QUANTITY = re.compile(r"([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)(.*)", re.DOTALL)
 
 

@@ -13,9 +13,17 @@ from typing import Any
 from pam_cosim.wording import shown
 
 _ALIASES = {
-    "%": "percent", "Ohm": "ohm", "°C": "degC", "°F": "degF", "°": "degree", "μm": "um",
-    "barg": "bar", "psig": "psi", "kPag": "kPa", "rev": "revolution",
-}  # fmt: skip
+    "%": "percent",
+    "Ohm": "ohm",
+    "°C": "degC",
+    "°F": "degF",
+    "°": "degree",
+    "μm": "um",
+    "barg": "bar",
+    "psig": "psi",
+    "kPag": "kPa",
+    "rev": "revolution",
+}
 _DIMENSIONLESS = ("", "1", "-")
 _TOKEN = re.compile(
     r"\s*(?:(?P<symbol>[cm]mH2O|inH2O|[A-Za-zµμ°Ω%_]+)|(?P<number>\d{1,2}(?!\d))|(?P<sign>\*\*|[-+*/.·^()]))"

@@ -15,10 +15,15 @@ COOKIE = "pam_cosim_token"
 NAMES = ("127.0.0.1", "localhost")
 POLICY = "; ".join(
     [
-        "default-src 'self'", "img-src 'self' data: blob:", "connect-src 'self' {sockets}", "object-src 'none'",
-        "base-uri 'none'", "form-action 'none'", "frame-ancestors 'none'",
+        "default-src 'self'",
+        "img-src 'self' data: blob:",
+        "connect-src 'self' {sockets}",
+        "object-src 'none'",
+        "base-uri 'none'",
+        "form-action 'none'",
+        "frame-ancestors 'none'",
     ]
-)  # fmt: skip
+)
 
 
 class Guard:

@@ -87,16 +87,25 @@ class Following:
     def _candidate(self, event: CandidateTried) -> CandidateEvent:
         c, base = event.attempt, self.base
         common: dict[str, Any] = {
-            "effects": c.effects, "family": words(c.family), "balance": words(c.balance), "text": str(event)
-        }  # fmt: skip
+            "effects": c.effects,
+            "family": words(c.family),
+            "balance": words(c.balance),
+            "text": str(event),
+        }
         if isinstance(c, FailedTrial) or base is None:
             reason = c.failure if isinstance(c, FailedTrial) else ""
             if isinstance(c, FailedTrial):
                 self.failed.append(c)
             return CandidateEvent(
-                **common, explained=None, explained_text="", delta_bic=None, rms={}, brief=False, state="failed",
+                **common,
+                explained=None,
+                explained_text="",
+                delta_bic=None,
+                rms={},
+                brief=False,
+                state="failed",
                 reason=reason,
-            )  # fmt: skip
+            )
         before = self.tried.get(c.effects)
         if before is None or before.brief or not c.brief:
             self.tried[c.effects] = c
@@ -209,9 +218,14 @@ def _courses(entry: BalanceEntry, domain: Domain) -> Json:
         kept = slice(None, None, math.ceil(len(c.time) / MOST_POINTS))
         value, reach = c.value[kept] * factor, 2 * c.deviation[kept] * factor
         runs.append(
-            {"run": c.run, "time": _list(c.time[kept]), "term": _list(value), "low": _list(value - reach),
-             "high": _list(value + reach)}
-        )  # fmt: skip
+            {
+                "run": c.run,
+                "time": _list(c.time[kept]),
+                "term": _list(value),
+                "low": _list(value - reach),
+                "high": _list(value + reach),
+            }
+        )
     against = [_against(entry, name, factor) for name in against_of(entry, domain)[:_AGAINST]]
     return {"balance": words(entry.balance), "unit": unit_text(entry.unit), "runs": runs, "against": against}
 

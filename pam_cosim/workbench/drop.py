@@ -123,23 +123,25 @@ class Drop:
 
 def _checked(wishes: Mapping[str, Any]) -> Json:
     """What a page may say, checked: texts, and texts by name."""
-    known = {"title", "model", "muscle", "columns", "parameters", "recording", "roles"}
-    stray = next((key for key in wishes if key not in known), None)
+    stray = next((key for key in wishes if key not in (*_TEXTS, *_BY_NAME)), None)
     if stray is not None:
         raise InputError(f"a draft knows no {shown(stray)}")
-    made: Json = {}
-    for key, value in wishes.items():
-        if value in (None, "", {}):
-            continue
-        if key in ("title", "model", "muscle"):
-            made[key] = text_of(value, key)
-        elif isinstance(value, Mapping) and all(isinstance(k, str) and isinstance(v, str) for k, v in value.items()):
-            made[key] = {name: text for name, text in value.items() if text}
-        else:
-            raise InputError(f"{key} wants texts by name")
+    said = {key: value for key, value in wishes.items() if value not in (None, "", {})}
+    made: Json = {key: text_of(said[key], key) for key in _TEXTS if key in said}
+    made |= {key: _texts_by_name(said[key], key) for key in _BY_NAME if key in said}
     if "model" in made and any(c in made["model"] for c in "/\\"):
         raise InputError("a bench is named, or a Modelica class; files are given where the workbench is started")
     return made
+
+
+_TEXTS = ("title", "model", "muscle")
+_BY_NAME = ("columns", "parameters", "recording", "roles")
+
+
+def _texts_by_name(value: Any, key: str) -> dict[str, str]:
+    if not isinstance(value, Mapping) or not all(isinstance(one, str) for pair in value.items() for one in pair):
+        raise InputError(f"{key} wants texts by name")
+    return {name: text for name, text in value.items() if text}
 
 
 def _drafted(made: NewDataSet) -> DraftEvent:
@@ -153,17 +155,23 @@ def _drafted(made: NewDataSet) -> DraftEvent:
         starts=made.starts,
         to_check=made.to_check,
         runs=tuple({"name": r.name, "role": r.role, "describe": r.describe()} for r in data.runs),
-        names=tuple({"name": n, "unit": unit_text(v.unit), "input": n in interface.inputs, "description": v.description}
-                    for n, v in {**interface.inputs, **interface.outputs}.items()),
+        names=tuple(
+            {"name": n, "unit": unit_text(v.unit), "input": n in interface.inputs, "description": v.description}
+            for n, v in {**interface.inputs, **interface.outputs}.items()
+        ),
         parameters=tuple(
-            {"name": n, "unit": unit_text(v.unit), "description": v.description,
-             "value": None if v.start is None else v.start * readable_factor(v.unit)}
+            {
+                "name": n,
+                "unit": unit_text(v.unit),
+                "description": v.description,
+                "value": None if v.start is None else v.start * readable_factor(v.unit),
+            }
             for n, v in interface.parameters.items()
         ),
         benches=tuple(study.benches()),
         toml=text,
         curves=tuple(_curves(made)),
-    )  # fmt: skip
+    )
 
 
 def _curves(made: NewDataSet) -> list[Json]:
@@ -175,9 +183,14 @@ def _curves(made: NewDataSet) -> list[Json]:
             unit = made.data.signals[name].unit
             shown_values = values[kept] * readable_factor(unit)
             curves.append(
-                {"run": run.name, "signal": name, "unit": unit_text(unit), "time": _numbers(run.time[kept]),
-                 "values": _numbers(shown_values)}
-            )  # fmt: skip
+                {
+                    "run": run.name,
+                    "signal": name,
+                    "unit": unit_text(unit),
+                    "time": _numbers(run.time[kept]),
+                    "values": _numbers(shown_values),
+                }
+            )
     return curves
 
 

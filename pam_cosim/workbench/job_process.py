@@ -12,7 +12,7 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
-from pam_cosim.processes.keeper import ANSWER, read_frame, write_frame
+from pam_cosim.processes.watchdog import ANSWER, read_frame, write_frame
 
 CAN_HOLD = hasattr(signal, "SIGSTOP")
 _PATIENCE = 2.0  # [s] for the process to end when nobody asks any more
@@ -42,8 +42,10 @@ class Worker:
                 self.held = False
                 self._process = subprocess.Popen(
                     [sys.executable, "-m", "pam_cosim.workbench.worker"],
-                    stdin=subprocess.PIPE, stdout=subprocess.PIPE, start_new_session=True,
-                )  # fmt: skip
+                    stdin=subprocess.PIPE,
+                    stdout=subprocess.PIPE,
+                    start_new_session=True,
+                )
             return self._process
 
     def run(self, job: str, data: Any, model: str, options: dict[str, Any], heard: Heard, done: Done) -> None:
@@ -129,5 +131,8 @@ def _guardian(group: int) -> subprocess.Popen[bytes]:
     """Ends a group of processes when this one is gone, however it ended: those that stand still cannot look for it."""
     return subprocess.Popen(
         ["/bin/sh", "-c", f"read line; kill -9 -{group}"],
-        stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True,
-    )  # fmt: skip
+        stdin=subprocess.PIPE,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+    )

@@ -220,9 +220,18 @@ class StartStep(CheckedTable):
 
 
 AnyStep = (
-    SetStep | SwitchStep | ChooseStep | FitStep | DiagnoseStep | TakeStep | AddStep | RolesStep
-    | CutStep | BeginStep | StartStep
-)  # fmt: skip
+    SetStep
+    | SwitchStep
+    | ChooseStep
+    | FitStep
+    | DiagnoseStep
+    | TakeStep
+    | AddStep
+    | RolesStep
+    | CutStep
+    | BeginStep
+    | StartStep
+)
 _STEP: TypeAdapter[Any] = TypeAdapter(Annotated[AnyStep, Field(discriminator="do")])
 
 

@@ -237,9 +237,13 @@ def serve(
         tell("end it with Ctrl-C; whoever has the address can use it")
         config = uvicorn.Config(
             _opening(application(workbench, token), address if browser else None),
-            log_level="warning", lifespan="on", server_header=False, ws_max_size=1 << 20, timeout_graceful_shutdown=1,
+            log_level="warning",
+            lifespan="on",
+            server_header=False,
+            ws_max_size=1 << 20,
+            timeout_graceful_shutdown=1,
             ws_per_message_deflate=False,
-        )  # fmt: skip
+        )
         sys.setswitchinterval(SWITCH)
         server = uvicorn.Server(config)
         with contextlib.suppress(KeyboardInterrupt):

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from pam_cosim import study
 from pam_cosim.measurement import DataSet
-from pam_cosim.study.data_sets import begun_data
+from pam_cosim.study.data_sets import data_with_starts
 from pam_cosim.workbench.state import Ends
 
 
@@ -38,7 +38,7 @@ class MeasurementSource:
             InputError: the data set cannot be read, or not so.
         """
         data = study.read(self.folder, model=model, files=self.files, roles=roles, cuts=cuts, starts=starts)
-        return begun_data(data, data.model_for(model), files=self.files)
+        return data_with_starts(data, data.model_for(model), files=self.files)
 
     def whole(self, data: DataSet) -> DataSet:
         """The same with all rows that were recorded, without what is known of starts and noise."""

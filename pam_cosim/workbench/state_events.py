@@ -76,7 +76,7 @@ def _signals(data: DataSet, opened: Opened) -> list[ShownSignal]:
             name=name,
             unit=unit_text(s.unit),
             quantity=outputs[name].description or name,
-            noise=None if s.sigma is None else s.sigma * readable_factor(s.unit),
+            noise=s.sigma * readable_factor(s.unit),
             noise_text=quantity_text(s.sigma, s.unit),
             use="fitted" if s.fitted else "compared",
         )

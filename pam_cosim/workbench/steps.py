@@ -9,8 +9,15 @@ from typing import Any
 from pam_cosim.workbench.saved import checked_step
 
 SET, SWITCH, CHOOSE, FIT, DIAGNOSE, TAKE, ADD, ROLES_STEP = (
-    "set", "switch", "choose", "fit", "diagnose", "take", "add", "roles"
-)  # fmt: skip
+    "set",
+    "switch",
+    "choose",
+    "fit",
+    "diagnose",
+    "take",
+    "add",
+    "roles",
+)
 CUT, BEGIN, START = "cut", "begin", "start"
 
 

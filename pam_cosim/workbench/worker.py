@@ -19,7 +19,7 @@ from pam_cosim import study
 from pam_cosim.diagnosis import Event
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fitting import Standing
-from pam_cosim.processes.keeper import ANSWER, PROGRESS, read_frame, write_frame
+from pam_cosim.processes.watchdog import ANSWER, PROGRESS, read_frame, write_frame
 from pam_cosim.processes.workers import stop_workers
 from pam_cosim.simulation import models
 from pam_cosim.simulation.worker import private_input, private_output

@@ -52,7 +52,7 @@ def system(place: Path) -> Path:
 
 def test_couples_a_written_system(command: Run, system: Path) -> None:
     done = command("couple", system, "--step", "1ms", "--method", "jacobi", "--set", "muscle.load.m=5 kg",
-               "--observe", "muscle.load.v", "-o", "out.csv", "--plot", "out.png", "--ssp", "system.ssp")  # fmt: skip
+               "--keep", "muscle.load.v", "-o", "out.csv", "--plot", "out.png", "--ssp", "system.ssp")  # fmt: skip
     assert done.status == 0, done.err
     assert "jacobi up to 0.3 s: 300 steps of 0.001 s" in done.out and "muscle.x: from -0.245 mm to " in done.out
     trajectory = pam.Trajectory.from_csv(Path("out.csv"))
@@ -109,7 +109,7 @@ def test_fmu_that_fails_has_status_1_and_leaves_what_was_reached(command: Run, p
         (["system.toml", "--tolerance", "-1"], "the tolerance of a step must be larger than zero"),
         (["system.toml", "--set", "muscle.load.mm=5"], "did you mean 'muscle.load.m'"),
         (["system.toml", "--set", "muscle.p=5"], "muscle.p"),
-        (["system.toml", "--observe", "muscle.w"], "no variable 'w'"),
+        (["system.toml", "--keep", "muscle.w"], "no variable 'w'"),
         (["system.toml", "-o", "system.toml"], "system.toml"),
         (["system.toml", "--sample", "muscle"], "write NAME=TIME"),
         (["system.toml", "--sample", "muscel=1ms"], "did you mean 'muscle'"),

@@ -30,7 +30,23 @@ def test_commands(command: Callable[..., Outcome], place: Path, monkeypatch: pyt
     assert command("catalog").status == 2
 
 
+def test_a_variable_that_output_named(command: Callable[..., Outcome], place: Path) -> None:
+    words = ("simulate", "TankFilling", "--stop-time", "0.1")
+    old = command(*words, "-o", "old.csv", "--output", "valve.inlet.m_flow")
+    new = command(*words, "--output", "new.csv", "--keep", "valve.inlet.m_flow")
+    assert (old.status, new.status) == (0, 0)
+    assert "simulate --output VARIABLE is called --keep VARIABLE since 0.2.0" in old.err
+    assert "since" not in new.err
+    assert "valve.inlet.m_flow" in (place / "old.csv").read_text().splitlines()[0]
+    assert (place / "old.csv").read_bytes() == (place / "new.csv").read_bytes()
+
+
+def test_a_file_of_any_name_is_a_file(command: Callable[..., Outcome], place: Path) -> None:
+    assert command("simulate", "TankFilling", "--stop-time", "0.1", "-o", "result").status == 0
+    assert (place / "result").read_text().startswith("time [s],")
+
+
 def test_new_names_are_there() -> None:
     assert {one.new for one in renamed.PYTHON.values()} <= set(pam.__all__)
     page = (ROOT / "docs" / "versions.md").read_text(encoding="utf-8")
-    assert all(f"`{old}`" in page for old in (*renamed.PYTHON, *renamed.COMMANDS))
+    assert all(f"`{old}`" in page for old in (*renamed.PYTHON, *renamed.COMMANDS, *renamed.OPTIONS))

@@ -106,7 +106,7 @@ def test_an_fmu_takes_them_alike(own: bool) -> None:
         (["sweep", BENCH, "--vary", "u_inn=1,2", "-o", "s.csv"], ["u_inn", "did you mean 'u_in'?"]),
         (["simulate", BENCH, "--set", "p_supply=2 kg"], ["p_supply=2 kg", "kPa"]),
         (["simulate", BENCH, "--set", "p=1"], ["'p' is an output"]),
-        (["simulate", BENCH, "--set", "u_in=0.1", "--set", "u_in=0.2"], ["'u_in' is set twice"]),
+        (["simulate", BENCH, "--set", "u_in=0.1", "--set", "u_in=0.2"], ["'u_in' is given twice"]),
         (["simulate", BENCH, "--set", "u_in=0.1", "--input", "u.csv"], ["'u_in' is given over time and as a constant"]),
         (["sweep", BENCH, "--vary", "u_in=0.1,0.2", "--input", "u.csv", "-o", "s.csv"],
          ["'u_in' is given over time and varied"]),
@@ -178,6 +178,20 @@ def test_a_data_set_states_inputs_that_were_held(command: Command, place: Path) 
     assert run.default_inputs == ("u_out",) and run.parameters["p_supply"] == pytest.approx(138e3)
 
 
+def test_what_is_set_takes_the_place_of_what_the_data_set_states(command: Command, place: Path) -> None:
+    filling(place / "data", {})
+
+    def error(*settings: str) -> float:
+        words = [word for setting in settings for word in ("--set", setting)]
+        done(command("compare", "data", *words, "--json", "c.json"))
+        return float(json.loads((place / "c.json").read_text())["signals"]["p"]["rmse"])
+
+    stated, faster, smaller = error(), error("u_in=0.34 A"), error("tank.V=1 l")
+    assert min(faster, smaller) > 5 * stated
+    assert error("u_in@one=0.34 A") == faster
+    assert error("u_in=0.34 A", "u_in@one=0.3 A") == stated
+
+
 @pytest.mark.parametrize(
     ("columns", "u_in", "message"),
     [
@@ -220,7 +234,7 @@ COMMANDS = typer.main.get_command(app).commands  # type: ignore[attr-defined]
 def test_help_says_what_is_declared(command: Command, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COLUMNS", "100")
     said = "".join(done(command(name, "--help")).out.split())
-    declared = [COMMANDS[name].help, *(p.help for p in COMMANDS[name].params)]
+    declared = [COMMANDS[name].help, *(p.help for p in COMMANDS[name].params if not p.hidden)]
     assert len(declared) > 1
     for text in declared:
         assert text and "".join(text.split()) in said, text

@@ -65,7 +65,7 @@ def test_a_sweep_that_is_stopped_goes_on(
 def test_random_runs_with_scalars_as_netcdf_and_picture(command: Callable[..., object], place: Path) -> None:
     words = ["sweep", "TankFilling", "--vary", "u_in=0.25:0.35", "--vary", "p_supply=100 kPa:200 kPa", "--design"]
     words += ["latin-hypercube", "--runs", "6", "--seed", "4", "--scalar", "max(T)", "--stop-time", "1 s"]
-    made = command(*words, "-o", "s.nc", "--plot", "s.png", "--trajectories", "--output", "valve.inlet.m_flow")
+    made = command(*words, "-o", "s.nc", "--plot", "s.png", "--trajectories", "--keep", "valve.inlet.m_flow")
     assert made.status == 0 and made.out.startswith("6 of 6 runs done\nmax(T): from ")  # type: ignore[attr-defined]
     with xarray.open_dataset(place / "s.nc") as data:
         assert data["valve.inlet.m_flow"].attrs["units"] == "kg/s" and data.sizes["run"] == 6
@@ -82,7 +82,8 @@ def test_random_runs_with_scalars_as_netcdf_and_picture(command: Callable[..., o
         (["--scalar", "max(q)"], ["no variable 'q'"]),
         (["--scalar", "a=max(p)", "--scalar", "a=min(p)"], ["'a' is asked for twice"]),
         (["--no-trajectories"], ["needs a scalar"]),
-        (["--output", "valve.inlet.mflow"], ["no variable 'valve.inlet.mflow'", "did you mean"]),
+        (["--keep", "valve.inlet.mflow"], ["no variable 'valve.inlet.mflow'", "did you mean"]),
+        (["--output", "valve.inlet.mflow"], ["-o names 2 files", "--keep"]),
         (["--stop-time", "3 kg"], ["the stop time", "'kg'"]),
         (["--interval", "0"], ["steps of 0 s"]),
     ],

@@ -64,7 +64,7 @@ def run(
     )
 
 
-def data_set(runs: Sequence[Run], signals: Mapping[str, float | None], fitted: Sequence[str] | None = None) -> DataSet:
+def data_set(runs: Sequence[Run], signals: Mapping[str, float], fitted: Sequence[str] | None = None) -> DataSet:
     """Signals by name with their noise [SI]."""
     named = {n: Signal(n, OUTPUTS[n].unit, s, fitted=fitted is None or n in fitted) for n, s in signals.items()}
     return DataSet(Path("rig"), "a rig", "Test.Fake", named, {}, {}, tuple(runs))

@@ -14,7 +14,7 @@ from tests.comparison.test_residual_statistics import red, white
 from tests.fitting.models import recording
 
 Array = NDArray[np.float64]
-SIGNALS = {"y": Signal("y", sigma=1.0)}
+SIGNALS = {"y": Signal("y", "1", 1.0)}
 TIME = np.linspace(0.0, 10.0, 501)
 
 

@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 
 from pam_cosim.comparison import ResidualStatistics, Series
 from pam_cosim.comparison import residual_statistics as statistics_of_series
-from pam_cosim.measurement import complete_noise
-from tests.fitting.models import data_set, recording
+from pam_cosim.measurement import Run, Signal, StatedSignal, complete_noise
+from tests.fitting.models import recording
 
 Array = NDArray[np.float64]
 
@@ -83,14 +83,18 @@ def test_nothing_and_next_to_nothing() -> None:
 TIME = np.linspace(0.0, 10.0, 201)
 
 
+def completed(runs: list[Run], sigma: float | None) -> Signal:
+    return complete_noise({"y": StatedSignal("y", "m", sigma)}, runs)["y"]
+
+
 def test_stated_noise_is_kept() -> None:
-    data = complete_noise(data_set("m", [recording(TIME, {"y": np.sin(TIME)})], {"y": 0.5}))
-    assert data.signals["y"].sigma == 0.5 and not data.signals["y"].estimated
+    signal = completed([recording(TIME, {"y": np.sin(TIME)})], 0.5)
+    assert signal.sigma == 0.5 and not signal.estimated
 
 
 def test_noise_of_dense_samples_is_estimated() -> None:
     y = np.sin(TIME) + 0.05 * white(3, 201)
-    signal = complete_noise(data_set("m", [recording(TIME, {"y": y})], {"y": None})).signals["y"]
+    signal = completed([recording(TIME, {"y": y})], None)
     assert signal.estimated and signal.sigma == pytest.approx(0.05, rel=0.25)
 
 
@@ -98,18 +102,17 @@ def test_noise_of_dense_samples_is_estimated() -> None:
 def test_sparse_samples_get_a_hundredth_of_their_range(count: int) -> None:
     """Points read off a printed figure show no noise to estimate."""
     time = np.linspace(0.0, 10.0, count)
-    signal = complete_noise(data_set("m", [recording(time, {"y": 40 * time})], {"y": None})).signals["y"]
+    signal = completed([recording(time, {"y": 40 * time})], None)
     assert signal.estimated and signal.sigma == pytest.approx(4.0)
 
 
 def test_missing_samples_do_not_spoil_the_range() -> None:
     y = np.array([np.nan, 1.0, np.nan, 3.0])
-    data = data_set("m", [recording(np.arange(4.0), {"y": y}), recording(np.arange(4.0), {})], {"y": None})
-    assert complete_noise(data).signals["y"].sigma == pytest.approx(0.02)
+    runs = [recording(np.arange(4.0), {"y": y}), recording(np.arange(4.0), {})]
+    assert completed(runs, None).sigma == pytest.approx(0.02)
 
 
 def test_constant_signal_still_has_a_level() -> None:
     for value in (0.0, 250.0):
-        data = data_set("m", [recording(np.arange(4.0), {"y": np.full(4, value)})], {"y": None})
-        sigma = complete_noise(data).signals["y"].sigma
-        assert sigma is not None and 0 < sigma <= 1e-3
+        sigma = completed([recording(np.arange(4.0), {"y": np.full(4, value)})], None).sigma
+        assert 0 < sigma <= 1e-3

@@ -23,6 +23,14 @@ def test_outer_components_find_the_inner_one():
     assert [values["der(balls[1].v)"], values["der(balls[2].v)"]] == [-3, -3]
 
 
+@pytest.mark.parametrize(("model", "balls"), [("NoInner", ("balls[1]", "balls[2]", "single")), ("Ball", ("",))])
+def test_what_nothing_declares_inner_is_added_at_the_top(model: str, balls: tuple[str, ...]) -> None:
+    ode = compiled(f"Language.{model}")
+    assert ode.interface.parameters["world.g"].start == 9.81
+    values = at(ode, p={"world.g": 3})
+    assert [values[f"der({f'{ball}.v'.lstrip('.')})"] for ball in balls] == [-3] * len(balls)
+
+
 @pytest.mark.parametrize(("u", "expected"), [(2.0, 5 * 14), (0.5, 2.5), (-1.0, 0.0)])
 def test_functions_with_loops_branches_and_redeclaration(u, expected):
     values = at(compiled("Language.Functions"), u=[u])

@@ -18,7 +18,7 @@ from pam_cosim.diagnosis.learning_library import forms, quantities
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger, keep_ledger
-from pam_cosim.measurement import DataSet, complete_noise
+from pam_cosim.measurement import DataSet
 from rig.named import UNLISTED, effect_of
 from rig.short import write_light_data
 
@@ -31,7 +31,7 @@ HIDDEN = {
 
 @cache
 def _kept(hidden: str) -> tuple[DataSet, Fit, Ledger]:
-    data = complete_noise(study.read(write_light_data(Path(mkdtemp()) / "d", [HIDDEN[hidden]], 1)))
+    data = study.read(write_light_data(Path(mkdtemp()) / "d", [HIDDEN[hidden]], 1))
     base = study.fit(data)
     return data, base, keep_ledger(data, base.values)
 
@@ -90,7 +90,7 @@ def test_class_is_an_effect_like_any_other(tmp_path: Path) -> None:
 
 
 def test_nothing_is_learned_where_nothing_fails() -> None:
-    data = complete_noise(study.read(write_light_data(Path(mkdtemp()) / "d", [], 1)))
+    data = study.read(write_light_data(Path(mkdtemp()) / "d", [], 1))
     ledger = keep_ledger(data, {"valve.C_A": 0.72, "muscle.mu_fb": 0.018})
     with pytest.raises(InputError, match="no missing term to learn"):
         learn(ledger)

@@ -9,7 +9,7 @@ import pytest
 from pam_cosim.comparison import ResidualStatistics
 from pam_cosim.diagnosis.evidence import rank
 from pam_cosim.diagnosis.model_space import ModelSpace
-from pam_cosim.diagnosis.verdict import explained, judge, rivals, with_facts, with_posterior
+from pam_cosim.diagnosis.verdict import explained, judge, nearest, rivals, with_facts, with_posterior
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import Signal
 from pam_cosim.model.domain import Domain
@@ -214,6 +214,19 @@ def test_a_general_member_is_no_rival_of_a_law() -> None:
     family = _families(ranked)
     assert rivals(BASE, law, ranked, family, ModelSpace(len(ranked))) == []
     assert [c.effect for c in rivals(BASE, anything, ranked, family, ModelSpace(len(ranked)))] == [law.effect]
+
+
+def test_where_none_leaves_noise_the_nearest_of_each_family_are_left() -> None:
+    fits = [
+        ("Spring", 3.0, "elasticity"),
+        ("Stiff", 2.9, "elasticity"),
+        ("Leak", 4.0, "leak"),
+        ("Offset", 2.5, "offset"),
+    ]
+    tried = [candidate(name, fitted(chi2, score=20.0), family) for name, chi2, family in fits]
+    brief = replace(candidate("Creep", fitted(1.0), "creep"), brief=True)
+    left = nearest(BASE, [*tried, brief], _families([*tried, brief]), ModelSpace(len(tried)))
+    assert [c.effect for c in left] == ["Offset", "Stiff", "Leak"]
 
 
 def test_one_rival_of_a_family() -> None:

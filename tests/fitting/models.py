@@ -25,7 +25,7 @@ TIMES = np.linspace(0.0, 60.0, 61)
 def data_set(
     model: str,
     runs: Sequence[Run],
-    sigma: Mapping[str, float | None],
+    sigma: Mapping[str, float],
     fit: Sequence[FreeParameter] = (),
     parameters: Mapping[str, float] | None = None,
 ) -> DataSet:

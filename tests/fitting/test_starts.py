@@ -174,3 +174,20 @@ def test_a_force_that_is_missing_is_no_start(tmp_path: Path) -> None:
     )
     compared = pam.compare(pam.read(tmp_path))
     assert [run.start.mode for run in compared.data.runs] == ["rest"]
+
+
+@pytest.mark.parametrize(
+    ("offsets", "mode"),
+    [((3.5e3, 3.5e3, 3.5e3), "rest"), ((0.0, 3.5e3, 10e3), "estimated")],
+    ids=["of an instrument", "of each run"],
+)
+def test_an_offset_of_an_instrument_is_the_same_in_all_runs(
+    data: Callable[..., DataSet], offsets: tuple[float, ...], mode: str
+) -> None:
+    whole = data(0.0)
+    runs = [
+        replace(run, measurements={**run.measurements, "p": run.measurements["p"] + offset})
+        for run, offset in zip(whole.runs, offsets, strict=True)
+    ]
+    compared = pam.compare(replace(whole, runs=tuple(runs)))
+    assert [one.run.start.mode for one in compared.runs] == [mode] * 3

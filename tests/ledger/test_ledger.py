@@ -17,7 +17,7 @@ from pam_cosim.compiler import read_library
 from pam_cosim.errors import InputError
 from pam_cosim.fmu import build_model, build_source
 from pam_cosim.ledger import BalanceEntry, Ledger, binned, keep_ledger, mapped
-from pam_cosim.measurement import DataSet, Signal, complete_noise
+from pam_cosim.measurement import DataSet, Signal
 from pam_cosim.simulation import Inputs, Simulator
 from rig.flow import P_ATM
 from rig.instruments import ClockOffset
@@ -52,7 +52,7 @@ PAIRS = {
 
 def _data(hidden: str, seed: int = 1) -> DataSet:
     effects = [] if hidden == "none" else [effect_of(name) for name in hidden.split("+")]
-    return complete_noise(study.read(write_light_data(Path(mkdtemp()) / "d", effects, seed)))
+    return study.read(write_light_data(Path(mkdtemp()) / "d", effects, seed))
 
 
 @cache
@@ -92,7 +92,7 @@ def test_nothing_fails_where_nothing_is_missing(seed: int) -> None:
 @pytest.mark.parametrize("shift", [0.04, -0.04])
 def test_a_record_that_is_shifted_is_read_by_the_clock_of_the_model(shift: float) -> None:
     folder = write_light_data(Path(mkdtemp()) / "d", seed=1, faults=[ClockOffset(shift)])
-    data = complete_noise(study.read(folder))
+    data = study.read(folder)
     values = {"valve.C_A": TRUTH.calibration, "muscle.mu_fb": TRUTH.mu_fb, "recorder.shift": shift}
     assert keep_ledger(data, values, effects=["ClockOffset"]).failing == ()
     assert keep_ledger(data, values | {"recorder.shift": 0.0}, effects=["ClockOffset"]).failing != ()
@@ -183,9 +183,6 @@ def test_bad_input() -> None:
     data = _data("none")
     with pytest.raises(InputError, match="FMU"):
         keep_ledger(data, model="muscle.fmu")
-    blind = replace(data, signals={n: replace(s, sigma=None) for n, s in data.signals.items()})
-    with pytest.raises(InputError, match="noise of p, x, T is not known"):
-        keep_ledger(blind)
     with pytest.raises(InputError, match="has no states"):
         keep_ledger(replace(data, model="PneumaticMuscle.Benches.StaticForce"))
 

@@ -15,7 +15,6 @@ from pam_cosim.fmu import build_source
 from pam_cosim.ledger.grid import make_grid
 from pam_cosim.ledger.model import Model
 from pam_cosim.ledger.rest import settled
-from pam_cosim.measurement import complete_noise
 from pam_cosim.simulation import Inputs, Simulator
 from rig.short import write_light_data
 
@@ -30,7 +29,7 @@ def test_runs_begin_at_rest_and_where_they_are_told(tmp_path: Path) -> None:
     file = tmp_path / "Begun.mo"
     file.write_text(TEXT)
     ode = compile_model(str(file))
-    data = complete_noise(study.read(write_light_data(tmp_path / "d", [], 1)))
+    data = study.read(write_light_data(tmp_path / "d", [], 1))
     grid = make_grid(ode, data, data.runs, {}, ["p", "x"], 0.05)
     states, first, told = [s.name for s in ode.states], grid.first[:-1], 2.5e5
     inputs = grid.node_inputs.copy()

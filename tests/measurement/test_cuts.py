@@ -106,3 +106,10 @@ def test_what_cannot_be_cut_is_refused_in_words(
 def test_a_run_without_samples_is_none(read: Callable[..., DataSet]) -> None:
     with pytest.raises(InputError, match="no sample"):
         read(rows=ROWS + "2,0,\n2.1,0,\n", cuts={"run": (2, None)})
+
+
+def test_a_star_stands_for_all_runs_that_are_not_named(read: Callable[..., DataSet]) -> None:
+    run = read(cuts={"*": ("0.5 s", None)}, starts={"*": "steady"}).runs[0]
+    assert run.time[0] == 0.5 and run.start.mode == "steady"
+    run = read(cuts={"*": ("0.5 s", None), "run": ("0.7 s", None)}, starts={"*": "steady", "run": "rest"}).runs[0]
+    assert run.time[0] == 0.7 and run.start.mode == "rest"

@@ -12,7 +12,7 @@ import pytest
 from pam_cosim import study
 from pam_cosim.errors import InputError
 from pam_cosim.fmu import build_model
-from pam_cosim.measurement import complete_noise, read_data_set
+from pam_cosim.measurement import read_data_set
 from pam_cosim.model.interface import sensitivity_name
 from pam_cosim.simulation import Simulator
 from rig.effect import Effect
@@ -93,7 +93,7 @@ def test_a_supply_that_nobody_recorded_is_a_free_constant(tmp_path: Path) -> Non
     data = study.read(recorded_in_volts(tmp_path / "data", columns, p_supply=free))
     (name,) = data.fit
     assert name.startswith("p_supply_constant@") and data.runs[1].parameters["p_supply_constant"] == 240e3
-    fit = study.fit(complete_noise(data))
+    fit = study.fit(data)
     supply = fit.parameters[name]
     assert supply.low <= 207e3 <= supply.high and supply.high - supply.low < 10e3
     assert fit.comparison.chi2_reduced("holdout") < 1.2

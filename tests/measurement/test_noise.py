@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from pam_cosim.measurement import DataSet, Run, Signal, complete_noise, estimate_noise, record_step, with_noise
+from pam_cosim.measurement import DataSet, Run, Signal, StatedSignal, complete_noise, estimate_noise, record_step
 
 N = 2000
 TIME = np.linspace(0.0, 4.0, N)
@@ -83,42 +82,49 @@ def run(name: str, **measurements: np.ndarray) -> Run:
     return Run(name, Path(name), "fit", "linear", {}, TIME, {}, measurements)
 
 
+def completed(stated: StatedSignal, values: np.ndarray) -> Signal:
+    return complete_noise({stated.name: stated}, [run("a", **{stated.name: values})])[stated.name]
+
+
 def test_only_unknown_noise_is_filled_in():
     shaking = CURVES["constant"] + 30 * white(9)
-    runs = tuple(run(f"r{seed}", p=2.0 * white(seed), x=white(seed)) for seed in range(4)) + (
-        run("shaking", p=shaking),
-    )
-    signals = {"p": Signal("p", "Pa"), "x": Signal("x", "m", 0.5), "T": Signal("T", "K")}
-    data = DataSet(Path("."), "t", "M", signals, {}, {}, runs)
-    filled = with_noise(replace(data, signals={**signals})).signals
+    runs = [run(f"r{seed}", p=2.0 * white(seed), x=white(seed)) for seed in range(4)] + [run("shaking", p=shaking)]
+    runs.append(run("few", T=np.where(np.arange(len(TIME)) < 4, TIME, np.nan)))
+    signals = [StatedSignal("p", "Pa"), StatedSignal("x", "m", 0.5), StatedSignal("T", "K")]
+    filled = complete_noise({one.name: one for one in signals}, runs)
     assert filled["p"].sigma == pytest.approx(2.0, rel=0.1)
-    assert filled["p"].estimated
+    assert (filled["p"].estimated, filled["p"].assumed) == (True, False)
     assert (filled["x"].sigma, filled["x"].estimated) == (0.5, False)
-    assert (filled["T"].sigma, filled["T"].estimated) == (None, False)
-    assert data.signals["p"].sigma is None
+    assert filled["T"].sigma == pytest.approx(0.01 * TIME[3])
+    assert (filled["T"].estimated, filled["T"].assumed) == (True, True)
+
+
+def test_a_column_without_samples_has_a_noise_too():
+    nothing = completed(StatedSignal("x", "m"), np.full(len(TIME), np.nan))
+    assert nothing.assumed and nothing.sigma > 0
 
 
 @pytest.mark.parametrize("step", [0.25, 1.0])
 def test_steps_of_a_record_come_on_top_of_a_stated_noise(step: float):
     smooth = 20 * np.sin(TIME) + 0.1 * white(3)
     assert record_step(step * np.round(smooth / step)) == pytest.approx(step)
-    data = DataSet(
-        Path("."), "t", "M", {"x": Signal("x", "m", 0.1)}, {}, {}, (run("a", x=step * np.round(smooth / step)),)
-    )
-    known = complete_noise(data)
-    assert known.signals["x"].sigma == pytest.approx(np.hypot(0.1, step / np.sqrt(12)))
-    assert known.signals["x"].step == pytest.approx(step) and not known.signals["x"].estimated
-    assert "x is recorded in steps of" in " ".join(known.notes())
-    assert complete_noise(known) == known
+    stated = StatedSignal("x", "m", 0.1)
+    runs = (run("a", x=step * np.round(smooth / step)),)
+    known = complete_noise({"x": stated}, runs)["x"]
+    assert known.sigma == pytest.approx(np.hypot(0.1, step / np.sqrt(12)))
+    assert known.step == pytest.approx(step) and not known.estimated
+    data = DataSet(Path("."), "t", "M", {"x": known}, {}, {}, runs)
+    assert "x is recorded in steps of" in " ".join(data.notes())
+    assert known.as_stated() == stated
+    assert complete_noise({"x": known.as_stated()}, runs)["x"] == known
 
 
 def test_fine_steps_and_none_leave_the_stated_noise():
     smooth = 20 * np.sin(TIME) + 0.1 * white(3)
     few = np.linspace(0.0, 7.0, 12)
     for values in (smooth, 0.01 * np.round(smooth / 0.01), np.append(few, np.full(len(TIME) - 12, np.nan))):
-        data = DataSet(Path("."), "t", "M", {"x": Signal("x", "m", 0.1)}, {}, {}, (run("a", x=values),))
-        assert complete_noise(data).signals == data.signals
-        assert complete_noise(data).steps() == ()
+        known = completed(StatedSignal("x", "m", 0.1), values)
+        assert (known.sigma, known.step, known.estimated) == (0.1, 0.0, False)
 
 
 @pytest.mark.parametrize(("step", "digits"), [(0.02, 9), (0.0244140625, 3), (0.0244140625, 5), (0.3, 2)])
@@ -135,6 +141,5 @@ def test_gaps_that_are_no_steps_are_none():
 
 def test_an_estimated_noise_holds_the_steps_already():
     coarse = np.round(20 * np.sin(TIME) + white(3))
-    data = DataSet(Path("."), "t", "M", {"x": Signal("x", "m")}, {}, {}, (run("a", x=coarse),))
-    known = complete_noise(data).signals["x"]
-    assert known.sigma == with_noise(data).signals["x"].sigma and known.step == pytest.approx(1.0)
+    known = completed(StatedSignal("x", "m"), coarse)
+    assert known.sigma == estimate_noise(TIME, coarse) and known.step == pytest.approx(1.0)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement import DataSet, complete_noise, read_data_set, write_data_set
+from pam_cosim.measurement import DataSet, read_data_set, write_data_set
 from pam_cosim.model.interface import Interface, Variable
 from tests.measurement.bench import variables
 
@@ -148,7 +148,7 @@ def test_noise_shows_in_repeated_points_and_along_curves(read: Read) -> None:
         for _ in range(5) for f in (20, 60) for p in np.linspace(0, 400, 9)
     ]  # fmt: skip
     data = read(table(rows, "p [kPa],F [N],x [mm]"), EXPERIMENT.replace('sigma = "0.1 mm"\n', ""))
-    sigma = complete_noise(data).signals["x"].sigma
+    sigma = data.signals["x"].sigma
     assert sigma == pytest.approx(0.05e-3, rel=0.2)
 
 

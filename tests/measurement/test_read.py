@@ -50,7 +50,7 @@ def test_sigma_is_a_difference(make):
     assert signals["p"].sigma == pytest.approx(500.0)
     assert signals["x"].sigma == pytest.approx(2e-4)
     assert signals["T"].sigma == pytest.approx(0.5)
-    assert signals["eps"].sigma is None
+    assert signals["eps"].assumed and not signals["p"].estimated
 
 
 def test_parameters_and_start_values(make):
@@ -86,7 +86,7 @@ def test_summary_says_what_matters(make):
     text = str(read_data_set(make((TOML, 'role = "holdout"', 'role = "fit"')), describe))
     for part in ("latex muscle", MODEL, "noise 500 Pa", "valve.C_A: 0.5 to 0.9", "no holdout run"):
         assert part in text
-    assert "the noise of eps is not known" in text
+    assert "the noise of eps is not known: it is assumed" in text
     assert "run-02: model defaults for the inputs p_supply" in text
     assert "samples of p (4), x (3), T (3)" in text
 
@@ -150,4 +150,4 @@ def test_all_columns_are_fitted_where_no_signal_is_declared(make):
 def test_a_table_without_a_noise_level_declares_the_signal(make):
     signals = read_data_set(make((TOML, 'sigma = "0.5 kPa"', "")), describe).signals
     assert [n for n, s in signals.items() if s.fitted] == ["p", "x", "T"]
-    assert signals["p"].sigma is None and signals["x"].sigma is not None
+    assert signals["p"].stated is None and signals["x"].stated == pytest.approx(2e-4)

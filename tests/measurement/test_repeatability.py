@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pam_cosim.measurement import DataSet, Run, Signal, complete_noise
+from pam_cosim.measurement import Run, Signal, StatedSignal, complete_noise
 from pam_cosim.measurement.data_set import Along
 
 NOISE, SCATTER = 0.3, 1.5
@@ -32,34 +32,35 @@ def runs_of(offsets: list[float], *, static: bool = False, load: list[float] | N
     return tuple(runs)
 
 
-def data_of(runs: tuple[Run, ...], signal: Signal) -> DataSet:
-    return DataSet("t", Path("."), "Isometric", {"F": signal}, {}, {}, runs)
+def completed(runs: tuple[Run, ...], signal: StatedSignal) -> Signal:
+    return complete_noise({"F": signal}, runs)["F"]
 
 
 @pytest.mark.parametrize("static", [False, True])
 def test_runs_that_repeat_one_another_show_it(static: bool) -> None:
     offsets = np.random.default_rng(2).normal(0, SCATTER, 12).tolist()
-    signal = complete_noise(data_of(runs_of(offsets, static=static), Signal("F", "N", NOISE))).signals["F"]
+    signal = completed(runs_of(offsets, static=static), StatedSignal("F", "N", NOISE))
     assert signal.repeatability == pytest.approx(np.hypot(np.std(offsets, ddof=1), NOISE), rel=0.05)  # twelve runs
     assert (signal.sigma, signal.scatter, signal.source) == (signal.repeatability, "repeatability", "of repeated runs")
 
 
 def test_noise_alone_stays_noise() -> None:
-    signal = complete_noise(data_of(runs_of([0.0] * 4), Signal("F", "N", NOISE))).signals["F"]
+    signal = completed(runs_of([0.0] * 4), StatedSignal("F", "N", NOISE))
     assert (signal.sigma, signal.repeatability, signal.scatter) == (NOISE, 0.0, "noise")
 
 
 def test_different_tests_do_not_repeat_one_another() -> None:
     offsets = [0.0, 5.0, -5.0, 9.0]
-    signal = complete_noise(data_of(runs_of(offsets, load=[1.0, 2.0, 3.0, 4.0]), Signal("F", "N", NOISE))).signals["F"]
+    signal = completed(runs_of(offsets, load=[1.0, 2.0, 3.0, 4.0]), StatedSignal("F", "N", NOISE))
     assert signal.sigma == NOISE
 
 
 def test_what_is_stated_counts() -> None:
     runs = runs_of([0.0])
-    signal = complete_noise(data_of(runs, Signal("F", "N", NOISE, repeatability=SCATTER))).signals["F"]
+    signal = completed(runs, StatedSignal("F", "N", NOISE, repeatability=SCATTER))
     assert (signal.sigma, signal.source) == (SCATTER, "stated repeatability")
-    smaller = complete_noise(data_of(runs, Signal("F", "N", NOISE, repeatability=0.1))).signals["F"]
+    smaller = completed(runs, StatedSignal("F", "N", NOISE, repeatability=0.1))
     assert (smaller.sigma, smaller.source) == (NOISE, "stated")
-    estimated = complete_noise(data_of(runs, Signal("F", "N", repeatability=SCATTER))).signals["F"]
+    estimated = completed(runs, StatedSignal("F", "N", repeatability=SCATTER))
     assert estimated.sigma == SCATTER and not estimated.estimated
+    assert estimated.as_stated() == StatedSignal("F", "N", repeatability=SCATTER)

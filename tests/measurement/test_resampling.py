@@ -7,7 +7,7 @@ import pandas as pd
 import pytest
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement import DataSet, complete_noise, condensed, read_data_set
+from pam_cosim.measurement import DataSet, condensed, read_data_set
 from pam_cosim.measurement.condensing import MOST_ROWS
 from pam_cosim.measurement.recording import Averaged, Recording
 from pam_cosim.measurement.resampling import noise_of_mean, resampled
@@ -100,13 +100,11 @@ def test_in_a_data_set(tmp_path):
     head = f'model = "{MODEL}"\n[recording]\nresample = "20 ms"\n'
     file = tmp_path / "experiment.toml"
     file.write_text(f'{head}[signals.x]\nsigma = "0.1 mm"\n[[runs]]\nfile = "run.csv"\n')
-    data = complete_noise(read_data_set(tmp_path, describe))
+    data = read_data_set(tmp_path, describe)
     assert data.signals["x"].sigma == pytest.approx(1e-4 / np.sqrt(20))
     assert any("10000 rows are" in note and "2 steps of inputs kept" in note for note in data.notes())
     file.write_text(f'{head}[[runs]]\nfile = "run.csv"\n')
-    assert complete_noise(read_data_set(tmp_path, describe)).signals["x"].sigma == pytest.approx(
-        1e-4 / np.sqrt(20), rel=0.15
-    )
+    assert read_data_set(tmp_path, describe).signals["x"].sigma == pytest.approx(1e-4 / np.sqrt(20), rel=0.15)
     file.write_text(f'model = "{MODEL}"\n[[runs]]\nfile = "run.csv"\n[runs.recording]\nresample = "20 mm"\n')
     with pytest.raises(InputError) as caught:
         read_data_set(tmp_path, describe)

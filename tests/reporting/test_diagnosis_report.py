@@ -169,9 +169,8 @@ def test_fifteen_points_of_one_run_with_gaps():
 def test_a_run_that_lacks_a_signal_and_a_signal_whose_noise_nobody_knows():
     data = make_data()
     short = make_data(leave_out=("x",)).runs[1]
-    data = replace(
-        data, runs=(data.runs[0], short, data.runs[2]), signals={**SIGNALS, "T": Signal("T", "K", fitted=False)}
-    )
+    unknown = Signal("T", "K", 0.3, estimated=True, fitted=False, assumed=True)
+    data = replace(data, runs=(data.runs[0], short, data.runs[2]), signals={**SIGNALS, "T": unknown})
     diagnosis = make_diagnosis("identified", data)
     text = checked(diagnosis_report(diagnosis)).text
     assert "the noise of T is not known" in text

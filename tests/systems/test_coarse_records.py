@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from pam_cosim import study
-from pam_cosim.measurement import DataSet
+from pam_cosim.measurement import DataSet, complete_noise
 from rig.effect import Effect
 from rig.instruments import Quantisation, readings
 from rig.measurement import TRUTH, Measurement, Noise, write_data_set
@@ -45,7 +45,8 @@ def _measured(folder: Path, effects: Sequence[Effect], stated: bool, seed: int) 
     data = study.read(folder)
     if stated:
         return data
-    return replace(data, signals={name: replace(s, sigma=None) for name, s in data.signals.items()})
+    blind = {name: replace(signal.as_stated(), sigma=None) for name, signal in data.signals.items()}
+    return replace(data, signals=complete_noise(blind, data.runs))
 
 
 @pytest.mark.full

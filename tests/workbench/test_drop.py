@@ -84,12 +84,13 @@ def test_where_a_recording_begins_is_said_first(window: Window, recorded: Path) 
     put(window, "run-01.csv", "\n".join([head, *rows[55:]]).encode())
     put(window, "run-02.csv", (recorded / "run-02.csv").read_bytes())
     window.do(do="draft", wishes={"parameters": {"load.m": "2.27 kg"}})
-    (said,) = window.last("draft")["starts"]
+    (said, likewise) = window.last("draft")["starts"]
     assert said.startswith("run-01 begins at 47.1 kPa") and said.endswith(": estimated")
+    assert likewise.startswith("run-02 begins at ") and likewise.endswith(": estimated, as others are")
     window.do(do="create")
     (start, other) = window.last("starts")["runs"]
     assert (start["mode"], start["text"], start["warning"]) == ("estimated", said, False)
-    assert other["mode"] == "rest"
+    assert (other["mode"], other["text"]) == ("estimated", likewise)
 
 
 @pytest.mark.parametrize(

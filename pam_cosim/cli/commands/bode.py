@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from pam_cosim.cli.arguments import parse_frequencies, parse_point, parse_settings
+from pam_cosim.cli.arguments import parse_frequencies, parse_pairs, parse_point
 from pam_cosim.cli.commands.common import (
     FilesOption,
     JsonOption,
@@ -40,9 +40,7 @@ def bode(
 ) -> None:
     """Frequency response of a model by sines, beside that of its linear model."""
     check_results(output, json, plot, sources=[model, *(files or [])])
-    interface = dynamics.interface(model, files or [])
-    parameters = parse_settings(settings or [], interface)
-    point = parse_point([at], interface)
+    point = parse_point([at])
     if isinstance(point, list):
         raise InputError("a sine swings about a rest, not about a time of a run")
     chosen = parse_frequencies(frequencies)
@@ -50,8 +48,17 @@ def bode(
     with Progress(*columns, console=console, disable=not console.is_terminal) as progress:
         task = progress.add_task("sines", total=len(chosen))
         response = dynamics.frequency_response(
-            model, parameters, input=by, outputs=of, amplitude=amplitude, frequencies=chosen, at=point,
-            free=free or [], most_periods=most_periods, files=files or [], timeout=timeout,
+            model,
+            parse_pairs(settings or []),
+            input=by,
+            outputs=of,
+            amplitude=amplitude,
+            frequencies=chosen,
+            at=point,
+            free=free or [],
+            most_periods=most_periods,
+            files=files or [],
+            timeout=timeout,
             progress=lambda done, total: progress.update(task, completed=done, total=total),
-        )  # fmt: skip
+        )
     tell_and_write(response, output, json, plot)

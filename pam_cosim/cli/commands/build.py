@@ -22,7 +22,7 @@ def build(
     files: FilesOption = None,
     output: Annotated[Path, typer.Option("--output", "-o", help="Folder for the FMUs, or NAME.fmu for one.")] = Path(
         "fmu/build"
-    ),  # fmt: skip
+    ),
     platforms: Annotated[
         list[str] | None, typer.Option("--platform", help="native, all, or x86_64-windows ...")
     ] = None,

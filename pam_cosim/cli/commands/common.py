@@ -15,12 +15,14 @@ import typer
 from rich.console import Console
 from rich.markup import escape
 
+from pam_cosim import renamed
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_distinct, check_spared, check_writable, identity
 
 if TYPE_CHECKING:
     from pam_cosim.analysis import FrequencyResponse, LinearModel, Observation, Tracking
     from pam_cosim.diagnosis import Event, Message
+    from pam_cosim.fitting import PredictiveBands
     from pam_cosim.measurement import DataSet
 
 INTERRUPTED = 130  # as shells have it for a command that Ctrl-C ended
@@ -51,11 +53,11 @@ RoleOption = Annotated[
 ]
 CutOption = Annotated[
     list[str] | None,
-    typer.Option("--cut", help='RUN=FROM:TO, such as run-03="2.5 s:": what is kept of it; may be repeated.'),
+    typer.Option("--cut", help='RUN=FROM:TO, such as run-03="2.5 s:": what is kept of it; "*": of all runs.'),
 ]
 BeginOption = Annotated[
     list[str] | None,
-    typer.Option("--begin", help="RUN=rest, steady, measured or estimated: in which state it begins; may be repeated."),
+    typer.Option("--begin", help="RUN=rest, steady, measured or estimated: how it begins; '*': all runs."),
 ]
 FreeOption = Annotated[
     list[str] | None,
@@ -75,8 +77,8 @@ TimeoutOption = Annotated[
         min=0.0,
     ),
 ]
-VariablesOption = Annotated[
-    list[str] | None, typer.Option("--output", help="A variable to keep beside the model's outputs; can be repeated.")
+KeepOption = Annotated[
+    list[str] | None, typer.Option("--keep", help="A variable to keep beside the model's outputs; may be repeated.")
 ]
 Data = Annotated[Path, typer.Argument(help="Folder of a data set, or what 'diagnose --save' wrote.")]
 DataOrFmu = Annotated[
@@ -92,6 +94,11 @@ def check_results(*outputs: Path | None, sources: Iterable[Path | str | None] = 
         results[path] = identity(path)
     check_distinct(named)
     check_spared(named, [source for source in sources if source is not None])
+
+
+def say_renamed(option: str) -> None:
+    """Answers an option that has another name now with that."""
+    print(f"pam-cosim: {renamed.OPTIONS[option].message(option)}", file=sys.stderr)
 
 
 def check_model_file(path: Path) -> None:
@@ -138,7 +145,7 @@ def say_written(path: Path | None) -> None:
 
 
 def tell_and_write(
-    product: LinearModel | FrequencyResponse | Observation | Tracking,
+    product: LinearModel | FrequencyResponse | Observation | PredictiveBands | Tracking,
     output: Path | None,
     json: Path | None,
     plot: Path | None,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from shlex import quote
 from typing import Annotated
@@ -25,10 +26,11 @@ from pam_cosim.cli.commands.common import (
     read_data,
     say_written,
 )
-from pam_cosim.comparison import write_tables
+from pam_cosim.comparison import Comparison, ConditionTable, write_tables
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_json
+from pam_cosim.measurement import DataSet
 from pam_cosim.model.references import is_fmu
 from pam_cosim.study.fitted_model import read_fitted_model
 from pam_cosim.study.tables import against_lines, read_comparison
@@ -59,35 +61,70 @@ def compare(
     """How far a model is from a measurement, and where."""
     if table is None and (table_csv or table_plot):
         raise InputError("--table-csv and --table-plot need --table ROWS COLUMNS, two parameters of the runs")
-    check_results(json, report, table_csv, table_plot, sources=[model, params, *(against or []), *(files or [])])
-    values: dict[str, float | str] = {**(_values_of(params, model) if params else {}), **parse_pairs(settings or [])}
+    files = files or []
+    check_results(json, report, table_csv, table_plot, sources=[model, params, *(against or []), *files])
+    fitted, chosen = _values_of(params, model) if params else {}, parse_pairs(settings or [])
     earlier = [(path.stem, read_comparison(path)) for path in against or []]
-    carried = study.evidence(data) if is_fmu(str(data)) else None
-    if carried is not None:
+    if is_fmu(str(data)):
         if roles or cuts or begins:
             raise InputError("recordings in an FMU are compared as they were judged", data)
-        model, values = (str(data), {**carried.values, **values}) if model is None else (model, values)
-        typer.echo(f"{carried}\n")
-    read = read_data(data, model, files, roles, cuts, begins) if carried is None else carried.data
-    comparison = study.compare(read, model, values, files=files or [], timeout=timeout)
-    typer.echo(str(comparison))
-    if carried is not None and model == str(data) and not settings and params is None:
-        typer.echo(_repeated(carried.deviation(comparison)))
+        comparison = _with_evidence(data, model, fitted, chosen, files, timeout)
+    else:
+        read = read_data(data, model, files, roles, cuts, begins)
+        comparison = study.compare(read, model, _together(read, fitted, chosen), files=files, timeout=timeout)
+        typer.echo(str(comparison))
     for line in against_lines(comparison, earlier):
         typer.echo(line)
     tables = [comparison.table(*table, signal) for signal in comparison.scores["all"]] if table else []
     for one in tables:
         typer.echo(f"\n{one}")
+    _write(comparison, tables, json, report)
+    _write_tables(tables, table_csv, table_plot)
+
+
+def _write(comparison: Comparison, tables: Sequence[ConditionTable], json: Path | None, report: Path | None) -> None:
     if json:
-        write_json(json, comparison.as_dict() | ({"tables": [one.as_dict() for one in tables]} if tables else {}))
+        further = {"tables": [one.as_dict() for one in tables]} if tables else {}
+        write_json(json, comparison.as_dict() | further)
     if report:
         reporting.write_report(report, reporting.comparison_report(comparison))
-    if table_csv:
-        write_tables(table_csv, tables)
-    if table_plot:
-        reporting.plot_tables(tables, table_plot)
-    for path in (json, report, table_csv, table_plot):
-        say_written(path)
+    say_written(json)
+    say_written(report)
+
+
+def _write_tables(tables: Sequence[ConditionTable], csv: Path | None, picture: Path | None) -> None:
+    if csv:
+        write_tables(csv, tables)
+    if picture:
+        reporting.plot_tables(tables, picture)
+    say_written(csv)
+    say_written(picture)
+
+
+def _with_evidence(
+    fmu: Path,
+    model: str | None,
+    fitted: Mapping[str, float],
+    chosen: Mapping[str, str],
+    files: Sequence[Path],
+    timeout: float | None,
+) -> Comparison:
+    """The comparison with the recordings that an FMU carries, told with the judgement that it states."""
+    carried = study.evidence(fmu)
+    typer.echo(f"{carried}\n")
+    known = {**carried.values, **fitted} if model is None else fitted
+    values = _together(carried.data, known, chosen)
+    comparison = study.compare(carried.data, model or str(fmu), values, files=files, timeout=timeout)
+    typer.echo(str(comparison))
+    if model in (None, str(fmu)) and not fitted and not chosen:
+        typer.echo(_repeated(carried.deviation(comparison)))
+    return comparison
+
+
+def _together(data: DataSet, fitted: Mapping[str, float], chosen: Mapping[str, str]) -> dict[str, float | str]:
+    """Values of a file, but for what a run states, and those that are set."""
+    stated = {name for run in data.runs for name in run.parameters}
+    return {**{name: value for name, value in fitted.items() if name not in stated}, **chosen}
 
 
 def _repeated(deviation: float) -> str:

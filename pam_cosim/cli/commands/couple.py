@@ -9,8 +9,17 @@ import typer
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
 from pam_cosim import reporting
-from pam_cosim.cli.arguments import parse_settings
-from pam_cosim.cli.commands.common import FilesOption, SetOption, TimeoutOption, check_results, console, say_written
+from pam_cosim.cli.arguments import parse_pairs
+from pam_cosim.cli.commands.common import (
+    FilesOption,
+    KeepOption,
+    SetOption,
+    TimeoutOption,
+    check_results,
+    console,
+    say_renamed,
+    say_written,
+)
 from pam_cosim.cosimulation import Controller, ControllerError, CoupledRun, CouplingFailure
 from pam_cosim.cosimulation.python_file import controller_from
 from pam_cosim.errors import InputError
@@ -38,9 +47,8 @@ def couple(
     samples: Annotated[
         list[str] | None, typer.Option("--sample", help='NAME="10 ms": an FMU that acts at samples, as a controller.')
     ] = None,
-    observed: Annotated[
-        list[str] | None, typer.Option("--observe", help="component.variable: a further variable to record.")
-    ] = None,
+    keep: KeepOption = None,
+    formerly: Annotated[list[str] | None, typer.Option("--observe", hidden=True)] = None,
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the trajectory as CSV.")] = None,
     plot: Annotated[Path | None, typer.Option(help="Draw the trajectory as PNG.")] = None,
     ssp: Annotated[Path | None, typer.Option(help="Write the system as an SSP archive.")] = None,
@@ -49,11 +57,13 @@ def couple(
     timeout: TimeoutOption = None,
 ) -> None:
     """Several FMUs, coupled."""
-    check_results(output, plot, ssp, sources=[system, inputs, *(files or []), *_files_of(controllers or [])])
-    made = dict(_controller(word) for word in controllers or [])
-    read = coupling.read_system(system, made, files=files or [], timeout=timeout)
-    read = read.having(parse_settings(settings or [], read.interface))
-    read = read.sampling(dict(_sample(word) for word in samples or []))
+    if formerly:
+        say_renamed("couple --observe VARIABLE")
+    files, controllers = files or [], controllers or []
+    check_results(output, plot, ssp, sources=[system, inputs, *files, *_files_of(controllers)])
+    made = dict(map(_controller, controllers))
+    read = coupling.read_system(system, made, files=files, timeout=timeout)
+    read = read.having(parse_pairs(settings or [])).sampling(dict(map(_sample, samples or [])))
     course = read_inputs(inputs, read.interface) if inputs else None
     options: dict[str, Any] = {"method": method, "extrapolation": extrapolation, "loops": loops}
     if ssp:
@@ -64,15 +74,24 @@ def couple(
         task = progress.add_task("couple", total=None)
         try:
             run = read.simulate(
-                stop_time, step=step, tolerance=tolerance or (_ADAPTIVE if adaptive else None), inputs=course,
-                outputs=observed or [], progress=lambda time, stop: progress.update(task, completed=time, total=stop),
+                stop_time,
+                step=step,
+                tolerance=tolerance or (_ADAPTIVE if adaptive else None),
+                inputs=course,
+                outputs=[*(keep or []), *(formerly or [])],
+                progress=lambda time, stop: progress.update(task, completed=time, total=stop),
                 **options,
-            )  # fmt: skip
+            )
         except (CouplingFailure, ControllerError) as error:
             if error.run is not None:
                 _write(error.run, output, plot)
             raise
     _write(run, output, plot)
+    _tell(run)
+
+
+def _tell(run: CoupledRun) -> None:
+    """A line for each variable: between which values it lies, and where it ends."""
     for name, values in run.trajectory.values.items():
         unit = run.trajectory.units[name]
         low, high, last = (format_quantity(float(v), unit) for v in (values.min(), values.max(), values[-1]))

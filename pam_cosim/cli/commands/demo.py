@@ -21,7 +21,7 @@ catalogue does not know. The model is refitted, its failure is shown, and the mi
 def demo(
     folder: Annotated[Path, typer.Argument(help="Where recordings and results go; made if needed.")] = Path(
         "pam-cosim-demo"
-    ),  # fmt: skip
+    ),
     workers: Annotated[int | None, typer.Option(help="Processes; default: all processors.")] = None,
 ) -> None:
     """Diagnose recordings that come along: see the verdict, the page, and the error fall."""

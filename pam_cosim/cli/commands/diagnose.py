@@ -35,7 +35,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.files import write_json, write_text
 from pam_cosim.study import products
 from pam_cosim.study.fitted_model import fitted_model
-from pam_cosim.study.tables import write_next_run
+from pam_cosim.study.tables import write_next_run, write_planned_runs
 
 
 def diagnose(
@@ -72,19 +72,16 @@ def diagnose(
     expect: Annotated[list[str] | None, typer.Option(help="One that is likely to be missing; may be repeated.")] = None,
 ) -> None:
     """Find the physical effect that the model lacks."""
-    for path in (output, learned):
-        if path is not None:
-            check_model_file(path)
-    if save is not None and save.suffix != ".npz":
-        raise InputError("a diagnosis is saved as .npz: name a file that ends so", save)
-    check_results(output, save, json, report, following, learned, sources=[model, *(files or [])])
+    files = files or []
+    _check_endings(output, learned, save)
+    check_results(output, save, json, report, following, learned, sources=[model, *files])
     read = read_data(data, model, files, roles, cuts, begins)
     with console.status("refitting the base model") as status:
         say = teller(status)
         diagnosis = study.diagnose(
             read,
             model,
-            files=files or [],
+            files=files,
             say=say,
             progress=follower(status),
             workers=workers,
@@ -96,7 +93,7 @@ def diagnose(
         )
     typer.echo(reporting.diagnosis_text(diagnosis))
     if output:
-        study.add(diagnosis, output=output, files=files or [])
+        study.add(diagnosis, output=output, files=files)
     if save:
         products.save(diagnosis, save)
     if json:
@@ -104,11 +101,21 @@ def diagnose(
     if report:
         reporting.write_report(report, reporting.diagnosis_report(diagnosis))
     if output:
-        _say_model(diagnosis, data, save, output, files or [])
+        _say_model(diagnosis, data, save, output, files)
     say_written(save)
     say_written(json)
     say_written(report)
-    _write_advice(diagnosis, following, learned)
+    _write_next(diagnosis, following, files or [])
+    _write_learned(diagnosis, learned)
+
+
+def _check_endings(output: Path | None, learned: Path | None, save: Path | None) -> None:
+    """Models are written as Modelica, and a diagnosis is saved as arrays."""
+    for path in (output, learned):
+        if path is not None:
+            check_model_file(path)
+    if save is not None and save.suffix != ".npz":
+        raise InputError("a diagnosis is saved as .npz: name a file that ends so", save)
 
 
 def _say_model(diagnosis: Diagnosis, data: Path, save: Path | None, output: Path, files: Sequence[Path]) -> None:
@@ -127,17 +134,29 @@ def _say_model(diagnosis: Diagnosis, data: Path, save: Path | None, output: Path
         typer.echo("  with --save FILE.npz the samples are kept as they were judged, and compare takes that file")
 
 
-def _write_advice(diagnosis: Diagnosis, following: Path | None, learned: Path | None) -> None:
-    """What a verdict leaves to do, as files, where there is something to do."""
-    if following is not None:
-        if diagnosis.next_experiment is None:
-            typer.echo(f"no next experiment: the verdict is {diagnosis.verdict.kind}; {following} is not written")
-        else:
-            write_next_run(following, diagnosis.next_experiment)
-            say_written(following)
-    if learned is not None:
-        if diagnosis.learned is None:
-            typer.echo(f"nothing was learned: the verdict is {diagnosis.verdict.kind}; {learned} is not written")
-        else:
-            write_text(learned, diagnosis.learned.term.modelica_source)
-            say_written(learned)
+def _write_next(diagnosis: Diagnosis, following: Path | None, files: Sequence[Path]) -> None:
+    """The run that decides between the models that are left, as a file, where there is one to make."""
+    if following is None:
+        return
+    over_time = not any(run.is_static for run in diagnosis.data.runs)
+    if over_time and len(diagnosis.rival_models) > 1:
+        planned = study.plan(diagnosis, files=files)
+        typer.echo(str(planned))
+        write_planned_runs(following, planned)
+    elif diagnosis.next_experiment is not None:
+        write_next_run(following, diagnosis.next_experiment)
+    else:
+        typer.echo(f"no next experiment: the verdict is {diagnosis.verdict.kind}; {following} is not written")
+        return
+    say_written(following)
+
+
+def _write_learned(diagnosis: Diagnosis, learned: Path | None) -> None:
+    """The formula for what no effect explains, as a file, where there is one."""
+    if learned is None:
+        return
+    if diagnosis.learned is None:
+        typer.echo(f"nothing was learned: the verdict is {diagnosis.verdict.kind}; {learned} is not written")
+    else:
+        write_text(learned, diagnosis.learned.term.modelica_source)
+        say_written(learned)

@@ -8,7 +8,8 @@ from typing import Annotated
 import typer
 
 from pam_cosim import study
-from pam_cosim.cli.arguments import parse_point, parse_settings
+from pam_cosim.analysis import LinearCourse
+from pam_cosim.cli.arguments import parse_pairs, parse_point
 from pam_cosim.cli.commands.common import (
     FilesOption,
     JsonOption,
@@ -50,26 +51,36 @@ def linearise(
 ) -> None:
     """A, B, C and D of a model about a state, a rest or times of a run."""
     check_results(output, json, plot, sources=[model, course, *(files or [])])
-    interface = dynamics.exchange(model, files or []).interface
-    parameters = parse_settings(settings or [], interface)
-    inputs = read_inputs(course, interface) if course else None
-    point = parse_point(at or ["rest"], interface)
+    parameters = parse_pairs(settings or [])
+    inputs = read_inputs(course, dynamics.exchange(model, files or []).interface) if course else None
+    point = parse_point(at or ["rest"])
     if isinstance(point, list) and len(point) > 1:
         if output is not None or by or states:
             raise InputError("-o, --by and --state are for one point; give one --at")
         along = dynamics.linearise_along(
             model, parameters, inputs, times=point, outputs=of, files=files or [], timeout=timeout
         )
-        typer.echo(str(along))
-        if json:
-            write_json(json, along.as_dict())
-        if plot:
-            study.draw(along, plot)
-        say_written(json)
-        say_written(plot)
+        _tell(along, json, plot)
     else:
         one = dynamics.linearise(
-            model, parameters, at=point[0] if isinstance(point, list) else point, free=free or [], inputs=inputs,
-            outputs=of, files=files or [], timeout=timeout,
-        ).select(by, None, states)  # fmt: skip
+            model,
+            parameters,
+            at=point[0] if isinstance(point, list) else point,
+            free=free or [],
+            inputs=inputs,
+            outputs=of,
+            files=files or [],
+            timeout=timeout,
+        ).select(by, None, states)
         tell_and_write(one, output, json, plot)
+
+
+def _tell(along: LinearCourse, json: Path | None, plot: Path | None) -> None:
+    """Prints the models along a run and writes them where that was asked for; they make no table."""
+    typer.echo(str(along))
+    if json:
+        write_json(json, along.as_dict())
+    if plot:
+        study.draw(along, plot)
+    say_written(json)
+    say_written(plot)

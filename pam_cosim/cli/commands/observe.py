@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from pam_cosim.cli.arguments import parse_pairs, parse_point, parse_settings
+from pam_cosim.cli.arguments import parse_pairs, parse_point
 from pam_cosim.cli.commands.common import (
     FilesOption,
     JsonOption,
@@ -46,16 +46,23 @@ def observe(
 ) -> None:
     """What is not measured, estimated from what is, with its uncertainty (extended Kalman filter)."""
     check_results(output, json, plot, sources=[model, recording, *(files or [])])
-    interface = dynamics.interface(model, files or [])
-    point = parse_point([start], interface) if start else {}
+    point = parse_point([start]) if start else {}
     if not isinstance(point, dict):
         raise InputError("--start: give values by name, such as 'p=1 bar'")
     observation = dynamics.observe(
-        model, recording, parse_settings(settings or [], interface), noise=parse_pairs(noise), outputs=of,
+        model,
+        recording,
+        parse_pairs(settings or []),
+        noise=parse_pairs(noise),
+        outputs=of,
         unknown={name: _two(name, text) for name, text in parse_pairs(unknown or []).items()},
-        drift=parse_pairs(drift or []), spread=parse_pairs(spread or []), start=point,
-        interpolation="previous" if held else "linear", files=files or [], timeout=timeout,
-    )  # fmt: skip
+        drift=parse_pairs(drift or []),
+        spread=parse_pairs(spread or []),
+        start=point,
+        interpolation="previous" if held else "linear",
+        files=files or [],
+        timeout=timeout,
+    )
     tell_and_write(observation, output, json, plot)
 
 

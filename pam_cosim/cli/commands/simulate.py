@@ -8,14 +8,15 @@ from typing import Annotated
 import typer
 
 from pam_cosim import reporting, study
-from pam_cosim.cli.arguments import parse_settings
+from pam_cosim.cli.arguments import file_and_variables, parse_pairs
 from pam_cosim.cli.commands.common import (
     FilesOption,
     InputOption,
+    KeepOption,
     SetOption,
     TimeoutOption,
-    VariablesOption,
     check_results,
+    say_renamed,
     say_written,
 )
 
@@ -27,23 +28,25 @@ def simulate(
     stop_time: Annotated[str | None, typer.Option(help="End of the run, such as 20 or '2 min'; in s.")] = None,
     interval: Annotated[str | None, typer.Option(help="Time between two rows of the result, such as '1 ms'.")] = None,
     output: Annotated[
-        Path | None, typer.Option("-o", metavar="FILE", help="Write the trajectory: CSV, .nc (NetCDF), .parquet.")
+        list[str] | None,
+        typer.Option("--output", "-o", metavar="FILE", help="Write the trajectory: CSV, .nc (NetCDF), .parquet."),
     ] = None,
-    variables: VariablesOption = None,
+    keep: KeepOption = None,
     engine: Annotated[str, typer.Option(help="own, or fmpy: FMPy drives the same FMU.")] = "own",
     plot: Annotated[Path | None, typer.Option(help="Draw the outputs as PNG.")] = None,
     files: FilesOption = None,
     timeout: TimeoutOption = None,
 ) -> None:
     """One run of a model."""
-    check_results(output, plot, sources=[model, inputs, *(files or [])])
-    interface = study.describe(model, files or [])
-    parameters = parse_settings(settings or [], interface)
+    check_results(*map(Path, output or []), plot, sources=[model, inputs, *(files or [])])
+    file, formerly = file_and_variables(output or [], lambda: study.describe(model, files or []))
+    if formerly:
+        say_renamed("simulate --output VARIABLE")
     trajectory = study.simulate(
         model,
-        parameters,
+        parse_pairs(settings or []),
         inputs,
-        outputs=variables or [],
+        outputs=[*(keep or []), *formerly],
         stop_time=stop_time,
         interval=interval,
         engine=engine,
@@ -52,11 +55,11 @@ def simulate(
     )
     for warning in filter(None, (trajectory.solver, *trajectory.warnings)):
         typer.echo(f"pam-cosim: {warning}", err=True)
-    if output:
-        trajectory.save(output)
+    if file:
+        trajectory.save(file)
     if plot:
         reporting.plot_trajectory(trajectory, plot)
     for line in repr(trajectory).splitlines()[1:]:
         typer.echo(line.strip())
-    say_written(output)
+    say_written(file)
     say_written(plot)

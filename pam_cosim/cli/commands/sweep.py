@@ -9,18 +9,20 @@ import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
 from pam_cosim import study
-from pam_cosim.cli.arguments import parse_named, parse_settings, parse_variations
+from pam_cosim.cli.arguments import file_and_variables, parse_named, parse_pairs, parse_variations
 from pam_cosim.cli.commands.common import (
     FilesOption,
     InputOption,
+    KeepOption,
     SetOption,
     TimeoutOption,
-    VariablesOption,
     check_results,
     console,
     remarks,
+    say_renamed,
     say_written,
 )
+from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable
 from pam_cosim.sweeps import DESIGNS, FUNCTIONS, Sweep, partial_of
 
@@ -38,10 +40,13 @@ def sweep(
             "inputs=A.csv,B.csv: inputs over time, of files or of formulas as for --input.",
         ),
     ],
-    output: Annotated[Path, typer.Option("-o", metavar="FILE", help="Write the result: CSV, .nc (NetCDF), .parquet.")],
+    output: Annotated[
+        list[str],
+        typer.Option("--output", "-o", metavar="FILE", help="Write the result: CSV, .nc (NetCDF), .parquet."),
+    ],
     settings: SetOption = None,
     inputs: InputOption = None,
-    variables: VariablesOption = None,
+    keep: KeepOption = None,
     scalars: Annotated[
         list[str] | None,
         typer.Option(
@@ -67,20 +72,24 @@ def sweep(
 
     A sweep that was stopped goes on with the same command.
     """
-    check_results(output, plot, sources=[model, inputs, *(files or [])])
-    check_writable(partial_of(output))
+    check_results(*map(Path, output), plot, sources=[model, inputs, *(files or [])])
+    file, formerly = file_and_variables(output, lambda: study.describe(model, files or []))
+    if file is None:
+        raise InputError("name the file of the result with -o")
+    if formerly:
+        say_renamed("sweep --output VARIABLE")
+    check_writable(partial_of(file))
     interface = study.describe(model, files or [])
     variations = parse_variations(vary, interface, ranges=design in ("random", "latin-hypercube"))
-    parameters = parse_settings(settings or [], interface)
-    remarks.append(lambda: _kept(output))
+    remarks.append(lambda: _kept(file))
     with Progress(*_COLUMNS, console=console, disable=not console.is_terminal) as progress:
         task = progress.add_task("sweep", total=None)
         made = study.sweep(
             model,
             variations,
-            parameters=parameters,
+            parameters=parse_pairs(settings or []),
             inputs=inputs,
-            outputs=variables or [],
+            outputs=[*(keep or []), *formerly],
             scalars=parse_named(scalars or []),
             trajectories=trajectories,
             design=design,
@@ -88,7 +97,7 @@ def sweep(
             seed=seed,
             stop_time=stop_time,
             interval=interval,
-            output=output,
+            output=file,
             executor=dask,
             workers=workers,
             files=files or [],
@@ -98,7 +107,7 @@ def sweep(
     if plot:
         study.draw(made, plot)
     _tell(made)
-    say_written(output)
+    say_written(file)
     say_written(plot)
     if len(made.failed) == len(made):
         raise typer.Exit(1)

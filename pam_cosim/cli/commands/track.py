@@ -54,8 +54,18 @@ def track(
     with Progress(*columns, console=console, disable=not console.is_terminal) as progress:
         task = progress.add_task("tracking", total=len(chosen))
         tracked = tracking.track(
-            plant, made, dict(parse_pairs(settings or [])), output=of, mean=mean, amplitude=amplitude, rate=rate,
-            frequencies=chosen, lead=lead, periods=periods, files=files or [], timeout=timeout,
+            plant,
+            made,
+            dict(parse_pairs(settings or [])),
+            output=of,
+            mean=mean,
+            amplitude=amplitude,
+            rate=rate,
+            frequencies=chosen,
+            lead=lead,
+            periods=periods,
+            files=files or [],
+            timeout=timeout,
             progress=lambda done, total: progress.update(task, completed=done, total=total),
-        )  # fmt: skip
+        )
     tell_and_write(tracked, output, json, plot)

@@ -20,7 +20,7 @@ from pam_cosim.reporting.account.wording import (
     remark,
     unit_text,
     words,
-)  # fmt: skip
+)
 
 Row = dict[str, str]
 

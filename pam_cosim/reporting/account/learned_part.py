@@ -33,9 +33,14 @@ def learned_part(diagnosis: Diagnosis) -> dict[str, Any] | None:
     for name, estimate in candidate.parameters.items():
         value, interval = estimate_texts(estimate)
         parameters.append(
-            {"name": name, "value": value, "interval": interval, "unit": unit_text(estimate.unit),
-             "remark": remark(estimate)}
-        )  # fmt: skip
+            {
+                "name": name,
+                "value": value,
+                "interval": interval,
+                "unit": unit_text(estimate.unit),
+                "remark": remark(estimate),
+            }
+        )
     return {
         "formula": term.formula,
         "beside": listed(candidate.effects[:-1]),

@@ -28,7 +28,7 @@ from pam_cosim.reporting.style import (
     drawing,
     new_figure,
     picture,
-)  # fmt: skip
+)
 
 _MOST_RULES = 10
 _WIDE_ENOUGH = 0.06  # part of a bar that a number fits into

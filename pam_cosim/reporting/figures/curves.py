@@ -25,9 +25,16 @@ def draw_curves(axes: Axes, run: RunComparison, signal: Signal, layers: Sequence
     kept = np.flatnonzero(np.isfinite(run.run.measurements[signal.name]))[::every]
     few = len(kept) <= SPARSE
     axes.plot(
-        places(run)[kept], run.run.measurements[signal.name][kept] * factor, ls="none", marker="o", mec="none",
-        zorder=2, ms=4.5 if few else 3.6, mfc=INK if few else HALO, rasterized=not few,
-    )  # fmt: skip
+        places(run)[kept],
+        run.run.measurements[signal.name][kept] * factor,
+        ls="none",
+        marker="o",
+        mec="none",
+        zorder=2,
+        ms=4.5 if few else 3.6,
+        mfc=INK if few else HALO,
+        rasterized=not few,
+    )
     for i, layer in enumerate(layers):
         own = layer.run(run.run.name)
         if own is not None and signal.name in own.model:

@@ -37,23 +37,29 @@ def draw_ladder(axes: Axes, rungs: Sequence[Rung], signal: Signal, size: float =
     factor = readable_factor(signal.unit)
     roles = [r for r in ROLES if any(signal.name in rung.scores.get(r, {}) for rung in rungs)]
     width = min(0.38, 0.76 / max(len(roles), 1))
-    highest = 0.0
+    noise = signal.sigma * factor
+    highest = noise
     for i, rung in enumerate(rungs):
         for k, role in enumerate(roles):
             score = rung.scores.get(role, {}).get(signal.name)
             if score is None or not np.isfinite(score.rmse):
                 continue
-            at = i + (k - (len(roles) - 1) / 2) * width
-            value = score.rmse * factor
+            at, value = i + (k - (len(roles) - 1) / 2) * width, score.rmse * factor
             highest = max(highest, value)
-            colour = BEFORE if i == 0 else AFTER
-            axes.bar(at, value, 0.9 * width, facecolor=colour if role == "fit" else "white", edgecolor=colour,
-                     hatch=None if role == "fit" else "////", linewidth=1.0, zorder=3)  # fmt: skip
-            axes.annotate(number(value), (at, value), (0, 2.5), textcoords="offset points", ha="center", va="bottom",
-                          fontsize=size, color=INK, zorder=6)  # fmt: skip
-    _noise(axes, signal, factor, len(rungs))
-    noise = (signal.sigma or 0.0) * factor
-    axes.set_ylim(0, 1.16 * max(highest, noise) or 1)
+            _draw_bar(axes, at, value, 0.9 * width, role, BEFORE if i == 0 else AFTER)
+            axes.annotate(
+                number(value),
+                (at, value),
+                (0, 2.5),
+                textcoords="offset points",
+                ha="center",
+                va="bottom",
+                fontsize=size,
+                color=INK,
+                zorder=6,
+            )
+    axes.axhline(noise, color=INK, lw=1.1, dashes=(3, 2), zorder=5)
+    axes.set_ylim(0, 1.16 * highest or 1)
     space = 1.2 if len(rungs) == 1 else 0.6
     axes.set_xlim(-space, len(rungs) - 1 + space)
     axes.set_xticks(range(len(rungs)), [wrapped(r.label, 24) for r in rungs])
@@ -63,9 +69,11 @@ def draw_ladder(axes: Axes, rungs: Sequence[Rung], signal: Signal, size: float =
     axes.set_ylabel(f"rms error [{unit}]" if unit else "rms error")
 
 
-def _noise(axes: Axes, signal: Signal, factor: float, rungs: int) -> None:
-    if signal.sigma is not None and np.isfinite(signal.sigma):
-        axes.axhline(signal.sigma * factor, color=INK, lw=1.1, dashes=(3, 2), zorder=5)
+def _draw_bar(axes: Axes, at: float, height: float, width: float, role: str, colour: str) -> None:
+    """A full bar for fitted runs, a hatched one for holdout runs."""
+    full = role == "fit"
+    face, hatch = (colour, None) if full else ("white", "////")
+    axes.bar(at, height, width, facecolor=face, edgecolor=colour, hatch=hatch, linewidth=1.0, zorder=3)
 
 
 def ladder_legend(roles: Sequence[str]) -> list[Patch | Line2D]:

@@ -50,9 +50,10 @@ def draw_shares(axes: Axes, ledger: Ledger) -> None:
         message(axes, "no balance fails: the model meets the samples to the noise")
     what = " and ".join(ledger.failing) or "nothing"
     axes.set_title(
-        f"fails: {what}. Mean square error {ledger.before:.3g} → {ledger.after:.3g} noise variances", loc="left",
+        f"fails: {what}. Mean square error {ledger.before:.3g} → {ledger.after:.3g} noise variances",
+        loc="left",
         fontweight="bold",
-    )  # fmt: skip
+    )
     axes.set_xlim(0, 1)
     axes.set_axis_off()
 

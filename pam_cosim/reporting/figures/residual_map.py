@@ -22,7 +22,7 @@ _FULL = 5.0  # noise standard deviations of the darkest colour
 
 def residual_map(layers: Sequence[Layer], signals: Sequence[Signal]) -> Picture | None:
     """A panel for each fitted signal and model; None with fewer than two signals or few samples."""
-    judged = [s for s in signals if s.fitted and s.sigma]
+    judged = [s for s in signals if s.fitted]
     if len(signals) < 2 or not judged or min(_count(layers[0], s.name) for s in judged) < _FEWEST:
         return None
     across, up = signals[:2]
@@ -48,7 +48,6 @@ def residual_map(layers: Sequence[Layer], signals: Sequence[Signal]) -> Picture 
 def binned_residual(layer: Layer, signal: Signal, across: Signal, up: Signal) -> tuple[Array, Array, Array]:
     """Mean residual (cells, cells) in noise standard deviations, NaN where nobody was; edges (cells + 1,) [SI]."""
     runs = [r for r in layer.comparison.runs if r.run.sample_count(signal.name)]
-    assert signal.sigma is not None
     error = np.concatenate([r.residual(signal.name) for r in runs]) / signal.sigma
     x, y = (np.concatenate([r.model[s.name] for r in runs]) for s in (across, up))
     kept = np.isfinite(error)

@@ -23,11 +23,10 @@ _BAND_SIGMAS = 2
 def draw_residuals(axes: Axes, run: RunComparison, signal: Signal, layers: Sequence[Layer]) -> None:
     """Measured minus model for each model, over the band of the noise."""
     factor = readable_factor(signal.unit)
-    if signal.sigma is not None:
-        reach = _BAND_SIGMAS * signal.sigma * factor
-        axes.axhspan(-reach, reach, color=BAND, zorder=1)
-        for edge in (-reach, reach):
-            axes.axhline(edge, color=SOFT, lw=0.6, zorder=9)
+    reach = _BAND_SIGMAS * signal.sigma * factor
+    axes.axhspan(-reach, reach, color=BAND, zorder=1)
+    for edge in (-reach, reach):
+        axes.axhline(edge, color=SOFT, lw=0.6, zorder=9)
     axes.axhline(0, color=SOFT, lw=0.8, zorder=2)
     few = run.run.sample_count(signal.name) <= SPARSE
     for i, layer in enumerate(layers):
@@ -37,9 +36,18 @@ def draw_residuals(axes: Axes, run: RunComparison, signal: Signal, layers: Seque
         residual = own.residual(signal.name) * factor
         kept = np.isfinite(residual)
         axes.plot(
-            places(own)[kept], residual[kept], color=layer.colour, zorder=3 + i, marker="o", mec="none",
-            ms=4 if few else 1.6, ls="-" if few else "none", lw=0.8, alpha=1.0 if few else 0.6, rasterized=not few,
-        )  # fmt: skip
+            places(own)[kept],
+            residual[kept],
+            color=layer.colour,
+            zorder=3 + i,
+            marker="o",
+            mec="none",
+            ms=4 if few else 1.6,
+            ls="-" if few else "none",
+            lw=0.8,
+            alpha=1.0 if few else 0.6,
+            rasterized=not few,
+        )
 
 
 def residual_pictures(layers: Sequence[Layer]) -> list[Picture]:
@@ -50,8 +58,7 @@ def residual_pictures(layers: Sequence[Layer]) -> list[Picture]:
     handles: list[Line2D | Patch] = [
         Line2D([], [], color=x.colour, marker="o", mec="none", ms=4, ls="none", label=x.label) for x in layers
     ]
-    if any(s.sigma is not None for s in signals):
-        handles.append(Patch(color=BAND, label=f"noise, ±{_BAND_SIGMAS} standard deviations"))
+    handles.append(Patch(color=BAND, label=f"noise, ±{_BAND_SIGMAS} standard deviations"))
     for runs in pages(comparison.runs):
         with drawing():
             figure = panels(runs, signals, lambda a, r, s: draw_residuals(a, r, s, layers), "{} error")

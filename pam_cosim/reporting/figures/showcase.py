@@ -36,7 +36,11 @@ def showcase(layers: Sequence[Layer], rungs: Sequence[Rung], run: RunComparison,
     right.set_title(f"error of {signal.name}", loc="left", fontweight="bold", fontsize=9.5)
     below = ladder_legend(roles_of(rungs))
     right.legend(
-        handles=below, loc="upper center", bbox_to_anchor=(0.45, -0.16), ncols=len(below), columnspacing=1.2,
+        handles=below,
+        loc="upper center",
+        bbox_to_anchor=(0.45, -0.16),
+        ncols=len(below),
+        columnspacing=1.2,
         handlelength=1.5,
-    )  # fmt: skip
+    )
     return figure

@@ -64,8 +64,10 @@ def diagnose(
     except UnitError as problem:
         raise InputError(f"the time limit: {problem}") from None
     options: dict[str, Any] = {
-        "time_limit": time_limit, "exclude": names_of(exclude, "exclude"), "expect": names_of(expect, "expect")
-    }  # fmt: skip
+        "time_limit": time_limit,
+        "exclude": names_of(exclude, "exclude"),
+        "expect": names_of(expect, "expect"),
+    }
     if session.state.effects:
         options["free"] = list(session.opened.parameters)
     session.work.make_room()

@@ -24,10 +24,15 @@ def switch(session: Session, effects: Sequence[str]) -> None:
     values = _kept(session, chosen)
     session.enter(
         state.after(
-            Step(SWITCH, {"effects": list(chosen), "values": values}), effects=chosen, values=values,
-            milestone="", fit=None, file=None, before=session.comparison if chosen else None,
+            Step(SWITCH, {"effects": list(chosen), "values": values}),
+            effects=chosen,
+            values=values,
+            milestone="",
+            fit=None,
+            file=None,
+            before=session.comparison if chosen else None,
         )
-    )  # fmt: skip
+    )
 
 
 def _kept(session: Session, effects: Sequence[str]) -> dict[str, float]:
@@ -51,10 +56,19 @@ def choose(session: Session, model: str) -> None:
     session.enter(
         state.after(
             Step(CHOOSE, {"model": name}),
-            data=data, model=name, effects=(), values={}, fit=None, file=None, before=None, diagnosis=None,
-            diagnosed=(), milestone=f"{name}, as stated", rungs=state.rungs if same else (),
+            data=data,
+            model=name,
+            effects=(),
+            values={},
+            fit=None,
+            file=None,
+            before=None,
+            diagnosis=None,
+            diagnosed=(),
+            milestone=f"{name}, as stated",
+            rungs=state.rungs if same else (),
         )
-    )  # fmt: skip
+    )
     session.work.tell_diagnosis()
 
 
@@ -88,10 +102,14 @@ def take_candidate(session: Session, chosen: Candidate) -> None:
     session.enter(
         state.after(
             step,
-            effects=effects, values={**kept, **chosen.fit.values}, fit=chosen.fit, file=None,
-            milestone=f"{label_of(effects)}, fitted", before=session.comparison,
+            effects=effects,
+            values={**kept, **chosen.fit.values},
+            fit=chosen.fit,
+            file=None,
+            milestone=f"{label_of(effects)}, fitted",
+            before=session.comparison,
         )
-    )  # fmt: skip
+    )
 
 
 def undo(session: Session) -> None:

@@ -33,6 +33,11 @@ package Language "One construct of the language after the other"
     parameter Real offset = 1;
   end InnerOuter;
 
+  model NoInner
+    Ball balls[2];
+    Ball single;
+  end NoInner;
+
   partial function Law
     input Real x;
     output Real y;

@@ -1,3 +1,4 @@
 model NoInner
+  Language.World world;
   Language.Ball ball;
 end NoInner;

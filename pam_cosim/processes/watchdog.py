@@ -4,7 +4,7 @@ It runs no foreign code and imports the standard library alone. So nothing that 
 interpreter's lock while it is loaded, can keep it from ending the FMU's process: when that makes no progress, and when
 the study has ended, for whatever reason.
 
-``python keeper.py LIMIT COMMAND...``: the command's last argument will be a folder of its own.
+``python watchdog.py LIMIT COMMAND...``: the command's last argument will be a folder of its own.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ import time
 from queue import Empty, SimpleQueue
 from typing import IO
 
-# Kinds of frames, on both sides of the keeper; the last two are its own.
+# Kinds of frames, on both sides of the watchdog; the last two are its own.
 REQUEST, CLOSE = b"r", b"c"
 PROGRESS, ANSWER = b"p", b"a"
 LATE, CRASHED = b"l", b"x"
@@ -63,7 +63,7 @@ def read_frame(stream: IO[bytes]) -> tuple[bytes, bytes]:
     return kind, content
 
 
-class Keeper:
+class Watchdog:
     """One FMU's process from its start to its end.
 
     Args:
@@ -147,10 +147,10 @@ def main(limit: float, command: list[str]) -> None:
         process = subprocess.Popen(
             [*command, folder], stdin=subprocess.PIPE, stdout=subprocess.PIPE, start_new_session=True
         )
-        keeper = Keeper(process, limit)
-        signal.signal(signal.SIGTERM, lambda *_: keeper.events.put((_GONE, b"")))
-        kind, doing = keeper.watch()
-        status = keeper.end(_DYING if kind in (CRASHED, CLOSE) else 0.0)
+        watchdog = Watchdog(process, limit)
+        signal.signal(signal.SIGTERM, lambda *_: watchdog.events.put((_GONE, b"")))
+        kind, doing = watchdog.watch()
+        status = watchdog.end(_DYING if kind in (CRASHED, CLOSE) else 0.0)
     finally:
         shutil.rmtree(folder, ignore_errors=True)
     if kind == _GONE and "PAM_COSIM_SCRATCH" in os.environ:  # the command's own folder, if it was killed (``command``)

@@ -20,7 +20,7 @@ from pam_cosim.simulation import AnySimulator, Inputs, Settle, Trajectory
 
 
 @dataclass(frozen=True)
-class Beginning:
+class InitialState:
     """How a simulation begins.
 
     Attributes:
@@ -67,7 +67,7 @@ def inputs_of_run(run: Run) -> Inputs | None:
     return Inputs(time, values, run.interpolation) if values else None
 
 
-def beginning(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> Beginning:
+def initial_state(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> InitialState:
     """How the simulation of a run begins.
 
     Args:
@@ -77,22 +77,22 @@ def beginning(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapp
         parameters: what it is simulated with [SI], start values among them.
     """
     if run.start.seconds:
-        return Beginning(settle="all")
+        return InitialState(settle="all")
     given = [name for name in simulator.interface.states if name in parameters]
     if run.is_static or (run.start.mode in (None, "rest") and not run.start.periodic):
-        return Beginning()
+        return InitialState()
     if given:
-        return Beginning(settle="none" if len(given) == len(simulator.interface.states) else "others")
+        return InitialState(settle="none" if len(given) == len(simulator.interface.states) else "others")
     found = measured(simulator, data, run, parameters)
-    return Beginning(found.values, "all", found.shown) if run.start.mode == "steady" else found
+    return InitialState(found.values, "all", found.shown) if run.start.mode == "steady" else found
 
 
-def measured(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> Beginning:
-    """The beginning at which what the first samples show is as they show it; arguments as for ``beginning``."""
+def measured(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> InitialState:
+    """The beginning at which what the first samples show is as they show it; arguments as for ``initial_state``."""
     probe = StartProbe(simulator, data, run, parameters)
     first = probe.first_samples()
     if not simulator.interface.states or not first:
-        return Beginning()
+        return InitialState()
     links = probe.links({}).joined(probe.links(probe.elsewhere()))
     shown, values = _agreeing(probe, links, first)
     if missed := probe.missed(shown, values):  # such as a reading at the end of its range, which shows nothing
@@ -100,7 +100,7 @@ def measured(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mappi
         shown, values = _agreeing(probe, links, others)
     signals = {state: one.signal for state, one in shown.items()}
     settle: Settle = "others" if probe.rests(values) else "none"
-    return Beginning(values, settle, signals)
+    return InitialState(values, settle, signals)
 
 
 def _agreeing(
@@ -196,7 +196,7 @@ class StartProbe:
 
     def first_samples(self) -> dict[str, FirstSamples]:
         """Of the signals that are fitted."""
-        known = {name: first_of_run(self.run, name, self.data.signals[name].sigma or 0.0) for name in self.signals}
+        known = {name: first_of_run(self.run, name, self.data.signals[name].sigma) for name in self.signals}
         return {name: one for name, one in known.items() if one is not None}
 
     def at(self, values: Mapping[str, float], settle: Settle = "none") -> tuple[Array, Array]:
@@ -282,4 +282,4 @@ class StartProbe:
         return True
 
 
-__all__ = ["Beginning", "StartProbe", "beginning", "first_of_run", "inputs_of_run", "measured", "start_time"]
+__all__ = ["InitialState", "StartProbe", "first_of_run", "initial_state", "inputs_of_run", "measured", "start_time"]

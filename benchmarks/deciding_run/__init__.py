@@ -1,0 +1,1 @@
+"""One more run: designed to decide, or drawn at random."""

@@ -1,0 +1,90 @@
+"""The command ``plan``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from pam_cosim import study
+from pam_cosim.cli.arguments import parse_limits
+from pam_cosim.cli.commands.common import (
+    FilesOption,
+    JsonOption,
+    ModelOption,
+    check_results,
+    console,
+    follower,
+    read_data,
+    say_written,
+    teller,
+)
+from pam_cosim.diagnosis import Diagnosis
+from pam_cosim.errors import InputError
+from pam_cosim.files import write_json
+from pam_cosim.study.tables import planned_files, write_planned_runs
+
+
+def plan(
+    source: Annotated[
+        Path, typer.Argument(metavar="DIAGNOSIS", help="What 'diagnose --save' wrote, or a data set to diagnose first.")
+    ],
+    limits: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--limit",
+            help="NAME=FROM:TO with units, such as u_in='0 A:0.35 A': an input, a known parameter, or a signal that "
+            "must stay within; default: what the recordings span. May be repeated.",
+        ),
+    ] = None,
+    seconds: Annotated[str | None, typer.Option(help="Length of a run, such as '10 s'; default: as recorded.")] = None,
+    runs: Annotated[int, typer.Option(help="How many runs to design, one after another.", min=1)] = 1,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="Write the inputs as CSV; of a second run to FILE-2.csv.")
+    ] = None,
+    plot: Annotated[Path | None, typer.Option(help="Draw inputs and what each model foretells as PNG.")] = None,
+    json: JsonOption = None,
+    seed: Annotated[int, typer.Option(help="Of the search.", min=0)] = 0,
+    model: ModelOption = None,
+    files: FilesOption = None,
+    workers: Annotated[int | None, typer.Option(help="Processes of the diagnosis; default: all processors.")] = None,
+) -> None:
+    """Design the run that decides between the models which a diagnosis leaves."""
+    written = planned_files(output, runs) if output else []
+    check_results(*written, plot, json, sources=[source, model, *(files or [])])
+    ranges = parse_limits(limits or [])
+    diagnosis = _diagnosis(source, model, files, workers)
+    with console.status("designing the run") as status:
+        planned = study.plan(
+            diagnosis, limits=ranges, seconds=seconds, runs=runs, files=files or [], seed=seed, say=teller(status)
+        )
+    typer.echo(str(planned))
+    if output:
+        write_planned_runs(output, planned)
+    if plot:
+        study.draw(planned, plot)
+    if json:
+        write_json(json, planned.as_dict())
+    for path in (*written, plot, json):
+        say_written(path)
+
+
+def _diagnosis(source: Path, model: str | None, files: list[Path] | None, workers: int | None) -> Diagnosis:
+    """The saved diagnosis, or that of a data set."""
+    if source.suffix.lower() == ".npz":
+        found = study.load(source)
+        if not isinstance(found, Diagnosis):
+            raise InputError(f"a {type(found).__name__} leaves no rivals: name what 'diagnose --save' wrote", source)
+        return found
+    data = read_data(source, model, files)
+    with console.status("refitting the base model") as status:
+        return study.diagnose(
+            data,
+            model,
+            files=files or [],
+            say=teller(status),
+            progress=follower(status),
+            workers=workers,
+            explain=False,
+        )

@@ -1,0 +1,126 @@
+"""Within what a rig can be driven."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from pam_cosim.errors import InputError
+from pam_cosim.measurement import DataSet, Run
+from pam_cosim.model.references import BRANCH
+from pam_cosim.wording import did_you_mean
+
+Range = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What a run may be made of, SI units.
+
+    Attributes:
+        inputs: lowest and highest value of each input.
+        constant: inputs that keep one value through a run, such as a supply.
+        rates: the steepest change of each input a second; infinite: it can step.
+        start: value of each input when a run begins, from which an input with a finite rate departs.
+        parameters: ranges of what is set before a run, such as a load.
+        outputs: ranges that the predicted signals must keep.
+        seconds: length of a run.
+        interval: time between two samples [s].
+    """
+
+    inputs: Mapping[str, Range]
+    constant: frozenset[str]
+    rates: Mapping[str, float]
+    start: Mapping[str, float]
+    parameters: Mapping[str, Range]
+    outputs: Mapping[str, Range]
+    seconds: float
+    interval: float
+
+    @property
+    def moving(self) -> tuple[str, ...]:
+        """The inputs that move within a run, in their order."""
+        return tuple(name for name in self.inputs if name not in self.constant)
+
+    @property
+    def is_fixed(self) -> bool:
+        """Whether nothing can be chosen."""
+        return all(low == high for low, high in (*self.inputs.values(), *self.parameters.values()))
+
+
+def limits_of(data: DataSet, stated: Mapping[str, Range] | None = None, seconds: float | None = None) -> Limits:
+    """What the recordings span, but for what is stated.
+
+    An input is as fast as it was recorded at its fastest. A parameter that differs between runs can be set.
+
+    Args:
+        data: the measurement; not of points at rest.
+        stated: lowest and highest value [SI] of inputs, of known parameters, and of fitted signals, by name.
+        seconds: length of a run; None: as long as the recordings are, in the median.
+
+    Raises:
+        InputError: an unknown name; a range that begins above its end; points at rest; no positive length.
+    """
+    runs = [run for run in data.runs if not run.is_static]
+    if not runs:
+        raise InputError("points at rest have no course over time that could be planned", data.folder)
+    stated = dict(stated or {})
+    inputs = {name: _span(runs, name) for name in runs[0].inputs if name != BRANCH}
+    parameters = {name: _set(runs, name) for name in runs[0].parameters if len({*_set(runs, name)}) > 1}
+    known = {n for n in runs[0].parameters if n not in data.free_names}
+    signals = [n for n, s in data.signals.items() if s.fitted]
+    outputs: dict[str, Range] = {}
+    for name, (low, high) in stated.items():
+        if not low <= high:
+            raise InputError(f"the limits of '{name}' begin above their end")
+        place = inputs if name in inputs else parameters if name in known else outputs if name in signals else None
+        if place is None:
+            known_names = [*inputs, *sorted(known), *signals]
+            raise InputError(f"there is nothing '{name}' to limit; {did_you_mean(name, known_names)}")
+        place[name] = (low, high)
+    length = float(np.median([run.time[-1] - run.time[0] for run in runs])) if seconds is None else seconds
+    if not length > 0:
+        raise InputError("a run must last longer than nothing")
+    interval = float(np.median(np.concatenate([_steps(run) for run in runs])))
+    return Limits(
+        inputs,
+        frozenset(n for n in inputs if all(np.ptp(run.inputs[n]) == 0 for run in runs if n in run.inputs)),
+        {name: _rate(runs, name, inputs[name], interval) for name in inputs},
+        {name: float(runs[0].inputs[name][0]) for name in inputs},
+        parameters,
+        outputs,
+        length,
+        min(interval, length),
+    )
+
+
+def _span(runs: Sequence[Run], name: str) -> Range:
+    values = [run.inputs[name] for run in runs if name in run.inputs]
+    return float(min(v.min() for v in values)), float(max(v.max() for v in values))
+
+
+def _set(runs: Sequence[Run], name: str) -> Range:
+    values = [run.parameters[name] for run in runs if name in run.parameters]
+    return min(values), max(values)
+
+
+def _steps(run: Run) -> np.ndarray:
+    steps = np.diff(run.time)
+    return np.asarray(steps[steps > 0])
+
+
+def _rate(runs: Sequence[Run], name: str, span: Range, interval: float) -> float:
+    """The steepest slope that was recorded; infinite where a step was, or the whole range within a sample."""
+    steepest = 0.0
+    for run in runs:
+        if name not in run.inputs:
+            continue
+        change, step = np.abs(np.diff(run.inputs[name])), np.diff(run.time)
+        if run.interpolation == "previous" and change.any():
+            return np.inf
+        if np.any(change[step == 0] > 0):
+            return np.inf
+        steepest = max(steepest, float((change[step > 0] / step[step > 0]).max(initial=0.0)))
+    return steepest if 0 < steepest * interval < span[1] - span[0] else np.inf

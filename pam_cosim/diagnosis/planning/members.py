@@ -1,0 +1,38 @@
+"""Which models stand for the explanations that a verdict leaves: of each, the laws of its families that fit as well."""
+
+from __future__ import annotations
+
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.diagnosis.diagnose import Diagnosis
+
+
+def members(diagnosis: Diagnosis) -> list[list[Candidate]]:
+    """The models of each explanation that is left, best first.
+
+    An explanation is a set of families. Which of their laws is the right one may be as open as the families are: a run
+    that separates one leak from a wall that warms up need not separate another leak from it.
+    """
+    family = {c.effect: c.family for c in diagnosis.candidates}
+    return [[best, *_alike(diagnosis, best, family)] for best in diagnosis.rival_models]
+
+
+def _alike(diagnosis: Diagnosis, best: Candidate, family: dict[str, str]) -> list[Candidate]:
+    """Other laws of the same families, with no more parameters, whose chi-square is hardly larger than the best one's.
+
+    A law with more parameters bends towards any rival until it is measured everywhere.
+    """
+    own, limit = _families(best, family), _chi2(best) + CRITERIA.evidence.very_strong
+    fitted = [c for c in diagnosis.candidates if c.effects != best.effects and not c.brief and not c.general]
+    near = [c for c in fitted if _families(c, family) == own and len(c.fit.parameters) <= len(best.fit.parameters)]
+    near = sorted((c for c in near if _chi2(c) <= limit), key=lambda c: (_chi2(c), c.effects))
+    return near[: CRITERIA.next_experiment.members - 1]
+
+
+def _families(candidate: Candidate, family: dict[str, str]) -> list[str]:
+    return sorted(family.get(effect, effect) for effect in candidate.effects)
+
+
+def _chi2(candidate: Candidate) -> float:
+    """Of all runs; nothing is known of a fit without residuals, which is as good as any."""
+    return sum(s.chi2 for s in candidate.fit.residuals.values() if s.samples)

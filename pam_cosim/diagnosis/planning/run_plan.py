@@ -1,0 +1,190 @@
+"""The product of planning: runs that a rig can play, and what each of them is expected to decide."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.units import format_quantity
+from pam_cosim.wording import Printed, listed
+
+
+@dataclass(frozen=True)
+class Separation:
+    """How far apart two rivals are expected to be.
+
+    Attributes:
+        first, second: effects of the two models, joined by " + ".
+        chi2: that the wrong one of them is expected to leave more than the right one, after it was fitted again.
+    """
+
+    first: str
+    second: str
+    chi2: float
+
+    @property
+    def decides(self) -> bool:
+        """Whether that is very strong evidence."""
+        return self.chi2 >= CRITERIA.evidence.very_strong
+
+
+@dataclass(frozen=True)
+class PlannedRun:
+    """One run.
+
+    Attributes:
+        parameters: what is set before it [SI].
+        table: columns of time [s] and inputs [SI] where any of them bends; lines join the rows, and a step is two rows
+            at one time.
+        separations: of each pair of models with different families, by this run alone.
+        at_random: the same for the pair that is least apart, by a course drawn at random, in the median; NaN: none of
+            those that were drawn could be simulated.
+        time: (n,) [s] of the predictions.
+        predicted: by rival and signal (n,) [SI].
+    """
+
+    parameters: dict[str, float]
+    table: dict[str, list[float]]
+    separations: tuple[Separation, ...]
+    at_random: float
+    time: Array
+    predicted: dict[str, dict[str, Array]]
+
+    @property
+    def chi2(self) -> float:
+        """Of the pair that is least apart."""
+        return min(one.chi2 for one in self.separations)
+
+    @property
+    def inputs(self) -> dict[str, Array]:
+        """(n,) values of each input at the times of the predictions [SI]; of a step the first row is before it."""
+        at = np.array(self.table["time"])
+        is_last = np.append(np.diff(self.time) > 0, True)
+        after, before = np.searchsorted(at, self.time, side="right") - 1, np.searchsorted(at, self.time, side="left")
+        on_row = np.isin(self.time, at)
+        columns = {name: np.array(values) for name, values in self.table.items() if name != "time"}
+        return {
+            name: np.where(on_row, values[np.where(is_last, after, before)], np.interp(self.time, at, values))
+            for name, values in columns.items()
+        }
+
+
+@dataclass(frozen=True)
+class RunPlan(Printed):
+    """Runs that would decide between the models that a diagnosis leaves.
+
+    Attributes:
+        title: of the data set.
+        model: the base model.
+        verdict: kind of the verdict.
+        rivals: effects of each model, joined by " + ": those of one explanation after one another, best first.
+        explanations: the same, of each set of families the models that stand for it.
+        families: of these effects.
+        runs: to be made, one after another.
+        units: by name of an input, a parameter or a signal.
+        sigma: noise of each signal [SI].
+        tried: courses that were simulated.
+    """
+
+    title: str
+    model: str
+    verdict: str
+    rivals: tuple[str, ...]
+    explanations: tuple[tuple[str, ...], ...]
+    families: tuple[str, ...]
+    runs: tuple[PlannedRun, ...]
+    units: dict[str, str]
+    sigma: dict[str, float]
+    tried: int
+
+    @property
+    def separations(self) -> tuple[Separation, ...]:
+        """Of each pair of rivals, by all runs together."""
+        first = self.runs[0].separations
+        sums = [sum(run.separations[i].chi2 for run in self.runs) for i in range(len(first))]
+        return tuple(Separation(one.first, one.second, chi2) for one, chi2 in zip(first, sums, strict=True))
+
+    @property
+    def chi2(self) -> float:
+        """Expected between the two rivals that are least apart."""
+        return min(one.chi2 for one in self.separations)
+
+    @property
+    def decides(self) -> bool:
+        """Whether every pair of rivals is expected to be predictions apart by very strong evidence."""
+        return all(one.decides for one in self.separations)
+
+    @property
+    def expectation(self) -> str:
+        """What the runs are expected to decide, in a sentence."""
+        runs = "this run" if len(self.runs) == 1 else f"these {len(self.runs)} runs"
+        least = min(self.separations, key=lambda one: one.chi2)
+        strong = CRITERIA.evidence.very_strong
+        if self.decides:
+            says = f"{runs} should decide between {listed(_named(models) for models in self.explanations)}"
+        else:
+            close = [f"{one.first} and {one.second}" for one in self.separations if not one.decides]
+            says = f"{runs} will not decide between {listed(close)}: measure another signal, or widen the limits"
+        return (
+            f"{says[0].upper()}{says[1:]}: whichever is right, the others are expected to leave a chi-square that "
+            f"is at least {least.chi2:.3g} larger after they are fitted again ({strong:g} is very strong evidence"
+            f"{self._beside}); {least.first} and {least.second} are least apart."
+        )
+
+    @property
+    def _beside(self) -> str:
+        chance = sum(run.at_random for run in self.runs)
+        return f"; courses drawn at random bring {chance:.3g} in the median" if chance == chance else ""
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON, SI units."""
+        return {
+            "title": self.title,
+            "model": self.model,
+            "verdict": self.verdict,
+            "rivals": list(self.rivals),
+            "explanations": [list(models) for models in self.explanations],
+            "families": list(self.families),
+            "chi2": self.chi2,
+            "decides": self.decides,
+            "expectation": self.expectation,
+            "separations": [asdict(one) for one in self.separations],
+            "tried": self.tried,
+            "units": self.units,
+            "runs": [_run(one) for one in self.runs],
+        }
+
+    def __str__(self) -> str:
+        lines = [
+            f"{self.title}: the verdict is {self.verdict}; {len(self.explanations)} explanations are left",
+            self.expectation,
+        ]
+        lines += [f"  {one.first} against {one.second}: chi-square {one.chi2:.3g}" for one in self.separations]
+        for number, run in enumerate(self.runs, 1):
+            lines.append(f"run {number}: {run.table['time'][-1]:.4g} s{_settings(run.parameters, self.units)}")
+        return "\n".join(lines)
+
+
+def _named(models: Sequence[str]) -> str:
+    """The best law of an explanation, and the others that fit as well."""
+    best, *others = models
+    return f"{best} (or {', '.join(others)})" if others else best
+
+
+def _run(run: PlannedRun) -> dict[str, object]:
+    return {
+        "parameters": run.parameters,
+        "table": run.table,
+        "separations": [asdict(one) for one in run.separations],
+        "chi2": run.chi2,
+        "at_random": run.at_random if run.at_random == run.at_random else None,
+    }
+
+
+def _settings(parameters: Mapping[str, float], units: Mapping[str, str]) -> str:
+    values = [f"{name} = {format_quantity(value, units.get(name, ''), 4)}" for name, value in parameters.items()]
+    return f", with {listed(values)}" if values else ""

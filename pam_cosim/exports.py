@@ -1,0 +1,70 @@
+"""Products as files: JSON of plain data, and tables of comma-separated values."""
+
+from __future__ import annotations
+
+import csv
+import io
+from abc import ABC, abstractmethod
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+from pam_cosim.files import write_json, write_text
+
+Table = tuple[Sequence[str], Iterable[Sequence[object]]]
+"""Headings, and rows of as many cells."""
+
+
+def headed(name: str, unit: str) -> str:
+    """The heading of a column; a number without a unit has none."""
+    return f"{name} [{unit}]" if unit else name
+
+
+def table_text(table: Table) -> str:
+    """A table as comma-separated values; every number reads back as it is, and one of whether is 0 or 1."""
+    heads, rows = table
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(heads)
+    writer.writerows([_cell(value) for value in row] for row in rows)
+    return text.getvalue()
+
+
+def write_table(path: Path, table: Table) -> None:
+    """Writes ``table_text``, whole or not at all.
+
+    Raises:
+        InputError: the file cannot be written.
+    """
+    write_text(path, table_text(table))
+
+
+def _cell(value: object) -> str:
+    if type(value) is float:  # as nearly all are
+        return repr(value)
+    if isinstance(value, str):
+        return value
+    plain = value.item() if hasattr(value, "item") else value
+    return repr(int(plain) if isinstance(plain, bool) else plain)
+
+
+class Exported(ABC):
+    """A product that is written as JSON and as a table."""
+
+    @abstractmethod
+    def as_dict(self) -> dict[str, Any]:
+        """Plain data; SI units."""
+
+    @abstractmethod
+    def table(self) -> Table:
+        """Headings and rows; SI units."""
+
+    def to_json(self, path: Path | str) -> Path:
+        """Writes ``as_dict``."""
+        write_json(Path(path), self.as_dict())
+        return Path(path)
+
+    def to_csv(self, path: Path | str) -> Path:
+        """Writes ``table``."""
+        write_table(Path(path), self.table())
+        return Path(path)

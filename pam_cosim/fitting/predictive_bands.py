@@ -1,0 +1,180 @@
+"""What a fitted model foretells of a run, with how far the parameters leave it open."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.comparison import simulate_run
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.errors import SimulationFailure
+from pam_cosim.exports import Exported, Table, headed
+from pam_cosim.fitting.parameter_posterior import ParameterPosterior
+from pam_cosim.measurement import DataSet, Run
+from pam_cosim.simulation import AnySimulator
+from pam_cosim.units import format_quantity
+from pam_cosim.wording import Printed
+
+
+@dataclass(frozen=True)
+class Band:
+    """One signal.
+
+    Attributes:
+        unit: SI unit.
+        value: (n,) with the fitted parameters [unit].
+        low, high: (n,) between which the signal lies with 95 % [unit], as far as the parameters say.
+        reading_low, reading_high: (n,) between which a reading of it lies with 95 % [unit].
+        measured: (n,) readings [unit], NaN where there is none; empty: nobody ran it.
+    """
+
+    unit: str
+    value: Array
+    low: Array
+    high: Array
+    reading_low: Array
+    reading_high: Array
+    measured: Array = field(default_factory=lambda: np.zeros(0))
+
+    @property
+    def coverage(self) -> float:
+        """Share of the readings that lie within their band; NaN without readings."""
+        at = np.isfinite(self.measured) if self.measured.size else np.zeros(0, dtype=bool)
+        if not at.any():
+            return float("nan")
+        inside = (self.measured >= self.reading_low) & (self.measured <= self.reading_high)
+        return float(np.mean(inside[at]))
+
+
+@dataclass(frozen=True)
+class PredictiveBands(Printed, Exported):
+    """A run that was foretold.
+
+    Attributes:
+        model: the fitted model.
+        run: name of the run.
+        time: (n,) [s].
+        inputs: (n,) each [SI].
+        bands: by signal.
+        posterior: the parameters that it was foretold with.
+        failed: how many of them the model broke down with.
+    """
+
+    model: str
+    run: str
+    time: Array
+    inputs: dict[str, Array]
+    bands: dict[str, Band]
+    posterior: ParameterPosterior
+    failed: int = 0
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON, SI units."""
+        return {
+            "model": self.model,
+            "run": self.run,
+            "time": self.time.tolist(),
+            "inputs": {name: values.tolist() for name, values in self.inputs.items()},
+            "signals": {name: _plain(band) for name, band in self.bands.items()},
+            "parameters": self.posterior.as_dict(),
+            "failed": self.failed,
+        }
+
+    def table(self) -> Table:
+        """Time, and of each signal its value and the ends of both bands; SI units."""
+        heads, columns = [headed("time", "s")], [self.time]
+        for name, band in self.bands.items():
+            for end in ("value", "low", "high", "reading_low", "reading_high"):
+                heads.append(headed(name if end == "value" else f"{name}.{end}", band.unit))
+                columns.append(getattr(band, end))
+        return heads, ([float(v) for v in row] for row in zip(*columns, strict=True))
+
+    def __str__(self) -> str:
+        count, effective = len(self.posterior.samples), self.posterior.effective
+        lines = [f"{self.model}, {self.run}: foretold with {count} samples of {len(self.posterior.names)} parameters"]
+        if effective < CRITERIA.fit.least_effective:
+            lines.append(
+                f"  they say as much as {effective:.0f} of equal weight: the bands are rough; take more samples"
+            )
+        for name, band in self.bands.items():
+            width = format_quantity(float(np.median(band.high - band.low)) / 2, band.unit, 2)
+            widest = int(np.argmax(band.high - band.low))
+            most = format_quantity(float(band.high[widest] - band.low[widest]) / 2, band.unit, 2)
+            text = f"  {name}: ± {width} in the median (95 %), ± {most} at {self.time[widest]:.4g} s"
+            if band.coverage == band.coverage:
+                text += f"; {100 * band.coverage:.1f} % of the readings are within their band"
+            lines.append(text)
+        if self.failed:
+            lines.append(f"  {self.failed} samples could not be simulated and are left out")
+        return "\n".join(lines)
+
+
+def predictive_bands(
+    simulator: AnySimulator,
+    data: DataSet,
+    run: Run,
+    posterior: ParameterPosterior,
+    fitted: dict[str, float],
+    tell: Callable[[int], None] = lambda done: None,
+) -> PredictiveBands:
+    """Simulates a run with every sample of the parameters.
+
+    Args:
+        simulator: the model that was fitted.
+        data: what it was fitted to.
+        run: inputs, parameters and times, as one of the data set.
+        posterior: of the parameters.
+        fitted: the optimum [SI].
+        tell: called with how many samples are done.
+
+    Raises:
+        SimulationFailure: the model breaks down at the optimum, or with most of the samples.
+    """
+    names = [name for name in simulator.interface.outputs if name in data.signals]
+    best = simulate_run(simulator, data, run, fitted, None, names).model
+    drawn: list[dict[str, Array]] = []
+    weights: list[float] = []
+    for done, (values, weight) in enumerate(zip(posterior.values, posterior.weights, strict=True), 1):
+        if weight:
+            with suppress(SimulationFailure):
+                drawn.append(simulate_run(simulator, data, run, values, None, names).model)
+                weights.append(float(weight))
+        tell(done)
+    failed = int(np.count_nonzero(posterior.weights)) - len(drawn)
+    if failed > len(drawn):
+        raise SimulationFailure(f"the model breaks down with {failed} of {len(posterior.samples)} samples")
+    share = np.array(weights) / sum(weights)
+    bands = {n: _band(data, run, n, best[n], np.array([one[n] for one in drawn]), share) for n in names}
+    return PredictiveBands(simulator.interface.model, run.name, run.time, dict(run.inputs), bands, posterior, failed)
+
+
+def _band(data: DataSet, run: Run, name: str, best: Array, drawn: Array, weights: Array) -> Band:
+    """Quantiles over the weighted samples; a reading adds the noise to each of them."""
+    signal, reach = data.signals[name], CRITERIA.fit.interval
+    tail = CRITERIA.fit.tail
+    low, high = _quantile(drawn, weights, tail), _quantile(drawn, weights, 1 - tail)
+    centre = weights @ drawn
+    around = reach * np.sqrt(weights @ (drawn - centre) ** 2 + signal.sigma**2)
+    measured = run.measurements.get(name, np.zeros(0))
+    readings = measured if np.isfinite(measured).any() else np.zeros(0)
+    return Band(signal.unit, best, low, high, centre - around, centre + around, readings)
+
+
+def _quantile(drawn: Array, weights: Array, level: float) -> Array:
+    """(n,) the value of each column below which the samples have a share ``level`` of the weight."""
+    order = np.argsort(drawn, axis=0)
+    below = np.cumsum(weights[order], axis=0) - 0.5 * weights[order]
+    columns = np.take_along_axis(drawn, order, axis=0)
+    return np.array([np.interp(level, below[:, i], columns[:, i]) for i in range(drawn.shape[1])])
+
+
+def _plain(band: Band) -> dict[str, object]:
+    columns = {end: getattr(band, end) for end in ("value", "low", "high", "reading_low", "reading_high", "measured")}
+    listed: dict[str, object] = {
+        end: [None if np.isnan(v) else float(v) for v in values] for end, values in columns.items()
+    }
+    return {"unit": band.unit, "coverage": None if np.isnan(band.coverage) else band.coverage, **listed}

@@ -1,0 +1,120 @@
+"""What may explain the samples of a ledger, and which of it explains them best."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.ledger.augmented import AugmentedModel, UnknownInput
+from pam_cosim.ledger.sensor import SensorFault, Unaugmented
+from pam_cosim.ledger.smoother import Smoothed, SmoothingProblem, with_some
+
+
+@dataclass(frozen=True)
+class Explanation:
+    """A smoothed augmented model: unknown inputs that act, the estimate; the fault of an instrument not believed."""
+
+    augmented: AugmentedModel
+    problem: SmoothingProblem
+    unknown_inputs: tuple[UnknownInput, ...]
+    free: tuple[str, ...]
+    smoothed: Smoothed
+    fault: SensorFault | None = None
+
+    @property
+    def deviance(self) -> float:
+        """Of all samples, those of an instrument that is not believed with its fault."""
+        return self.smoothed.deviance + (self.fault.deviance if self.fault else 0.0)
+
+    @property
+    def chi2(self) -> float:
+        """As ``deviance``."""
+        return self.smoothed.chi2 + (self.fault.chi2 if self.fault else 0.0)
+
+    def with_only(self, unknown_input: UnknownInput) -> tuple[float, float]:
+        """Deviance and chi-square where this one alone acts."""
+        return with_some(self.problem, self.smoothed, [self.unknown_inputs.index(unknown_input)])
+
+    def without(self, unknown_input: UnknownInput) -> tuple[float, float]:
+        """Deviance and chi-square where all others act."""
+        return with_some(
+            self.problem, self.smoothed, [i for i, u in enumerate(self.unknown_inputs) if u is not unknown_input]
+        )
+
+
+@dataclass(frozen=True)
+class Rivals:
+    """All explanations of the samples.
+
+    Attributes:
+        unaugmented: the model as it is, and with a fault of one instrument.
+        augmented: an unknown input in each balance.
+        replaced: a law replaced by an unknown input.
+        beside: unknown inputs together with a fault of one instrument.
+        samples: how many there are.
+    """
+
+    unaugmented: Unaugmented
+    augmented: Explanation | None
+    replaced: Explanation | None
+    beside: Explanation | None
+    samples: int
+
+    @property
+    def fault(self) -> SensorFault | None:
+        """The most probable fault of one instrument."""
+        return self.unaugmented.faults[0] if self.unaugmented.faults else None
+
+    @property
+    def deviances(self) -> dict[str, float]:
+        """Of each explanation by its name; infinite where there is none."""
+        choices = 2 * np.log(max(len(self.unaugmented.faults), 1))
+        others = {"augmented": self.augmented, "replaced": self.replaced, "beside": self.beside}
+        return {
+            "none": self.unaugmented.deviance,
+            "sensor": (self.fault.deviance if self.fault else np.inf) + choices,
+            **{name: one.deviance if one else np.inf for name, one in others.items()},
+        }
+
+    @property
+    def best(self) -> str:
+        """The name of the most probable one; "none" where none is beyond doubt more so than the model as it is."""
+        deviances = self.deviances
+        best = min(deviances, key=lambda name: deviances[name])
+        doubtful = deviances[best] > self.unaugmented.deviance - CRITERIA.evidence.very_strong
+        return "none" if doubtful else best
+
+    @property
+    def winner(self) -> Explanation | None:
+        """The best one, where it has unknown inputs."""
+        return {"augmented": self.augmented, "replaced": self.replaced, "beside": self.beside}.get(self.best)
+
+    @property
+    def believed_fault(self) -> SensorFault | None:
+        """The fault of an instrument that is part of the best one."""
+        if self.best == "sensor":
+            return self.fault
+        return self.winner.fault if self.winner else None
+
+    @property
+    def is_confused(self) -> bool:
+        """Whether an unknown input beside a law, and one in its place, explain the samples about as well."""
+        rival = {"augmented": "replaced", "replaced": "augmented"}.get(self.best)
+        deviances = self.deviances
+        return rival is not None and deviances[rival] < deviances[self.best] + CRITERIA.evidence.very_strong
+
+    @property
+    def chi2(self) -> float:
+        """Of the best one."""
+        if self.best == "none":
+            return self.unaugmented.chi2
+        if self.best == "sensor":
+            return self.fault.chi2 if self.fault else np.inf
+        return self.winner.chi2 if self.winner else np.inf
+
+    def explained(self, chi2: float) -> float:
+        """Part of the error beyond the noise that an explanation with this chi-square takes away, 0 to 1."""
+        excess = max(self.unaugmented.chi2 - self.samples, 1e-9)
+        return float(np.clip((self.unaugmented.chi2 - max(chi2, self.samples)) / excess, 0.0, 1.0))

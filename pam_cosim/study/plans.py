@@ -1,0 +1,57 @@
+"""The runs that would decide between the models that a diagnosis leaves."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+from pam_cosim.diagnosis import Diagnosis, Message
+from pam_cosim.diagnosis.planning import Range, RunPlan, limits_of
+from pam_cosim.diagnosis.planning import plan as _plan
+from pam_cosim.errors import InputError
+from pam_cosim.measurement import DataSet
+from pam_cosim.model.settings import Setting, value_of
+from pam_cosim.simulation.models import Paths, as_paths, describe
+from pam_cosim.study.runs import _seconds
+from pam_cosim.wording import did_you_mean
+
+
+def plan(
+    diagnosis: Diagnosis,
+    *,
+    limits: Mapping[str, Sequence[Setting]] | None = None,
+    seconds: Setting | None = None,
+    runs: int = 1,
+    files: Paths = (),
+    seed: int = 0,
+    say: Callable[[Message], None] = lambda message: None,
+) -> RunPlan:
+    """Designs the run that separates the models which a verdict leaves, ambiguous or unknown; see ``planning.plan``.
+
+    ``limits`` are the lowest and the highest value, numbers in SI or texts with a unit, by name of an input, of a
+    parameter that is known beforehand (a load), or of a fitted signal, which the models must be expected to keep
+    within them. Inputs without limits stay within what the recordings span. ``seconds`` is the length of a run
+    ([s], or with a unit), ``runs`` how many runs are designed, one after another.
+
+    Raises:
+        InputError: the verdict leaves no choice; limits of something unknown or with another unit; nothing to choose.
+        SimulationFailure: no course could be simulated.
+    """
+    files = as_paths(files)
+    stated = _ranges(diagnosis.data, limits or {}, files)
+    within = limits_of(diagnosis.data, stated, _seconds(seconds, "length of the run"))
+    return _plan(diagnosis, within, runs=runs, files=files, seed=seed, say=say)
+
+
+def _ranges(data: DataSet, limits: Mapping[str, Sequence[Setting]], files: Paths) -> dict[str, Range]:
+    if not limits:
+        return {}
+    interface = describe(data.model, files)
+    known = {**interface.parameters, **interface.inputs, **interface.outputs}
+    ranges = {}
+    for name, ends in limits.items():
+        if name not in known:
+            raise InputError(f"{interface.model} has no '{name}' to limit; {did_you_mean(name, known)}")
+        if isinstance(ends, str) or len(ends) != 2:
+            raise InputError(f"'{name}': limits are two values, the lowest and the highest")
+        ranges[name] = (value_of(ends[0], known[name]), value_of(ends[1], known[name]))
+    return ranges

@@ -1,0 +1,119 @@
+"""What a fitted model foretells of runs that nobody made, with bands."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from contextlib import AbstractContextManager
+
+import numpy as np
+
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.diagnosis import Diagnosis
+from pam_cosim.errors import InputError
+from pam_cosim.fitting import Fit, Free, PredictiveBands, base_parameters, model_parameter
+from pam_cosim.fitting import parameter_posterior as _posterior
+from pam_cosim.fitting import predictive_bands as _bands
+from pam_cosim.fmu import build_source
+from pam_cosim.measurement import DataSet, Run, further_run, rows_of
+from pam_cosim.model.interface import Interface
+from pam_cosim.model.references import parameter_of
+from pam_cosim.model.settings import Setting, resolve
+from pam_cosim.simulation import AnySimulator, Simulator
+from pam_cosim.simulation.models import Paths, as_paths, opened
+from pam_cosim.study.input_sources import Source
+from pam_cosim.study.runs import _course
+from pam_cosim.wording import did_you_mean, listed
+
+
+def predict(
+    product: Fit | Diagnosis,
+    inputs: Source | None = None,
+    parameters: Mapping[str, Setting] | None = None,
+    *,
+    run: str | None = None,
+    stop_time: Setting | None = None,
+    interval: Setting | None = None,
+    samples: int = CRITERIA.fit.samples,
+    seed: int = 0,
+    files: Paths = (),
+) -> PredictiveBands:
+    """What a fitted model foretells of a run, with 95 % bands of what the data leave open of its parameters.
+
+    The parameters are drawn from Laplace's approximation of their posterior between their bounds
+    (``fitting.parameter_posterior``), and the run is simulated with each of them.
+
+    Args:
+        product: what was fitted; of a diagnosis, the model with all effects that were added.
+        inputs: over time, as for ``simulate``.
+        parameters: what is set in the run, by name; what differs between the recorded runs has to be stated.
+        run: the name of a recorded run, instead of ``inputs``: its readings stand beside the bands.
+        stop_time, interval: as for ``simulate``.
+        samples: of the parameters.
+        seed: of the random numbers.
+        files: further Modelica files, as for the fit.
+
+    Raises:
+        InputError: an unknown run, input or parameter; something that has to be stated; nothing was fitted.
+        SimulationFailure: the model breaks down at the optimum or with most of the samples.
+    """
+    if samples < 2:
+        raise InputError("a band takes two samples at least")
+    fit, data = (product.final, product.data) if isinstance(product, Diagnosis) else (product, product.comparison.data)
+    if not fit.parameters:
+        raise InputError("nothing was fitted: no parameter leaves anything open")
+    with _simulator(product, data, files) as simulator:
+        free = _free(fit, data, simulator.interface)
+        posterior = _posterior(simulator, data, fit, free, samples, seed)
+        if run is not None:
+            if inputs is not None or parameters or stop_time is not None:
+                raise InputError(f"the run {run} has inputs and parameters of its own")
+            chosen = _recorded(data, run)
+        else:
+            chosen = _run(data, simulator.interface, inputs, parameters or {}, stop_time, interval)
+        return _bands(simulator, data, chosen, posterior, fit.values | fit.start_values)
+
+
+def _simulator(product: Fit | Diagnosis, data: DataSet, files: Paths) -> AbstractContextManager[AnySimulator]:
+    if isinstance(product, Diagnosis) and product.path:
+        text = product.path[-1].equations
+        names = [parameter_of(name) for name in product.final.parameters]
+        return Simulator(build_source(text.split()[1], text, as_paths(files), sensitivities=names, lean=True))
+    model = product.model if isinstance(product, Diagnosis) else data.model
+    return opened(model, files, data.differentiated)
+
+
+def _free(fit: Fit, data: DataSet, interface: Interface) -> list[Free]:
+    """The parameters of a fit that it moved, with their bounds."""
+    base = {f.name: f for f in base_parameters(data, interface)}
+    moved = [name for name, estimate in fit.parameters.items() if not estimate.held]
+    return [base[name] if name in base else model_parameter(name, interface) for name in moved]
+
+
+def _recorded(data: DataSet, name: str) -> Run:
+    known = {run.name: run for run in data.runs if not run.is_static}
+    if name not in known:
+        raise InputError(f"there is no run '{name}' over time; {did_you_mean(name, known)}")
+    return known[name]
+
+
+def _run(
+    data: DataSet,
+    interface: Interface,
+    inputs: Source | None,
+    parameters: Mapping[str, Setting],
+    stop_time: Setting | None,
+    interval: Setting | None,
+) -> Run:
+    """A run that nobody made."""
+    if all(run.is_static for run in data.runs):
+        raise InputError("points at rest have no run over time")
+    course, times = _course(interface, inputs, stop_time, interval)
+    values = resolve(parameters, interface)
+    first = data.runs[0].parameters
+    open_ones = [n for n in first if len({r.parameters.get(n) for r in data.runs}) > 1 and n not in values]
+    if open_ones:
+        raise InputError(f"state {listed(open_ones)} of the run: the recorded ones differ in that")
+    if course is None:
+        return further_run(data, times, {}, values, "a further run")
+    time, columns = rows_of(course, np.asarray(times))
+    return further_run(data, time, columns, values, "a further run")

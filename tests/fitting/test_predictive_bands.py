@@ -1,0 +1,96 @@
+"""Bands of predictions hold what they promise, on data of the independent simulator."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pam_cosim import study
+from pam_cosim.cli.app import main
+from pam_cosim.errors import InputError
+from pam_cosim.fitting import Fit
+from tests.fitting.models import C_D, P_START, TIMES, N, discharge, vessel_data
+
+EARLY = np.linspace(0.0, 12.0, 13)
+
+
+@pytest.fixture(scope="module")
+def fitted() -> Fit:
+    """The beginning of a discharge, seen with noise."""
+    return study.fit(vessel_data(times=EARLY, sigma=5e3))
+
+
+def test_samples_agree_with_the_intervals_of_the_fit(fitted: Fit) -> None:
+    bands = study.predict(fitted, stop_time=60, samples=400)
+    posterior = bands.posterior
+    assert posterior.names == ("orifice.C_d", "tank.n")
+    for name, column in zip(posterior.names, posterior.samples.T, strict=True):
+        estimate, free = fitted.parameters[name], {"orifice.C_d": C_D, "tank.n": N}[name]
+        assert free.min <= column.min() and column.max() <= free.max
+        if free.min < estimate.low and estimate.high < free.max:
+            order = np.argsort(column)
+            low, high = np.interp([0.025, 0.975], np.cumsum(posterior.weights[order]), column[order])
+            width = estimate.high - estimate.low
+            assert (low, high) == pytest.approx((estimate.low, estimate.high), abs=0.2 * width)
+
+
+def test_the_band_is_narrow_where_it_was_measured_and_wide_beyond(fitted: Fit) -> None:
+    band = study.predict(fitted, stop_time=30, interval=1).bands["p"]
+    width = band.high - band.low
+    assert width[5] < 10e3 and width[20] > 1.3 * width[5]
+    assert np.all(band.reading_high - band.reading_low > 2 * 1.9 * 5e3)
+    assert np.all(band.low <= band.high)
+
+
+def test_the_truth_lies_within_the_band_as_often_as_promised() -> None:
+    """Twenty fits to other noise; each foretells what was not measured, at 20 s."""
+    truth = discharge()[0][20]
+    inside = 0
+    for seed in range(20):
+        fitted = study.fit(vessel_data(seed=seed, times=EARLY, sigma=5e3))
+        band = study.predict(fitted, stop_time=20, interval=1, samples=60).bands["p"]
+        inside += bool(band.low[20] <= truth <= band.high[20])
+    assert 17 <= inside <= 20  # 19 are expected; fewer than 17 come once in 60 times
+
+
+def test_a_recorded_run_stands_beside_its_band(fitted: Fit) -> None:
+    bands = study.predict(fitted, run="run")
+    assert bands.bands["p"].coverage >= 0.75 and "readings are within their band" in str(bands)
+
+
+def test_two_predictions_are_one(fitted: Fit) -> None:
+    one, two = (study.predict(fitted, stop_time=20, samples=20, seed=3).as_dict() for _ in range(2))
+    assert one == two
+
+
+def test_bad_questions(fitted: Fit) -> None:
+    with pytest.raises(InputError, match="no run 'rum' over time; did you mean 'run'"):
+        study.predict(fitted, run="rum")
+    with pytest.raises(InputError, match="inputs and parameters of its own"):
+        study.predict(fitted, run="run", stop_time=3)
+    with pytest.raises(InputError, match="two samples"):
+        study.predict(fitted, samples=1)
+    data = fitted.comparison.data
+    other = replace(data.runs[0], name="two", parameters={**data.runs[0].parameters, "tank.p_start": P_START / 2})
+    two = replace(fitted, comparison=replace(fitted.comparison, data=replace(data, runs=(*data.runs, other))))
+    with pytest.raises(InputError, match=r"state tank\.p_start of the run"):
+        study.predict(two, stop_time=10)
+    stated = study.predict(two, None, {"tank.p_start": "300 kPa"}, stop_time=10, samples=10)
+    assert stated.bands["p"].value[0] == pytest.approx(300e3)
+
+
+def test_the_command(tmp_path: Path, fitted: Fit, capsys: pytest.CaptureFixture[str]) -> None:
+    saved = study.save(fitted, tmp_path / "fit.npz")
+    files = [tmp_path / name for name in ("p.csv", "p.png", "p.json")]
+    words = ["predict", str(saved), "--stop-time", "60 s", "--interval", "1 s", "--samples", "20"]
+    assert main([*words, "-o", str(files[0]), "--plot", str(files[1]), "--json", str(files[2])]) == 0
+    assert "foretold with 20 samples of 2 parameters" in capsys.readouterr().out
+    lines = files[0].read_text().splitlines()
+    assert lines[0] == "time [s],p [Pa],p.low [Pa],p.high [Pa],p.reading_low [Pa],p.reading_high [Pa]"
+    assert len(lines) == 1 + len(TIMES)
+    assert len(json.loads(files[2].read_text())["signals"]["p"]["low"]) == len(TIMES)
+    assert main(["predict", str(saved), "--set", "tank.V=0 kg"]) == 2
