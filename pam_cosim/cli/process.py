@@ -77,11 +77,16 @@ class _Command:
         """A folder that ``tempfile`` uses, in this process and in those that it starts."""
         import tempfile
 
+        # an interrupt waits meanwhile: tempfile writes a file to see whether it can
+        masks = hasattr(signal, "pthread_sigmask")  # Windows has none
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, _SIGNALS) if masks else set()
         name = os.path.join(tempfile.gettempdir(), f"pam-cosim-{os.getpid()}-{os.urandom(4).hex()}")
         self.scratch = name  # before it is made: an interrupt finds it
         os.mkdir(name, 0o700)
         os.environ["TMPDIR"] = tempfile.tempdir = name
         os.environ["PAM_COSIM_SCRATCH"] = name  # for those that outlive a command that is killed
+        if masks:
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
     def remove_scratch(self) -> None:
         """Removes all temporary files."""

@@ -97,7 +97,7 @@ def test_every_family_has_a_form_of_either_kind_in_both_sets():
 def test_the_simulation_does_not_import_the_software():
     here = Path(__file__).parents[2]
     for file in [*(here / "benchmarks/hidden_effects").rglob("*.py"), *(here / "rig").rglob("*.py")]:
-        if file.name == "one.py":
+        if file.name in ("one.py", "posterior.py"):  # after the case is made: its diagnosis, and what was stated of it
             continue
         for node in ast.walk(ast.parse(file.read_text())):
             names = [a.name for a in node.names] if isinstance(node, ast.Import) else []
