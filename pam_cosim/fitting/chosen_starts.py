@@ -24,6 +24,8 @@ from pam_cosim.simulation import AnySimulator
 from pam_cosim.units import format_quantity
 
 _MODES: tuple[StartMode, ...] = ("rest", "estimated")
+_LEAST = 3  # runs, of which one may differ from the others
+_SAME = 1e-6  # by which a start value may move otherwise than the parameter that it is
 
 
 @dataclass(frozen=True)
@@ -64,9 +66,9 @@ def with_starts(simulator: AnySimulator, data: DataSet, parameters: Mapping[str,
     runs = [_with_start(simulator, data, r, values, common) if _is_open(r) else r for r in data.runs]
     undecided = [run for run in runs if _is_open(run)]
     if any(run.start.mode == "estimated" for run in runs):
-        runs = [_as_others(simulator, data, run, values, "as others are") for run in runs]
+        runs = [_as_others(simulator, data, run, values) for run in runs]
     elif undecided and _takes_away(simulator, data, undecided, values):
-        runs = [_as_others(simulator, data, run, values, "which leaves much less") for run in runs]
+        runs = [_estimated(simulator, data, r, values, "which leaves much less") if _is_open(r) else r for r in runs]
     return replace(data, runs=tuple(_begun(run, "rest") if _is_open(run) else run for run in runs))
 
 
@@ -91,7 +93,7 @@ def _common_offsets(simulator: AnySimulator, data: DataSet, parameters: Mapping[
             continue
         for one in first:
             offsets.setdefault(one.name, []).append(one.sample.value - one.model)
-    return {name: float(np.median(values)) for name, values in offsets.items()}
+    return {name: float(np.median(values)) for name, values in offsets.items() if len(values) >= _LEAST}
 
 
 def _begun(run: Run, mode: StartMode, reason: str = "") -> Run:
@@ -140,11 +142,18 @@ def _explains(simulator: AnySimulator, data: DataSet, run: Run, own: Mapping[str
     return squares(InitialState()) > CRITERIA.starts.worth * squares(begins)
 
 
-def _as_others(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float], reason: str) -> Run:
+def _as_others(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> Run:
     """A run of a recording that begins in the middle; one whose first samples agree with rest may move all the same."""
     agrees = run.start.chosen and run.start.mode == "rest" and not run.start.reason
     if run.is_static or run.start.periodic or not (agrees or _is_open(run)):
         return run
+    if agrees and _is_stated(simulator, data, run, parameters):
+        return run
+    return _estimated(simulator, data, run, parameters, "as others are")
+
+
+def _estimated(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float], reason: str) -> Run:
+    """The run with a start of its own, where it can have one."""
     own = data.parameters_of(run, parameters)
     try:
         if _is_fitted(simulator, data, run, own) or not measured(simulator, data, run, own).shown:
@@ -207,7 +216,7 @@ def _first(
         return []
     course = probe.course(times, probe.signals)
     own_start = {n: float(course[n][np.searchsorted(times, when[n])]) for n in probe.signals}
-    first = [_beside(data, run, n, model, common.get(n, 0.0)) for n, model in own_start.items()]
+    first = [_beside(data, run, n, model, common.get(n)) for n, model in own_start.items()]
     if not every and not any(one.off for one in first):
         return []
     shows = probe.showing()
@@ -220,7 +229,7 @@ def _first_time(run: Run, name: str) -> float:
     return float(np.append(times, run.time)[np.isfinite(both)][0])
 
 
-def _beside(data: DataSet, run: Run, name: str, model: float, common: float) -> _First:
+def _beside(data: DataSet, run: Run, name: str, model: float, common: float | None) -> _First:
     signal = data.signals[name]
     noise = CRITERIA.starts.away * signal.sigma
     sample = first_of_run(run, name, signal.sigma)
@@ -230,7 +239,29 @@ def _beside(data: DataSet, run: Run, name: str, model: float, common: float) -> 
     offset = sample.value - model
     off = abs(offset) > noise
     is_large = abs(offset) > CRITERIA.recognition.offset * span
-    return _First(name, signal.unit, sample, model, off, off and (is_large or abs(offset - common) > noise))
+    differs = common is not None and abs(offset - common) > noise
+    return _First(name, signal.unit, sample, model, off, off and (is_large or differs))
+
+
+def _is_stated(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> bool:
+    """Whether parameters of the run are the start values of all states that its signals show, such as ``tank.p_start``.
+
+    Such a parameter has the unit of its state, which begins higher by as much as the parameter is raised.
+    """
+    own = data.parameters_of(run, parameters)
+    interface, states = simulator.interface, simulator.interface.states
+    try:
+        shown = set(measured(simulator, data, run, own).shown)
+        here = StartProbe(simulator, data, run, own).at({})[1]
+        for name in run.parameters.keys() & interface.parameters.keys():
+            step = CRITERIA.starts.step * max(abs(own[name]), abs(interface.parameters[name].nominal or 0.0), 1.0)
+            there = StartProbe(simulator, data, run, {**own, name: own[name] + step}).at({})[1]
+            moved = dict(zip(states, ((there - here) / step).tolist(), strict=True))
+            unit = interface.parameters[name].unit
+            shown -= {n for n in shown if interface.start_values[n].unit == unit and abs(moved[n] - 1.0) < _SAME}
+    except SimulationFailure:
+        return False
+    return not shown
 
 
 def _is_fitted(simulator: AnySimulator, data: DataSet, run: Run, own: Mapping[str, float]) -> bool:

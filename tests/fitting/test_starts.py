@@ -178,7 +178,7 @@ def test_a_force_that_is_missing_is_no_start(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("offsets", "mode"),
-    [((3.5e3, 3.5e3, 3.5e3), "rest"), ((0.0, 3.5e3, 10e3), "estimated")],
+    [((3.5e3, 3.5e3, 3.5e3), "rest"), ((4e3, 8e3, 15e3), "estimated")],
     ids=["of an instrument", "of each run"],
 )
 def test_an_offset_of_an_instrument_is_the_same_in_all_runs(
