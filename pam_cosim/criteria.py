@@ -180,14 +180,14 @@ class ResidualCriteria:
         0.3, "noise variances", "more is no drift: a wander of half a standard deviation has a quarter", BLIND
     )
     repeated: float = decides(
-        0.02, "noise variances", "what other runs foretell of a residual at least, for it to come again"
+        0.02, "noise variances", "what other runs predict of a residual at least, for it to come again"
     )
     repeated_score: float = decides(1.0, "standard errors", "the same, over the runs left out in turn")
-    memories: tuple[float, ...] = decides((0.1, 0.5, 2.0), "s", "how far back runs may foretell one another")
+    memories: tuple[float, ...] = decides((0.1, 0.5, 2.0), "s", "how far back runs may predict one another")
     ridge: float = decides(
         0.01, "of samples", "penalty on columns of unit size; a linear regression stays tame with it"
     )
-    runs_to_leave_out: int = decides(3, "runs", "fewer are cut into thirds, so that something is left to foretell from")
+    runs_to_leave_out: int = decides(3, "runs", "fewer are cut into thirds, so that something is left to predict from")
     lags: int = decides(8, "samples", "distances over which the colour of the noise is told from a slow course")
     reddest: float = decides(0.95, "1", "correlation of neighbours; redder noise cannot be told from a slow course")
     colours: int = decides(39, "1", "steps of 0.025 in that correlation, finer than samples tell it")
@@ -336,7 +336,7 @@ class FoldsCriteria:
         0.1, "of the error beyond the noise", "squared, that an effect takes away in runs that were left out, at least"
     )
     beyond: float = decides(
-        2.0, "times", "the usual error, of runs that are named because the others do not foretell them"
+        2.0, "times", "the usual error, of runs that are named because the others do not predict them"
     )
     believable: float = decides(1.5, "times", "more or less than stated is no slip of a ruler or a balance")
 

@@ -1,1 +1,1 @@
-"""How often held-out runs lie within the bands that were foretold."""
+"""How often held-out runs lie within the bands that were predicted."""

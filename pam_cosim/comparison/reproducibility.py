@@ -21,10 +21,10 @@ from pam_cosim.measurement import Signal
 
 @dataclass(frozen=True)
 class Reproducibility:
-    """How much of a residual other runs foretell.
+    """How much of a residual other runs predict.
 
     Attributes:
-        variance: mean square that is foretold, in noise variances; negative where the regression only does harm.
+        variance: mean square that is predicted, in noise variances; negative where the regression only does harm.
         score: ``variance`` in standard errors over the parts that were left out in turn.
     """
 
@@ -73,7 +73,7 @@ def _pieces(
 
 
 def _gains(pieces: Mapping[int, tuple[Array, Array]]) -> dict[int, float]:
-    """By how much each piece's sum of squares falls, where the others foretell it (ridge regression)."""
+    """By how much each piece's sum of squares falls, where the others predict it (ridge regression)."""
     gram = sum(x.T @ x for x, _ in pieces.values())
     moment = sum(x.T @ e for x, e in pieces.values())
     samples = sum(len(e) for _, e in pieces.values())

@@ -24,7 +24,7 @@ def _correlated(s: ResidualStatistics) -> bool:
 
 
 def cross_run_reproducibility(fit: Fit) -> Reproducibility:
-    """How much of a fit's residual in one run the other runs foretell."""
+    """How much of a fit's residual in one run the other runs predict."""
     return reproducibility(fit.comparison.runs, fit.comparison.data.signals)
 
 
@@ -37,7 +37,7 @@ def has_structure_for_search(s: ResidualStatistics, repeated: Reproducibility | 
 
     Args:
         s: statistics of the residuals.
-        repeated: what other runs foretell of them; None: nobody knows.
+        repeated: what other runs predict of them; None: nobody knows.
     """
     if not s.samples:
         return False

@@ -1,4 +1,4 @@
-"""What a fitted hypothesis foretells of an experiment, and how far its parameters could still give way."""
+"""What a fitted hypothesis predicts of an experiment, and how far its parameters could still give way."""
 
 from __future__ import annotations
 

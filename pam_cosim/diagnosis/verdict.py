@@ -96,8 +96,9 @@ class Verdict:
 
 _MOST_LISTED = 3  # sets of families
 _TOOK_ALL = (
-    " It took the held-out runs to tell this, for what the fitted runs alone came to did not hold in them: nothing "
-    "checks it. The parameters are those that the fitted runs alone give; to use the model, fit it to all runs."
+    " The model found from the fitted runs failed on the held-out runs, so the search was repeated with all runs: no "
+    "run is left to check this verdict. The parameters are those of the fitted runs alone; fit all runs before you use "
+    "them."
 )
 _REST = (
     "and no other family comes near. What remains has structure that no second effect explains: the family is what "
@@ -107,6 +108,7 @@ _REST = (
 
 _TAKEN_FOR_NOISE = {
     "stated": "the stated noise",
+    "assumed": "the noise that was assumed",
     "estimated from the samples": "the noise that was estimated from the samples",
     "stated repeatability": "the stated repeatability",
     "of repeated runs": "the repeatability of repeated runs",

@@ -1,4 +1,4 @@
-"""What a fitted model foretells of a run, with how far the parameters leave it open."""
+"""What a fitted model predicts of a run, with how far the parameters leave it open."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class Band:
 
 @dataclass(frozen=True)
 class PredictiveBands(Printed, Exported):
-    """A run that was foretold.
+    """A run that was predicted.
 
     Attributes:
         model: the fitted model.
@@ -60,7 +60,7 @@ class PredictiveBands(Printed, Exported):
         time: (n,) [s].
         inputs: (n,) each [SI].
         bands: by signal.
-        posterior: the parameters that it was foretold with.
+        posterior: the parameters that it was predicted with.
         failed: how many of them the model broke down with.
     """
 
@@ -95,7 +95,7 @@ class PredictiveBands(Printed, Exported):
 
     def __str__(self) -> str:
         count, effective = len(self.posterior.samples), self.posterior.effective
-        lines = [f"{self.model}, {self.run}: foretold with {count} samples of {len(self.posterior.names)} parameters"]
+        lines = [f"{self.model}, {self.run}: predicted with {count} samples of {len(self.posterior.names)} parameters"]
         if effective < CRITERIA.fit.least_effective:
             lines.append(
                 f"  they say as much as {effective:.0f} of equal weight: the bands are rough; take more samples"

@@ -1,4 +1,4 @@
-"""What a fitted model foretells of runs that nobody made, with bands."""
+"""What a fitted model predicts of runs that nobody made, with bands."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def predict(
     seed: int = 0,
     files: Paths = (),
 ) -> PredictiveBands:
-    """What a fitted model foretells of a run, with 95 % bands of what the data leave open of its parameters.
+    """What a fitted model predicts of a run, with 95 % bands of what the data leave open of its parameters.
 
     The parameters are drawn from Laplace's approximation of their posterior between their bounds
     (``fitting.parameter_posterior``), and the run is simulated with each of them.

@@ -29,7 +29,7 @@ def test_errors_are_in_ranges_over_what_is_scored(tmp_path: Path) -> None:
     found = score(rows, {"fitted": {"a": 10 * TIME + 2}, "outside": {"c": 20 * TIME + early + 4}})
     assert found["fitted"]["a"] == pytest.approx(0.1)
     assert found["outside"]["c"] == pytest.approx(0.2)
-    assert found["fitted"]["b"] == LOST  # a run that nobody foretold
+    assert found["fitted"]["b"] == LOST  # a run that nobody predicted
 
 
 def test_first_samples_that_a_method_was_given_are_not_scored_but_later_gaps_are_lost(tmp_path: Path) -> None:

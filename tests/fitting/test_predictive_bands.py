@@ -47,7 +47,7 @@ def test_the_band_is_narrow_where_it_was_measured_and_wide_beyond(fitted: Fit) -
 
 
 def test_the_truth_lies_within_the_band_as_often_as_promised() -> None:
-    """Twenty fits to other noise; each foretells what was not measured, at 20 s."""
+    """Twenty fits to other noise; each predicts what was not measured, at 20 s."""
     truth = discharge()[0][20]
     inside = 0
     for seed in range(20):
@@ -88,7 +88,7 @@ def test_the_command(tmp_path: Path, fitted: Fit, capsys: pytest.CaptureFixture[
     files = [tmp_path / name for name in ("p.csv", "p.png", "p.json")]
     words = ["predict", str(saved), "--stop-time", "60 s", "--interval", "1 s", "--samples", "20"]
     assert main([*words, "-o", str(files[0]), "--plot", str(files[1]), "--json", str(files[2])]) == 0
-    assert "foretold with 20 samples of 2 parameters" in capsys.readouterr().out
+    assert "predicted with 20 samples of 2 parameters" in capsys.readouterr().out
     lines = files[0].read_text().splitlines()
     assert lines[0] == "time [s],p [Pa],p.low [Pa],p.high [Pa],p.reading_low [Pa],p.reading_high [Pa]"
     assert len(lines) == 1 + len(TIMES)

@@ -45,7 +45,7 @@ def test_what_only_held_out_runs_show_is_found_and_not_called_checked(tmp_path: 
     diagnosis = study.diagnose(_measured(tmp_path / "data"), explain=False)
     verdict = diagnosis.verdict
     assert (verdict.kind, verdict.families) == ("identified", ("elasticity",))
-    assert "It took the held-out runs to tell this" in verdict.reason
+    assert "The model found from the fitted runs failed on the held-out runs" in verdict.reason
     assert "unchecked" in verdict.posterior.doubts
     assert verdict.probability <= 1 - something_else({"unchecked"})
     # the roles are as they were, and no parameter was fitted to what is shown as held out

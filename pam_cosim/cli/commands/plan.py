@@ -43,7 +43,7 @@ def plan(
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write the inputs as CSV; of a second run to FILE-2.csv.")
     ] = None,
-    plot: Annotated[Path | None, typer.Option(help="Draw inputs and what each model foretells as PNG.")] = None,
+    plot: Annotated[Path | None, typer.Option(help="Draw inputs and what each model predicts as PNG.")] = None,
     json: JsonOption = None,
     seed: Annotated[int, typer.Option(help="Of the search.", min=0)] = 0,
     model: ModelOption = None,

@@ -75,7 +75,7 @@ class Rivals:
         return further_run(self.data, time, inputs, course.parameters)
 
     def predictions(self, run: Run, tolerance: float | None = None) -> list[Prediction] | None:
-        """What each model foretells of a run; None where one breaks down or a signal leaves its limits."""
+        """What each model predicts of a run; None where one breaks down or a signal leaves its limits."""
         try:
             predictions = [one.predict(run, tolerance) for one in self._hypotheses]
         except SimulationFailure:

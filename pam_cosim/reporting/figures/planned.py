@@ -1,4 +1,4 @@
-"""Planned runs: what to drive, what each rival foretells of it, and by how much the rivals differ."""
+"""Planned runs: what to drive, what each rival predicts of it, and by how much the rivals differ."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _STYLES = ("-", "--", ":", "-.")
 
 
 def plan_figure(plan: RunPlan) -> Figure:
-    """A column for each run: its inputs, the signals that the models foretell, and their differences to the first."""
+    """A column for each run: its inputs, the signals that the models predict, and their differences to the first."""
     inputs = [name for name in plan.runs[0].table if name != "time"]
     moving = [name for name in inputs if any(len(set(run.table[name])) > 1 for run in plan.runs)]
     signals = list(plan.sigma)
