@@ -1,5 +1,6 @@
 """The score of the benchmark with rigs of others: what counts, what is lost, and when the goal is met."""
 
+import json
 from pathlib import Path
 
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 from benchmarks.real_rigs import table
 from benchmarks.real_rigs.folders import Rig, Run, write_rig
 from benchmarks.real_rigs.rows import LOST, overall, read_rows, score
+from tests.documentation.pages import other_numbers
 
 TIME = np.linspace(0, 1, 11)
 
@@ -63,3 +65,16 @@ def test_the_page_is_made_from_the_results_that_are_kept() -> None:
 
     results = json.loads(table.KEPT.read_text(encoding="utf-8"))
     assert (table.HERE / "TABLE.md").read_text(encoding="utf-8") == table.page(results)
+
+
+def test_the_table_on_the_page_is_that_of_the_results() -> None:
+    results = json.loads(table.KEPT.read_text(encoding="utf-8"))
+    rows = {}
+    for rig in (*table.DYNAMIC, *table.STATIC):
+        smallest = [
+            table.best(results, rig, methods, role)
+            for methods in (("base",), table.RIVALS, ("verdict",))
+            for role in ("within", "outside")
+        ]
+        rows[rig] = [100 * found[0] for found in smallest if found is not None]
+    assert other_numbers("real-rigs.md", rows) == []
