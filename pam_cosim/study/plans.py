@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from pam_cosim.diagnosis import Diagnosis, Message
-from pam_cosim.diagnosis.planning import Range, RunPlan, limits_of
+from pam_cosim.diagnosis.planning import Limits, Range, RunPlan, limits_of
 from pam_cosim.diagnosis.planning import plan as _plan
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet
@@ -36,10 +36,23 @@ def plan(
         InputError: the verdict leaves no choice; limits of something unknown or with another unit; nothing to choose.
         SimulationFailure: no course could be simulated.
     """
-    files = as_paths(files)
-    stated = _ranges(diagnosis.data, limits or {}, files)
-    within = limits_of(diagnosis.data, stated, _seconds(seconds, "length of the run"))
-    return _plan(diagnosis, within, runs=runs, files=files, seed=seed, say=say)
+    within = run_limits(diagnosis.data, limits, seconds, files)
+    return _plan(diagnosis, within, runs=runs, files=as_paths(files), seed=seed, say=say)
+
+
+def run_limits(
+    data: DataSet,
+    limits: Mapping[str, Sequence[Setting]] | None = None,
+    seconds: Setting | None = None,
+    files: Paths = (),
+) -> Limits:
+    """What a planned run may be made of, as ``plan`` takes it.
+
+    Raises:
+        InputError: as for ``plan``.
+    """
+    ranges = _ranges(data, limits or {}, as_paths(files))
+    return limits_of(data, ranges, _seconds(seconds, "length of the run"))
 
 
 def _ranges(data: DataSet, limits: Mapping[str, Sequence[Setting]], files: Paths) -> dict[str, Range]:

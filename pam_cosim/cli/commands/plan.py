@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
@@ -23,6 +24,8 @@ from pam_cosim.cli.commands.common import (
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_json
+from pam_cosim.measurement import DataSet
+from pam_cosim.study.plans import run_limits
 from pam_cosim.study.tables import planned_files, write_planned_runs
 
 
@@ -54,7 +57,7 @@ def plan(
     written = planned_files(output, runs) if output else []
     check_results(*written, plot, json, sources=[source, model, *(files or [])])
     ranges = parse_limits(limits or [])
-    diagnosis = _diagnosis(source, model, files, workers)
+    diagnosis = _diagnosis(source, model, files, workers, lambda data: run_limits(data, ranges, seconds, files or []))
     with console.status("designing the run") as status:
         planned = study.plan(
             diagnosis, limits=ranges, seconds=seconds, runs=runs, files=files or [], seed=seed, say=teller(status)
@@ -70,14 +73,21 @@ def plan(
         say_written(path)
 
 
-def _diagnosis(source: Path, model: str | None, files: list[Path] | None, workers: int | None) -> Diagnosis:
-    """The saved diagnosis, or that of a data set."""
+def _diagnosis(
+    source: Path,
+    model: str | None,
+    files: list[Path] | None,
+    workers: int | None,
+    check: Callable[[DataSet], object],
+) -> Diagnosis:
+    """The saved diagnosis, or that of a data set, which takes its time: what is wrong is found before."""
     if source.suffix.lower() == ".npz":
         found = study.load(source)
         if not isinstance(found, Diagnosis):
             raise InputError(f"a {type(found).__name__} leaves no rivals: name what 'diagnose --save' wrote", source)
         return found
     data = read_data(source, model, files)
+    check(data)
     with console.status("refitting the base model") as status:
         return study.diagnose(
             data,

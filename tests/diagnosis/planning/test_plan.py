@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from pam_cosim import study
+from pam_cosim.cli.app import main
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis.planning import RunPlan, limits_of
 from pam_cosim.diagnosis.planning.members import members
@@ -112,8 +113,6 @@ def test_a_verdict_without_rivals_leaves_nothing_to_decide(diagnosis: Diagnosis)
 def test_the_command_writes_what_a_rig_can_play(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, diagnosis: Diagnosis, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    from pam_cosim.cli.app import main
-
     monkeypatch.setattr(study, "load", lambda path: diagnosis)
     words = ["plan", "d.npz", "--limit", "load.m=2 kg:4 kg", "--seconds", "3 s", "--seed", "1"]
     files = {name: tmp_path / name for name in ("next.csv", "next.png", "plan.json")}
@@ -127,3 +126,20 @@ def test_the_command_writes_what_a_rig_can_play(
     assert files["next.png"].read_bytes()[:4] == b"\x89PNG" and '"decides": true' in files["plan.json"].read_text()
     assert main(["plan", "d.npz", "--limit", "load.m=2 kg"]) == 2
     assert "write NAME=FROM:TO" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [(["--limit", "u_in=1:0"], "'u_in' begin above their end"), (["--limit", "spring=0:1"], "no 'spring' to limit"),
+     (["--seconds", "0 s"], "longer than nothing")],
+)  # fmt: skip
+def test_what_is_wrong_is_said_before_a_data_set_is_diagnosed(
+    words: list[str], said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def diagnosed(*_: object, **__: object) -> None:
+        raise AssertionError("was diagnosed first")
+
+    monkeypatch.setattr(study, "diagnose", diagnosed)
+    folder = write_light_data(tmp_path / "d")
+    assert main(["plan", str(folder), *words]) == 2
+    assert said in capsys.readouterr().err
