@@ -24,7 +24,8 @@ def bounded_least_squares(matrix: Array, right: Array, low: Array, high: Array) 
 
     Args:
         matrix: (m, n). right: (m,).
-        low, high: (n,) the bounds, ``low <= high``; they may be infinite.
+        low: (n,) the bounds, ``low <= high``; they may be infinite.
+        high: (n,) likewise, the upper ones.
 
     Returns:
         (n,).

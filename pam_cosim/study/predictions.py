@@ -47,7 +47,8 @@ def predict(
         inputs: over time, as for ``simulate``.
         parameters: what is set in the run, by name; what differs between the recorded runs has to be stated.
         run: the name of a recorded run, instead of ``inputs``: its readings stand beside the bands.
-        stop_time, interval: as for ``simulate``.
+        stop_time: as for ``simulate``.
+        interval: likewise.
         samples: of the parameters.
         seed: of the random numbers.
         files: further Modelica files, as for the fit.
