@@ -32,12 +32,14 @@ class Composition:
         text: Modelica source of the class.
         parameters: for each effect, the full names of its parameters that are to be fitted.
         base: full name of the class that it extends.
+        typical: ends of the range in which 95 % of all rigs have a parameter, by its full name; not known of all.
     """
 
     name: str
     text: str
     parameters: dict[str, tuple[str, ...]]
     base: str
+    typical: Mapping[str, tuple[float, float]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -220,7 +222,13 @@ def compose_on(
     made = "With" * bool(wanted) + "And".join(names.unquoted(names.last(one)) for one in wanted)
     chosen = names.identifier(name or base + (made or "Alone"))
     text = _text(chosen, structure, draft, classes, ratios)
-    return Composition(chosen, text, draft.parameters, structure.model)
+    return Composition(chosen, text, draft.parameters, structure.model, _typical(classes, draft.parameters))
+
+
+def _typical(classes: Sequence[EffectClass], parameters: Mapping[str, Sequence[str]]) -> dict[str, tuple[float, float]]:
+    """Typical ranges of the parameters of effects by their full names."""
+    every = [(full, effect.typical.get(names.last(full))) for effect in classes for full in parameters[effect.name]]
+    return {full: known for full, known in every if known is not None}
 
 
 def _effects_of(tree: ClassTree, structure: Structure, wanted: Sequence[str]) -> list[EffectClass] | None:

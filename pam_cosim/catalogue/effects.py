@@ -9,8 +9,10 @@ from pathlib import Path
 
 from pam_cosim.catalogue.place import EFFECT, is_effect, libraries
 from pam_cosim.compiler import ClassTree, Part, names
+from pam_cosim.compiler.class_tree import ComponentInfo
 from pam_cosim.errors import ModelError
 
+_TYPICAL = "typical"
 UNKNOWN = "unknown"  # the family of terms without a law, which are no hypotheses
 
 
@@ -29,6 +31,7 @@ class EffectClass:
         general: it says whatever its family can, and waits until the others of the family leave something.
         library: the package whose effect it is.
         absent: values of its parameters at which it vanishes; empty where there are none.
+        typical: ends of the range in which 95 % of all rigs have a parameter, of those whose class states it.
     """
 
     name: str
@@ -43,6 +46,7 @@ class EffectClass:
     general: bool = False
     library: str = ""
     absent: Mapping[str, float] = field(default_factory=dict)
+    typical: Mapping[str, tuple[float, float]] = field(default_factory=dict)
 
 
 def effect_classes(tree: ClassTree, of: Collection[str] | None = None) -> list[EffectClass]:
@@ -95,7 +99,7 @@ def _effect(tree: ClassTree, name: str, library: str) -> EffectClass:
             raise ModelError(f'effect {short} must say its {saying}: extends ...({saying}="...")', info.file, info.line)
         sayings[saying] = value
     own = [
-        c.name
+        c
         for c in tree.components(name)
         if "parameter" in c.prefixes
         and not c.prefixes & {"protected", "final"}
@@ -109,13 +113,23 @@ def _effect(tree: ClassTree, name: str, library: str) -> EffectClass:
         balance=sayings["balance"],
         description=info.description,
         documentation=info.documentation,
-        parameters=tuple(own),
+        parameters=tuple(c.name for c in own),
         component_name=component_name(short, info.annotations.get("defaultComponentName", "")),
         file=Path(info.file),
         general=bool(tree.constant(name, "general")),
         library=library,
         absent=_absent(str(tree.constant(name, "absent") or ""), info.file, info.line),
+        typical={c.name: _typical(c, info.file) for c in own if _TYPICAL in c.own_annotation},
     )
+
+
+def _typical(parameter: ComponentInfo, file: Path | str) -> tuple[float, float]:
+    """The typical range of a parameter, from its annotation such as ``__PamCosim(typical={0.95, 1.05})``."""
+    numbers = parameter.own_annotation[_TYPICAL]
+    if len(numbers) != 2 or not numbers[0] < numbers[1]:
+        form = "two numbers in braces, the smaller one first"
+        raise ModelError(f"{_TYPICAL} of {parameter.name} wants {form}", file, parameter.line)
+    return numbers[0], numbers[1]
 
 
 def _absent(text: str, file: Path | str, line: int) -> dict[str, float]:

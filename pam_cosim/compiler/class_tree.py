@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
 from typing import TypeAlias
@@ -31,6 +31,9 @@ from pam_cosim.compiler.syntax import (
 )
 from pam_cosim.errors import ModelError
 from pam_cosim.resources import modelica_root
+
+VENDOR = "__PamCosim"
+"""The annotation in which a class says what the language has no word for (Modelica 3.6, section 18.1)."""
 
 _GRAPHICAL = frozenset(("Icon", "Diagram"))
 Constant: TypeAlias = "float | int | str | bool | tuple[Constant, ...]"
@@ -61,6 +64,7 @@ class ComponentInfo:
         constraint: full name of the constraining class of a replaceable component, else empty.
         owner: full name of the class that declares it.
         position: middle of its place in an icon or a diagram, None if it has none.
+        own_annotation: the numbers of its annotation ``VENDOR``, by name; none for what is not numbers in braces.
     """
 
     name: str
@@ -76,6 +80,7 @@ class ComponentInfo:
     owner: str
     line: int
     position: tuple[float, float] | None = None
+    own_annotation: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -282,6 +287,7 @@ class ClassTree:
             owner=node.qualified_name,
             line=line,
             position=_position(component.annotation),
+            own_annotation=_own_annotation(component.annotation),
         )
 
     def _alias_prefixes(self, type_: str) -> frozenset[str]:
@@ -334,6 +340,12 @@ def _position(annotation: Modification) -> tuple[float, float] | None:
     if len(corners) != 4 or len(offset) != 2:
         return None
     return (corners[0] + corners[2]) / 2 + offset[0], (corners[1] + corners[3]) / 2 + offset[1]
+
+
+def _own_annotation(annotation: Modification) -> dict[str, tuple[float, ...]]:
+    """The numbers of each entry of the annotation ``VENDOR``."""
+    own = annotation.argument(VENDOR)
+    return {} if own is None else {a.name: tuple(_numbers(a.modification.value)) for a in own.modification.arguments}
 
 
 def _numbers(value: Expression | None) -> list[float]:

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, replace
 
 from pam_cosim.comparison import SignalScore
-from pam_cosim.fitting import Estimate, Fit
+from pam_cosim.fitting import Estimate, Fit, WithoutPriors, without_priors
 from pam_cosim.measurement import ROLES
 from pam_cosim.units import format_quantity
 
@@ -27,6 +27,7 @@ class Candidate:
         equations: the Modelica text of the model.
         brief: it was fitted in a few steps only, and might still come nearer.
         general: the effect says whatever its family can.
+        without_priors: what the fit would come to without them, once its slopes are gone.
     """
 
     effect: str
@@ -40,6 +41,7 @@ class Candidate:
     equations: str = ""
     brief: bool = False
     general: bool = False
+    without_priors: WithoutPriors = WithoutPriors()
 
     @property
     def parameters(self) -> dict[str, Estimate]:
@@ -49,7 +51,9 @@ class Candidate:
     @property
     def without_slopes(self) -> Candidate:
         """The same without the linear model, which only a search needs."""
-        return replace(self, fit=replace(self.fit, linear=None))
+        if self.fit.linear is None:
+            return self
+        return replace(self, fit=replace(self.fit, linear=None), without_priors=without_priors(self.fit))
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""

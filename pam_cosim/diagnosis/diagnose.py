@@ -171,7 +171,7 @@ class Diagnosis(Printed):
         sure = "" if math.isnan(v.probability) else f", probability {100 * v.probability:.0f} %"
         lines = [f"Verdict: {v.kind}{what}{sure}"]
         lines += [f"  LOOK FIRST: {doubt.text}" for doubt in self.final.comparison.doubts]
-        lines.append(f"  {v.reason}")
+        lines += [f"  {sentence}" for sentence in (v.reason, *v.implausible)]
         lines += [f"  Otherwise: {v.otherwise}"] * bool(v.otherwise)
         for role in ROLES:
             for name, before in self.base.comparison.scores[role].items():

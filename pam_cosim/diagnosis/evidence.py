@@ -136,8 +136,9 @@ def evidence(
 ) -> float:
     """How much the data speak against a model: minus twice the logarithm of its probability, but for a constant.
 
-    The fitted runs by the Bayesian information criterion, which pays for every parameter that the effects brought; the
-    others, which paid for nothing, by their squared error; and how many sets of so many effects there are.
+    The fitted runs by the Bayesian information criterion, which pays for every parameter that the effects brought, and
+    for parameters that are not where they are known to be beforehand; the others, which paid for nothing, by their
+    squared error; and how many sets of so many effects there are.
     """
     held = fit.residuals["holdout"]
     lost = _lost(candidate) if candidate else 0
@@ -146,9 +147,9 @@ def evidence(
 
 
 def bic(fit: Fit, variance: float, time: float) -> float:
-    """Bayesian information criterion with the effective number of samples."""
+    """Bayesian information criterion with the effective number of samples, and what the priors add."""
     s = fit.residuals["fit"]
-    return s.chi2 / (variance * time) + fit.freedom * bic_penalty(fit, time)
+    return s.chi2 / (variance * time) + fit.chi2_priors + fit.freedom * bic_penalty(fit, time)
 
 
 def bic_penalty(fit: Fit, time: float) -> float:

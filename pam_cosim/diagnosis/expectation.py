@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.probing import EffectProbe
 from pam_cosim.fitting import Linear, bounded_least_squares
+from pam_cosim.measurement import Prior
 
 _NOTHING_NEW = 1e-4  # of a column's length: what is left of it beside others, below which it says nothing new
 _WEAK = 1e-6  # of the longest column
@@ -48,6 +50,7 @@ class EffectShape:
     Attributes:
         names: of the parameters; ``values``, ``low`` and ``high`` (k,) [SI].
         whole: (m,) what it does at these values. slopes: (m, k).
+        priors: what is known of parameters beforehand, by name.
     """
 
     names: tuple[str, ...]
@@ -56,6 +59,7 @@ class EffectShape:
     high: Array
     whole: Array
     slopes: Array
+    priors: Mapping[str, Prior] = field(default_factory=dict)
 
 
 class Additions:
@@ -100,7 +104,18 @@ def _shape(base: Linear, linear: Linear, own: Sequence[str]) -> EffectShape:
     whole: Array = base.residual - base.slopes @ change - linear.residual
     at = [i for i, name in enumerate(linear.names) if name in own]
     names = tuple(linear.names[i] for i in at)
-    return EffectShape(names, linear.values[at], linear.low[at], linear.high[at], whole, linear.slopes[:, at])
+    priors = {name: linear.priors[name] for name in names if name in linear.priors}
+    return EffectShape(names, linear.values[at], linear.low[at], linear.high[at], whole, linear.slopes[:, at], priors)
+
+
+def _prior_terms(names: Sequence[str], values: Array, priors: Mapping[str, Prior]) -> tuple[Array, Array]:
+    """(k,) what priors add to the diagonal of a quadratic form about values of parameters, and (k,) to its slope."""
+    known = [
+        (priors[n].surprise(v), priors[n].slope(v)) if n in priors else (0.0, 0.0)
+        for n, v in zip(names, values.tolist(), strict=True)
+    ]
+    off, by_value = np.array(known).reshape(-1, 2).T
+    return by_value**2, -off * by_value
 
 
 def _orthonormal(columns: Array) -> Array:
@@ -112,9 +127,16 @@ def _orthonormal(columns: Array) -> Array:
 
 
 def reduction(linear: Linear) -> float:
-    """By how much the sum of squares falls, to first order, when the parameters go where they like within bounds."""
+    """By how much the sum of squares falls, to first order, when the parameters go where they like within bounds.
+
+    As far as what is known of them beforehand lets them go.
+    """
     low, high = linear.low - linear.values, linear.high - linear.values
-    step = bounded_least_squares(linear.slopes, linear.residual, np.minimum(low, 0.0), np.maximum(high, 0.0))
+    square, along = _prior_terms(linear.names, linear.values, linear.priors)
+    known = np.sqrt(square)
+    rows = np.vstack([linear.slopes, np.diag(known)])
+    wanted = np.append(linear.residual, along / np.where(known > 0, known, 1.0))
+    step = bounded_least_squares(rows, wanted, np.minimum(low, 0.0), np.maximum(high, 0.0))
     moved = linear.slopes @ step
     return max(float(moved @ (2 * linear.residual - moved)), 0.0)
 
@@ -133,6 +155,20 @@ def _boxed(square: Array, along: Array, low: Array, high: Array) -> Array:
             break
         free[at[out]] = False
     return step
+
+
+class PredictedFit(NamedTuple):
+    """What a model is expected to come to when all parameters keep to their bounds, and to what is known of them.
+
+    Attributes:
+        reduction: of the sum of squares.
+        values: of the parameters then [SI].
+        chi2_priors: what they are off what is known of them beforehand, in variances.
+    """
+
+    reduction: float
+    values: Mapping[str, float]
+    chi2_priors: float
 
 
 @dataclass(frozen=True)
@@ -159,12 +195,13 @@ class PredictedModel:
         return (*(e for e in self.start if e != self.exchanged), *(a.effect for a in self.added))
 
     @cached_property
-    def within_bounds(self) -> tuple[float, dict[str, float]]:
-        """The reduction when all parameters keep to their bounds, and the values that they have then [SI]."""
+    def within_bounds(self) -> PredictedFit | None:
+        """What is expected when all parameters keep to their bounds; None: it is not known."""
         if self.beside is None or self.exchanged:
-            return self.reduction, {}
+            return None
         several = itertools.product(*(a.shapes for a in self.added))
-        return max((self.beside.within_bounds(shapes) for shapes in several), key=lambda known: known[0])
+        fits = (self.beside.within_bounds(shapes) for shapes in several)
+        return max(fits, key=lambda fit: fit.reduction - fit.chi2_priors)
 
 
 class LinearisedNeighbourhood:
@@ -203,11 +240,8 @@ class LinearisedNeighbourhood:
                 gains[n] = float(one @ step)
         return gains
 
-    def within_bounds(self, shapes: Sequence[EffectShape]) -> tuple[float, dict[str, float]]:
-        """With effects of these shapes: the reduction when all parameters keep to their bounds, and their values then.
-
-        As if what each effect does were not changed by the others.
-        """
+    def within_bounds(self, shapes: Sequence[EffectShape]) -> PredictedFit:
+        """With effects of these shapes, as if what each of them does were not changed by the others."""
         own, k = self._linear, len(self._linear.names)
         begin = [self.additions.begin[id(s)] for s in shapes]
         slopes = np.array([at + i for at, s in zip(begin, shapes, strict=True) for i in range(len(s.names))], int)
@@ -223,11 +257,15 @@ class LinearisedNeighbourhood:
         values = np.concatenate([own.values, *(s.values for s in shapes)])
         low = np.concatenate([own.low, *(s.low for s in shapes)]) - values
         high = np.concatenate([own.high, *(s.high for s in shapes)]) - values
-        step = _boxed(square, along, low, high)
+        names = (*own.names, *(n for s in shapes for n in s.names))
+        priors = {**own.priors, **{n: prior for s in shapes for n, prior in s.priors.items()}}
+        known, pull = _prior_terms(names, values, priors)
+        step = _boxed(square + np.diag(known), along + pull, low, high)
         whole = 2 * float(cross[k, wholes].sum()) - float(gram[np.ix_(wholes, wholes)].sum())
         gained = whole + float(step @ (2 * along - square @ step))
-        names = (*own.names, *(n for s in shapes for n in s.names))
-        return max(gained, 0.0), dict(zip(names, (values + step).tolist(), strict=True))
+        by_name = dict(zip(names, (values + step).tolist(), strict=True))
+        off = sum(prior.surprise(by_name[n]) ** 2 for n, prior in priors.items())
+        return PredictedFit(max(gained, 0.0), by_name, off)
 
     def _single(self, own_family: bool) -> list[tuple[float, EffectDirections, Array]]:
         taken = {self.family[e] for e in self.effects}

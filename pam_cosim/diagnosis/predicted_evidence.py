@@ -208,9 +208,12 @@ class PredictedEvidence:
             lost: share of the reduction that is lost on the way.
         """
         fit, start, e = p
-        reduction = e.within_bounds[0] if reduction is None else reduction
-        known = evidence(fit, at, e.effects, self.ranking.search.choice, start)
-        return known + self._more(e) * at.penalty(fit) - _worth(reduction, fit, at, noise, lost)
+        expected = e.within_bounds if reduction is None else None
+        known = evidence(fit, at, e.effects, self.ranking.search.choice, start) + self._more(e) * at.penalty(fit)
+        if expected is not None:
+            known += expected.chi2_priors - fit.chi2_priors
+            reduction = expected.reduction
+        return known - _worth(e.reduction if reduction is None else reduction, fit, at, noise, lost)
 
     def _more(self, e: PredictedModel) -> int:
         """How many parameters a model has more than the one that it starts from."""
@@ -228,7 +231,8 @@ class PredictedEvidence:
             if (a.effect,) in self.ranking.known:
                 values |= self.ranking.known[(a.effect,)].fit.values
         start = self.ranking.known[e.start].fit.values if e.start else self.ranking.base.values
-        return Wanted(e.effects, values | start, e.within_bounds[1])
+        expected = e.within_bounds
+        return Wanted(e.effects, values | start, expected.values if expected else {})
 
     def _additions(self) -> Additions:
         """What the effects can add to the base model, as far as probes and fits tell by now."""

@@ -42,7 +42,7 @@ def pruned(
         left = [replace(f, start=best.values[f.name]) for f in free if f.name != name and f.name not in held]
         zeros = dict.fromkeys([*held, name], 0.0)
         less = fit(simulator, data, left, fixed=zeros, options=options)
-        if less.residuals["fit"].chi2 - best.residuals["fit"].chi2 > worth:
+        if less.chi2_minimised - best.chi2_minimised > worth:
             needed.add(name)
             continue
         held[name] = replace(best.parameters[name], value=0.0, at_bound=False, determined=False, held=True)

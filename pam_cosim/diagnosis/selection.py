@@ -320,6 +320,6 @@ class _Models:
         for c in candidates:
             old = self.known.get(c.effects)
             to_the_end = old is not None and old.brief and not c.brief
-            if old is None or to_the_end or c.fit.residuals["fit"].chi2 <= old.fit.residuals["fit"].chi2:
+            if old is None or to_the_end or c.fit.chi2_minimised <= old.fit.chi2_minimised:
                 self.known[c.effects] = c
         self.ranking.renew()

@@ -222,11 +222,16 @@ def free_parameters(trial: Trial, interface: Interface) -> tuple[tuple[Free, ...
 
 
 def every_parameter(data: DataSet, composition: Composition, interface: Interface) -> list[Free]:
-    """The free parameters of the data set, and those of the effects of a model."""
+    """The free parameters of the data set, and those of the effects of a model with what is typical of them.
+
+    What a data set says of a parameter counts, and not what is typical.
+    """
     free = list(base_parameters(data, interface))
     known = {f.name for f in free}
-    own = [name for names in composition.parameters.values() for name in names]
-    return [*free, *(model_parameter(name, interface) for name in own if name not in known)]
+    own = [name for names in composition.parameters.values() for name in names if name not in known]
+    every = [model_parameter(name, interface) for name in own]
+    typical = composition.typical
+    return [*free, *(f.typically(*typical[f.name]) if f.name in typical else f for f in every)]
 
 
 def _combined(spread: Sequence[Sequence[tuple[str, float]]]) -> list[dict[str, float]]:

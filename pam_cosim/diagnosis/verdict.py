@@ -23,6 +23,7 @@ from pam_cosim.diagnosis.evidence import (
     refuted,
     scale,
 )
+from pam_cosim.diagnosis.implausible import implausible
 from pam_cosim.diagnosis.model_space import ModelSpace
 from pam_cosim.diagnosis.posterior import Posterior, doubts_of, posterior
 from pam_cosim.fitting import Fit
@@ -47,6 +48,7 @@ class Verdict:
         off: signals that were compared but not fitted, and that the model misses by more than their noise.
         refuted: effects of other families that fit as well, but not those signals.
         bending: effects of other families that fit as well because they say whatever their families can.
+        implausible: a sentence for each model that would fit as well with parameters that nobody expects.
         posterior: how probable it is of every set of families, of nothing and of something else.
     """
 
@@ -59,6 +61,7 @@ class Verdict:
     off: tuple[str, ...] = ()
     refuted: tuple[str, ...] = ()
     bending: tuple[str, ...] = ()
+    implausible: tuple[str, ...] = ()
     posterior: Posterior = Posterior()
 
     def names(self, families: Collection[str]) -> bool:
@@ -90,6 +93,7 @@ class Verdict:
             "off": list(self.off),
             "refuted": list(self.refuted),
             "bending": list(self.bending),
+            "implausible": list(self.implausible),
             "posterior": self.posterior.as_dict(),
         }
 
@@ -190,7 +194,12 @@ def with_facts(
     wrong, bending = (
         tuple(" + ".join(c.effects) for c in _near(base, best, tried, some, family, choice)) for some in (against, bent)
     )
-    return replace(verdict, off=off, refuted=wrong, bending=bending)
+    at = scale([base, *(c.fit for c in tried)])
+    own = frozenset(family[e] for e in best.effects)
+    others = [c for c in tried if not {family[e] for e in c.effects} >= own]
+    limit = evidence(best.fit, at, best.effects, choice, best) + CRITERIA.evidence.very_strong
+    unusual = implausible([c for c in others if best.general or not c.general], at, choice, limit)
+    return replace(verdict, off=off, refuted=wrong, bending=bending, implausible=unusual)
 
 
 def best_of_each(

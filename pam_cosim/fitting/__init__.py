@@ -18,6 +18,7 @@ from pam_cosim.fitting.profile import Profile, Profiles
 from pam_cosim.fitting.solve import spread_starts
 from pam_cosim.fitting.start_estimates import estimated_starts, runs_without_start, simulated
 from pam_cosim.fitting.tracker import Convergence, Progress, Standing
+from pam_cosim.fitting.without_priors import WithoutPriors, without_priors
 
 __all__ = [
     "METHODS",
@@ -37,6 +38,7 @@ __all__ = [
     "Progress",
     "Record",
     "Standing",
+    "WithoutPriors",
     "base_parameters",
     "bounded_least_squares",
     "estimated_starts",
@@ -58,5 +60,6 @@ __all__ = [
     "summary",
     "with_free",
     "with_starts",
+    "without_priors",
     "write_parameters",
 ]

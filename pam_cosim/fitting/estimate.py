@@ -41,7 +41,7 @@ class Estimate:
     @property
     def surprise(self) -> float:
         """How far it is from what was known of it beforehand, in standard deviations of that; NaN without a prior."""
-        return float("nan") if self.prior is None else (self.value - self.prior.mean) / self.prior.sd
+        return float("nan") if self.prior is None else self.prior.surprise(self.value)
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON; "run" and "prior" where there is one."""
@@ -57,7 +57,8 @@ class Estimate:
         if self.run:
             content["run"] = self.run
         if self.prior is not None:
-            content["prior"] = {"mean": self.prior.mean, "sd": self.prior.sd, "surprise": self.surprise}
+            shape = {"logarithmic": True} if self.prior.logarithmic else {}
+            content["prior"] = {"mean": self.prior.mean, "sd": self.prior.sd, "surprise": self.surprise, **shape}
         return content
 
     def __str__(self) -> str:
@@ -65,7 +66,7 @@ class Estimate:
             return f"{self.value:.4g}, held there: these data do not need it"
         text = f"{self.value:.4g} ({self.low:.4g} to {self.high:.4g}) {'' if self.unit == '1' else self.unit}".rstrip()
         p = self.prior
-        notes = [] if p is None else [f"{self.surprise:+.2g} sd from the prior {p.mean:.4g} ± {p.sd:.2g}"]
+        notes = [] if p is None else [f"{self.surprise:+.2g} sd from the prior {p}"]
         notes += ["at its bound"] * self.at_bound + ["not determined by these data"] * (not self.determined)
         return ", ".join([text, *notes])
 

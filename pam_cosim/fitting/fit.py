@@ -104,6 +104,11 @@ class Fit(Printed):
         """What the priors add to the chi-square that was made small."""
         return sum(e.surprise**2 for e in self.parameters.values() if e.prior is not None)
 
+    @property
+    def chi2_minimised(self) -> float:
+        """The chi-square that was made small: of the fitted samples and of the priors."""
+        return self.residuals["fit"].chi2 + self.chi2_priors
+
     def against(self, data: DataSet) -> Fit:
         """The same parameters judged by other samples: ``data`` has the same runs, some of their samples set aside."""
         comparison = self.comparison.against(data)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from math import exp, log
+from math import exp, log, sqrt
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
@@ -49,6 +49,13 @@ class Free:
     def starting_at(self, value: float) -> Free:
         """The same with another first guess [unit], as near to it as the bounds allow."""
         return replace(self, start=min(max(value, self.low), self.high))
+
+    def typically(self, low: float, high: float) -> Free:
+        """The same with a prior: 95 % of its distribution, normal as it is searched, lie between these ends [unit]."""
+        width = 2 * CRITERIA.fit.interval
+        if self.logarithmic:
+            return replace(self, prior=Prior(sqrt(low * high), log(high / low) / width, logarithmic=True))
+        return replace(self, prior=Prior((low + high) / 2, (high - low) / width))
 
     def size_in(self, run: Run) -> float:
         """By how much the model's parameter moves in a run where this moves by one."""

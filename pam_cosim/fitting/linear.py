@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.fitting.objective import Objective
+from pam_cosim.measurement import Prior
 
 
 @dataclass(frozen=True)
@@ -24,6 +25,7 @@ class Linear:
         names: of the k parameters; ``values`` (k,) where it was linearised, ``low`` and ``high`` (k,) the bounds [SI].
         residual: (m,).
         slopes: (m, k) of the model by the values.
+        priors: what is known of parameters beforehand, by name; it is not among the rows.
     """
 
     names: tuple[str, ...]
@@ -32,6 +34,7 @@ class Linear:
     high: Array
     residual: Array
     slopes: Array
+    priors: Mapping[str, Prior] = field(default_factory=dict)
 
     @property
     def movable(self) -> Array:
@@ -43,10 +46,7 @@ class Linear:
 
 
 def linearised(objective: Objective, z: Array, rows: int) -> Linear | None:
-    """The objective about search coordinates ``z`` in about so many rows; None where it cannot be simulated.
-
-    Priors are left out.
-    """
+    """The objective about search coordinates ``z`` in about so many rows; None where it cannot be simulated."""
     residual = objective.residuals(z)
     if not np.all(np.isfinite(residual)):
         return None
@@ -60,6 +60,7 @@ def linearised(objective: Objective, z: Array, rows: int) -> Linear | None:
         np.array([f.high for f in objective.free]),
         both[:, 0],
         both[:, 1:],
+        {f.name: f.prior for f in objective.free if f.prior is not None},
     )
 
 

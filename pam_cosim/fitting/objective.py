@@ -204,7 +204,7 @@ class Objective:
         return self.size + len(self._priors) + sum(len(one.names) for one in (self.starts or {}).values())
 
     def _with_priors(self, z: Array, residuals: Array) -> Array:
-        off = [(prior.mean - self.free[i].to_value(float(z[i]))) / prior.sd for i, prior in self._priors]
+        off = [-prior.surprise(self.free[i].to_value(float(z[i]))) for i, prior in self._priors]
         starts = [one.prior_rows(one.values) for one in (self.starts or {}).values()]
         return np.concatenate([residuals, off, *starts]) if off or starts else residuals
 
@@ -283,7 +283,8 @@ class Objective:
                     jacobian[row : row + count, i] = -by_error * run.model[sensitivity][kept] * moved
                 row += count
         for k, (i, prior) in enumerate(self._priors):
-            jacobian[self.size + k, i] = -self.free[i].slope(float(z[i])) / prior.sd
+            own = self.free[i]
+            jacobian[self.size + k, i] = -own.slope(float(z[i])) * prior.slope(own.to_value(float(z[i])))
         return jacobian
 
     def jacobian(self, z: Array, at: Array) -> Array:

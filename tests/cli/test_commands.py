@@ -187,6 +187,7 @@ def test_effects_lists_the_catalogue(command: Command) -> None:
     outcome = done(command("effects"))
     for effect in study.effects():
         assert effect.name in outcome.out and effect.family in outcome.out
+    assert "gain (0.95 to 1.05)" in outcome.out
 
 
 def test_add_writes_a_model_that_simulates(command: Command, place: Path) -> None:

@@ -15,6 +15,7 @@ from pam_cosim.diagnosis.evidence import (
 )
 from pam_cosim.diagnosis.model_space import ModelSpace
 from pam_cosim.fitting import Estimate
+from pam_cosim.measurement import Prior
 from tests.diagnosis.synthetic import LOST, candidate, fitted
 
 LOG = math.log(1000)
@@ -24,6 +25,14 @@ def test_criterion_by_hand() -> None:
     assert bic(fitted(1.5, parameters=3), 1.0, 1.0) == pytest.approx(1500 + 3 * LOG)
     # noise of twice the variance, ten samples for one
     assert bic(fitted(1.5, parameters=3), 2.0, 10.0) == pytest.approx(75 + 3 * math.log(100))
+
+
+def test_parameters_pay_for_being_where_nobody_expects_them() -> None:
+    """Three standard deviations off what is known of it are nine, whatever the noise."""
+    gain = {"gauge.gain": Estimate(1.3, 1.2, 1.4, prior=Prior(1.0, 0.1))}
+    for variance, time in ((1.0, 1.0), (2.0, 10.0)):
+        paid = bic(fitted(1.5, own=gain), variance, time) - bic(fitted(1.5, parameters=3), variance, time)
+        assert paid == pytest.approx(9.0)
 
 
 def test_undetermined_parameters_cost_nothing() -> None:

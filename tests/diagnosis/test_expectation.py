@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from pam_cosim.diagnosis.expectation import Additions, LinearisedNeighbourhood, addition, reduction
 from pam_cosim.fitting import Linear
-from tests.diagnosis.linear_world import ROWS, SHELF, world
+from pam_cosim.measurement import Prior
+from tests.diagnosis.linear_world import ROWS, SHELF, moves, world
 
 WORLD = world({"LinearBladder": 5.0, "ThermocoupleLag": 3.0})
 BASE = WORLD.fitted(())
@@ -67,6 +70,32 @@ def test_a_reduction_ends_at_a_bound() -> None:
     assert reduction(bounded) == pytest.approx(3.0 * ROWS)  # 2 goes to 1 everywhere
     wrong_way = Linear(("k",), np.array([0.0]), np.array([-1.0]), np.array([0.0]), np.full(ROWS, 2.0), slopes)
     assert reduction(wrong_way) == pytest.approx(0.0, abs=1e-6)
+
+
+def test_a_reduction_ends_where_what_is_known_beforehand_holds_it() -> None:
+    """Two are seen by ROWS samples of unit noise, zero by one of a variance of 1/ROWS: the mean is one."""
+    prior, limit, slopes = {"k": Prior(0.0, ROWS**-0.5)}, np.array([10.0]), np.ones((ROWS, 1))
+    known = Linear(("k",), np.array([0.0]), -limit, limit, np.full(ROWS, 2.0), slopes, prior)
+    assert reduction(known) == pytest.approx((4.0 - 1.0) * ROWS)
+    held = Linear(("k",), np.array([1.0]), -limit, limit, np.full(ROWS, 1.0), slopes, prior)
+    assert reduction(held) == pytest.approx(0.0, abs=1e-6)
+
+
+def test_an_added_effect_is_expected_where_samples_and_prior_balance() -> None:
+    """The squares of both are least where their derivatives cancel, here by hand for one parameter."""
+    (probe,) = [p for p in WORLD.probed(BASE, (), ["LinearBladder"])]
+    prior = {"LinearBladder.strength": Prior(0.0, 0.05)}
+    made = addition(BASE.linear, replace(probe, linear=replace(probe.linear, priors=prior)))  # type: ignore[arg-type]
+    assert made is not None and BASE.linear is not None
+    (one,) = LinearisedNeighbourhood((), BASE.linear, FAMILY, Additions([made])).with_one()
+    expected, rows = one.within_bounds, np.hstack([BASE.linear.slopes, moves("LinearBladder", "fit")])
+    assert expected is not None
+    both = np.vstack([rows, [0.0, 0.0, 20.0]])
+    values = np.linalg.lstsq(both, np.append(WORLD.samples("fit"), 0.0), rcond=None)[0]
+    left = WORLD.samples("fit") - rows @ values
+    assert expected.values["LinearBladder.strength"] == pytest.approx(values[2], rel=1e-3)
+    assert expected.chi2_priors == pytest.approx((20 * values[2]) ** 2, rel=1e-2)
+    assert expected.reduction == pytest.approx(BASE.residuals["fit"].chi2 - left @ left, rel=1e-3)
 
 
 def test_what_moves_nothing_adds_nothing() -> None:

@@ -10,8 +10,8 @@ from pam_cosim.comparison import ResidualStatistics
 from pam_cosim.diagnosis.evidence import rank
 from pam_cosim.diagnosis.model_space import ModelSpace
 from pam_cosim.diagnosis.verdict import explained, judge, nearest, rivals, with_facts, with_posterior
-from pam_cosim.fitting import Fit
-from pam_cosim.measurement import Signal
+from pam_cosim.fitting import Estimate, Fit, WithoutPriors
+from pam_cosim.measurement import Prior, Signal
 from pam_cosim.model.domain import Domain
 from pam_cosim.reporting.account.meaning import meaning, probability_sentence
 from tests.diagnosis.synthetic import LOST, candidate, fitted, statistics
@@ -94,6 +94,22 @@ def test_models_that_come_as_near_are_named_with_the_reason() -> None:
     said = meaning(verdict, Domain())
     assert "Gauge would fit it as well, but misses T by far more." in said and "Bends comes as near" in said
     assert "No effect of another family" not in said
+
+
+def test_what_only_an_unusual_instrument_would_explain_is_named() -> None:
+    """With its prior it is 25 worse than the best, without it as good; held where it is, it would not be."""
+    family = {"Leak": "leak", "Gauge": "gauge"}
+    best = candidate("Leak", fitted(1.0, holdout=1.0), "leak")
+    own = {"gauge.gain": Estimate(1.125, 1.1, 1.15, "1", prior=Prior(1.0, 0.025))}
+    held = candidate("Gauge", fitted(1.01, holdout=1.0, own=own), "gauge", own=own)
+    freed = replace(held, without_priors=WithoutPriors(10.0, {"gauge.gain": 1.3}))
+    for gauge, said in ((freed, True), (replace(held, without_priors=WithoutPriors()), False)):
+        verdict = with_facts(judge(BASE, [best], []), BASE, best, [best, gauge], family, ModelSpace(10))
+        assert bool(verdict.implausible) is said
+        assert not rivals(BASE, best, [best, gauge], family, ModelSpace(10))
+    verdict = with_facts(judge(BASE, [best], []), BASE, best, [best, freed], family, ModelSpace(10))
+    needs = "Gauge would fit as well, but gauge.gain would have to be about 1.3, where 0.951 to 1.05 is usual."
+    assert verdict.implausible == (needs,) and needs in meaning(verdict, Domain())
 
 
 def test_a_run_that_is_far_off_is_no_noise() -> None:

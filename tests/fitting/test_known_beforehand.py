@@ -11,8 +11,11 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim import InputError
-from pam_cosim.fitting import read_parameters, write_parameters
+from pam_cosim.fitting import Free, read_parameters, write_parameters
+from pam_cosim.fitting.objective import Objective
+from pam_cosim.fmu import build_model
 from pam_cosim.measurement import Prior, read_data_set, write_data_set
+from pam_cosim.simulation import Simulator
 from tests.fitting.models import TRUE_C_D, N, discharge, vessel_data
 
 HEAD = """title = "two vessels"
@@ -61,6 +64,21 @@ def test_prior_adds_to_the_chi_square_as_one_more_measurement() -> None:
     assert between.as_dict()["chi2_priors"] == between.chi2_priors
     wide = pam.fit(replace(data, fit={"tank.n": replace(N, prior=Prior(far, 1e3 * sd))})).parameters["tank.n"]
     assert wide.value == pytest.approx(free.value, abs=1e-3 * sd)
+
+
+def test_prior_of_the_logarithm_is_as_steep_as_the_fit_takes_it_for() -> None:
+    """The rows of a prior against differences, in either search coordinate."""
+    data, off = vessel_data(fit=(replace(N, prior=None),)), Prior(1.1, 0.05, logarithmic=True)
+    for transform in ("log", "linear"):
+        free = Free("tank.n", 1.0, 1.4, 1.2, "1", transform=transform, prior=off)  # type: ignore[arg-type]
+        with Simulator(build_model(data.model, sensitivities=["tank.n"])) as simulator:
+            objective = Objective(simulator, data, data.fit_runs, [free])
+            z, step = np.array([free.to_z(1.25)]), 1e-6
+            here, there = (objective.residuals(at)[-1] for at in (z, z + step))
+            assert objective.jacobian(z, objective.residuals(z))[-1, 0] == pytest.approx(
+                (there - here) / step, rel=1e-4
+            )
+        assert here == pytest.approx(-np.log(1.25 / 1.1) / 0.05)
 
 
 def test_logarithm_changes_the_way_and_not_the_end() -> None:

@@ -54,7 +54,7 @@ def test_declaration_is_complete(effect: EffectClass) -> None:
     assert effect.description and effect.parameters
     for name in effect.parameters:
         assert own[name].description
-    assert set(effect.absent) <= set(effect.parameters)
+    assert set(effect.absent) <= set(effect.parameters) >= set(effect.typical)
 
 
 @every_effect
@@ -65,9 +65,13 @@ def test_finds_a_place(effect: EffectClass) -> None:
 @every_effect
 def test_parameters_have_units_and_start_inside_their_bounds(effect: EffectClass) -> None:
     interface = read_interface(built(law_bench(effect.name), effect.name))
-    for name in on_bench(effect.name).parameters[effect.name]:
+    composition = on_bench(effect.name)
+    assert len(composition.typical) == len(effect.typical)
+    for name in composition.parameters[effect.name]:
         v = interface.parameters[name]
         assert v.unit and v.description, name
+        low, high = composition.typical.get(name, (v.min, v.max))
+        assert v.min <= low <= v.start <= high <= v.max, name
         assert v.min is not None and v.max is not None and v.start is not None, name
         assert v.min <= v.start <= v.max and v.min < v.max, name
         assert v.nominal is None or v.nominal > 0, name

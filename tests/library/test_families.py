@@ -41,6 +41,32 @@ def test_an_effect_of_ones_own_joins_a_family_by_its_member(tmp_path: Path) -> N
     assert (own.family, own.balance, own.parameters) == ("rate_friction", "force", ("c",))
 
 
+TYPICAL = """model Drag "A drag"
+  extends {family}.FamilyMember(final absent="c=0");
+  parameter Real c(min=0, max=10) = 1 "Drag"
+    annotation (Dialog(group="Effect"), __PamCosim(typical={range}));
+equation
+  f = c*v;
+end Drag;
+"""
+
+
+def test_an_effect_says_what_is_typical_of_its_parameters(tmp_path: Path) -> None:
+    file = tmp_path / "Drag.mo"
+    file.write_text(TYPICAL.replace("{family}", f"{EFFECTS}.RateFriction").replace("{range}", "{-0.5, 2}"))
+    (own,) = (e for e in effect_classes(read_library(files=[file])) if e.name == "Drag")
+    assert own.typical == {"c": (-0.5, 2.0)}
+
+
+@pytest.mark.parametrize("text", ["{2, 1}", "{1}", "0.5", "{0.5, k}"])
+def test_what_is_no_typical_range_is_named_with_its_place(text: str, tmp_path: Path) -> None:
+    file = tmp_path / "Drag.mo"
+    file.write_text(TYPICAL.replace("{family}", f"{EFFECTS}.RateFriction").replace("{range}", text))
+    with pytest.raises(ModelError, match="typical of c wants two numbers in braces") as caught:
+        effect_classes(read_library(files=[file]))
+    assert (caught.value.file, caught.value.line) == (file, 3)
+
+
 def test_a_class_that_has_moved_is_named_with_its_place(tmp_path: Path) -> None:
     file = tmp_path / "Mine.mo"
     file.write_text(f"model Mine\n  extends {EFFECTS}.LinearBladder;\nend Mine;")

@@ -11,7 +11,9 @@ from tests.library.shelf import check_each, tree
 
 BIBLIOGRAPHY = "PneumaticMuscle.UsersGuide.References"
 NAME = r"[A-Z][A-Za-z]+(?:-[A-Z][a-z]+)?"
-CITATION = re.compile(rf"\b((?:{NAME}, )*{NAME}(?: and (?:others|{NAME}))? (?:18|19|20)\d\d|ISO \d+|DP|DY|AM)\b")
+CITATION = re.compile(
+    rf"\b((?:{NAME}, )*{NAME}(?: and (?:others|{NAME}))? (?:18|19|20)\d\d|ISO \d+|EN \d+-\d+|DP|DY|AM)\b"
+)
 LOOSE = {
     "a year apart from its authors": re.compile(r"[(,] ?(?:18|19|20)\d\d\b"),
     "initials, which belong to the bibliography": re.compile(

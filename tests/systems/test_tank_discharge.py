@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from pam_cosim import Diagnosis, study
@@ -49,6 +51,18 @@ def test_thermometer_that_was_not_fitted_agrees_better_too(diagnosis: Diagnosis)
     """An error of 80 K falls to some 16 K: the model was right to change."""
     before, after = (f.comparison.scores["fit"]["T"].rmse for f in (diagnosis.base, diagnosis.final))
     assert before > 70 and after < 20
+
+
+def test_a_manometer_that_nobody_owns_is_no_rival(workers: int | None) -> None:
+    """By pressure alone a manometer that reads two thirds would fit better; accuracy classes end at 4 %."""
+    data = study.read(FOLDER)
+    unseen = {name: np.full_like(values, np.nan) for name, values in data.runs[0].measurements.items() if name == "T"}
+    run = replace(data.runs[0], measurements=data.runs[0].measurements | unseen)
+    diagnosis = study.diagnose(replace(data, runs=(run,)), workers=workers, explain=False)
+    assert diagnosis.verdict.kind == "identified" and diagnosis.verdict.families == ("gas_energy",)
+    (said,) = diagnosis.verdict.implausible
+    assert said.startswith("FlexibleGauge would fit as well, but manometer.gain would have to be about 0.")
+    assert said in str(diagnosis)
 
 
 @pytest.mark.full

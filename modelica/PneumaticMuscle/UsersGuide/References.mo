@@ -22,6 +22,8 @@ inelastic braid assumption</i>, Actuators 11 (2022) 219.</li>
 tubular type</i>, University of California Publications in Engineering 2 (1930) 443-461.</li>
 <li><b>Dymond and Smith 1980</b>: J. H. Dymond, E. B. Smith, <i>The virial coefficients of pure gases and mixtures: a
 critical compilation</i>, Clarendon Press, Oxford 1980.</li>
+<li><b>EN 837-1</b>: <i>Pressure gauges, part 1: Bourdon tube pressure gauges; dimensions, metrology, requirements and
+testing</i>, European Committee for Standardization.</li>
 <li><b>Eyring 1936</b>: H. Eyring, <i>Viscosity, plasticity, and diffusion as examples of absolute reaction rates</i>,
 Journal of Chemical Physics 4 (1936) 283-291.</li>
 <li><b>Ferraresi, Franco and Bertetto 2001</b>: C. Ferraresi, W. Franco, A. M. Bertetto, <i>Flexible pneumatic

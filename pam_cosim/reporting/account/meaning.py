@@ -74,7 +74,7 @@ def _rivals(verdict: Verdict) -> str:
         said.append(f"{listed(list(verdict.refuted))} would fit it as well, but misses {off} by far more.")
     if verdict.bending:
         said.append(f"{listed(list(verdict.bending))} comes as near, because it says whatever its family can.")
-    return " ".join(said) or "No effect of another family comes close."
+    return " ".join([*said, *verdict.implausible]) or "No effect of another family comes close."
 
 
 def instrument_sentence(verdict: Verdict, domain: Domain) -> str:

@@ -3,7 +3,7 @@ model ClockOffset "All readings are recorded late or early"
   extends Interfaces.Recorder;
   extends FamilyMember(final absent="shift=0");
   parameter Types.RecordDelay shift(min=-2, max=2) = 0.02 "By how much readings are recorded late; negative: early"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(typical={-0.5, 0.5}));
 equation
   t = time + shift;
   annotation (Documentation(info="<html>

@@ -3,18 +3,19 @@ model FlexibleLoadCell "The force reading has errors of zero, span and linearity
   extends Interfaces.ForceChannel;
   extends FamilyMember(final absent="offset=0, gain=1, bend=0");
   parameter Real offset(unit="N", min=-100, max=100, nominal=2) = 2 "What the reading has too much"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(typical={-10, 10}));
   parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.03 "Factor on the reading"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(typical={0.95, 1.05}));
   parameter Real bend(unit="1", min=-0.3, max=0.3, nominal=0.03) = 0.01 "Half of what 100 N adds to the slope"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(typical={-0.02, 0.02}));
 protected
   constant Types.Force reference = 100 "What bend refers to";
 equation
   y = offset + u*(gain + bend*u/reference);
   annotation (Documentation(info="<html>
 <p>y = offset + gain d + bend d^2/(100 N), d = u. Source: zero, span and linearity error, the three lines of a
-transducer's data sheet (IEC 61298-2); typical 0.02 to 1 % of full scale, 0.02 to 5 %, 0.02 to 0.5 %.</p>
+transducer's data sheet (IEC 61298-2); typical 0.02 to 1 % of full scale, 0.02 to 5 %, 0.02 to 0.5 %: of
+a full scale of 1 kN the first, of 100 N the last, whose bend is greatest.</p>
 <p>Fingerprint: the force is off by a smooth curve of itself, at rest too; pressure and temperature are right.</p>
 </html>"));
 end FlexibleLoadCell;

@@ -3,7 +3,7 @@ model ForceGain "The force reading is off by a factor"
   extends Interfaces.ForceChannel;
   extends FamilyMember(final absent="gain=1");
   parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.03 "Factor on the reading"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(typical={0.95, 1.05}));
 equation
   y = gain*u;
   annotation (Documentation(info="<html>

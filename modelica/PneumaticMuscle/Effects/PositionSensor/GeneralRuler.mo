@@ -3,9 +3,9 @@ model GeneralRuler "The position reading is any smooth function of the position,
   extends Interfaces.PositionChannel;
   extends FamilyMember(final general=true, final absent="offset=0, gain=1, bend=0, c=0, tau=1e-4, r=1e-3");
   parameter Real offset(unit="m", min=-0.02, max=0.02, nominal=1e-3) = 1e-3 "What the reading has too much"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(typical={-5e-3, 5e-3}));
   parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.03 "Factor on the reading"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(typical={0.95, 1.05}));
   parameter Real bend(unit="1", min=-0.5, max=0.5, nominal=0.03) = 0.01 "Coefficient of the second power, by 50 mm"
     annotation (Dialog(group="Effect"));
   parameter Real c(unit="1", min=-0.3, max=0.3, nominal=0.03) = 0 "Coefficient of the third power, by 50 mm squared"

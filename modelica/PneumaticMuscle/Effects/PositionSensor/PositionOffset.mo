@@ -3,7 +3,7 @@ model PositionOffset "The position reading is off by a constant"
   extends Interfaces.PositionChannel;
   extends FamilyMember(final absent="offset=0");
   parameter Real offset(unit="m", min=-0.02, max=0.02, nominal=1e-3) = 1e-3 "What the reading has too much"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(typical={-5e-3, 5e-3}));
 equation
   y = u + offset;
   annotation (Documentation(info="<html>

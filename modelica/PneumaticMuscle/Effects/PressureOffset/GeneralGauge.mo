@@ -5,9 +5,9 @@ model GeneralGauge "The pressure reading is any smooth function of the pressure"
     final absent="offset=0, gain=1, bend=0, c=0, d=0");
   parameter Types.GaugePressure offset(min=-5e4, max=5e4, nominal=1e3) = 1e3
     "What the reading has too much at ambient pressure"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(typical={-2e4, 2e4}));
   parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.01 "Slope of the reading at ambient pressure"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(typical={0.95, 1.05}));
   parameter Real bend(unit="1", min=-0.5, max=0.5, nominal=0.03) = 0.01 "Coefficient of the second power, per 100 kPa"
     annotation (Dialog(group="Effect"));
   parameter Real c(unit="1", min=-0.3, max=0.3, nominal=0.03) = 0 "Coefficient of the third power, per 100 kPa squared"

@@ -3,7 +3,7 @@ model TemperatureOffset "The temperature reading is off by a constant"
   extends Interfaces.TemperatureChannel;
   extends FamilyMember(final absent="offset=0");
   parameter Real offset(unit="K", min=-20, max=20, nominal=1) = 1 "What the reading has too much"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(typical={-2.5, 2.5}));
 equation
   y = u + offset;
   annotation (Documentation(info="<html>

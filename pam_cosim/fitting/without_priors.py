@@ -1,0 +1,39 @@
+"""What a fit would come to if nothing were known of its parameters beforehand."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from pam_cosim.fitting.bounded_linear import bounded_least_squares
+from pam_cosim.fitting.fit import Fit
+
+
+@dataclass(frozen=True)
+class WithoutPriors:
+    """What a fitted model would come to, to first order, if nothing were known of its parameters beforehand.
+
+    Attributes:
+        reduction: of the squared error of the fitted samples.
+        values: of the parameters of which something is known [SI].
+    """
+
+    reduction: float = 0.0
+    values: Mapping[str, float] = field(default_factory=dict)
+
+
+def without_priors(fit: Fit) -> WithoutPriors:
+    """What a fitted model would come to without its priors; the fit as it is where it has no slopes."""
+    known = {name: e.value for name, e in fit.parameters.items() if e.prior is not None}
+    linear = fit.linear
+    if linear is None or not known:
+        return WithoutPriors(values=known)
+    low, high = np.minimum(linear.low - linear.values, 0.0), np.maximum(linear.high - linear.values, 0.0)
+    step = bounded_least_squares(linear.slopes, linear.residual, low, high)
+    moved = linear.slopes @ step
+    values = dict(zip(linear.names, (linear.values + step).tolist(), strict=True))
+    return WithoutPriors(
+        max(float(moved @ (2 * linear.residual - moved)), 0.0), {n: values.get(n, v) for n, v in known.items()}
+    )
