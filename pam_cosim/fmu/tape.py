@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import casadi as ca
 import numpy as np
@@ -81,13 +81,13 @@ def tape_of(function: ca.Function) -> Tape:
     Raises:
         NoTapeError: one of them is not among ``OPERATIONS``.
     """
-    every = [_Step(function, k) for k in range(function.n_instructions())]
-    constants = sorted({step.constant for step in every if step.operation == ca.OP_CONST})
+    steps = [_step(function, k) for k in range(function.n_instructions())]
+    constants = sorted({step.constant for step in steps if step.operation == ca.OP_CONST})
     arguments = tuple(function.numel_in(i) for i in range(function.n_in()))
     begin = np.cumsum([len(constants), *arguments]).tolist()
     fixed, place = {value: i for i, value in enumerate(constants)}, dict[int, int]()
     rows, numbers = [], _numbers()
-    for step in every:
+    for step in steps:
         if step.operation == ca.OP_CONST:
             place[step.to[0]] = fixed[step.constant]
         elif step.operation == ca.OP_INPUT:
@@ -106,13 +106,19 @@ def tape_of(function: ca.Function) -> Tape:
     return Tape(operations, np.array(constants, dtype=float), arguments, max(begin[-1] + function.sz_w(), results, 1))
 
 
-class _Step:
+class _Step(NamedTuple):
     """An instruction of CasADi's: its operation, where it takes from and puts to, and the constant that it is."""
 
-    def __init__(self, function: ca.Function, number: int) -> None:
-        self.operation = function.instruction_id(number)
-        self.constant = function.instruction_constant(number) if self.operation == ca.OP_CONST else 0.0
-        self.of, self.to = function.instruction_input(number), function.instruction_output(number)
+    operation: int
+    of: Sequence[int]
+    to: Sequence[int]
+    constant: float
+
+
+def _step(function: ca.Function, number: int) -> _Step:
+    operation = function.instruction_id(number)
+    constant = function.instruction_constant(number) if operation == ca.OP_CONST else 0.0
+    return _Step(operation, function.instruction_input(number), function.instruction_output(number), constant)
 
 
 def taped(ode: Ode) -> TapedModel:
