@@ -81,15 +81,15 @@ def tape_of(function: ca.Function) -> Tape:
     Raises:
         NoTapeError: one of them is not among ``OPERATIONS``.
     """
-    steps = [_step(function, k) for k in range(function.n_instructions())]
-    constants = sorted({step.constant for step in steps if step.operation == ca.OP_CONST})
+    steps = _steps(function)
+    constants = sorted({function.instruction_constant(s.number) for s in steps if s.operation == ca.OP_CONST})
     arguments = tuple(function.numel_in(i) for i in range(function.n_in()))
     begin = np.cumsum([len(constants), *arguments]).tolist()
     fixed, place = {value: i for i, value in enumerate(constants)}, dict[int, int]()
     rows, numbers = [], _numbers()
     for step in steps:
         if step.operation == ca.OP_CONST:
-            place[step.to[0]] = fixed[step.constant]
+            place[step.to[0]] = fixed[function.instruction_constant(step.number)]
         elif step.operation == ca.OP_INPUT:
             argument, element = step.of
             place[step.to[0]] = begin[argument] + element
@@ -107,18 +107,19 @@ def tape_of(function: ca.Function) -> Tape:
 
 
 class _Step(NamedTuple):
-    """An instruction of CasADi's: its operation, where it takes from and puts to, and the constant that it is."""
+    """An instruction of CasADi's: its number, its operation, and where it takes from and puts to."""
 
+    number: int
     operation: int
     of: Sequence[int]
     to: Sequence[int]
-    constant: float
 
 
-def _step(function: ca.Function, number: int) -> _Step:
-    operation = function.instruction_id(number)
-    constant = function.instruction_constant(number) if operation == ca.OP_CONST else 0.0
-    return _Step(operation, function.instruction_input(number), function.instruction_output(number), constant)
+def _steps(function: ca.Function) -> list[_Step]:
+    numbers = range(function.n_instructions())
+    operations = map(function.instruction_id, numbers)
+    sources, places = map(function.instruction_input, numbers), map(function.instruction_output, numbers)
+    return list(map(_Step, numbers, operations, sources, places))
 
 
 def taped(ode: Ode) -> TapedModel:
