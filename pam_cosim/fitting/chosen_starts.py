@@ -13,7 +13,7 @@ from pam_cosim.comparison.initial_state import (
     first_of_run,
     initial_state,
     inputs_of_run,
-    measured,
+    measured_initial_state,
     start_time,
 )
 from pam_cosim.criteria import CRITERIA
@@ -112,7 +112,7 @@ def _with_start(
         off = [one for one in first if one.off]
         if not off or _is_fitted(simulator, data, run, own):
             return _begun(run, "rest")
-        begins = measured(simulator, data, run, own)
+        begins = measured_initial_state(simulator, data, run, own)
         shown = begins.shown
         if shown and not any(one.away for one in first):
             return run
@@ -156,7 +156,7 @@ def _estimated(simulator: AnySimulator, data: DataSet, run: Run, parameters: Map
     """The run with a start of its own, where it can have one."""
     own = data.parameters_of(run, parameters)
     try:
-        if _is_fitted(simulator, data, run, own) or not measured(simulator, data, run, own).shown:
+        if _is_fitted(simulator, data, run, own) or not measured_initial_state(simulator, data, run, own).shown:
             return run
         first = _first(simulator, data, run, own, {}, every=True)
     except SimulationFailure:
@@ -251,7 +251,7 @@ def _is_stated(simulator: AnySimulator, data: DataSet, run: Run, parameters: Map
     own = data.parameters_of(run, parameters)
     interface, states = simulator.interface, simulator.interface.states
     try:
-        shown = set(measured(simulator, data, run, own).shown)
+        shown = set(measured_initial_state(simulator, data, run, own).shown)
         here = StartProbe(simulator, data, run, own).at({})[1]
         for name in run.parameters.keys() & interface.parameters.keys():
             step = CRITERIA.starts.step * max(abs(own[name]), abs(interface.parameters[name].nominal or 0.0), 1.0)
