@@ -152,14 +152,14 @@ def _converter() -> Converter:
         HoldoutUncertainty,
         lambda v, _: HoldoutUncertainty({(r, s): _taken(a) for r, s, a in v["shifts"]}, float(v["cost"])),
     )
-    saved_name = override(rename="leeway")  # the key in version 1 of the file
-    converter.register_unstructure_hook(Fit, make_dict_unstructure_fn(Fit, converter, holdout_uncertainty=saved_name))
-    converter.register_structure_hook(Fit, make_dict_structure_fn(Fit, converter, holdout_uncertainty=saved_name))
     converter.register_unstructure_hook(Path, str)
     converter.register_structure_hook(Path, lambda text, _: Path(text))
     for kind in (str, float, int, bool):
         converter.register_structure_hook(kind, plain_value)
     include_subclasses(Record, converter, union_strategy=configure_tagged_union)
+    saved_name = override(rename="leeway")  # the key in version 1 of the file
+    converter.register_unstructure_hook(Fit, make_dict_unstructure_fn(Fit, converter, holdout_uncertainty=saved_name))
+    converter.register_structure_hook(Fit, make_dict_structure_fn(Fit, converter, holdout_uncertainty=saved_name))
     return converter
 
 
