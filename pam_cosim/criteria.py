@@ -134,6 +134,8 @@ class StartCriteria:
     bent: float = decides(3.0, "sd", "of chi-square, from which on the first samples are not on a line any more")
     moving: float = decides(4.0, "sd", "of the slope of the first samples, below which they do not show a motion")
     away: float = decides(6.0, "sd", "of the noise, within which a first sample agrees with the model's own start")
+    runs: int = decides(3, "runs", "at least, of which one may differ, to know an offset that most have in common")
+    same: float = decides(1e-6, "1", "difference of slopes, up to which a state is what a parameter sets")
     range: float = decides(3.0, "of range", "sd of a start value by what the run itself goes through in that state")
     told: float = decides(0.5, "1", "share of the variance beforehand that must be left: less, and the data tell it")
     own_parameter: float = decides(

@@ -90,7 +90,7 @@ def initial_state(simulator: AnySimulator, data: DataSet, run: Run, parameters: 
 def measured_initial_state(
     simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]
 ) -> InitialState:
-    """The initial state that agrees with the first samples; arguments as for ``initial_state``."""
+    """The initial state at which the model gives the first samples; arguments as for ``initial_state``."""
     probe = StartProbe(simulator, data, run, parameters)
     first = probe.first_samples()
     if not simulator.interface.states or not first:
