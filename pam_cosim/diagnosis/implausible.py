@@ -4,29 +4,35 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.evidence import Scale, evidence
+from pam_cosim.diagnosis.evidence import NoiseScale, information_criterion
 from pam_cosim.diagnosis.model_space import ModelSpace
 from pam_cosim.units import format_quantity
 
 
-def implausible(candidates: Sequence[Candidate], at: Scale, choice: ModelSpace, limit: float) -> tuple[str, ...]:
+def implausible(
+    best: Candidate, others: Sequence[Candidate], scale: NoiseScale, model_space: ModelSpace
+) -> tuple[str, ...]:
     """A sentence for each model that only what is known of its parameters beforehand keeps from being a rival.
 
     Args:
-        candidates: of other families than the answer.
-        at: the scale of the evidence.
-        choice: what a choice among effects costs.
-        limit: the evidence against a rival, at most.
+        best: the answer.
+        others: models with other families.
+        scale: of the evidence.
+        model_space: what a choice among effects costs.
     """
-    hoped = [(_hoped(c, at, choice), c) for c in candidates if c.without_priors.values]
-    near = [(hope, c) for hope, c in hoped if hope < limit <= evidence(c.fit, at, c.effects, choice, c)]
-    return tuple(_needed(c) for _, c in sorted(near, key=lambda entry: (entry[0], entry[1].effects)))
 
+    def criterion(c: Candidate) -> float:
+        return information_criterion(c.fit, scale, c.effects, model_space, c)
 
-def _hoped(c: Candidate, at: Scale, choice: ModelSpace) -> float:
-    """The evidence against a model without its priors."""
-    return evidence(c.fit, at, c.effects, choice, c) - c.fit.chi2_priors - c.without_priors.reduction / at.divisor
+    limit = criterion(best) + CRITERIA.evidence.very_strong
+    near = []
+    for c in (c for c in others if c.without_priors.values):
+        without = criterion(c) - c.fit.chi2_priors - c.without_priors.reduction / scale.divisor
+        if without < limit <= criterion(c):
+            near.append((without, c.effects, _needed(c)))
+    return tuple(sentence for _, _, sentence in sorted(near))
 
 
 def _needed(c: Candidate) -> str:
