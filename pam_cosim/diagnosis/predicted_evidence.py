@@ -174,9 +174,10 @@ class PredictedEvidence:
         known = self.ranking.models(count)[:first]
         if unsolved:
             known = list({c.effects: c for c in (*known, *self.ranking.models(count, specific=True)[:first])}.values())
-        starts: list[Candidate | None] = [None, *known]
         best = self.ranking.best()
         further = unsolved or (best is not None and count > len(best.effects))
+        lacking = self.ranking.with_one_less()
+        starts: list[Candidate | None] = [None, *{c.effects: c for c in (*known, *lacking.values())}.values()]
         for c in starts:
             fit, effects = (c.fit, c.effects) if c else (self.ranking.base, ())
             if fit.linear is None or len(effects) + 2 < count:
@@ -185,7 +186,7 @@ class PredictedEvidence:
             more = count - len(effects)
             if more == 0 and unsolved:
                 every = beside.with_another_form()
-            elif more == 1 and (count == 1 or further):
+            elif more == 1 and (count == 1 or further or effects in lacking):
                 every = beside.with_one()
             elif more == 2 and further and effects:
                 every = beside.with_two(first)
@@ -197,11 +198,6 @@ class PredictedEvidence:
         """Whether a model is expected to leave much less than a best one does, which leaves structure."""
         now, own = best.fit.residuals["fit"], p.fit.residuals["fit"]
         excess = now.chi2 - noise_floor * now.samples
-        if (
-            len(p.prediction.effects) > len(best.effects)
-            and excess < CRITERIA.search.at_noise * noise_floor * now.samples
-        ):
-            return False  # the fitted runs have nothing left to tell a further effect by
         left = own.chi2 - trust * p.prediction.reduction - noise_floor * own.samples
         return left < CRITERIA.search.step * excess
 

@@ -140,6 +140,13 @@ class Ranking:
                 first = c
         return len(first.effects)
 
+    def with_one_less(self) -> dict[tuple[str, ...], Candidate]:
+        """The models that lack one of the effects of the best, which has several."""
+        best = self.best()
+        names = frozenset(best.effects) if best else frozenset[str]()
+        every = (c for c in self.fitted.values() if 0 < len(c.effects) == len(names) - 1)
+        return {c.effects: c for c in every if names.issuperset(c.effects)}
+
     def has_structure(self, c: Candidate) -> bool:
         """Whether a model leaves structure, in runs that were fitted or in others."""
         if c.effects not in self._structure_known or self._structure_known[c.effects][0] is not c.fit:
@@ -194,8 +201,9 @@ class Ranking:
             return [AcceptanceThreshold(self.information_criterion(None, scale))]
         if not self.has_structure(best):
             if count > len(best.effects):
+                worth = CRITERIA.evidence.very_strong
                 return [
-                    AcceptanceThreshold(self.information_criterion(c, scale), c, cost=self.cost(best.effects))
+                    AcceptanceThreshold(self.information_criterion(c, scale) - worth, cost=self.cost(best.effects))
                     for c in self.parents()
                 ]
             return [AcceptanceThreshold(self.information_criterion(best, scale) + CRITERIA.evidence.very_strong)]
