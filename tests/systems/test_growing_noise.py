@@ -18,7 +18,7 @@ from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_model
 from pam_cosim.measurement import DataSet, Signal
 from pam_cosim.simulation import Simulator
-from rig.measurement import Noise, measure, simulate_plan, write_data_set
+from rig.measurement import measure, simulate_plan, write_data_set
 from rig.plan import default_plan
 
 GROWTH = 0.02  # of the reading
