@@ -24,6 +24,8 @@ model ValvePair "An inlet and an exhaust valve, current-driven, of one make, DP 
     "Dynamics of the openings" annotation (choicesAllMatching=true);
   replaceable model Feed = Laws.Lines.DirectFeed constrainedby Interfaces.Feed "What lies before the inlet valve"
     annotation (choicesAllMatching=true);
+  replaceable model Flow = Laws.Flows.Isentropic constrainedby Laws.Flows.Flow "Law of the flow"
+    annotation (choicesAllMatching=true);
   Feed feed "What lies before the inlet valve"
     annotation (Placement(transformation(extent={{-75,45},{-45,75}})));
   Drive drive(u={u_in, u_out}, dynamics=dynamics) "From command to current"
@@ -32,9 +34,9 @@ model ValvePair "An inlet and an exhaust valve, current-driven, of one make, DP 
     annotation (Placement(transformation(extent={{-25,-15},{5,15}})));
   Opening opening(A_set=area.A, dynamics=dynamics) "From that to the area that the gas finds"
     annotation (Placement(transformation(extent={{25,-15},{55,15}})));
-  Orifice inlet(A=opening.A[1]) "Inlet valve"
+  Flow inlet(A=opening.A[1]) "Inlet valve"
     annotation (Placement(transformation(extent={{-15,45},{15,75}})));
-  Orifice outlet(A=opening.A[2]) "Exhaust valve"
+  Flow outlet(A=opening.A[2]) "Exhaust valve"
     annotation (Placement(transformation(extent={{15,-75},{-15,-45}})));
 equation
   connect(supply, feed.port_a)
