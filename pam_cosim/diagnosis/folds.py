@@ -14,7 +14,7 @@ import numpy as np
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.events import RunsLeftOut
-from pam_cosim.diagnosis.search import Search, Wanted
+from pam_cosim.diagnosis.search import FitRequest, Search
 from pam_cosim.diagnosis.subject import Subject
 from pam_cosim.diagnosis.verdict import Verdict
 from pam_cosim.errors import SimulationFailure
@@ -72,7 +72,7 @@ class Folds:
 
 
 @dataclass(frozen=True)
-class _Left:
+class _HoldoutError:
     """What a model leaves on runs that were left out: error by signal [its unit], and all in noise variances."""
 
     rmse: Mapping[str, float]
@@ -125,7 +125,7 @@ def folds_of(subject: Subject, search: Search, effects: Sequence[str], final: Fi
     without = {e: tuple(one for one in every if one != e) for e in every}
     full, needed = [], dict.fromkeys(every, 0)
     for one in data:
-        left = _left_out(subject, search, one, [every, *without.values()], final.values)
+        left = _holdout_errors(subject, search, one, [every, *without.values()], final.values)
         full.append(left[every])
         for e, others in without.items():
             needed[e] += _is_needed(left[every], left[others])
@@ -134,7 +134,7 @@ def folds_of(subject: Subject, search: Search, effects: Sequence[str], final: Fi
     folds = Folds(len(data), needed, {e: r for e, r in ratios.items() if not 1 / limit <= r <= limit})
     named = folds.named
     if named != every:
-        full = [_left_out(subject, search, one, [named], final.values)[named] for one in data]
+        full = [_holdout_errors(subject, search, one, [named], final.values)[named] for one in data]
     known = [left for left in full if left is not None]
     names = dict.fromkeys(n for left in known for n in left.rmse)
     errors = {n: [(left.rmse[n], left.runs) for left in known if n in left.rmse] for n in names}
@@ -152,15 +152,15 @@ def _folds(data: DataSet) -> Iterator[DataSet]:
         yield replace(data, runs=tuple(runs))
 
 
-def _left_out(
+def _holdout_errors(
     subject: Subject, search: Search, data: DataSet, models: Sequence[tuple[str, ...]], values: Mapping[str, float]
-) -> dict[tuple[str, ...], _Left | None]:
+) -> dict[tuple[str, ...], _HoldoutError | None]:
     """What models with these effects, fitted anew, leave on the runs that are held out; None: one broke down."""
-    wanted = [Wanted(effects, values) for effects in models if effects]
-    fits = {c.effects: c.fit for c in replace(search, data=data, failed=[]).again(wanted)}
+    wanted = [FitRequest(effects, values) for effects in models if effects]
+    fits = {c.effects: c.fit for c in replace(search, data=data, failed=[]).refit(wanted)}
     if () in models:
         fits |= _without_effects(subject, data)
-    return {effects: _judged(fits[effects]) if effects in fits else None for effects in models}
+    return {effects: _holdout_error(fits[effects]) if effects in fits else None for effects in models}
 
 
 def _without_effects(subject: Subject, data: DataSet) -> dict[tuple[str, ...], Fit]:
@@ -171,14 +171,14 @@ def _without_effects(subject: Subject, data: DataSet) -> dict[tuple[str, ...], F
         return {}
 
 
-def _judged(model: Fit) -> _Left:
+def _holdout_error(model: Fit) -> _HoldoutError:
     comparison = model.comparison
     rmse = {n: s.rmse for n, s in comparison.scores["holdout"].items()}
     runs = tuple(r.run.name for r in comparison.runs if r.run.role == "holdout")
-    return _Left(rmse, comparison.chi2_reduced("holdout"), runs)
+    return _HoldoutError(rmse, comparison.chi2_reduced("holdout"), runs)
 
 
-def _is_needed(with_it: _Left | None, without: _Left | None) -> bool:
+def _is_needed(with_it: _HoldoutError | None, without: _HoldoutError | None) -> bool:
     """Whether what is left beyond the noise is visibly less with an effect."""
     if with_it is None or without is None:
         return with_it is not None

@@ -92,13 +92,13 @@ def _in_balance(search: Search, effects: Sequence[str], present: Fit, term: Effe
         return None
     variables, units, own = watched
     known = quantities(variables, units)
-    shelf = ramps(known, variables)
+    library = ramps(known, variables)
     entry = BalanceEntry(term.balance, 0.0, 0.0, 0.0, own.unit, own.description, base=base, units=units)
-    samples = _felt(search, effects, values, entry, shelf)
+    samples = _felt(search, effects, values, entry, library)
     # what a term of the size that it is declared for does not move by a standard deviation, it cannot be learned from
     largest = min(abs(own.min or np.inf), abs(own.max or np.inf))
-    shelf = [f for f in shelf if largest * float(np.max(np.abs(samples.column(f)))) > 1]
-    picked = pick_together(samples, shelf, CRITERIA.learning.most_ramps) if shelf else []
+    library = [f for f in library if largest * float(np.max(np.abs(samples.column(f)))) > 1]
+    picked = pick_together(samples, library, CRITERIA.learning.most_ramps) if library else []
     if not picked:
         return None
     fitted = coefficients_of(samples, picked)
@@ -172,10 +172,10 @@ class _Felt(TermSamples):
 
 
 def _felt(
-    search: Search, effects: Sequence[str], values: Mapping[str, float], entry: BalanceEntry, shelf: Sequence[Form]
+    search: Search, effects: Sequence[str], values: Mapping[str, float], entry: BalanceEntry, library: Sequence[Form]
 ) -> _Felt:
     """The fitted runs linearised by the free parameters and by a coefficient of every form."""
-    terms = [Learned(0.0, 0.0, form, reach=1.0) for form in shelf]
+    terms = [Learned(0.0, 0.0, form, reach=1.0) for form in library]
     with tempfile.TemporaryDirectory(prefix="pam-cosim-") as folder:
         file = Path(folder, f"{_SCRATCH}.mo")
         write_text(file, modelica_text(search.tree, _SCRATCH, entry, terms, 0.0))
@@ -208,10 +208,10 @@ def _felt(
         weight=np.ones(len(linear.residual)),
         variables={},
         group=group,
-        asked=tuple(range(int(group.max()) + 1)),
+        learning_groups=tuple(range(int(group.max()) + 1)),
         imitated=nuisance,
         free=tuple(others),
-        felt={form.text: by_name[n] for form, n in zip(shelf, mine, strict=True)},
+        felt={form.text: by_name[n] for form, n in zip(library, mine, strict=True)},
     )
 
 

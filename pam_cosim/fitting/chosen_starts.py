@@ -12,7 +12,7 @@ from pam_cosim.comparison.initial_state import (
     StartProbe,
     initial_state,
     inputs_of_run,
-    measured,
+    measured_initial_state,
     start_time,
 )
 from pam_cosim.criteria import CRITERIA
@@ -122,7 +122,7 @@ class _Choice:
         return _begun(run, "estimated", f"{begins}: estimated")
 
     def _measured(self, run: Run) -> InitialState:
-        return measured(self._simulator, self._data, run, self._parameters[run.name])
+        return measured_initial_state(self._simulator, self._data, run, self._parameters[run.name])
 
     def _explains(self, run: Run, start: InitialState) -> bool:
         """Whether all signals are much nearer to their first samples from there: a missing force would remain."""

@@ -80,9 +80,13 @@ def identity_of(
     with ZipFile(simulator.path) as archive:
         description = hashlib.sha256(archive.read("modelDescription.xml")).hexdigest()
     parameters = json.dumps([[asdict(f) for f in free], sorted(fixed.items())])
-    return Identity(
-        simulator.interface.model, description, _digest(data), parameters, json.dumps(asdict(options), sort_keys=True)
-    )
+    return Identity(simulator.interface.model, description, _digest(data), parameters, _options_text(options))
+
+
+def _options_text(options: FitOptions) -> str:
+    saved = asdict(options)
+    saved["leeway"] = saved.pop("holdout_uncertainty")  # the name in version 1 of the file
+    return json.dumps(saved, sort_keys=True)
 
 
 def _digest(data: DataSet) -> str:

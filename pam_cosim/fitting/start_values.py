@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison import measured, start_time
+from pam_cosim.comparison import measured_initial_state, start_time
 from pam_cosim.comparison.initial_state import inputs_of_run
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
@@ -97,7 +97,7 @@ def start_values(simulator: AnySimulator, data: DataSet, run: Run, parameters: M
     own = data.parameters_of(run, parameters)
     names = simulator.interface.states
     bare = {n: v for n, v in own.items() if n not in names}
-    begins = measured(simulator, data, run, bare)
+    begins = measured_initial_state(simulator, data, run, bare)
     times = np.unique(np.append(start_time(run), run.time))
     course = simulator.run(
         times,
