@@ -16,12 +16,13 @@ ROLES = ("fitted", "within", "outside")
 
 @dataclass(frozen=True)
 class Run:
-    """One run: columns with units in their names, scored from a time on, with parameters of its own."""
+    """One run: columns with units in their names, scored from a time on, with parameters of its own; do inputs step?"""
 
     name: str
     columns: Mapping[str, Array]
     score_from: float = -np.inf
     parameters: Mapping[str, str] = field(default_factory=dict)
+    steps: bool = False
 
 
 @dataclass(frozen=True)
@@ -79,6 +80,8 @@ def _experiment(rig: Rig, role: str, runs: Sequence[Run]) -> str:
     lines = [f'title = "{rig.title}: {role}"', rig.head.strip(), ""]
     for run in runs:
         lines += ["[[runs]]", f'file = "{run.name}.csv"', 'role = "fit"']
+        if run.steps:
+            lines.append('interpolation = "previous"')
         if run.parameters:
             lines += ["[runs.parameters]", *(f'"{k}" = "{v}"' for k, v in run.parameters.items())]
         lines.append("")
