@@ -3,9 +3,9 @@
     python -m benchmarks.real_rigs.tunnel FOLDER [--mirror FOLDER]
 
 Its recordings (CC BY 4.0) lie in an object store; this takes what their paper's repository shows of them, the courses
-of ``wt_test_v1/zero_load`` (figure 11) and ``wt_test_v1/steps`` (figure 7), to about half a pixel: 10 rpm, 0.2 Pa, 0.02 s.
-The figures count samples. How long one takes is read off a figure too: 0.151 s, with which the published model A2 runs
-through the curve that its authors drew from the true times. Nothing that is written belongs into a repository.
+of ``wt_test_v1/zero_load`` (figure 11) and ``wt_test_v1/steps`` (figure 7), to about half a pixel: 10 rpm, 0.2 Pa and
+0.02 s. The figures count samples. How long one takes is read off a figure too: 0.151 s, with which the published model
+A2 runs through the curve that its authors drew from the true times. Nothing that is written belongs into a repository.
 """
 
 from __future__ import annotations
@@ -52,7 +52,8 @@ PRESSURES = Panel(
     [(96360, 144.5), (96340, 193.5), (96320, 242.5)],
     300,
 )
-HEAD = f"""model = "WindTunnel.Benches.TwoFans"
+HEAD = """model = "WindTunnel.Benches.TwoFans"
+start = "rest"  # at the speeds that are stated
 
 # Read off printed curves.
 [signals.w_in]
@@ -69,8 +70,8 @@ sigma = "12 rpm"
 "exhaust.w_start" = "300 rpm"
 
 [fit]
-"fans.tau_max" = {{ min = "5e-4 N.m", max = "5e-2 N.m" }}
-"fans.K" = {{ min = "5e-9 N.m.s2/rad2", max = "5e-7 N.m.s2/rad2" }}
+"fans.tau_max" = { min = "5e-4 N.m", max = "5e-2 N.m" }
+"fans.K" = { min = "5e-9 N.m.s2/rad2", max = "5e-7 N.m.s2/rad2" }
 """
 
 
