@@ -3,9 +3,10 @@
     python -m benchmarks.real_rigs.tunnel FOLDER [--mirror FOLDER]
 
 Its recordings (CC BY 4.0) lie in an object store; this takes what their paper's repository shows of them, the courses
-of ``wt_test_v1/zero_load`` (figure 11) and ``wt_test_v1/steps`` (figure 7), to about half a pixel: 10 rpm, 0.2 Pa and
-0.02 s. The figures count samples. How long one takes is read off a figure too: 0.151 s, with which the published model
-A2 runs through the curve that its authors drew from the true times. Nothing that is written belongs into a repository.
+of ``wt_test_v1/zero_load`` (figure 11) and ``wt_test_v1/steps`` (figure 7, and another of its first 100 samples with
+the current), to about half a pixel: 10 rpm, 0.2 Pa, 1 mA and 0.02 s. The figures count samples. How long one takes is
+read off a figure too: 0.151 s, with which the published model A2 runs through the curve that its authors drew from the
+true times. Nothing that is written belongs into a repository.
 """
 
 from __future__ import annotations
@@ -27,12 +28,12 @@ PAPER = Source(
     "e20e785ef4ffe797e9a2028b6b9d67f8498831cf",
     "notebook: MIT; recordings: CC BY 4.0, cite Gamella, Peters and Bühlmann, Nature Machine Intelligence 2025",
 )
-NOTEBOOK = "plots_appendices.ipynb"
+NOTEBOOK, MODELS = "plots_appendices.ipynb", "case_studies/mechanistic_models.ipynb"
 SAMPLE = 0.151  # s
 HELD_OUT = 150  # sample of "steps" from which on nothing is fitted
 IDLE = 45  # samples of "steps" before anything happens
 COVERED = 60.0  # rpm: two lines that are nearer cover one another
-BLUE, ORANGE, YELLOW, VIOLET = "#648fff", "#fe6100", "#ffb000", "#785ef0"
+BLUE, ORANGE, YELLOW, VIOLET, MAGENTA = "#648fff", "#fe6100", "#ffb000", "#785ef0", "#dc267f"
 
 OFF = Panel(
     (108, 252),
@@ -52,6 +53,7 @@ PRESSURES = Panel(
     [(96360, 144.5), (96340, 193.5), (96320, 242.5)],
     300,
 )
+CURRENT = Panel((44, 95), [(0, 462), (50, 534), (100, 605)], [(0.25, 60), (0.20, 79)], 100)
 HEAD = """model = "WindTunnel.Benches.TwoFans"
 start = "rest"  # at the speeds that are stated
 
@@ -61,6 +63,9 @@ sigma = "12 rpm"
 
 [signals.w_out]
 sigma = "12 rpm"
+
+[signals.i_in]
+sigma = "6 mA"
 
 [parameters]
 "intake.I" = "3.481e-5 kg.m2"
@@ -72,6 +77,7 @@ sigma = "12 rpm"
 [fit]
 "fans.tau_max" = { min = "5e-4 N.m", max = "5e-2 N.m" }
 "fans.K" = { min = "5e-9 N.m.s2/rad2", max = "5e-7 N.m.s2/rad2" }
+"fans.C_max" = { min = "0.2 A", max = "0.4 A" }
 """
 
 
@@ -90,6 +96,8 @@ def rig(store: Store) -> Rig:
     measured = ("w_in [rpm]", "w_out [rpm]", "p [Pa]")
     rest = {k: np.where(later, v, np.nan) if k in measured else v for k, v in stepped.items()}
     first = {k: v[~later] for k, v in stepped.items() if k != "p [Pa]"}
+    current = CURRENT.course(picture(store.read(MODELS), 27), BLUE, [MAGENTA], 91)
+    first["i_in [A]"] = np.concatenate([current, np.full(HELD_OUT - len(current), np.nan)])
     return Rig(
         name="tunnel",
         title="A wind tunnel with two fans",
