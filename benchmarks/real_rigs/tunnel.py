@@ -64,9 +64,6 @@ sigma = "12 rpm"
 [signals.w_out]
 sigma = "12 rpm"
 
-[signals.i_in]
-sigma = "6 mA"
-
 [parameters]
 "intake.I" = "3.481e-5 kg.m2"
 "exhaust.I" = "3.481e-5 kg.m2"
@@ -81,8 +78,13 @@ sigma = "6 mA"
 """
 
 
+CURRENT_HEAD = """[signals.i_in]
+sigma = "6 mA"
+"""
+
+
 def rig(store: Store) -> Rig:
-    """Fitted: ``zero_load``, and ``steps`` up to the sample 149; outside: ``steps`` from 150 on."""
+    """Fitted: ``zero_load``, and ``steps`` up to the sample 149 with the current; outside: ``steps`` from 150 on."""
     notebook = store.read(NOTEBOOK)
     off, steps = picture(notebook, 21), picture(notebook, 19)
     power = _run(_speeds(off, OFF, BLUE, 233), _loads((100, 1.0), (150, 0.01)), _loads((125, 0.0), (200, 0.01)))
@@ -104,6 +106,7 @@ def rig(store: Store) -> Rig:
         signal="w_in",
         inputs=("L_in", "L_out", "hatch"),
         head=HEAD,
+        heads={"fitted": CURRENT_HEAD},
         runs={
             "fitted": [Run("zero_load", power, steps=True), Run("steps-first", first, steps=True)],
             "outside": [Run("steps", rest, SAMPLE * HELD_OUT, steps=True)],
