@@ -119,8 +119,9 @@ class Check(Printed):
 
     def _about_families(self) -> list[str]:
         best, visible, hidden = self.told.families, self.told.visible, self.told.hidden
-        shown = [_detection_limit_text(one) for family, one in best.items() if family in visible]
-        faint = [_detection_limit_text(one) for family, one in best.items() if family not in {*visible, *hidden}]
+        limits = {family: _detection_limit_text(one) for family, one in best.items()}
+        shown = [text for family, text in limits.items() if family in visible]
+        faint = [text for family, text in limits.items() if family not in visible and family not in hidden]
         lines = ["families of effects that would show, and from where on:", *(shown or ["  none"])]
         if faint:
             lines += ["families that would show only if they were stronger than usual:", *faint]
@@ -128,18 +129,21 @@ class Check(Printed):
             lines.append(f"would not show, however strong, or not beside the free parameters: {listed(hidden)}")
         if self.unmoved:
             lines.append(f"move no sample at the start values, alone: {listed(self.unmoved)}")
-        broken = [f for f in dict.fromkeys(c.family for c in self.failed) if f not in best]
+        failed = dict.fromkeys(c.family for c in self.failed)
+        broken = [family for family in failed if family not in best]
         if broken:
             lines.append(f"could not be simulated at their stated strength, and may be missing: {listed(broken)}")
         if self.no_place:
             lines.append(f"the model has no place for: {listed(self.no_place)}")
-        if self.told.alike:
-            lines.append("families that would show, but not be told apart at their usual strength:")
-            lines += [
-                f"  {a.family} ({a.effect}) may be taken for {a.other_family} ({a.other}), "
-                f"{_strength_range_text(a.least)}"
-                for a in self.told.alike
-            ]
+        return lines + self._about_confused_families()
+
+    def _about_confused_families(self) -> list[str]:
+        if not self.told.alike:
+            return []
+        lines = ["families that would show, but not be told apart at their usual strength:"]
+        for a in self.told.alike:
+            pair = f"{a.family} ({a.effect}) may be taken for {a.other_family} ({a.other})"
+            lines.append(f"  {pair}, {_strength_range_text(a.least)}")
         return lines
 
     def _about_help(self) -> list[str]:

@@ -34,7 +34,7 @@ from pam_cosim.diagnosis.search_result import (
     with_effects,
 )
 from pam_cosim.diagnosis.selection import Selection
-from pam_cosim.diagnosis.subject import subject_of
+from pam_cosim.diagnosis.subject import Subject, subject_of
 from pam_cosim.diagnosis.verdict import Verdict, explained, judge, nearest, rivals, with_facts, with_posterior
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
@@ -173,20 +173,10 @@ class Diagnosis(Printed):
         lines += [f"  LOOK FIRST: {doubt.text}" for doubt in self.final.comparison.doubts]
         lines += [f"  {sentence}" for sentence in (v.reason, *v.implausible)]
         lines += [f"  Otherwise: {v.otherwise}"] * bool(v.otherwise)
-        for role in ROLES:
-            for name, before in self.base.comparison.scores[role].items():
-                after = self.final.comparison.scores[role][name]
-                signal = self.data.signals[name]
-                unit, noise = signal.unit, f"{signal.scatter} {format_quantity(before.noise_rmse, signal.unit)}"
-                lines.append(
-                    f"  {role:8} {name:4} rms error {format_quantity(before.rmse, unit)} -> "
-                    f"{format_quantity(after.rmse, unit)} ({noise}){'' if signal.fitted else ' (not fitted)'}"
-                )
+        lines += self._errors()
         lines += [f"  {n} = {e}" for n, e in self.final.parameters.items()]
         if self.untried:
-            first = [" + ".join(names) for names in self.untried[: CRITERIA.search.first_tried]]
-            more = ", ".join(first) + (f" and {len(self.untried) - len(first)} more" * (len(self.untried) > len(first)))
-            lines.append(f"  The time limit ended the search; what would have been tried next: {more}")
+            lines.append(f"  The time limit ended the search; what would have been tried next: {self._tried_next()}")
         if self.step_times:
             lines.append(f"  {self.said_of_steps}")
         lines += [f"  not looked for: {listed(names)}: {why}" for why, names in self.not_tried_by_reason.items()]
@@ -195,6 +185,24 @@ class Diagnosis(Printed):
             lines.append(f"  What is missing, described (not explained): {self.learned.term}")
             lines.append(f"  with it{beside} the chi-square is {_remaining_chi2_with(self.learned):.3g}")
         return "\n".join(lines)
+
+    def _errors(self) -> list[str]:
+        """A line for each signal and role: its error before and after."""
+        lines = []
+        for role in ROLES:
+            for name, before in self.base.comparison.scores[role].items():
+                signal, after = self.data.signals[name], self.final.comparison.scores[role][name]
+                errors = [format_quantity(score.rmse, signal.unit) for score in (before, after)]
+                noise = f"{signal.scatter} {format_quantity(before.noise_rmse, signal.unit)}"
+                fitted = "" if signal.fitted else " (not fitted)"
+                lines.append(f"  {role:8} {name:4} rms error {errors[0]} -> {errors[1]} ({noise}){fitted}")
+        return lines
+
+    def _tried_next(self) -> str:
+        """The most promising models that the time limit left, and how many more there are."""
+        first = [" + ".join(names) for names in self.untried[: CRITERIA.search.first_tried]]
+        more = len(self.untried) - len(first)
+        return ", ".join(first) + (f" and {more} more" if more else "")
 
 
 @on_one_thread
@@ -247,57 +255,80 @@ def diagnose(
         say,
         workers,
         expected=expected,
+        at_rest=all(run.is_static for run in data.runs),
     )
-    search = replace(search, at_rest=all(run.is_static for run in data.runs))
     deadline = began + (math.inf if time_limit is None else time_limit)
-    result = search_fit_runs(subject, search, base, outliers, deadline)
-    all_runs_result = search_all_runs(subject, result, deadline)
-    verdict, others = _verdict(all_runs_result or result, sources, all_runs_result is not None)
-    if all_runs_result is not None:
-        result = refit_by_role(result, all_runs_result)
-    folds = None
-    unsettled = verdict.kind == "unknown" or verdict.remainder
-    if unsettled and result.path and all_runs_result is None and time.monotonic() < deadline:
-        folds = folds_of(subject, result.search, result.path[-1].effects, result.last)
-    if folds is not None:
-        result = with_effects(result, folds.named)
-        verdict, others = _verdict(result, sources, all_runs_searched=False)
-        verdict = cross_validated(verdict, folds, data.signals)
+    answer = _answer(subject, search_fit_runs(subject, search, base, outliers, deadline), deadline)
+    verdict, others, result = answer.verdict, answer.others, answer.result
     search, base, data, selection = result.search, result.base, result.search.data, result.selection
-    selected, tried = list(result.path), list(selection.tried)
-    candidates = _ranked(all_runs_result or result, data)
-    tell(Judged(verdict, base, candidates, tuple(selected)))
-    present = result.last
-    added = [c.effect for c in selected]
+    candidates = _ranked(answer.judged, data)
+    tell(Judged(verdict, base, candidates, result.path))
     over_time = not any(run.is_static for run in data.runs)  # balances are kept over time
     ledger = ledger_of(search, (), base) if explain and over_time and verdict.kind != "none_missing" else None
     if ledger is not None:
         tell(LedgerKept(ledger))
     learned, unexplained = None, verdict.kind == "unknown" or verdict.remainder
     if explain and unexplained:
-        learned = _best_formula(search, ledger, base, added, present)
-    balance = _balance(base, [c for c in tried if len(c.effects) == 1])
+        learned = _best_formula(search, ledger, base, [c.effect for c in result.path], result.last)
+    balance = _balance(base, [c for c in selection.tried if len(c.effects) == 1])
     return Diagnosis(
         data=data,
         model=name,
         base=base,
         candidates=candidates,
-        path=tuple(selected),
+        path=result.path,
         balance=balance,
         verdict=verdict,
         failed=tuple(search.failed),
         outliers=dict(result.outliers),
         next_experiment=others[0][1] if others else None,
-        missing_term=missing_term(present, balance) if unexplained else None,
+        missing_term=missing_term(result.last, balance) if unexplained else None,
         ledger=ledger,
         learned=learned,
         untried=selection.untried,
         not_tried=_not_tried(available_effects, excluded, search, selection),
         step_times=result.step_times,
         means=subject.means,
-        folds=folds,
-        rivals=_models_left(verdict, all_runs_result or result, [c for c, _ in others]),
+        folds=answer.folds,
+        rivals=_models_left(verdict, answer.judged, [c for c, _ in others]),
     )
+
+
+@dataclass(frozen=True)
+class _Answer:
+    """The verdict and what it rests on.
+
+    Attributes:
+        result: the models, fitted to the runs that are to be fitted.
+        judged: the models that were judged: those of ``result``, or of all runs fitted together.
+        others: the rivals, with the run that would decide.
+        folds: where runs were left out in turn, what that came to.
+    """
+
+    result: SearchResult
+    judged: SearchResult
+    verdict: Verdict
+    others: list[RivalPlan]
+    folds: Folds | None = None
+
+
+def _answer(subject: Subject, result: SearchResult, deadline: float) -> _Answer:
+    """The verdict on what the fitted runs came to, after the held-out runs and the folds where they are needed."""
+    all_runs_result = search_all_runs(subject, result, deadline)
+    if all_runs_result is not None:
+        verdict, others = _verdict(all_runs_result, subject.sources, all_runs_searched=True)
+        return _Answer(refit_by_role(result, all_runs_result), all_runs_result, verdict, others)
+    verdict, others = _verdict(result, subject.sources, all_runs_searched=False)
+    unsettled = verdict.kind == "unknown" or verdict.remainder
+    folds = None
+    if unsettled and result.path and time.monotonic() < deadline:
+        folds = folds_of(subject, result.search, result.path[-1].effects, result.last)
+    if folds is None:
+        return _Answer(result, result, verdict, others)
+    result = with_effects(result, folds.named)
+    verdict, others = _verdict(result, subject.sources, all_runs_searched=False)
+    verdict = cross_validated(verdict, folds, result.search.data.signals)
+    return _Answer(result, result, verdict, others, folds)
 
 
 def _models_left(verdict: Verdict, result: SearchResult, others: Sequence[Candidate]) -> tuple[tuple[str, ...], ...]:
@@ -357,19 +388,27 @@ def _not_tried(
     looked_at = {search.family[p.effect] for p in selection.probes}
     if not looked_at:
         return {}
-    shown = {search.family[p.effect] for p in selection.probes if not p.silent}
-    shown |= {search.family[name] for c in selection.tried for name in c.effects if name in search.family}
     failed = {f.family for f in search.failed}
+    silent = looked_at - _families_that_show(search, selection)
     late = {search.family[name] for names in selection.untried for name in names}
+    at_rest = " at rest" if search.at_rest else ""
     reasons = {}
     for family in dict.fromkeys(e.family for e in available_effects):
-        if all(e.name in excluded for e in available_effects if e.family == family):
+        members = {e.name for e in available_effects if e.family == family}
+        if members <= {*excluded}:
             reasons[family] = "excluded"
         elif family not in looked_at | failed:
             reasons[family] = "the time was over" if family in late else "the model has no place for them"
-        elif family in looked_at - shown:
-            reasons[family] = f"nothing that was fitted{' at rest' if search.at_rest else ''} shows them"
+        elif family in silent:
+            reasons[family] = f"nothing that was fitted{at_rest} shows them"
     return reasons
+
+
+def _families_that_show(search: Search, selection: Selection) -> set[str]:
+    """Families of which a sample depends on one effect at least, or one was tried all the same."""
+    tried = {name for c in selection.tried for name in c.effects}
+    by_probes = {search.family[p.effect] for p in selection.probes if not p.silent}
+    return by_probes | {search.family[name] for name in tried if name in search.family}
 
 
 def _best_formula(

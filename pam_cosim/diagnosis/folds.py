@@ -123,23 +123,34 @@ def folds_of(subject: Subject, search: Search, effects: Sequence[str], final: Fi
     search.say(RunsLeftOut(len(data)).message)
     every = tuple(effects)
     without = {e: tuple(one for one in every if one != e) for e in every}
-    full, needed = [], dict.fromkeys(every, 0)
+    errors, needed = [], dict.fromkeys(every, 0)
     for one in data:
-        left = _holdout_errors(subject, search, one, [every, *without.values()], final.values)
-        full.append(left[every])
+        of_models = _holdout_errors(subject, search, one, [every, *without.values()], final.values)
+        errors.append(of_models[every])
         for e, others in without.items():
-            needed[e] += _is_needed(left[every], left[others])
-    ratios = {e: final.values[e] for e in every if is_ratio(e) and e in final.values}
-    limit = CRITERIA.folds.believable
-    folds = Folds(len(data), needed, {e: r for e, r in ratios.items() if not 1 / limit <= r <= limit})
+            needed[e] += _is_needed(of_models[every], of_models[others])
+    folds = Folds(len(data), needed, _unbelievable(every, final.values))
     named = folds.named
     if named != every:
-        full = [_holdout_errors(subject, search, one, [named], final.values)[named] for one in data]
-    known = [left for left in full if left is not None]
-    names = dict.fromkeys(n for left in known for n in left.rmse)
-    errors = {n: [(left.rmse[n], left.runs) for left in known if n in left.rmse] for n in names}
-    middle = {n: float(np.median([e for e, _ in each])) for n, each in errors.items()}
-    return replace(folds, rmse=middle, worst={n: max(each) for n, each in errors.items()})
+        errors = [_holdout_errors(subject, search, one, [named], final.values)[named] for one in data]
+    return _with_errors(folds, [error for error in errors if error is not None])
+
+
+def _unbelievable(effects: Sequence[str], values: Mapping[str, float]) -> dict[str, float]:
+    """Ratios to what is stated that are too far from one, by the name of the effect."""
+    ratios = {e: values[e] for e in effects if is_ratio(e) and e in values}
+    limit = CRITERIA.folds.believable
+    return {e: ratio for e, ratio in ratios.items() if not 1 / limit <= ratio <= limit}
+
+
+def _with_errors(folds: Folds, errors: Sequence[_HoldoutError]) -> Folds:
+    """With the error of each signal in the middle fold and in the worst."""
+    by_signal: dict[str, list[tuple[float, tuple[str, ...]]]] = {}
+    for error in errors:
+        for name, rmse in error.rmse.items():
+            by_signal.setdefault(name, []).append((rmse, error.runs))
+    middle = {name: float(np.median([rmse for rmse, _ in each])) for name, each in by_signal.items()}
+    return replace(folds, rmse=middle, worst={name: max(each) for name, each in by_signal.items()})
 
 
 def _folds(data: DataSet) -> Iterator[DataSet]:

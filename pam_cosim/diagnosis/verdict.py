@@ -267,27 +267,42 @@ def judge(
     last = selected[-1]
     families = tuple(c.family for c in selected)
     effects = tuple(c.effect for c in selected)
-    share = explained(base, last.fit)
-    text = f"{' + '.join(effects)} removes {100 * share:.1f} % of the squared error beyond the noise"
+    removed = 100 * explained(base, last.fit)
+    text = f"{' + '.join(effects)} removes {removed:.1f} % of the squared error beyond the noise"
     known = {**family, **{c.effect: c.family for c in (*selected, *others)}}
-    instead = [tuple(e for e in c.effects if e not in effects) or (c.effect,) for c in others]
-    ours = [e for e in effects if not any(e in c.effects for c in others)] or [last.effect]
-    names = " and ".join(" + ".join(dict.fromkeys(known[e] for e in part)) for part in (ours, *instead))
     caution = _caution(last.fit, all_runs_searched)
     if any_structure_for_verdict(last.fit):
         dominant = dominant_effect(base, tried)
         if dominant is not None and dominant.effects == last.effects and not others:
             return Verdict("identified", families, effects, f"{text}, {_FORM_OPEN}{caution}", remainder=True)
         text += ", but what remains has structure: something else is missing."
-        also = f" Nor can these data separate {names}, and none of them is the answer." if others else ""
-        return Verdict("unknown", families, effects, text + also)
+        if others:
+            named = _alternatives(effects, last, others, known)
+            text += f" Nor can these data separate {named}, and none of them is the answer."
+        return Verdict("unknown", families, effects, text)
     if others:
-        effects = tuple(dict.fromkeys((*effects, *(e for part in instead for e in part))))
-        families = tuple(dict.fromkeys((*families, *(known[e] for part in instead for e in part))))
-        asked = _ALL_RUNS_SEARCHED * all_runs_searched
-        return Verdict("ambiguous", families, effects, f"These data cannot separate {names}.{asked}")
+        instead = [e for part in _instead(effects, others) for e in part]
+        all_effects = tuple(dict.fromkeys((*effects, *instead)))
+        all_families = tuple(dict.fromkeys((*families, *(known[e] for e in instead))))
+        reason = f"These data cannot separate {_alternatives(effects, last, others, known)}."
+        return Verdict("ambiguous", all_families, all_effects, reason + _ALL_RUNS_SEARCHED * all_runs_searched)
     remains = f"what remains {_of_fitted_signals(last.fit)}is noise{_noise_excess(last.fit)}.{_exceptions(last.fit)}"
     return Verdict("identified", families, effects, f"{text}; {remains}{_open_form(selected)}{caution}")
+
+
+def _instead(effects: Sequence[str], others: Sequence[Candidate]) -> list[tuple[str, ...]]:
+    """What each rival has that the answer has not."""
+    return [tuple(e for e in c.effects if e not in effects) or (c.effect,) for c in others]
+
+
+def _alternatives(
+    effects: Sequence[str], last: Candidate, others: Sequence[Candidate], family: Mapping[str, str]
+) -> str:
+    """The families that stand for each other: those of the answer that no rival has, and those of each rival."""
+    shared = {e for c in others for e in c.effects}
+    ours = [e for e in effects if e not in shared] or [last.effect]
+    families = [dict.fromkeys(family[e] for e in part) for part in (ours, *_instead(effects, others))]
+    return " and ".join(" + ".join(names) for names in families)
 
 
 def _of_fitted_signals(fit: Fit) -> str:
