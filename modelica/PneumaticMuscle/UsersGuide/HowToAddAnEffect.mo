@@ -23,7 +23,9 @@ Outside the library it extends
 <a
 href=\"modelica://PneumaticMuscle.Effects.Elasticity.FamilyMember\">PneumaticMuscle.Effects.Elasticity.FamilyMember</a>,
 or says a <code>family</code> of its own.</li>
-<li>Give every parameter that a measurement is to tell a unit, a minimum, a maximum and a typical value.</li>
+<li>Give every parameter that a measurement is to tell a unit, a minimum, a maximum and a typical value; where a
+standard or a data sheet says what is typical, the annotation <code>__PamCosim(typical={low, high})</code>, which is a
+prior.</li>
 <li>Use expressions with finite derivatives: <code>tanh</code> for a sign,
 <a href=\"modelica://PneumaticMuscle.Functions.smoothMax\">Functions.smoothMax</a> for a corner.</li>
 <li>Write equation, source, typical values and fingerprint (what a measurement shows) into the documentation.</li>

@@ -5,6 +5,8 @@ class ReleaseNotes "What changed in the library from version to version"
 <p>What concerns the library; <code>CHANGELOG.md</code> lists all changes of the software around it.</p>
 <p><b>Unreleased</b></p>
 <ul>
+<li>Errors of instruments state what is typical of them in an annotation,
+<a href=\"modelica://PneumaticMuscle.Interfaces.Effect\">Interfaces.Effect</a>.</li>
 <li>Components stand with the parts that are made of them, in
 <a href=\"modelica://PneumaticMuscle.Pneumatics.Components\">Pneumatics.Components</a>,
 <a href=\"modelica://PneumaticMuscle.Muscles.Components\">Muscles.Components</a> and
