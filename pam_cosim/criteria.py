@@ -300,7 +300,7 @@ class SearchCriteria:
     rows_without_compiler: int = decides(
         10_000,
         "rows",
-        "of the fitted runs, up to which a model that is only looked at is not compiled; measured: docs/speed.md",
+        "fitted, up to which a model that is looked at or briefly fitted is not compiled; measured: docs/speed.md",
     )
     looks: int = decides(8, "strengths", "of an effect that are looked at beside the base model, at most")
     weaker: float = decides(0.1, "1", "factor to the next strength where an effect acts the wrong way, or breaks down")

@@ -16,17 +16,18 @@ ROLES = ("fitted", "within", "outside")
 
 @dataclass(frozen=True)
 class Run:
-    """One run: columns with units in their names, scored from a time on, with parameters of its own."""
+    """One run: columns with units in their names, scored from a time on, with parameters of its own; do inputs step?"""
 
     name: str
     columns: Mapping[str, Array]
     score_from: float = -np.inf
     parameters: Mapping[str, str] = field(default_factory=dict)
+    steps: bool = False
 
 
 @dataclass(frozen=True)
 class Rig:
-    """A rig: its runs by role, what is measured and imposed, and the head of its experiment.toml."""
+    """A rig: its runs by role, what is measured and imposed, and the head of its experiment.toml, with more by role."""
 
     name: str
     title: str
@@ -38,6 +39,7 @@ class Rig:
     repeats: tuple[tuple[str, str], ...] = ()
     static: bool = False
     files: Mapping[str, str] = field(default_factory=dict)
+    heads: Mapping[str, str] = field(default_factory=dict)
 
 
 def write_rig(folder: Path, rig: Rig) -> None:
@@ -76,9 +78,11 @@ def read_columns(path: Path) -> dict[str, Array]:
 
 def _experiment(rig: Rig, role: str, runs: Sequence[Run]) -> str:
     # a data set needs a run to fit; nothing is ever fitted to those of "within" and "outside"
-    lines = [f'title = "{rig.title}: {role}"', rig.head.strip(), ""]
+    lines = [f'title = "{rig.title}: {role}"', rig.head.strip(), rig.heads.get(role, ""), ""]
     for run in runs:
         lines += ["[[runs]]", f'file = "{run.name}.csv"', 'role = "fit"']
+        if run.steps:
+            lines.append('interpolation = "previous"')
         if run.parameters:
             lines += ["[runs.parameters]", *(f'"{k}" = "{v}"' for k, v in run.parameters.items())]
         lines.append("")

@@ -118,7 +118,7 @@ def crashed(trial: Trial) -> FailedTrial:
 
 def run_trial(trial: Trial) -> Attempt:
     """Builds the model and fits the free base parameters together with those of the effects."""
-    return _attempted(trial, _fitted, brief=False)
+    return _attempted(trial, _fitted, brief=trial.brief)
 
 
 def run_trial_without_samples(trial: Trial) -> Attempt:

@@ -159,7 +159,15 @@ def _signal(document: ExperimentFile, name: str, unit: str) -> StatedSignal:
         return StatedSignal(name, unit, fitted=not declared)
     sigma = _deviation(document, name, "sigma", table.sigma, unit)
     repeatability = _deviation(document, name, "repeatability", table.repeatability, unit)
-    return StatedSignal(name, unit, sigma, repeatability=repeatability or 0.0)
+    growth = _deviation(document, name, "sigma_of_reading", table.sigma_of_reading, "1") or 0.0
+    if growth and sigma is None:
+        message = f"sigma_of_reading of {name} needs sigma, the noise where the reading is zero"
+        raise document.error(message, "signals", name, "sigma_of_reading")
+    if growth >= 1.0:
+        raise document.error(
+            f"sigma_of_reading of {name} is a share of the reading, below 1", "signals", name, "sigma_of_reading"
+        )
+    return StatedSignal(name, unit, sigma, repeatability=repeatability or 0.0, sigma_of_reading=growth)
 
 
 def _deviation(document: ExperimentFile, name: str, key: str, value: Value | None, unit: str) -> float | None:

@@ -1,0 +1,3 @@
+within Bioreactor;
+package Components "Parts of the base model"
+end Components;

@@ -1,0 +1,3 @@
+within Bioreactor;
+package Unknowns "Terms without a law, to be estimated as signals from a measurement"
+end Unknowns;

@@ -1,0 +1,3 @@
+within WindTunnel;
+package Components "Parts of the base model"
+end Components;

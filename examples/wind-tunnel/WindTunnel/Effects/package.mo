@@ -1,0 +1,3 @@
+within WindTunnel;
+package Effects "Effects that the published models leave out"
+end Effects;

@@ -1,0 +1,3 @@
+within WindTunnel;
+package Interfaces "Connectors, and what effects and laws have in common"
+end Interfaces;
