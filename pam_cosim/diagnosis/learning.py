@@ -298,7 +298,7 @@ def _is_worthwhile(left: float, error: float, first: float) -> bool:
 
 
 def _best_next_form(samples: TermSamples, picked: Sequence[Form], library: Sequence[Form]) -> tuple[list[Form], float]:
-    """The form that helps most beside others, with its best shape, and what is left with it; none where all are picked."""
+    """The form that helps most beside others, with its best shape, and what is left; none where all are picked."""
     columns = [samples.column(f) for f in picked]
     left = [f for f in library if f not in picked]
     if not left:
