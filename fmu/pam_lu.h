@@ -23,6 +23,7 @@ static inline int lu_factorise(int n, double *a, int *pivot) {
         for (int i = k + 1; i < n; i++) a[i + k * n] *= inverse;
         for (int j = k + 1; j < n; j++) {
             double factor = a[k + j * n];
+            if (factor == 0.0) continue; /* many are: few states act on few others */
             for (int i = k + 1; i < n; i++) a[i + j * n] -= a[i + k * n] * factor;
         }
     }
@@ -57,12 +58,14 @@ static inline void lu_solve_many(int n, const double *a, const int *pivot, int m
     for (int k = 0; k < n; k++)
         for (int i = k + 1; i < n; i++) {
             double factor = a[i + k * n];
+            if (factor == 0.0) continue;
             for (int c = 0; c < m; c++) b[i * m + c] -= factor * b[k * m + c];
         }
     for (int k = n - 1; k >= 0; k--) {
         for (int c = 0; c < m; c++) b[k * m + c] *= a[k + k * n];
         for (int i = 0; i < k; i++) {
             double factor = a[i + k * n];
+            if (factor == 0.0) continue;
             for (int c = 0; c < m; c++) b[i * m + c] -= factor * b[k * m + c];
         }
     }

@@ -134,6 +134,8 @@ class StartCriteria:
     bent: float = decides(3.0, "sd", "of chi-square, from which on the first samples are not on a line any more")
     moving: float = decides(4.0, "sd", "of the slope of the first samples, below which they do not show a motion")
     away: float = decides(6.0, "sd", "of the noise, within which a first sample agrees with the model's own start")
+    runs: int = decides(3, "runs", "at least, of which one may differ, to know an offset that most have in common")
+    same: float = decides(1e-6, "1", "difference of slopes, up to which a state is what a parameter sets")
     range: float = decides(3.0, "of range", "sd of a start value by what the run itself goes through in that state")
     told: float = decides(0.5, "1", "share of the variance beforehand that must be left: less, and the data tell it")
     own_parameter: float = decides(
@@ -298,7 +300,7 @@ class SearchCriteria:
     rows_without_compiler: int = decides(
         10_000,
         "rows",
-        "of the fitted runs, up to which a model that is only looked at is not compiled; measured: docs/speed.md",
+        "fitted, up to which a model that is looked at or briefly fitted is not compiled; measured: docs/speed.md",
     )
     looks: int = decides(8, "strengths", "of an effect that are looked at beside the base model, at most")
     weaker: float = decides(0.1, "1", "factor to the next strength where an effect acts the wrong way, or breaks down")

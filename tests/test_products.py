@@ -12,7 +12,7 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim.diagnosis.learning_library import Form, FormConstant, Quantity
-from pam_cosim.fitting import Leeway
+from pam_cosim.fitting import HoldoutUncertainty
 from tests.fitting.models import vessel_data
 from tests.reporting.synthetic import make_comparison, make_data, make_diagnosis, make_fit
 from tests.reporting.test_ledger_learned_next import make_learned, make_ledger
@@ -21,7 +21,9 @@ DATA = make_data()
 PRODUCTS = {
     "comparison": make_comparison(DATA, 2.0),
     "fit": make_fit(DATA, 2.0),
-    "fit with leeway": replace(make_fit(DATA, 2.0), leeway=Leeway({("run", "x"): np.array([0.1, 0.0])}, 0.3)),
+    "fit with leeway": replace(
+        make_fit(DATA, 2.0), holdout_uncertainty=HoldoutUncertainty({("run", "x"): np.array([0.1, 0.0])}, 0.3)
+    ),
     "ledger": make_ledger(),
     "ambiguous": make_diagnosis("ambiguous", DATA),
     "unknown": make_diagnosis("unknown", DATA, learned=make_learned(DATA), ledger=make_ledger()),

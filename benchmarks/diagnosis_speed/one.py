@@ -49,7 +49,7 @@ def main(data: str, cache: str) -> None:
     spent["start"] = processor_time()
     trial.build_source = timed("building", trial.build_source)
     subject.build_model = timed("building", subject.build_model)
-    trial._probed = timed("predicting", trial._probed)
+    trial._probe = timed("predicting", trial._probe)
     trial._fitted = timed("fitting", trial._fitted)
     search_result.fit = timed("fitting", search_result.fit)
     explanation.keep_ledger = timed("ledger", explanation.keep_ledger)

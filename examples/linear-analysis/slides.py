@@ -92,7 +92,7 @@ def two_lengths(folder: Path) -> None:
     """Loops of muscles of two lengths, and why a linear model does not have them."""
     muscles = range(1, 5)
     watched = [f"bench[{i}].regulator.p" for i in muscles]
-    run = pam.simulate("Validation.TwoLengths", outputs=watched, interval="0.5 ms")
+    run = pam.simulate("Examples.Validation.TwoLengths", outputs=watched, interval="0.5 ms")
     widths = [loop_width(run.time, run[p], 100 * run[f"eps[{i}]"]) for p, i in zip(watched, muscles, strict=True)]
     print("the loop, where the muscle's pressure passes 3 bar, is ", end="")
     print("{:.2f} % of the length wide at 0.2 Hz for 150 and {:.2f} % for 300 mm, ".format(*widths[:2]), end="")

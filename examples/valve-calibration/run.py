@@ -1,9 +1,9 @@
 """The valve at fifteen supplies: python examples/valve-calibration/run.py [FOLDER].
 
-Flow and effective area by current and supply from PneumaticMuscle.Validation.ValveCalibration, and the regression of
-DP (61)-(62) done again with each reading of its 344.7 kPa. Nothing here is measured: DP print neither flows nor areas
-of their calibration. Prints the report, and writes calibration.csv, report.md and result.png into FOLDER (default:
-demo/valve-calibration).
+Flow and effective area by current and supply from PneumaticMuscle.Examples.Validation.ValveCalibration, and the
+regression of DP (61)-(62) done again with each reading of its 344.7 kPa. Nothing here is measured: DP print neither
+flows nor areas of their calibration. Prints the report, and writes calibration.csv, report.md and result.png into
+FOLDER (default: demo/valve-calibration).
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from pam_cosim.files import write_text  # noqa: E402
 from pam_cosim.simulation import Trajectory  # noqa: E402
 
 Array = NDArray[np.float64]
-MODEL = "PneumaticMuscle.Validation.ValveCalibration"
+MODEL = "PneumaticMuscle.Examples.Validation.ValveCalibration"
 SUPPLIES = 30e3 + 250e3 * np.arange(15) / 14  # Pa gauge, as in the model
 R, GAMMA, P_ATM, T_ATM = 287.05, 1.4, 101325.0, 293.15
 K = float(np.sqrt(GAMMA / R * (2 / (GAMMA + 1)) ** ((GAMMA + 1) / (GAMMA - 1))))  # DP (42)

@@ -26,4 +26,4 @@ def full_name(model: str, files: Sequence[Path] = ()) -> str:
     for name in meant(model, packages):
         if root.joinpath(*name.split(".")).with_suffix(".mo").is_file():
             return name
-    return qualified(read_library(files=files), model) if files else model
+    return qualified(read_library(files=files), model)

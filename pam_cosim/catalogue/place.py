@@ -49,9 +49,10 @@ def benches(tree: ClassTree) -> list[str]:
 def qualified(tree: ClassTree, model: str) -> str:
     """The full name of a class of a library: of a bench by its short name, of others from the library on.
 
-    ``Isotonic`` and ``Examples.ButylIsotonic`` will do; anything else as it is.
+    ``Isotonic`` and ``Examples.ButylIsotonic`` will do, and a name that a package inherits; anything else as it is.
     """
-    return next((name for name in meant(model, libraries(tree)) if name in tree.classes), model)
+    found = (tree.resolve("", name) for name in meant(model, libraries(tree)))
+    return next(filter(None, found), model)
 
 
 def meant(model: str, packages: Sequence[str]) -> list[str]:

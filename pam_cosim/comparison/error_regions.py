@@ -76,7 +76,8 @@ def _collect(
     if not parts:
         return None
     present = _Present(parts, [r.residual(signal.name) for r in parts])
-    excess = np.maximum(present.of(present.residuals) ** 2 - signal.sigma**2, 0.0)
+    noise = signal.sigma_at(present.of([r.run.measurements[signal.name] for r in parts]))
+    excess = np.maximum(present.of(present.residuals) ** 2 - noise**2, 0.0)
     if excess.sum() <= 0:
         return None
     bands = [band for n, v in outputs.items() for band in _bands(n, v, present.of([r.model[n] for r in parts]))]

@@ -83,41 +83,43 @@ def initial_state(simulator: AnySimulator, data: DataSet, run: Run, parameters: 
         return InitialState()
     if given:
         return InitialState(settle="none" if len(given) == len(simulator.interface.states) else "others")
-    found = measured(simulator, data, run, parameters)
+    found = measured_initial_state(simulator, data, run, parameters)
     return InitialState(found.values, "all", found.shown) if run.start.mode == "steady" else found
 
 
-def measured(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> InitialState:
-    """The beginning at which what the first samples show is as they show it; arguments as for ``initial_state``."""
+def measured_initial_state(
+    simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]
+) -> InitialState:
+    """The initial state at which the model gives the first samples; arguments as for ``initial_state``."""
     probe = StartProbe(simulator, data, run, parameters)
     first = probe.first_samples()
     if not simulator.interface.states or not first:
         return InitialState()
     links = probe.links({}).joined(probe.links(probe.elsewhere()))
-    shown, values = _agreeing(probe, links, first)
+    shown, values = _consistent_start(probe, links, first)
     if missed := probe.missed(shown, values):  # such as a reading at the end of its range, which shows nothing
         others = {signal: one for signal, one in first.items() if signal not in missed}
-        shown, values = _agreeing(probe, links, others)
+        shown, values = _consistent_start(probe, links, others)
     signals = {state: one.signal for state, one in shown.items()}
     settle: Settle = "others" if probe.rests(values) else "none"
     return InitialState(values, settle, signals)
 
 
-def _agreeing(
-    probe: StartProbe, links: _Links, first: Mapping[str, FirstSamples]
-) -> tuple[dict[str, _Shown], dict[str, float]]:
+def _consistent_start(
+    probe: StartProbe, links: _Dependences, first: Mapping[str, FirstSamples]
+) -> tuple[dict[str, _ObservedState], dict[str, float]]:
     """What shows which states, and their start values, at which the model agrees with that."""
-    shown: dict[str, _Shown] = {}
+    shown: dict[str, _ObservedState] = {}
     values: dict[str, float] = {}
     for _ in range(2):  # what acts on what may not show where the model begins by itself
-        shown = _shown_states(links, first, probe.signals, probe.states)
+        shown = _observed_states(links, first, probe.signals, probe.states)
         values = probe.corrected(shown, links, values)
         links = links.joined(probe.links(values))
     return shown, values
 
 
 @dataclass(frozen=True)
-class _Shown:
+class _ObservedState:
     """What shows a state: row ``row`` of what is computed shall have a value; its slope there by the state."""
 
     row: int
@@ -128,21 +130,21 @@ class _Shown:
 
 
 @dataclass(frozen=True)
-class _Links:
+class _Dependences:
     """(signals + states, states): slopes of signals and rates by states, one after the other; 0: none at all."""
 
     matrix: Array
 
-    def joined(self, other: _Links) -> _Links:
+    def joined(self, other: _Dependences) -> _Dependences:
         """The later slopes, and the earlier ones where those have vanished."""
-        return _Links(np.where(other.matrix != 0.0, other.matrix, self.matrix))
+        return _Dependences(np.where(other.matrix != 0.0, other.matrix, self.matrix))
 
 
-def _shown_states(
-    links: _Links, first: Mapping[str, FirstSamples], signals: list[str], states: tuple[str, ...]
-) -> dict[str, _Shown]:
+def _observed_states(
+    links: _Dependences, first: Mapping[str, FirstSamples], signals: list[str], states: tuple[str, ...]
+) -> dict[str, _ObservedState]:
     """By name of the state. Of two signals that show the same state, the one that shows it better."""
-    matrix, shown = links.matrix, dict[str, _Shown]()
+    matrix, shown = links.matrix, dict[str, _ObservedState]()
     better: dict[str, float] = {}
     for row, signal in enumerate(signals):
         told = np.flatnonzero(matrix[row])
@@ -153,7 +155,7 @@ def _shown_states(
         if state not in shown or spread < better[state]:
             better[state] = spread
             rate = sample.slope / slope if sample.moves else 0.0
-            shown[state] = _Shown(row, sample.value, sample.sd, signal, rate)
+            shown[state] = _ObservedState(row, sample.value, sample.sd, signal, rate)
     waiting = list(shown)
     while waiting:
         by = waiting.pop(0)
@@ -163,7 +165,7 @@ def _shown_states(
         if len(others) == 1 and states[others[0]] not in shown:
             follows = -matrix[row, i] / matrix[row, others[0]]
             state = states[others[0]]
-            shown[state] = _Shown(row, known.rate, 0.0, known.signal, known.rate * follows)
+            shown[state] = _ObservedState(row, known.rate, 0.0, known.signal, known.rate * follows)
             waiting.append(state)
     return shown
 
@@ -225,7 +227,7 @@ class StartProbe:
         count = np.count_nonzero(self.links({}).matrix[: len(self.signals)], axis=1) if self.states else ()
         return [name for name, n in zip(self.signals, count, strict=False) if n == 1]
 
-    def links(self, values: Mapping[str, float]) -> _Links:
+    def links(self, values: Mapping[str, float]) -> _Dependences:
         """About a state; by central differences, which are exactly zero where there is no dependence."""
         _, state = self.at(values)
         here = dict(zip(self.states, state.tolist(), strict=True))
@@ -234,7 +236,7 @@ class StartProbe:
             step = CRITERIA.starts.step * self._size(name, here[name])
             above, below = (self.at({**here, name: here[name] + sign * step})[0] for sign in (1.0, -1.0))
             columns.append((above - below) / (2.0 * step))
-        return _Links(np.column_stack(columns))
+        return _Dependences(np.column_stack(columns))
 
     def elsewhere(self) -> dict[str, float]:
         """A state near the model's own start at which nothing vanishes by chance, as a force does without pressure."""
@@ -250,7 +252,9 @@ class StartProbe:
         variable = self.simulator.interface.start_values[name]
         return max(abs(variable.nominal or 0.0), abs(value)) or 1.0
 
-    def corrected(self, shown: Mapping[str, _Shown], links: _Links, values: Mapping[str, float]) -> dict[str, float]:
+    def corrected(
+        self, shown: Mapping[str, _ObservedState], links: _Dependences, values: Mapping[str, float]
+    ) -> dict[str, float]:
         """Start values of the states that are shown, at which what shows them is as it was measured."""
         _, state = self.at({})
         held = {name: values.get(name, state[self.states.index(name)]) for name in shown}
@@ -265,7 +269,7 @@ class StartProbe:
                 break
         return held
 
-    def missed(self, shown: Mapping[str, _Shown], values: Mapping[str, float]) -> set[str]:
+    def missed(self, shown: Mapping[str, _ObservedState], values: Mapping[str, float]) -> set[str]:
         """The signals that are not as they were measured, wherever the states that they show begin."""
         there, _ = self.at(values)
         known = [one for one in shown.values() if one.spread]
@@ -282,4 +286,12 @@ class StartProbe:
         return True
 
 
-__all__ = ["InitialState", "StartProbe", "first_of_run", "initial_state", "inputs_of_run", "measured", "start_time"]
+__all__ = [
+    "InitialState",
+    "StartProbe",
+    "first_of_run",
+    "initial_state",
+    "inputs_of_run",
+    "measured_initial_state",
+    "start_time",
+]

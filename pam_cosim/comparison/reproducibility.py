@@ -46,11 +46,11 @@ def reproducibility(runs: Sequence[RunComparison], signals: Mapping[str, Signal]
     total = 0.0
     tables, parts = _features(runs), _parts(runs)
     for signal in signals.values():
-        measured = [r.residual(signal.name) if r.run.sample_count(signal.name) else None for r in runs]
-        pieces = _pieces(tables, measured, parts, signal) if signal.fitted else {}
+        seen = [r if r.run.sample_count(signal.name) else None for r in runs]
+        pieces = _pieces(tables, seen, parts, signal) if signal.fitted else {}
         if len(pieces) < 2:
             continue
-        total += sum(_samples(error, signal) for error in measured if error is not None)
+        total += sum(_samples(r.residual(signal.name), signal) for r in seen if r is not None)
         for number, gain in _gains(pieces).items():
             gains[number] = gains.get(number, 0.0) + gain
     if total == 0 or len(gains) < 2:
@@ -62,12 +62,15 @@ def reproducibility(runs: Sequence[RunComparison], signals: Mapping[str, Signal]
 
 def _pieces(
     tables: Sequence[Array],
-    measured: Sequence[Array | None],
+    runs: Sequence[RunComparison | None],
     parts: Sequence[tuple[int, slice]],
     signal: Signal,
 ) -> dict[int, tuple[Array, Array]]:
     """Features and weighted residuals of each part that has samples, by its number."""
-    residuals = [None if error is None else weighted(error, signal) for error in measured]
+    name = signal.name
+    residuals = [
+        None if r is None else weighted(r.residual(name), signal, r.run.measurements[name]) for r in runs
+    ]
     pieces = {number: _piece(tables, residuals, where) for number, where in enumerate(parts)}
     return {number: piece for number, piece in pieces.items() if piece is not None}
 

@@ -103,7 +103,7 @@ def series_of(
             if signal.fitted and r.run.sample_count(name):
                 error = r.residual(name)
                 kept = np.isfinite(error)
-                values = weighted(error[kept], signal)
+                values = weighted(error[kept], signal, r.run.measurements[name][kept])
                 if shifts and (r.run.name, name) in shifts:
                     values = values + shifts[r.run.name, name][kept]
                 # Steps are what they are, also where the noise beside them is not known.

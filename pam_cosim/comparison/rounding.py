@@ -28,22 +28,23 @@ _TAIL = 8.0  # standard deviations, beyond which noise does not carry a reading
 _NODES = 64  # of the table of expected squares, at least, and in a standard deviation
 
 
-def weighted(error: Array, signal: Signal) -> Array:
+def weighted(error: Array, signal: Signal, reading: Array | float = 0.0) -> Array:
     """Deviance residuals.
 
     Args:
         error: (n,) measured minus model [unit of the signal], may be NaN.
         signal: with its noise.
+        reading: (n,) what was measured [unit of the signal]; counts where the noise grows with it.
     """
     if not signal.step:
-        return error / signal.sigma
+        return error / signal.sigma_at(reading)
     return np.asarray(np.sign(error) * np.sqrt(_deviance(error / signal.noise, signal.step / signal.noise)))
 
 
-def slope(error: Array, signal: Signal) -> Array:
+def slope(error: Array, signal: Signal, reading: Array | float = 0.0) -> Array:
     """(n,) derivative of ``weighted`` by the error [1/unit]."""
     if not signal.step:
-        return np.full(len(error), 1.0 / signal.sigma)
+        return np.full(len(error), 1.0 / signal.sigma_at(reading))
     steps = signal.step / signal.noise
     t = np.where(np.abs(error) < _CENTRE * signal.noise, _CENTRE, error / signal.noise)
     inside = _log_mass(t, steps)

@@ -72,7 +72,7 @@ def score_signal(runs: Sequence[RunComparison], signal: Signal) -> SignalScore |
     rmse = float(np.sqrt(np.mean(e**2)))
     span = float(np.ptp(y))
     worst = int(np.argmax(np.abs(e)))
-    series = [_series(own, signal) for own in error]
+    series = [_series(own, signal, reading) for own, reading in zip(error, measured, strict=True)]
     correlation, whiteness_score = lag_one(series)
     effective = sum(one.samples for one in series)
     chi2 = float(sum(np.sum(one.values**2) for one in series))
@@ -93,9 +93,9 @@ def score_signal(runs: Sequence[RunComparison], signal: Signal) -> SignalScore |
     )
 
 
-def _series(error: Array, signal: Signal) -> Series:
+def _series(error: Array, signal: Signal, reading: Array) -> Series:
     """Differences of one run as they count."""
-    return Series(weighted(error, signal), expected_squares(error, signal))
+    return Series(weighted(error, signal, reading), expected_squares(error, signal))
 
 
 def score(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> dict[str, SignalScore]:

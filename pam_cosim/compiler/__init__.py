@@ -14,6 +14,7 @@ functions, operator records, matrix brackets, nonlinear algebraic loops and the 
 are refused with an error. An ``assert`` that does not hold ends a run of the FMU, or warns.
 """
 
+from pam_cosim.compiler.budget import few_collections
 from pam_cosim.compiler.class_tree import ClassTree, read_library
 from pam_cosim.compiler.compile import compile_model
 from pam_cosim.compiler.elementwise import elementwise
@@ -33,6 +34,7 @@ __all__ = [
     "Structure",
     "compile_model",
     "elementwise",
+    "few_collections",
     "flat_hash",
     "library_hash",
     "ode_bytes",

@@ -79,9 +79,11 @@ def _solve_block(
     solved: dict[str, ca.SX],
 ) -> None:
     """Solve one block for its unknowns; what earlier blocks gave for the ``known`` ones in it is put in first."""
+    if len(names) == 1 and (side := _other_side(equations[0].expression, names[0])) is not None:
+        solved[names[0]] = _put_in(side, known, symbols, solved)
+        return
     system = _column([equation.expression for equation in equations])
-    if known:
-        system = ca.substitute(system, _column([symbols[n] for n in known]), _column([solved[n] for n in known]))
+    system = _put_in(system, known, symbols, solved)
     variables = _column([symbols[name] for name in names])
     matrix = ca.jacobian(system, variables)
     if not matrix.is_constant() and ca.depends_on(matrix, variables):
@@ -96,6 +98,29 @@ def _solve_block(
     result = _linear(matrix, -offset)
     for i, name in enumerate(names):
         solved[name] = ca.simplify(result[i]) if result[i].is_constant() else result[i]
+
+
+def _other_side(residual: ca.SX, name: str) -> ca.SX | None:
+    """What the unknown equals where it stands alone on one side: half of the equations, and those of connections."""
+    if not residual.is_op(ca.OP_SUB):
+        return None
+    left, right = residual.dep(0), residual.dep(1)
+    for side, other in ((left, right), (right, left)):
+        if side.is_symbolic() and side.name() == name:
+            alone = other.is_symbolic() or other.is_constant() or not ca.depends_on(other, side)
+            return other if alone else None
+    return None
+
+
+def _put_in(
+    expression: ca.SX, known: Sequence[str], symbols: Mapping[str, ca.SX], solved: Mapping[str, ca.SX]
+) -> ca.SX:
+    """The expression with the values of the unknowns that are known."""
+    if not known:
+        return expression
+    if expression.is_scalar() and expression.is_symbolic():
+        return solved.get(expression.name(), expression)
+    return ca.substitute(expression, _column([symbols[n] for n in known]), _column([solved[n] for n in known]))
 
 
 def _column(items: Sequence[ca.SX]) -> ca.SX:

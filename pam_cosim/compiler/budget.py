@@ -7,6 +7,7 @@ so that its message, with the class and the line, comes within seconds.
 
 from __future__ import annotations
 
+import gc
 import math
 import sys
 import time
@@ -40,6 +41,7 @@ class Limits:
         c_seconds: for the C compiler.
         seconds: of processor time of one compile.
         frames: of Python, for what is counted here.
+        objects: that are made between two searches for cycles among them.
     """
 
     file: int = 20_000_000
@@ -55,6 +57,7 @@ class Limits:
     c_seconds: float = 300.0
     seconds: float = 25.0
     frames: int = 8000
+    objects: int = 100_000
 
 
 LIMITS = Limits()
@@ -203,6 +206,17 @@ def room() -> Generator[None]:
         sys.setrecursionlimit(before)
 
 
+@contextmanager
+def few_collections() -> Generator[None]:
+    """A compile makes hundreds of thousands of objects and keeps them: to look for cycles takes a fifth of its time."""
+    before = gc.get_threshold()
+    gc.set_threshold(max(before[0], LIMITS.objects) if before[0] else 0, *before[1:])
+    try:
+        yield
+    finally:
+        gc.set_threshold(*before)
+
+
 def bounded(function: Callable[P, R]) -> Callable[P, R]:
     """A function of the compiler with that room; what is nested beyond all counting is an error of the model.
 
@@ -212,7 +226,7 @@ def bounded(function: Callable[P, R]) -> Callable[P, R]:
 
     @wraps(function)
     def within(*arguments: P.args, **named: P.kwargs) -> R:
-        with room():
+        with room(), few_collections():
             try:
                 return function(*arguments, **named)
             except RecursionError:

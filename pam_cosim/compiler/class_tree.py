@@ -12,7 +12,7 @@ from pam_cosim.compiler import names
 from pam_cosim.compiler.budget import bounded
 from pam_cosim.compiler.instance import Class
 from pam_cosim.compiler.instantiation import PRIMITIVES
-from pam_cosim.compiler.library import Library, Signature, files_of, modelica_files, signature
+from pam_cosim.compiler.library import Library, Signature, files_of, signature, signature_of
 from pam_cosim.compiler.lookup import Lookup
 from pam_cosim.compiler.printing import argument_text, expression_text, modification_text
 from pam_cosim.compiler.syntax import (
@@ -374,8 +374,8 @@ def read_library(root: Path | None = None, files: Sequence[Path] = ()) -> ClassT
     """
     base, named = modelica_root() if root is None else root, tuple(Path(file) for file in files)
     try:
-        every = [*modelica_files(base), *(part for file in named for part in files_of(file.absolute()))]
-        return _tree(base, named, signature(every))
+        own = [part for file in named for part in files_of(file.absolute())]
+        return _tree(base, named, (*signature_of(base), *signature(own)))
     except OSError:
         return _read(base, named)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import pairwise
 from pathlib import Path
 
@@ -172,8 +173,9 @@ class _Assembly:
         return metadata.state_preference(leaf, self.instantiator.constants) if leaf is not None else 0.0
 
     def _leaf(self, name: str) -> Instance | None:
-        return self._leaves().get(name)
+        return self._leaves.get(name)
 
+    @cached_property
     def _leaves(self) -> dict[str, Instance]:
         return {leaf.name: leaf for leaf in self.flat.symbols.unknowns}
 
@@ -243,7 +245,7 @@ class _Assembly:
 
     def _initial(self) -> InitialValues:
         constants, symbols = self.instantiator.constants, self.flat.symbols
-        fixed = [name for name, leaf in self._leaves().items() if metadata.is_fixed(leaf, constants)]
+        fixed = [name for name, leaf in self._leaves.items() if metadata.is_fixed(leaf, constants)]
         begin = initial_values(
             InitialProblem(
                 system=replace(self.system, residuals=[self._not_yet(r) for r in self.system.residuals]),
@@ -251,7 +253,7 @@ class _Assembly:
                 solved=self.solved,
                 start=self._start,
                 declared=list(dict.fromkeys([*self.states, *fixed])),
-                started=[name for name, leaf in self._leaves().items() if "start" in leaf.attributes],
+                started=[name for name, leaf in self._leaves.items() if "start" in leaf.attributes],
                 equations=[self._not_yet(r) for r in self.flat.initial],
                 defaults=(self.p, self.p_values),
                 late=symbols.late,

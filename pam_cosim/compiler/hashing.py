@@ -8,7 +8,7 @@ from functools import lru_cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-from pam_cosim.compiler.library import Signature, modelica_files, package_folder, signature, source_bytes
+from pam_cosim.compiler.library import Signature, modelica_files, package_folder, signature_of, source_bytes
 from pam_cosim.errors import ModelError
 from pam_cosim.model.references import is_modelica
 from pam_cosim.resources import modelica_root
@@ -48,7 +48,7 @@ def flat_hash(model: str, *, files: Sequence[Path] = (), root: Path | None = Non
 def library_hash(root: Path | None = None) -> str:
     """SHA-256, in hexadecimal, of the library's sources, this compiler and CasADi's version."""
     base = modelica_root() if root is None else root
-    return _hash_of_library(base, signature(modelica_files(base)))
+    return _hash_of_library(base, signature_of(base))
 
 
 @lru_cache(maxsize=8)

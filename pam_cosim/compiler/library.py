@@ -24,25 +24,21 @@ class Library:
 
     Attributes:
         top: classes without a package, the library's packages first.
-        files: every file that was read.
     """
 
     def __init__(self, root: Path | None, files: Sequence[Path] = ()) -> None:
         self.top: dict[str, ClassDefinition] = {}
-        self.files: list[Path] = []
         self.inserted: dict[str, ClassDefinition] = {}
         self.user_classes: dict[Path, list[ClassDefinition]] = {}
         if root is not None:
             if not root.is_dir():
                 raise ModelError("the Modelica library directory does not exist", root)
-            self.files += modelica_files(root)
-            self.top.update(_packages(root, signature(self.files)))
+            self.top.update(_packages(root, signature_of(root)))
         read: dict[Path, list[ClassDefinition]] = {}
         for file in files:  # one that is named twice, or in two ways, is one file
             folder = package_folder(file)
             place = (folder or file).resolve()
             if place not in read:
-                self.files += files_of(file)
                 read[place] = self._read_user_file(file) if folder is None else self._read_user_package(folder)
             self.user_classes[file] = read[place]
 
@@ -75,7 +71,7 @@ class Library:
         return f"; did you mean {' or '.join(near)}?" if near else ""
 
     def _read_user_package(self, folder: Path) -> list[ClassDefinition]:
-        package = _package(folder, signature(modelica_files(folder)))
+        package = _package(folder, signature_of(folder))
         if package.name in self.top:
             raise package.source.error(f"a class '{package.name}' exists already: choose another name", package.at)
         self.top[package.name] = package
@@ -139,14 +135,33 @@ def package_folder(file: Path) -> Path | None:
 
 def modelica_files(folder: Path) -> list[Path]:
     """Every ``.mo`` file below a folder, in a fixed order."""
-    found = [os.path.join(at, name) for at, _, names in os.walk(folder) for name in names if name.endswith(".mo")]
-    return [Path(file) for file in sorted(found, key=lambda file: file.split(os.sep))]
+    return [Path(name) for name, _, _ in signature_of(folder)]
 
 
 def files_of(file: Path) -> list[Path]:
     """What belongs to a user's file: itself, or all files of the package that is kept in its folder."""
     folder = package_folder(file)
     return [file] if folder is None else modelica_files(folder)
+
+
+def signature_of(folder: Path) -> Signature:
+    """What changes when a ``.mo`` file below a folder does, in the order of ``modelica_files``."""
+    return tuple(_signed(str(folder)))
+
+
+def _signed(folder: str) -> Iterator[tuple[str, int, int]]:
+    """As they are found by one look at each folder: every compile asks for it."""
+    try:
+        with os.scandir(folder) as found:
+            entries = sorted(found, key=lambda entry: entry.name)
+    except OSError:  # a folder that cannot be read has no classes
+        return
+    for entry in entries:
+        if entry.is_dir(follow_symlinks=False):
+            yield from _signed(entry.path)
+        elif entry.name.endswith(".mo"):
+            status = entry.stat()
+            yield entry.path, status.st_mtime_ns, status.st_size
 
 
 def signature(files: Sequence[Path]) -> Signature:

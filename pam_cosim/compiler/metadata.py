@@ -13,6 +13,8 @@ from pam_cosim.model.interface import Variable
 
 EXPERIMENT = {"StopTime": "stop_time", "Interval": "interval", "Tolerance": "tolerance"}
 _INTERVALS = 500
+_TEXTS = {"unit": "unit", "displayUnit": "display_unit", "quantity": "quantity"}
+_ATTRIBUTES = {**_TEXTS, **{name: name for name in ("start", "min", "max", "nominal")}}
 
 
 def variable(instance: Instance, constants: Evaluator, start: float | None = None) -> Variable:
@@ -24,25 +26,18 @@ def variable(instance: Instance, constants: Evaluator, start: float | None = Non
         start: the value at the start, if it is known better than the ``start`` attribute.
     """
 
-    def text(name: str) -> str:
+    stated: dict[str, Any] = {}
+    for name, field in _ATTRIBUTES.items():
+        if name not in instance.attributes or (name == "start" and start is not None):
+            continue
         value = _attribute(instance, name, constants)
-        return value if isinstance(value, str) else ""
-
-    def number(name: str) -> float | None:
-        value = _attribute(instance, name, constants)
-        return float(value) if isinstance(value, int | float) and not isinstance(value, bool) else None
-
-    return Variable(
-        name=instance.name,
-        unit=text("unit"),
-        description=instance.description,
-        start=number("start") if start is None else start,
-        min=number("min"),
-        max=number("max"),
-        nominal=number("nominal"),
-        display_unit=text("displayUnit"),
-        quantity=text("quantity"),
-    )
+        if name in _TEXTS and isinstance(value, str):
+            stated[field] = value
+        elif name not in _TEXTS and isinstance(value, int | float) and not isinstance(value, bool):
+            stated[field] = float(value)
+    if start is not None:
+        stated["start"] = start
+    return Variable(name=instance.name, description=instance.description, **stated)
 
 
 def _attribute(instance: Instance, name: str, constants: Evaluator) -> object:

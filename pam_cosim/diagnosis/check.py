@@ -119,8 +119,9 @@ class Check(Printed):
 
     def _about_families(self) -> list[str]:
         best, visible, hidden = self.told.families, self.told.visible, self.told.hidden
-        shown = [_from_where(one) for family, one in best.items() if family in visible]
-        faint = [_from_where(one) for family, one in best.items() if family not in {*visible, *hidden}]
+        limits = {family: _detection_limit_text(one) for family, one in best.items()}
+        shown = [text for family, text in limits.items() if family in visible]
+        faint = [text for family, text in limits.items() if family not in visible and family not in hidden]
         lines = ["families of effects that would show, and from where on:", *(shown or ["  none"])]
         if faint:
             lines += ["families that would show only if they were stronger than usual:", *faint]
@@ -128,17 +129,21 @@ class Check(Printed):
             lines.append(f"would not show, however strong, or not beside the free parameters: {listed(hidden)}")
         if self.unmoved:
             lines.append(f"move no sample at the start values, alone: {listed(self.unmoved)}")
-        broken = [f for f in dict.fromkeys(c.family for c in self.failed) if f not in best]
+        failed = dict.fromkeys(c.family for c in self.failed)
+        broken = [family for family in failed if family not in best]
         if broken:
             lines.append(f"could not be simulated at their stated strength, and may be missing: {listed(broken)}")
         if self.no_place:
             lines.append(f"the model has no place for: {listed(self.no_place)}")
-        if self.told.alike:
-            lines.append("families that would show, but not be told apart at their usual strength:")
-            lines += [
-                f"  {a.family} ({a.effect}) may be taken for {a.other_family} ({a.other}), {_until(a.least)}"
-                for a in self.told.alike
-            ]
+        return lines + self._about_confused_families()
+
+    def _about_confused_families(self) -> list[str]:
+        if not self.told.alike:
+            return []
+        lines = ["families that would show, but not be told apart at their usual strength:"]
+        for a in self.told.alike:
+            pair = f"{a.family} ({a.effect}) may be taken for {a.other_family} ({a.other})"
+            lines.append(f"  {pair}, {_strength_range_text(a.least)}")
         return lines
 
     def _about_help(self) -> list[str]:
@@ -146,29 +151,29 @@ class Check(Printed):
             return ["no further signal of this bench, and no usual change of a run, would settle more"]
         return [
             "what would help most:",
-            *(f"  {h.option.text}: {_brings(h)}" for h in self.helps[: CRITERIA.resolution.listed]),
+            *(f"  {h.option.text}: {_benefit_text(h)}" for h in self.helps[: CRITERIA.resolution.listed]),
         ]
 
 
-def _from_where(one: DetectableEffect) -> str:
-    texts = {name: _apart(value, one.absent[name], one.units[name]) for name, value in one.values.items()}
+def _detection_limit_text(one: DetectableEffect) -> str:
+    texts = {name: _distinct_digits(value, one.absent[name], one.units[name]) for name, value in one.values.items()}
     values = [f"{name} = {text}" for name, text in texts.items() if text]
     return f"  {one.family:20} {one.effect}" + (f": {', '.join(values)}" if values else "")
 
 
-def _apart(value: float, absent: float, unit: str) -> str:
+def _distinct_digits(value: float, absent: float, unit: str) -> str:
     """A value in so many digits that it differs from another."""
     texts = (format_quantity(value, unit, digits) for digits in range(3, 17))
     return next((text for digits, text in enumerate(texts, 3) if text != format_quantity(absent, unit, digits)), "")
 
 
-def _until(least: float) -> str:
+def _strength_range_text(least: float) -> str:
     if least > CRITERIA.resolution.strongest:
         return "whatever its strength"
     return f"up to {least:.2g} times that strength"
 
 
-def _brings(h: Help) -> str:
+def _benefit_text(h: Help) -> str:
     parts = []
     if h.shows:
         parts.append(f"shows {listed(h.shows)}")
@@ -213,7 +218,7 @@ def check(
     subject = subject_of(data, model, files, workers, say)
     data, name = subject.data, subject.name
     with subject.simulator() as simulator:
-        shelf = subject.effects(simulator.interface)
+        available_effects = subject.effects(simulator.interface)
         possible = with_all_outputs(simulator, data)
         free = base_parameters(possible.data, simulator.interface)
         tolerance = CRITERIA.search.screening_tolerance
@@ -222,9 +227,9 @@ def check(
         base = linearised(objective, np.array([f.to_z(f.start) for f in free]), count)
     if base is None:
         raise SimulationFailure(objective.first_failure)
-    say(Remark(f"looking at what each of {len(shelf)} effects does at its stated strength").message)
-    search = Search(subject.tree, name, shelf, possible.data, subject.sources, say, workers)
-    probes = search.stated(base, count)
+    say(Remark(f"looking at what each of {len(available_effects)} effects does at its stated strength").message)
+    search = Search(subject.tree, name, available_effects, possible.data, subject.sources, say, workers)
+    probes = search.probe_stated(base, count)
     belongs = [possible.option[run.name, signal] for run, signal in objective.series]
     samples: Counter[Option] = Counter()
     for option, (run, signal) in zip(belongs, objective.series, strict=True):
@@ -237,7 +242,7 @@ def check(
         data=data,
         model=name,
         told=told,
-        no_place=tuple(f for f in dict.fromkeys(e.family for e in shelf) if f not in tried),
+        no_place=tuple(f for f in dict.fromkeys(e.family for e in available_effects) if f not in tried),
         unmoved=tuple(f for f in dict.fromkeys(p.family for p in probes) if f not in told.families),
         helps=tuple(_helps(rows, told)),
         failed=tuple(search.failed),

@@ -22,19 +22,19 @@ from pam_cosim.diagnosis.explanation import LearnedModel, directly_learned, lear
 from pam_cosim.diagnosis.folds import Folds, cross_validated, folds_of
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.missing_term import MissingTerm, missing_term
-from pam_cosim.diagnosis.model_space import meant
-from pam_cosim.diagnosis.next_experiment import NextExperiment, Plan, told_apart
+from pam_cosim.diagnosis.model_space import effects_named
+from pam_cosim.diagnosis.next_experiment import NextExperiment, RivalPlan, rivals_with_deciding_runs
 from pam_cosim.diagnosis.search import Search
 from pam_cosim.diagnosis.search_result import (
     SearchResult,
-    base_of,
+    fit_base_model,
     refit_by_role,
     search_all_runs,
     search_fit_runs,
-    with_these,
+    with_effects,
 )
 from pam_cosim.diagnosis.selection import Selection
-from pam_cosim.diagnosis.subject import subject_of
+from pam_cosim.diagnosis.subject import Subject, subject_of
 from pam_cosim.diagnosis.verdict import Verdict, explained, judge, nearest, rivals, with_facts, with_posterior
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
@@ -173,28 +173,36 @@ class Diagnosis(Printed):
         lines += [f"  LOOK FIRST: {doubt.text}" for doubt in self.final.comparison.doubts]
         lines.append(f"  {v.reason}")
         lines += [f"  Otherwise: {v.otherwise}"] * bool(v.otherwise)
-        for role in ROLES:
-            for name, before in self.base.comparison.scores[role].items():
-                after = self.final.comparison.scores[role][name]
-                signal = self.data.signals[name]
-                unit, noise = signal.unit, f"{signal.scatter} {format_quantity(before.noise_rmse, signal.unit)}"
-                lines.append(
-                    f"  {role:8} {name:4} rms error {format_quantity(before.rmse, unit)} -> "
-                    f"{format_quantity(after.rmse, unit)} ({noise}){'' if signal.fitted else ' (not fitted)'}"
-                )
+        lines += self._errors()
         lines += [f"  {n} = {e}" for n, e in self.final.parameters.items()]
         if self.untried:
-            first = [" + ".join(names) for names in self.untried[: CRITERIA.search.first_tried]]
-            more = ", ".join(first) + (f" and {len(self.untried) - len(first)} more" * (len(self.untried) > len(first)))
-            lines.append(f"  The time limit ended the search; what would have been tried next: {more}")
+            lines.append(f"  The time limit ended the search; what would have been tried next: {self._tried_next()}")
         if self.step_times:
             lines.append(f"  {self.said_of_steps}")
         lines += [f"  not looked for: {listed(names)}: {why}" for why, names in self.not_tried_by_reason.items()]
         if self.learned is not None:
             beside = "".join(f" and {effect}" for effect in self.learned.model.effects[:-1])
             lines.append(f"  What is missing, described (not explained): {self.learned.term}")
-            lines.append(f"  with it{beside} the chi-square is {_left_by(self.learned):.3g}")
+            lines.append(f"  with it{beside} the chi-square is {_remaining_chi2_with(self.learned):.3g}")
         return "\n".join(lines)
+
+    def _errors(self) -> list[str]:
+        """A line for each signal and role: its error before and after."""
+        lines = []
+        for role in ROLES:
+            for name, before in self.base.comparison.scores[role].items():
+                signal, after = self.data.signals[name], self.final.comparison.scores[role][name]
+                errors = [format_quantity(score.rmse, signal.unit) for score in (before, after)]
+                noise = f"{signal.scatter} {format_quantity(before.noise_rmse, signal.unit)}"
+                fitted = "" if signal.fitted else " (not fitted)"
+                lines.append(f"  {role:8} {name:4} rms error {errors[0]} -> {errors[1]} ({noise}){fitted}")
+        return lines
+
+    def _tried_next(self) -> str:
+        """The most promising models that the time limit left, and how many more there are."""
+        first = [" + ".join(names) for names in self.untried[: CRITERIA.search.first_tried]]
+        more = len(self.untried) - len(first)
+        return ", ".join(first) + (f" and {more} more" if more else "")
 
 
 @on_one_thread
@@ -234,97 +242,133 @@ def diagnose(
     began, subject = time.monotonic(), subject_of(data, model, files, workers, say)
     data, name, sources = subject.data, subject.name, subject.sources
     with subject.simulator() as simulator:
-        shelf = subject.effects(simulator.interface)
-        excluded = _meant(shelf, data, "exclude", data.excluded, exclude)
-        expected = _meant(shelf, data, "expect", data.expected, expect)
-        data, base, outliers = base_of(simulator, data, say)
+        available_effects = subject.effects(simulator.interface)
+        excluded = _effects_named(available_effects, data, "exclude", data.excluded, exclude)
+        expected = _effects_named(available_effects, data, "expect", data.expected, expect)
+        data, base, outliers = fit_base_model(simulator, data, say)
     search = Search(
-        subject.tree, name, [e for e in shelf if e.name not in excluded], data, sources, say, workers, expected=expected
+        subject.tree,
+        name,
+        [e for e in available_effects if e.name not in excluded],
+        data,
+        sources,
+        say,
+        workers,
+        expected=expected,
+        at_rest=all(run.is_static for run in data.runs),
     )
-    search = replace(search, at_rest=all(run.is_static for run in data.runs))
     deadline = began + (math.inf if time_limit is None else time_limit)
-    finding = search_fit_runs(subject, search, base, outliers, deadline)
-    asked = search_all_runs(subject, finding, deadline)
-    verdict, others = _verdict(asked or finding, sources, asked is not None)
-    if asked is not None:
-        finding = refit_by_role(finding, asked)
-    folds = None
-    unsettled = verdict.kind == "unknown" or verdict.remainder
-    if unsettled and finding.path and asked is None and time.monotonic() < deadline:
-        folds = folds_of(subject, finding.search, finding.path[-1].effects, finding.last)
-    if folds is not None:
-        finding = with_these(finding, folds.named)
-        verdict, others = _verdict(finding, sources, all_asked=False)
-        verdict = cross_validated(verdict, folds, data.signals)
-    search, base, data, selection = finding.search, finding.base, finding.search.data, finding.selection
-    selected, tried = list(finding.path), list(selection.tried)
-    candidates = _ranked(asked or finding, data)
-    tell(Judged(verdict, base, candidates, tuple(selected)))
-    present = finding.last
-    added = [c.effect for c in selected]
+    answer = _answer(subject, search_fit_runs(subject, search, base, outliers, deadline), deadline)
+    verdict, others, result = answer.verdict, answer.others, answer.result
+    search, base, data, selection = result.search, result.base, result.search.data, result.selection
+    candidates = _ranked(answer.judged, data)
+    tell(Judged(verdict, base, candidates, result.path))
     over_time = not any(run.is_static for run in data.runs)  # balances are kept over time
     ledger = ledger_of(search, (), base) if explain and over_time and verdict.kind != "none_missing" else None
     if ledger is not None:
         tell(LedgerKept(ledger))
     learned, unexplained = None, verdict.kind == "unknown" or verdict.remainder
     if explain and unexplained:
-        learned = _learned(search, ledger, base, added, present)
-    balance = _balance(base, [c for c in tried if len(c.effects) == 1])
+        learned = _best_formula(search, ledger, base, [c.effect for c in result.path], result.last)
+    balance = _balance(base, [c for c in selection.tried if len(c.effects) == 1])
     return Diagnosis(
         data=data,
         model=name,
         base=base,
         candidates=candidates,
-        path=tuple(selected),
+        path=result.path,
         balance=balance,
         verdict=verdict,
         failed=tuple(search.failed),
-        outliers=dict(finding.outliers),
+        outliers=dict(result.outliers),
         next_experiment=others[0][1] if others else None,
-        missing_term=missing_term(present, balance) if unexplained else None,
+        missing_term=missing_term(result.last, balance) if unexplained else None,
         ledger=ledger,
         learned=learned,
         untried=selection.untried,
-        not_tried=_not_tried(shelf, excluded, search, selection),
-        step_times=finding.step_times,
+        not_tried=_not_tried(available_effects, excluded, search, selection),
+        step_times=result.step_times,
         means=subject.means,
-        folds=folds,
-        rivals=_models_left(verdict, asked or finding, [c for c, _ in others]),
+        folds=answer.folds,
+        rivals=_models_left(verdict, answer.judged, [c for c, _ in others]),
     )
 
 
-def _models_left(verdict: Verdict, finding: SearchResult, others: Sequence[Candidate]) -> tuple[tuple[str, ...], ...]:
+@dataclass(frozen=True)
+class _Answer:
+    """The verdict and what it rests on.
+
+    Attributes:
+        result: the models, fitted to the runs that are to be fitted.
+        judged: the models that were judged: those of ``result``, or of all runs fitted together.
+        others: the rivals, with the run that would decide.
+        folds: where runs were left out in turn, what that came to.
+    """
+
+    result: SearchResult
+    judged: SearchResult
+    verdict: Verdict
+    others: list[RivalPlan]
+    folds: Folds | None = None
+
+
+def _answer(subject: Subject, result: SearchResult, deadline: float) -> _Answer:
+    """The verdict on what the fitted runs came to, after the held-out runs and the folds where they are needed."""
+    all_runs_result = search_all_runs(subject, result, deadline)
+    if all_runs_result is not None:
+        verdict, others = _verdict(all_runs_result, subject.sources, all_runs_searched=True)
+        return _Answer(refit_by_role(result, all_runs_result), all_runs_result, verdict, others)
+    verdict, others = _verdict(result, subject.sources, all_runs_searched=False)
+    unsettled = verdict.kind == "unknown" or verdict.remainder
+    folds = None
+    if unsettled and result.path and time.monotonic() < deadline:
+        folds = folds_of(subject, result.search, result.path[-1].effects, result.last)
+    if folds is None:
+        return _Answer(result, result, verdict, others)
+    result = with_effects(result, folds.named)
+    verdict, others = _verdict(result, subject.sources, all_runs_searched=False)
+    verdict = cross_validated(verdict, folds, result.search.data.signals)
+    return _Answer(result, result, verdict, others, folds)
+
+
+def _models_left(verdict: Verdict, result: SearchResult, others: Sequence[Candidate]) -> tuple[tuple[str, ...], ...]:
     """Effects of the models that a verdict leaves, best first."""
     if verdict.kind == "ambiguous":
-        return (finding.path[-1].effects, *(c.effects for c in others))
+        return (result.path[-1].effects, *(c.effects for c in others))
     if verdict.kind == "unknown":
-        search, tried = finding.search, finding.selection.tried
-        near = nearest(finding.base, tried, search.family, search.choice)
+        search, tried = result.search, result.selection.tried
+        near = nearest(result.base, tried, search.family, search.model_space)
         return tuple(c.effects for c in near)
     return ()
 
 
-def _verdict(finding: SearchResult, sources: Sequence[Path], all_asked: bool) -> tuple[Verdict, list[Plan]]:
+def _verdict(result: SearchResult, sources: Sequence[Path], all_runs_searched: bool) -> tuple[Verdict, list[RivalPlan]]:
     """The answer, and its rivals with the run that would decide."""
-    search, base, tried = finding.search, finding.base, finding.selection.tried
-    selected, family, choice = list(finding.path), search.family, search.choice
+    search, base, tried = result.search, result.base, result.selection.tried
+    selected, family, model_space = list(result.path), search.family, search.model_space
     last = selected[-1] if selected else None
-    others = _others(search.data, last, rivals(base, last, tried, family, choice), sources) if last else []
-    verdict = judge(base, selected, [c for c, _ in others], tried, family, all_asked=all_asked)
-    verdict = with_facts(verdict, base, last, tried, family, choice)
-    return with_posterior(verdict, base, selected, tried, family, choice), others
+    others = (
+        _rivals_with_runs(search.data, last, rivals(base, last, tried, family, model_space), sources) if last else []
+    )
+    verdict = judge(base, selected, [c for c, _ in others], tried, family, all_runs_searched=all_runs_searched)
+    verdict = with_facts(verdict, base, last, tried, family, model_space)
+    return with_posterior(verdict, base, selected, tried, family, model_space), others
 
 
-def _ranked(finding: SearchResult, data: DataSet) -> tuple[Candidate, ...]:
+def _ranked(result: SearchResult, data: DataSet) -> tuple[Candidate, ...]:
     """Every model that was tried, best first by what it was fitted to; with residuals by the roles in the data."""
-    ranked = rank(finding.base, finding.selection.tried)
-    if finding.search.data is not data:
+    ranked = rank(result.base, result.selection.tried)
+    if result.search.data is not data:
         ranked = [replace(c, fit=c.fit.against(data)) for c in ranked]
     return tuple(ranked)
 
 
-def _meant(
-    shelf: Sequence[EffectClass], data: DataSet, key: str, stated: Sequence[str], asked: Sequence[str]
+def _effects_named(
+    available_effects: Sequence[EffectClass],
+    data: DataSet,
+    key: str,
+    stated: Sequence[str],
+    named: Sequence[str],
 ) -> frozenset[str]:
     """The effects meant by names that the data set states under a key, and by others that were asked for."""
 
@@ -334,32 +378,40 @@ def _meant(
     def wrong_word(message: str) -> InputError:
         return InputError(f"{key}: {message}")
 
-    return meant(shelf, stated, wrong_key) | meant(shelf, asked, wrong_word)
+    return effects_named(available_effects, stated, wrong_key) | effects_named(available_effects, named, wrong_word)
 
 
 def _not_tried(
-    shelf: Sequence[EffectClass], excluded: Collection[str], search: Search, selection: Selection
+    available_effects: Sequence[EffectClass], excluded: Collection[str], search: Search, selection: Selection
 ) -> dict[str, str]:
     """Families that were not looked for, with the reason; none where nothing had to be looked for."""
     looked_at = {search.family[p.effect] for p in selection.probes}
     if not looked_at:
         return {}
-    shown = {search.family[p.effect] for p in selection.probes if not p.silent}
-    shown |= {search.family[name] for c in selection.tried for name in c.effects if name in search.family}
     failed = {f.family for f in search.failed}
+    silent = looked_at - _families_that_show(search, selection)
     late = {search.family[name] for names in selection.untried for name in names}
+    at_rest = " at rest" if search.at_rest else ""
     reasons = {}
-    for family in dict.fromkeys(e.family for e in shelf):
-        if all(e.name in excluded for e in shelf if e.family == family):
+    for family in dict.fromkeys(e.family for e in available_effects):
+        members = {e.name for e in available_effects if e.family == family}
+        if members <= {*excluded}:
             reasons[family] = "excluded"
         elif family not in looked_at | failed:
             reasons[family] = "the time was over" if family in late else "the model has no place for them"
-        elif family in looked_at - shown:
-            reasons[family] = f"nothing that was fitted{' at rest' if search.at_rest else ''} shows them"
+        elif family in silent:
+            reasons[family] = f"nothing that was fitted{at_rest} shows them"
     return reasons
 
 
-def _learned(
+def _families_that_show(search: Search, selection: Selection) -> set[str]:
+    """Families of which a sample depends on one effect at least, or one was tried all the same."""
+    tried = {name for c in selection.tried for name in c.effects}
+    by_probes = {search.family[p.effect] for p in selection.probes if not p.silent}
+    return by_probes | {search.family[name] for name in tried if name in search.family}
+
+
+def _best_formula(
     search: Search, ledger: Ledger | None, base: Fit, added: Sequence[str], present: Fit
 ) -> LearnedModel | None:
     """A formula for what is missing beside the effects that were added, or for all of it, if that describes it better.
@@ -370,27 +422,29 @@ def _learned(
     every = [learned_term(search, ledger, (), base)]
     if added and ledger is not None:
         every.append(learned_term(search, ledger_of(search, added, present), added, present))
-    best = min((one for one in every if one is not None), key=_left_by, default=None)
-    if best is not None and _left_by(best) < _left(present):
+    best = min((one for one in every if one is not None), key=_remaining_chi2_with, default=None)
+    if best is not None and _remaining_chi2_with(best) < _remaining_chi2(present):
         return best
     direct = directly_learned(search, added, present)
-    return min((one for one in (direct, best) if one is not None), key=_left_by, default=None)
+    return min((one for one in (direct, best) if one is not None), key=_remaining_chi2_with, default=None)
 
 
-def _left_by(learned: LearnedModel) -> float:
+def _remaining_chi2_with(learned: LearnedModel) -> float:
     """Chi-square of the model with the formula, in runs that were held out if there are any."""
-    return _left(learned.model.fit)
+    return _remaining_chi2(learned.model.fit)
 
 
-def _left(fit: Fit) -> float:
+def _remaining_chi2(fit: Fit) -> float:
     return fit.residuals["holdout" if fit.residuals["holdout"].samples else "fit"].chi2_reduced
 
 
-def _others(data: DataSet, best: Candidate, near: Sequence[Candidate], files: Sequence[Path]) -> list[Plan]:
+def _rivals_with_runs(
+    data: DataSet, best: Candidate, near: Sequence[Candidate], files: Sequence[Path]
+) -> list[RivalPlan]:
     """Rivals of the best, with the run that would decide where either may be right: not where both leave structure."""
     if any_structure_for_verdict(best.fit):
         return [(c, None) for c in near]
-    return told_apart(data, best, near, files)
+    return rivals_with_deciding_runs(data, best, near, files)
 
 
 def _balance(base: Fit, candidates: Sequence[Candidate]) -> dict[str, float]:

@@ -58,7 +58,7 @@ class BaseFitted(Event):
 
 
 @dataclass(frozen=True)
-class LookFirst(Event):
+class DoubtRaised(Event):
     """What a person should look at before an effect is said to be missing."""
 
     doubt: Doubt
@@ -76,7 +76,7 @@ class NothingTried(Event):
 
 
 @dataclass(frozen=True)
-class EffectsLookedAt(Event):
+class EffectsProbed(Event):
     """It is looked what each of some effects would change, beside others."""
 
     count: int
@@ -88,8 +88,8 @@ class EffectsLookedAt(Event):
 
 
 @dataclass(frozen=True)
-class EffectLookedAt(Event):
-    """One more of the effects of the last ``EffectsLookedAt`` is done; no line is printed of it.
+class EffectProbed(Event):
+    """One more of the effects of the last ``EffectsProbed`` is done; no line is printed of it.
 
     Attributes:
         done, count: how many of how many.
@@ -105,7 +105,7 @@ class EffectLookedAt(Event):
 
 
 @dataclass(frozen=True)
-class StepsSought(Event):
+class StepTimesSought(Event):
     """Steps of commands may come between two samples: where is sought."""
 
     def __str__(self) -> str:
@@ -113,12 +113,12 @@ class StepsSought(Event):
 
 
 @dataclass(frozen=True)
-class BegunAnew(Event):
+class SearchRestarted(Event):
     """What was tried before no longer counts."""
 
 
 @dataclass(frozen=True)
-class StepsTimed(BegunAnew):
+class StepTimesFound(SearchRestarted):
     """So many steps of commands got a time between two samples."""
 
     steps: int
@@ -128,7 +128,7 @@ class StepsTimed(BegunAnew):
 
 
 @dataclass(frozen=True)
-class AllRunsAsked(BegunAnew):
+class AllRunsSearched(SearchRestarted):
     """What leaves noise in the fitted runs does not hold in the others."""
 
     def __str__(self) -> str:

@@ -50,7 +50,7 @@ def has_structure_for_search(s: ResidualStatistics, repeated: Reproducibility | 
 def any_structure_for_search(fit: Fit) -> bool:
     """Whether a model leaves structure in runs that were fitted or in others."""
     repeated = cross_run_reproducibility(fit)
-    return any(has_structure_for_search(s, repeated) for s in fit.tested.values())
+    return any(has_structure_for_search(s, repeated) for s in fit.residuals_beyond_uncertainty.values())
 
 
 def may_have_structure(s: ResidualStatistics) -> bool:
@@ -85,12 +85,12 @@ def has_structure_for_verdict(s: ResidualStatistics, repeated: Reproducibility |
 def any_structure_for_verdict(fit: Fit) -> bool:
     """Whether a model that explains much leaves structure all the same, in runs that were fitted or in others."""
     repeated = cross_run_reproducibility(fit)
-    return any(has_structure_for_verdict(s, repeated) for s in fit.tested.values())
+    return any(has_structure_for_verdict(s, repeated) for s in fit.residuals_beyond_uncertainty.values())
 
 
-def contradicted(fit: Fit) -> bool:
+def contradicted_by_holdout(fit: Fit) -> bool:
     """Whether a model leaves noise in runs that were fitted, and structure in others that no values excuse."""
-    tested, repeated = fit.tested, cross_run_reproducibility(fit)
+    tested, repeated = fit.residuals_beyond_uncertainty, cross_run_reproducibility(fit)
     return not has_structure_for_search(tested["fit"], repeated) and has_structure_for_verdict(
         tested["holdout"], repeated
     )
@@ -109,7 +109,7 @@ def _is_reproducible(s: ResidualStatistics, repeated: Reproducibility | None) ->
     )
 
 
-class Scale(NamedTuple):
+class NoiseScale(NamedTuple):
     """Noise variance and samples per independent sample, both as the best model leaves them."""
 
     variance: float
@@ -125,14 +125,14 @@ class Scale(NamedTuple):
         return bic_penalty(fit, self.time)
 
 
-def scale(fits: Sequence[Fit]) -> Scale:
+def noise_scale(fits: Sequence[Fit]) -> NoiseScale:
     """Noise variance and samples per independent sample, both as the best model leaves them."""
     best = min((f.residuals["fit"] for f in fits), key=lambda s: s.chi2)
-    return Scale(max(1.0, best.chi2_reduced), best.correlation_time)
+    return NoiseScale(max(1.0, best.chi2_reduced), best.correlation_time)
 
 
-def evidence(
-    fit: Fit, at: Scale, effects: Collection[str], choice: ModelSpace, candidate: Candidate | None = None
+def information_criterion(
+    fit: Fit, scale: NoiseScale, effects: Collection[str], model_space: ModelSpace, candidate: Candidate | None = None
 ) -> float:
     """How much the data speak against a model: minus twice the logarithm of its probability, but for a constant.
 
@@ -140,9 +140,9 @@ def evidence(
     others, which paid for nothing, by their squared error; and how many sets of so many effects there are.
     """
     held = fit.residuals["holdout"]
-    lost = _lost(candidate) if candidate else 0
-    known = bic(fit, *at) + at.penalty(fit) * lost + choice.cost(effects)
-    return known + (held.chi2 / at.divisor if held.samples else 0.0)
+    lost = _undetermined_count(candidate) if candidate else 0
+    known = bic(fit, *scale) + scale.penalty(fit) * lost + model_space.cost(effects)
+    return known + (held.chi2 / scale.divisor if held.samples else 0.0)
 
 
 def bic(fit: Fit, variance: float, time: float) -> float:
@@ -160,11 +160,13 @@ def rank(base: Fit, candidates: Sequence[Candidate]) -> list[Candidate]:
     """Candidates with their evidence, best first."""
     if not candidates:
         return []
-    variance, time = scale([base, *(c.fit for c in candidates)])
+    variance, time = noise_scale([base, *(c.fit for c in candidates)])
     start = bic(base, variance, time)
     # an effect pays for every parameter it brings, also for those that have done their work at one end of their range
     penalty = bic_penalty(base, time)
-    scored = [replace(c, delta_bic=bic(c.fit, variance, time) + penalty * _lost(c) - start) for c in candidates]
+    scored = [
+        replace(c, delta_bic=bic(c.fit, variance, time) + penalty * _undetermined_count(c) - start) for c in candidates
+    ]
     lowest = min(0.0, *(c.delta_bic for c in scored))
     weights = {c.effects: math.exp(-(c.delta_bic - lowest) / 2) for c in scored}
     total = math.exp(lowest / 2) + sum(weights.values())
@@ -173,16 +175,16 @@ def rank(base: Fit, candidates: Sequence[Candidate]) -> list[Candidate]:
     return ranked
 
 
-def _lost(candidate: Candidate) -> int:
+def _undetermined_count(candidate: Candidate) -> int:
     return sum(not e.determined for e in candidate.parameters.values())
 
 
-def convincing(base: Fit, candidate: Candidate) -> bool:
+def significantly_better(base: Fit, candidate: Candidate) -> bool:
     """Whether a candidate is better beyond chance, on runs that were fitted and on runs that were not."""
-    return candidate.delta_bic < -CRITERIA.evidence.very_strong and _better(base, candidate.fit)
+    return candidate.delta_bic < -CRITERIA.evidence.very_strong and _improves_holdout(base, candidate.fit)
 
 
-def refuted(rival: Fit, best: Fit) -> bool:
+def refuted_by_unfitted_signals(rival: Fit, best: Fit) -> bool:
     """Whether signals that were compared but not fitted speak against a model, beside another one."""
     signals = best.comparison.data.signals
     ratios = [
@@ -193,7 +195,7 @@ def refuted(rival: Fit, best: Fit) -> bool:
     return bool(ratios) and math.prod(ratios) ** (1 / len(ratios)) > CRITERIA.evidence.refuted
 
 
-def missed(fit: Fit) -> tuple[str, ...]:
+def missed_signals(fit: Fit) -> tuple[str, ...]:
     """Signals that were compared but not fitted, and that a model misses by more than their noise."""
     comparison = fit.comparison
     scores = comparison.scores.get("all", {})
@@ -219,14 +221,14 @@ def dominant_effect(base: Fit, tried: Sequence[Candidate]) -> Candidate | None:
     if any(excess < CRITERIA.evidence.apart * left[family] for other, excess in left.items() if other != family):
         return None
     own = (c for c in ranked if c.family == family)
-    return next((c for c in own if _carries(base, c.fit) and convincing(base, c)), None)
+    return next((c for c in own if _explains_nearly_all(base, c.fit) and significantly_better(base, c)), None)
 
 
-def _carries(base: Fit, fit: Fit) -> bool:
+def _explains_nearly_all(base: Fit, fit: Fit) -> bool:
     both = [(base.residuals[r], fit.residuals[r]) for r in ROLES if base.residuals[r].samples]
     return all(after.excess <= CRITERIA.evidence.beyond_doubt * before.excess for before, after in both)
 
 
-def _better(base: Fit, fit: Fit) -> bool:
+def _improves_holdout(base: Fit, fit: Fit) -> bool:
     before, after = base.residuals["holdout"], fit.residuals["holdout"]
     return not before.samples or after.chi2 < before.chi2

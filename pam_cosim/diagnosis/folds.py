@@ -14,7 +14,7 @@ import numpy as np
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.events import RunsLeftOut
-from pam_cosim.diagnosis.search import Search, Wanted
+from pam_cosim.diagnosis.search import FitRequest, Search
 from pam_cosim.diagnosis.subject import Subject
 from pam_cosim.diagnosis.verdict import Verdict
 from pam_cosim.errors import SimulationFailure
@@ -72,7 +72,7 @@ class Folds:
 
 
 @dataclass(frozen=True)
-class _Left:
+class _HoldoutError:
     """What a model leaves on runs that were left out: error by signal [its unit], and all in noise variances."""
 
     rmse: Mapping[str, float]
@@ -123,23 +123,34 @@ def folds_of(subject: Subject, search: Search, effects: Sequence[str], final: Fi
     search.say(RunsLeftOut(len(data)).message)
     every = tuple(effects)
     without = {e: tuple(one for one in every if one != e) for e in every}
-    full, needed = [], dict.fromkeys(every, 0)
+    errors, needed = [], dict.fromkeys(every, 0)
     for one in data:
-        left = _left_out(subject, search, one, [every, *without.values()], final.values)
-        full.append(left[every])
+        of_models = _holdout_errors(subject, search, one, [every, *without.values()], final.values)
+        errors.append(of_models[every])
         for e, others in without.items():
-            needed[e] += _is_needed(left[every], left[others])
-    ratios = {e: final.values[e] for e in every if is_ratio(e) and e in final.values}
-    limit = CRITERIA.folds.believable
-    folds = Folds(len(data), needed, {e: r for e, r in ratios.items() if not 1 / limit <= r <= limit})
+            needed[e] += _is_needed(of_models[every], of_models[others])
+    folds = Folds(len(data), needed, _unbelievable(every, final.values))
     named = folds.named
     if named != every:
-        full = [_left_out(subject, search, one, [named], final.values)[named] for one in data]
-    known = [left for left in full if left is not None]
-    names = dict.fromkeys(n for left in known for n in left.rmse)
-    errors = {n: [(left.rmse[n], left.runs) for left in known if n in left.rmse] for n in names}
-    middle = {n: float(np.median([e for e, _ in each])) for n, each in errors.items()}
-    return replace(folds, rmse=middle, worst={n: max(each) for n, each in errors.items()})
+        errors = [_holdout_errors(subject, search, one, [named], final.values)[named] for one in data]
+    return _with_errors(folds, [error for error in errors if error is not None])
+
+
+def _unbelievable(effects: Sequence[str], values: Mapping[str, float]) -> dict[str, float]:
+    """Ratios to what is stated that are too far from one, by the name of the effect."""
+    ratios = {e: values[e] for e in effects if is_ratio(e) and e in values}
+    limit = CRITERIA.folds.believable
+    return {e: ratio for e, ratio in ratios.items() if not 1 / limit <= ratio <= limit}
+
+
+def _with_errors(folds: Folds, errors: Sequence[_HoldoutError]) -> Folds:
+    """With the error of each signal in the middle fold and in the worst."""
+    by_signal: dict[str, list[tuple[float, tuple[str, ...]]]] = {}
+    for error in errors:
+        for name, rmse in error.rmse.items():
+            by_signal.setdefault(name, []).append((rmse, error.runs))
+    middle = {name: float(np.median([rmse for rmse, _ in each])) for name, each in by_signal.items()}
+    return replace(folds, rmse=middle, worst={name: max(each) for name, each in by_signal.items()})
 
 
 def _folds(data: DataSet) -> Iterator[DataSet]:
@@ -152,15 +163,15 @@ def _folds(data: DataSet) -> Iterator[DataSet]:
         yield replace(data, runs=tuple(runs))
 
 
-def _left_out(
+def _holdout_errors(
     subject: Subject, search: Search, data: DataSet, models: Sequence[tuple[str, ...]], values: Mapping[str, float]
-) -> dict[tuple[str, ...], _Left | None]:
+) -> dict[tuple[str, ...], _HoldoutError | None]:
     """What models with these effects, fitted anew, leave on the runs that are held out; None: one broke down."""
-    wanted = [Wanted(effects, values) for effects in models if effects]
-    fits = {c.effects: c.fit for c in replace(search, data=data, failed=[]).again(wanted)}
+    wanted = [FitRequest(effects, values) for effects in models if effects]
+    fits = {c.effects: c.fit for c in replace(search, data=data, failed=[]).refit(wanted)}
     if () in models:
         fits |= _without_effects(subject, data)
-    return {effects: _judged(fits[effects]) if effects in fits else None for effects in models}
+    return {effects: _holdout_error(fits[effects]) if effects in fits else None for effects in models}
 
 
 def _without_effects(subject: Subject, data: DataSet) -> dict[tuple[str, ...], Fit]:
@@ -171,14 +182,14 @@ def _without_effects(subject: Subject, data: DataSet) -> dict[tuple[str, ...], F
         return {}
 
 
-def _judged(model: Fit) -> _Left:
+def _holdout_error(model: Fit) -> _HoldoutError:
     comparison = model.comparison
     rmse = {n: s.rmse for n, s in comparison.scores["holdout"].items()}
     runs = tuple(r.run.name for r in comparison.runs if r.run.role == "holdout")
-    return _Left(rmse, comparison.chi2_reduced("holdout"), runs)
+    return _HoldoutError(rmse, comparison.chi2_reduced("holdout"), runs)
 
 
-def _is_needed(with_it: _Left | None, without: _Left | None) -> bool:
+def _is_needed(with_it: _HoldoutError | None, without: _HoldoutError | None) -> bool:
     """Whether what is left beyond the noise is visibly less with an effect."""
     if with_it is None or without is None:
         return with_it is not None

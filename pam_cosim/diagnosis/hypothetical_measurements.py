@@ -30,7 +30,7 @@ class Option:
     text: str = ""
 
 
-NOW = Option()
+AS_MEASURED = Option()
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ def with_all_outputs(simulator: AnySimulator, data: DataSet) -> AllOutputs:
         runs.append(_as_modelled(run, modelled[run.name], signals))
         for name, signal in signals.items():
             measured = run.sample_count(name) and data.signals[name].fitted
-            option[run.name, name] = NOW if measured else Option("signal", _reading(signal))
+            option[run.name, name] = AS_MEASURED if measured else Option("signal", _reading(signal))
     for number, (varied, change) in enumerate(_varied_runs(data)):
         try:
             model = _modelled(simulator, data, varied)

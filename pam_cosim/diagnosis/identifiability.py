@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.hypothetical_measurements import NOW, Option
-from pam_cosim.diagnosis.probing import Stated, Strengths, shown_from
+from pam_cosim.diagnosis.hypothetical_measurements import AS_MEASURED, Option
+from pam_cosim.diagnosis.probing import StatedEffect, Strengths, detectable_strength
 from pam_cosim.fitting import Linear
 
 Confused = tuple[str, str, float]
@@ -142,7 +142,7 @@ class Rows:
         self,
         base: Linear,
         units: Mapping[str, str],
-        probes: Sequence[Stated],
+        probes: Sequence[StatedEffect],
         option: Sequence[Option],
         samples: Mapping[Option, int],
     ) -> None:
@@ -154,19 +154,21 @@ class Rows:
     @property
     def further(self) -> list[Option]:
         """What could be measured beyond what was."""
-        return [option for option in dict.fromkeys(self.option) if option != NOW]
+        return [option for option in dict.fromkeys(self.option) if option != AS_MEASURED]
 
     def identifiability(self, *further: Option) -> Identifiability:
         """What can be told by what was measured, and by something further."""
-        chosen = {NOW, *further}
+        chosen = {AS_MEASURED, *further}
         at = np.array([option in chosen for option in self.option])
         samples = sum(self.samples[option] for option in chosen)
         price = math.log(max(samples, CRITERIA.evidence.least_samples))
         slopes = np.vstack([self.base.slopes[at], self._bounds])
         own = np.linalg.qr(slopes)[0]
-        moves = {p.effect: _beyond(own, self._among(at, self._moves(p))) for p in self.probes}
-        sizes = {p.effect: _sizes(_beyond(own, self._among(at, p.courses(self.base)))) for p in self.probes}
-        shown = sorted((_shown(p, sizes[p.effect], price) for p in self.probes), key=lambda s: (s.least, s.effect))
+        moves = {p.effect: _orthogonal_part(own, self._among(at, self._moves(p))) for p in self.probes}
+        sizes = {p.effect: _sizes(_orthogonal_part(own, self._among(at, p.courses(self.base)))) for p in self.probes}
+        shown = sorted(
+            (_detectability(p, sizes[p.effect], price) for p in self.probes), key=lambda s: (s.least, s.effect)
+        )
         parameters, confused = self._known(slopes)
         told = Identifiability(parameters, confused, tuple(shown), ())
         return replace(told, alike=tuple(self._alike(told, moves, price)))
@@ -175,7 +177,7 @@ class Rows:
         """Some rows, and what bounds say, which no effect changes."""
         return np.vstack([columns[at], np.zeros((len(self._bounds), columns.shape[1]))])
 
-    def _moves(self, probe: Stated) -> Array:
+    def _moves(self, probe: StatedEffect) -> Array:
         """(rows, 1 + k) what an effect does as a whole at its stated strength, and by each of its parameters."""
         names = {f.name for f in probe.strengths.own}
         own = [i for i, name in enumerate(probe.linear.names) if name in names]
@@ -208,9 +210,9 @@ class Rows:
             for p in self.probes:
                 if p.family == family or p.family not in told.visible:
                     continue
-                left = float(np.linalg.norm(_beyond(_orthonormal(moves[p.effect]), whole)))
+                left = float(np.linalg.norm(_orthogonal_part(_orthonormal(moves[p.effect]), whole)))
                 needed = CRITERIA.evidence.very_strong - price * (count[p.effect] - count[best.effect])
-                least, pair = _strength(needed, left), frozenset((family, p.family))
+                least, pair = _detectable_at(needed, left), frozenset((family, p.family))
                 if not own[best.effect].within_bounds(least):
                     least = math.inf
                 if least > 1 and (pair not in worst or least > worst[pair].least):
@@ -222,27 +224,27 @@ def _sizes(courses: Array) -> list[float]:
     return [float(size) for size in np.linalg.norm(courses, axis=0)]
 
 
-def _shown(probe: Stated, sizes: Sequence[float], price: float) -> DetectableEffect:
+def _detectability(probe: StatedEffect, sizes: Sequence[float], price: float) -> DetectableEffect:
     """How well an effect is shown that has these sizes, as ``probing.shown_from`` takes them."""
     needed = math.sqrt(CRITERIA.evidence.very_strong + price * len(probe.strengths.own))
-    least = shown_from(sizes, needed)
+    least = detectable_strength(sizes, needed)
     if not probe.strengths.within_bounds(least):
         least = math.inf
-    values, absent = _moving(probe.strengths, least), probe.strengths.at(0.0)
+    values, absent = _strength_parameters(probe.strengths, least), probe.strengths.at(0.0)
     return DetectableEffect(
         probe.effect, probe.family, sizes[0], least, values, absent, {f.name: f.unit for f in probe.strengths.own}
     )
 
 
-def _moving(strengths: Strengths, strength: float) -> dict[str, float]:
+def _strength_parameters(strengths: Strengths, strength: float) -> dict[str, float]:
     """The parameters that tell of an effect's strength, at one."""
     if not math.isfinite(strength):
         return {}
-    there, stated, away = strengths.at(strength), strengths.at(1.0), strengths.at(0.0)
-    return {name: value for name, value in there.items() if stated[name] != away[name]}
+    there, stated, null_value = strengths.at(strength), strengths.at(1.0), strengths.at(0.0)
+    return {name: value for name, value in there.items() if stated[name] != null_value[name]}
 
 
-def _beyond(own: Array, columns: Array) -> Array:
+def _orthogonal_part(own: Array, columns: Array) -> Array:
     """What is left of columns beside orthonormal ones."""
     return np.asarray(columns - own @ (own.T @ columns))
 
@@ -253,7 +255,7 @@ def _orthonormal(columns: Array) -> Array:
     return np.asarray(left[:, singular > CRITERIA.resolution.still * singular.max(initial=0.0)])
 
 
-def _strength(needed: float, size: float) -> float:
+def _detectable_at(needed: float, size: float) -> float:
     """The strength at which something of this size (root of a sum of squares) is so much evidence."""
     if needed <= 0:
         return 0.0

@@ -110,12 +110,12 @@ def learn(ledger: Ledger, balance: str | None = None, *, name: str = "", tree: C
         Learned(float(c), float(d), f)
         for c, d, f in zip(fitted.coefficients, fitted.deviations, fitted.forms, strict=True)
     )
-    shelf = tree or read_library()
+    library = tree or read_library()
     return LearnedTerm(
         name=title,
         balance=entry.balance,
         formula=formula_text(entry, terms),
-        modelica_source=modelica_text(shelf, title, entry, terms, fitted.score),
+        modelica_source=modelica_text(library, title, entry, terms, fitted.score),
         unit=entry.unit,
         terms=terms,
         score=fitted.score,
@@ -200,7 +200,8 @@ class TermSamples:
     Attributes:
         value: the term over its deviation; ``weight`` one over the deviation.
         variables: (n,) each [SI].
-        group: (n,) number of the run (or part of it) that a sample belongs to; ``asked`` of those to learn from.
+        group: (n,) number of the run (or part of it) that a sample belongs to.
+        learning_groups: numbers of the groups to learn from.
         imitated: (n, Q) what the free parameters do, times the weight.
     """
 
@@ -208,7 +209,7 @@ class TermSamples:
     weight: Array
     variables: dict[str, Array]
     group: NDArray[np.intp]
-    asked: tuple[int, ...]
+    learning_groups: tuple[int, ...]
     imitated: Array
     free: tuple[str, ...]
 
@@ -236,7 +237,7 @@ def _samples(entry: BalanceEntry) -> TermSamples:
         weight=weight,
         variables={n: np.concatenate([c.against[n] for c in courses]) for n in courses[0].against},
         group=np.concatenate(group),
-        asked=tuple(i for i, r in enumerate(roles) if r == "fit") or tuple(range(count)),
+        learning_groups=tuple(i for i, r in enumerate(roles) if r == "fit") or tuple(range(count)),
         imitated=imitated[:, used] * weight[:, None],
         free=tuple(n for n, u in zip(free, used.tolist(), strict=True) if u),
     )
@@ -257,12 +258,12 @@ class Fitted:
     fit_score: float
 
 
-def pick(samples: TermSamples, shelf: Sequence[Form], most: int = CRITERIA.learning.most_forms) -> list[Form]:
+def pick(samples: TermSamples, library: Sequence[Form], most: int = CRITERIA.learning.most_forms) -> list[Form]:
     """At most so many forms, in order of selection."""
     picked: list[Form] = []
     left = first = _left_out(samples, [])
     while len(picked) < most and left > CRITERIA.learning.described:
-        best, error = _next(samples, picked, shelf)
+        best, error = _next(samples, picked, library)
         if not _worth(left, error, first):
             break
         picked += best
@@ -270,14 +271,14 @@ def pick(samples: TermSamples, shelf: Sequence[Form], most: int = CRITERIA.learn
     return [f for i, f in enumerate(picked) if _needed(samples, picked, i, left)]
 
 
-def pick_together(samples: TermSamples, shelf: Sequence[Form], most: int) -> list[Form]:
+def pick_together(samples: TermSamples, library: Sequence[Form], most: int) -> list[Form]:
     """As ``pick``, for forms that mean little alone: where no further one helps, two are added at once."""
     picked: list[Form] = []
     left = first = _left_out(samples, [])
-    columns = {f.text: samples.column(f) for f in shelf}
+    columns = {f.text: samples.column(f) for f in library}
     while len(picked) < most and left > CRITERIA.learning.described:
         own = [columns[f.text] for f in picked]
-        others = [f for f in shelf if f not in picked]
+        others = [f for f in library if f not in picked]
         steps: list[tuple[Form, ...]] = [(f,) for f in others]
         for further in (steps, list(combinations(others, 2))):
             errors = [_left_out(samples, [*own, *(columns[f.text] for f in one)]) for one in further]
@@ -295,11 +296,11 @@ def _worth(left: float, error: float, first: float) -> bool:
     return error < (1 - CRITERIA.learning.worth) * left and left - error > CRITERIA.learning.least * first
 
 
-def _next(samples: TermSamples, picked: Sequence[Form], shelf: Sequence[Form]) -> tuple[list[Form], float]:
+def _next(samples: TermSamples, picked: Sequence[Form], library: Sequence[Form]) -> tuple[list[Form], float]:
     """The form that helps most beside others, with its best shape, and what is left with it."""
     own = [samples.column(f) for f in picked]
-    errors = [_left_out(samples, [*own, samples.column(f)]) if f not in picked else np.inf for f in shelf]
-    refined = _refined(samples, picked, shelf[int(np.argmin(errors))])
+    errors = [_left_out(samples, [*own, samples.column(f)]) if f not in picked else np.inf for f in library]
+    refined = _refined(samples, picked, library[int(np.argmin(errors))])
     return [refined], _left_out(samples, [*own, samples.column(refined)])
 
 
@@ -331,7 +332,7 @@ def _left_out(samples: TermSamples, columns: Sequence[Array]) -> float:
     rows = np.column_stack([samples.imitated, *columns])
     total, count = 0.0, 0
     moments = {}
-    for g in samples.asked:
+    for g in samples.learning_groups:
         at = samples.group == g
         moments[g] = (
             rows[at].T @ rows[at],
@@ -341,7 +342,7 @@ def _left_out(samples: TermSamples, columns: Sequence[Array]) -> float:
         count += int(at.sum())
     everything = sum(m[0] for m in moments.values())
     target = sum(m[1] for m in moments.values())
-    for g in samples.asked:
+    for g in samples.learning_groups:
         own, right, square = moments[g]
         solution = _solved(everything - own, target - right)
         total += square - 2 * float(right @ solution) + float(solution @ own @ solution)
@@ -361,15 +362,15 @@ def coefficients_of(samples: TermSamples, picked: Sequence[Form]) -> Fitted:
     columns = [samples.column(f) for f in picked]
     rows = np.column_stack([np.zeros((len(samples.value), 0)), samples.imitated, *columns])
     q = samples.imitated.shape[1]
-    asked = np.isin(samples.group, samples.asked)
+    asked = np.isin(samples.group, samples.learning_groups)
 
     def solve(kept: NDArray[np.bool_]) -> Array:
         return _solved(rows[kept].T @ rows[kept], rows[kept].T @ samples.value[kept])
 
     solution = solve(asked)
     # left-out groups show how far the coefficients can be trusted (jackknife: Efron and Tibshirani 1993)
-    each = np.array([solve(asked & (samples.group != g)) for g in samples.asked])
-    n = len(samples.asked)
+    each = np.array([solve(asked & (samples.group != g)) for g in samples.learning_groups])
+    n = len(samples.learning_groups)
     deviation = np.sqrt((n - 1) / n * ((each - each.mean(axis=0)) ** 2).sum(axis=0))
     nuisance = samples.value - samples.imitated @ solution[:q]
 

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
-from pam_cosim.catalogue import EffectClass, compose, effect_classes, origins, unknown_terms
+from pam_cosim.catalogue import Composition, EffectClass, compose, effect_classes, origins, unknown_terms
 from pam_cosim.comparison import simulate_run
 from pam_cosim.compiler import ClassTree, compile_model, read_library
 from pam_cosim.criteria import CRITERIA
@@ -29,7 +29,7 @@ from pam_cosim.diagnosis.search import Search
 from pam_cosim.diagnosis.trial import every_parameter
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.files import write_text
-from pam_cosim.fitting import Fit, linearised
+from pam_cosim.fitting import Fit, Linear, linearised
 from pam_cosim.fitting.linear import rows_of_series
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_source
@@ -92,13 +92,13 @@ def _in_balance(search: Search, effects: Sequence[str], present: Fit, term: Effe
         return None
     variables, units, own = watched
     known = quantities(variables, units)
-    shelf = ramps(known, variables)
+    library = ramps(known, variables)
     entry = BalanceEntry(term.balance, 0.0, 0.0, 0.0, own.unit, own.description, base=base, units=units)
-    samples = _felt(search, effects, values, entry, shelf)
+    samples = _felt(search, effects, values, entry, library)
     # what a term of the size that it is declared for does not move by a standard deviation, it cannot be learned from
     largest = min(abs(own.min or np.inf), abs(own.max or np.inf))
-    shelf = [f for f in shelf if largest * float(np.max(np.abs(samples.column(f)))) > 1]
-    picked = pick_together(samples, shelf, CRITERIA.learning.most_ramps) if shelf else []
+    library = [f for f in library if largest * float(np.max(np.abs(samples.column(f)))) > 1]
+    picked = pick_together(samples, library, CRITERIA.learning.most_ramps) if library else []
     if not picked:
         return None
     fitted = coefficients_of(samples, picked)
@@ -143,19 +143,30 @@ def _watched(
     names = {n[len(prefix) :]: n for n in inside if n != prefix + TERM}
     if not names:
         return None
-    lines = [f"  output Real watched_{i} = {full};" for i, full in enumerate(names.values(), 1)]
+    variables = _simulated(search, composition, names, values)
+    units = {short: interface.locals[full].unit for short, full in names.items()}
+    moving = {short: v for short, v in variables.items() if _is_moving(v)}
+    return moving, units, interface.parameters[parameter]
+
+
+def _is_moving(values: Array) -> bool:
+    return bool(np.all(np.isfinite(values)) and np.ptp(values) > CRITERIA.learning.still)
+
+
+def _simulated(
+    search: Search, composition: Composition, names: Mapping[str, str], values: Mapping[str, float]
+) -> dict[str, Array]:
+    """Variables of a model over all fitted samples, by the names that these have in ``names``."""
+    outputs = {short: f"watched_{i}" for i, short in enumerate(names, 1)}
+    lines = [f"  output Real {outputs[short]} = {full};" for short, full in names.items()]
     text = "\n".join([f"model {_WATCHED}", f"  extends {composition.name};", *lines, f"end {_WATCHED};"])
-    seen: dict[str, list[Array]] = {short: [] for short in names}
+    parts: dict[str, list[Array]] = {short: [] for short in names}
     with Simulator(build_source(_WATCHED, f"{composition.text}\n{text}\n", search.files)) as simulator:
         for run in search.data.fit_runs:
-            made = simulate_run(simulator, search.data, run, values)
-            for i, short in enumerate(names, 1):
-                seen[short].append(made.model[f"watched_{i}"])
-    variables = {short: np.concatenate(parts) for short, parts in seen.items()}
-    units = {short: interface.locals[full].unit for short, full in names.items()}
-    still = CRITERIA.learning.still
-    moving = {n: v for n, v in variables.items() if np.all(np.isfinite(v)) and np.ptp(v) > still}
-    return moving, units, interface.parameters[parameter]
+            simulated = simulate_run(simulator, search.data, run, values).model
+            for short, output in outputs.items():
+                parts[short].append(simulated[output])
+    return {short: np.concatenate(arrays) for short, arrays in parts.items()}
 
 
 # ---- what the samples feel of it ------------------------------------------------------------------------------------
@@ -172,10 +183,35 @@ class _Felt(TermSamples):
 
 
 def _felt(
-    search: Search, effects: Sequence[str], values: Mapping[str, float], entry: BalanceEntry, shelf: Sequence[Form]
+    search: Search, effects: Sequence[str], values: Mapping[str, float], entry: BalanceEntry, library: Sequence[Form]
 ) -> _Felt:
     """The fitted runs linearised by the free parameters and by a coefficient of every form."""
-    terms = [Learned(0.0, 0.0, form, reach=1.0) for form in shelf]
+    linear, objective, series, mine = _linearised_with_terms(search, effects, values, entry, library)
+    by_name = dict(zip(linear.names, linear.slopes.T, strict=True))
+    at_bound = CRITERIA.fit.at_bound * (linear.high - linear.low)
+    inside = (linear.values > linear.low + at_bound) & (linear.values < linear.high - at_bound)
+    free = [name for name, is_free in zip(linear.names, inside, strict=True) if is_free and name not in mine]
+    others = [name for name in free if np.any(by_name[name])]
+    rows = len(linear.residual)
+    nuisance = np.column_stack([np.zeros((rows, 0)), *(by_name[name] for name in others)])
+    group = _groups(search, objective, series)
+    return _Felt(
+        value=linear.residual,
+        weight=np.ones(rows),
+        variables={},
+        group=group,
+        learning_groups=tuple(range(int(group.max()) + 1)),
+        imitated=nuisance,
+        free=tuple(others),
+        felt={form.text: by_name[name] for form, name in zip(library, mine, strict=True)},
+    )
+
+
+def _linearised_with_terms(
+    search: Search, effects: Sequence[str], values: Mapping[str, float], entry: BalanceEntry, library: Sequence[Form]
+) -> tuple[Linear, Objective, NDArray[np.int_], Sequence[str]]:
+    """The model with a term of every form about the values; its objective, the series of each row, the coefficients."""
+    terms = [Learned(0.0, 0.0, form, reach=1.0) for form in library]
     with tempfile.TemporaryDirectory(prefix="pam-cosim-") as folder:
         file = Path(folder, f"{_SCRATCH}.mo")
         write_text(file, modelica_text(search.tree, _SCRATCH, entry, terms, 0.0))
@@ -184,7 +220,7 @@ def _felt(
         composition = compose(tree, search.model, [*effects, _SCRATCH], files=sources)
         if composition is None or not any(e.name == _SCRATCH for e in effect_classes(tree)):
             raise InputError(f"the model has no place for a term of {entry.balance}")
-        own = [n for names in composition.parameters.values() for n in names]
+        own = [name for names in composition.parameters.values() for name in names]
         free = tuple(dict.fromkeys([*search.data.differentiated, *own]))
         fmu = build_source(composition.name, composition.text, sources, sensitivities=free, lean=True)
     with Simulator(fmu) as simulator:
@@ -196,23 +232,7 @@ def _felt(
         if linear is None:
             raise SimulationFailure(objective.first_failure)
         series = rows_of_series(objective, CRITERIA.search.rows)
-    mine = composition.parameters[_SCRATCH]
-    by_name = dict(zip(linear.names, linear.slopes.T, strict=True))
-    near = CRITERIA.fit.at_bound * (linear.high - linear.low)
-    inside = (linear.values > linear.low + near) & (linear.values < linear.high - near)
-    others = [n for n, i in zip(linear.names, inside, strict=True) if i and n not in mine and np.any(by_name[n])]
-    nuisance = np.column_stack([np.zeros((len(linear.residual), 0)), *(by_name[n] for n in others)])
-    group = _groups(search, objective, series)
-    return _Felt(
-        value=linear.residual,
-        weight=np.ones(len(linear.residual)),
-        variables={},
-        group=group,
-        asked=tuple(range(int(group.max()) + 1)),
-        imitated=nuisance,
-        free=tuple(others),
-        felt={form.text: by_name[n] for form, n in zip(shelf, mine, strict=True)},
-    )
+    return linear, objective, series, composition.parameters[_SCRATCH]
 
 
 def _groups(search: Search, objective: Objective, series: NDArray[np.int_]) -> NDArray[np.intp]:

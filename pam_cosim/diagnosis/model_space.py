@@ -31,11 +31,13 @@ class ModelSpace:
         return 2 * math.log(sets)
 
 
-def meant(shelf: Sequence[EffectClass], names: Sequence[str], error: Callable[[str], InputError]) -> frozenset[str]:
+def effects_named(
+    available_effects: Sequence[EffectClass], names: Sequence[str], error: Callable[[str], InputError]
+) -> frozenset[str]:
     """Names of the effects that are meant by names of families or effects.
 
     Args:
-        shelf: all effects.
+        available_effects: all effects.
         names: as somebody wrote them.
         error: makes the error from its message.
 
@@ -44,9 +46,11 @@ def meant(shelf: Sequence[EffectClass], names: Sequence[str], error: Callable[[s
     """
     chosen: set[str] = set()
     for name in names:
-        own = {e.name for e in shelf if name in (e.name, e.family)}
+        own = {e.name for e in available_effects if name in (e.name, e.family)}
         if not own and name != WRONG_PARAMETER:  # a data set need not state one
-            known = dict.fromkeys([*(e.family for e in shelf), WRONG_PARAMETER, *(e.name for e in shelf)])
+            known = dict.fromkeys(
+                [*(e.family for e in available_effects), WRONG_PARAMETER, *(e.name for e in available_effects)]
+            )
             raise error(f"there is no family and no effect {shown(name)}; {did_you_mean(name, known)}")
         chosen |= own
     return frozenset(chosen)

@@ -54,7 +54,7 @@ class NextExperiment:
         return asdict(self) | {"between": list(self.between)}
 
 
-Plan = tuple[Candidate, NextExperiment | None]
+RivalPlan = tuple[Candidate, NextExperiment | None]
 
 
 def next_experiment(data: DataSet, a: Candidate, b: Candidate, files: Sequence[Path] = ()) -> NextExperiment | None:
@@ -67,7 +67,7 @@ def next_experiment(data: DataSet, a: Candidate, b: Candidate, files: Sequence[P
     """
     with Hypothesis(a, data, files) as first, Hypothesis(b, data, files) as second:
         scored = [(_separation(first, second, run), run, change) for run, change in variations(data)]
-        scored += [(_separation(first, second, run), run, change) for run, change in _joined(scored)]
+        scored += [(_separation(first, second, run), run, change) for run, change in _combined_changes(scored)]
         usable = [(evidence, run, change) for evidence, run, change in scored if evidence is not None]
         if not usable:
             return None
@@ -95,17 +95,19 @@ def _separation(a: Hypothesis, b: Hypothesis, run: Run) -> float | None:
         return None
 
 
-def told_apart(data: DataSet, best: Candidate, rivals: Sequence[Candidate], files: Sequence[Path] = ()) -> list[Plan]:
+def rivals_with_deciding_runs(
+    data: DataSet, best: Candidate, rivals: Sequence[Candidate], files: Sequence[Path] = ()
+) -> list[RivalPlan]:
     """The rivals that mean something else than ``best``, each with the experiment that would decide.
 
     A rival with more parameters that could predict the same in every experiment at hand is ``best`` in another dress,
     such as creep so slow that it is a spring: the simpler one stands for both.
     """
     plans = [(rival, next_experiment(data, best, rival, files)) for rival in rivals]
-    return [(c, plan) for c, plan in plans if not (plan and _same(best, c, plan))]
+    return [(c, plan) for c, plan in plans if not (plan and _is_same_in_practice(best, c, plan))]
 
 
-def _same(best: Candidate, rival: Candidate, plan: NextExperiment) -> bool:
+def _is_same_in_practice(best: Candidate, rival: Candidate, plan: NextExperiment) -> bool:
     return len(rival.own_parameters) > len(best.own_parameters) and not plan.decides
 
 
@@ -140,7 +142,7 @@ def variations(
                 yield replace(run, time=time), f"{'slower' if pace > 1 else 'faster'}, all times times {pace:g}"
 
 
-def _joined(scored: Sequence[tuple[float | None, Run, str]]) -> Iterator[tuple[Run, str]]:
+def _combined_changes(scored: Sequence[tuple[float | None, Run, str]]) -> Iterator[tuple[Run, str]]:
     """The two best changes of the best run in one."""
     order = sorted((entry for entry in scored if entry[0] is not None), key=lambda entry: -(entry[0] or 0.0))
     best = [entry for entry in order if order and entry[1].name == order[0][1].name]
@@ -149,10 +151,10 @@ def _joined(scored: Sequence[tuple[float | None, Run, str]]) -> Iterator[tuple[R
     for i, (_, one, change) in enumerate(best):
         for _, two, other in best[:i]:
             if original is not None and change.split(" times ")[0] != other.split(" times ")[0]:
-                yield _both(original, one, two), f"{other} and {change}"
+                yield _combined_run(original, one, two), f"{other} and {change}"
 
 
-def _both(original: Run, one: Run, two: Run) -> Run:
+def _combined_run(original: Run, one: Run, two: Run) -> Run:
     """Each part from the run in which it was changed."""
     parameters = {n: two.parameters[n] if v == original.parameters[n] else v for n, v in one.parameters.items()}
     inputs = {n: two.inputs[n] if np.array_equal(v, original.inputs[n]) else v for n, v in one.inputs.items()}

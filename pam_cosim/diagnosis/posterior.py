@@ -14,7 +14,13 @@ from math import exp, isnan, nan
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.evidence import evidence, has_structure_for_search, missed, refuted, scale
+from pam_cosim.diagnosis.evidence import (
+    has_structure_for_search,
+    information_criterion,
+    missed_signals,
+    noise_scale,
+    refuted_by_unfitted_signals,
+)
 from pam_cosim.diagnosis.model_space import ModelSpace
 from pam_cosim.fitting import Fit
 
@@ -86,7 +92,7 @@ def posterior(
     best: Candidate | None,
     tried: Sequence[Candidate],
     family: Mapping[str, str],
-    choice: ModelSpace,
+    model_space: ModelSpace,
     doubts: Collection[str],
 ) -> Posterior:
     """The probabilities beside an answer.
@@ -99,13 +105,13 @@ def posterior(
         best: the model with all that was selected; None: nothing was.
         tried: all models.
         family: of every effect there is.
-        choice: what a choice among them costs.
+        model_space: what a choice among them costs.
         doubts: of the answer, some of ``DOUBTS``.
     """
     effects = best.effects if best else ()
     models = [c for c in tried if not c.brief and len(c.effects) <= max(len(effects), 1)]
-    models = [c for c in models if not refuted(c.fit, best.fit if best else base)]
-    each = evidence_of_families(base, [*models, *([best] if best else [])], tried, family, choice)
+    models = [c for c in models if not refuted_by_unfitted_signals(c.fit, best.fit if best else base)]
+    each = evidence_of_families(base, [*models, *([best] if best else [])], tried, family, model_space)
     own = frozenset(family[e] for e in effects)
     first = each[own]
     weights = {f: exp(min((first - e) / (2 * CRITERIA.evidence.temperature), 0.0)) for f, e in each.items()}
@@ -121,7 +127,7 @@ def evidence_of_families(
     models: Sequence[Candidate],
     tried: Sequence[Candidate],
     family: Mapping[str, str],
-    choice: ModelSpace,
+    model_space: ModelSpace,
 ) -> dict[frozenset[str], float]:
     """The evidence against the best model with each set of families, that without any among them.
 
@@ -129,13 +135,15 @@ def evidence_of_families(
         base: the model without effects.
         models: those that count.
         tried: all models, whose best sets the scale of the noise.
-        family, choice: as for ``posterior``.
+        family, model_space: as for ``posterior``.
     """
-    at = scale([base, *(c.fit for c in tried)])
-    each = {frozenset[str](): evidence(base, at, (), choice)}
+    scale = noise_scale([base, *(c.fit for c in tried)])
+    each = {frozenset[str](): information_criterion(base, scale, (), model_space)}
     for c in models:
         families = frozenset(family[e] for e in c.effects)
-        each[families] = min(evidence(c.fit, at, c.effects, choice, c), each.get(families, float("inf")))
+        each[families] = min(
+            information_criterion(c.fit, scale, c.effects, model_space, c), each.get(families, float("inf"))
+        )
     return each
 
 
@@ -172,4 +180,4 @@ def _checked(fit: Fit) -> bool:
     Held-out runs that only the uncertainty of the parameters excuses check little.
     """
     held = fit.residuals["holdout"]
-    return bool(held.samples) and not has_structure_for_search(held) and not missed(fit)
+    return bool(held.samples) and not has_structure_for_search(held) and not missed_signals(fit)

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.evidence import Scale, evidence
+from pam_cosim.diagnosis.evidence import NoiseScale, information_criterion
 from pam_cosim.diagnosis.expectation import (
     Additions,
     EffectDirections,
@@ -19,16 +19,16 @@ from pam_cosim.diagnosis.expectation import (
 )
 from pam_cosim.diagnosis.probing import EffectProbe
 from pam_cosim.diagnosis.ranking import AcceptanceThreshold, Ranking
-from pam_cosim.diagnosis.search import Wanted
+from pam_cosim.diagnosis.search import FitRequest
 from pam_cosim.fitting import Fit, Linear
 
 
-class Promise(NamedTuple):
+class Proposal(NamedTuple):
     """A model that nobody fitted: from which one it starts, None: the base model, and what is expected of it."""
 
     fit: Fit
     start: Candidate | None
-    expected: PredictedModel
+    prediction: PredictedModel
 
 
 class PredictedEvidence:
@@ -40,126 +40,140 @@ class PredictedEvidence:
 
     def __init__(self, order: Ranking) -> None:
         self.ranking = order
-        self._beside_base: list[EffectProbe] = []
-        self._again: dict[tuple[str, ...], dict[str, EffectDirections]] = {}
-        self._added: tuple[tuple[int, ...], Additions] = ((), Additions([]))
+        self._base_probes: list[EffectProbe] = []
+        self._probes_beside: dict[tuple[str, ...], dict[str, EffectDirections]] = {}
+        self._base_additions: tuple[tuple[int, ...], Additions] = ((), Additions([]))
         self._merged: dict[tuple[str, ...], tuple[Additions, int, Additions]] = {}
-        self._came_true: defaultdict[int, list[float]] = defaultdict(list)
+        self._success_shares: defaultdict[int, list[float]] = defaultdict(list)
 
     # ---- what was looked at -----------------------------------------------------------------------------------
 
-    def looked_at(self, probes: Sequence[EffectProbe]) -> None:
+    def note_probes(self, probes: Sequence[EffectProbe]) -> None:
         """Takes note of what effects do beside the base model, of all that were looked at there."""
-        self._beside_base = [p for p in probes if p.effect not in self.ranking.search.unseen]
+        self._base_probes = [p for p in probes if p.effect not in self.ranking.search.undetectable]
 
-    def looked_again(self, c: Candidate, probes: Sequence[EffectProbe]) -> None:
+    def note_probes_beside(self, c: Candidate, probes: Sequence[EffectProbe]) -> None:
         """Takes note of what effects do beside another model, besides those that were looked at there before."""
         assert c.fit.linear is not None
-        own = self._again.setdefault(c.effects, {})
+        own = self._probes_beside.setdefault(c.effects, {})
         own |= {a.effect: a for p in probes if (a := addition(c.fit.linear, p)) is not None}
 
-    def seen_beside(self, effects: tuple[str, ...]) -> Mapping[str, EffectDirections]:
+    def probed_beside(self, effects: tuple[str, ...]) -> Mapping[str, EffectDirections]:
         """The effects that were looked at beside a model."""
-        return self._again.get(effects, {})
+        return self._probes_beside.get(effects, {})
 
-    def learn(self, tried: Sequence[PredictedModel]) -> None:
+    def note_outcomes(self, tried: Sequence[PredictedModel]) -> None:
         """Notes how much of the expected reductions came true."""
-        known = self.ranking.known
+        known = self.ranking.fitted
         for e in (e for e in tried if not e.exchanged):
             start = known[e.start].fit if e.start else self.ranking.base
             after = known[e.effects].fit if e.effects in known else start
             gained = start.residuals["fit"].chi2 - after.residuals["fit"].chi2
-            self._came_true[len(e.effects)].append(max(gained, 0.0) / max(e.reduction, 1e-300))
+            self._success_shares[len(e.effects)].append(max(gained, 0.0) / max(e.reduction, 1e-300))
 
-    def _trust(self, count: int) -> float:
+    def _success_share(self, count: int) -> float:
         """What part of an expected reduction may come true: the most that it did of late for as many effects."""
-        late = self._came_true[count][-CRITERIA.search.together :]
+        late = self._success_shares[count][-CRITERIA.search.together :]
         return max(late) if len(late) == CRITERIA.search.together else 1.0
 
     # ---- what may be better -----------------------------------------------------------------------------------
 
-    def first(self, count: int) -> list[PredictedModel]:
+    def most_promising(self, count: int) -> list[PredictedModel]:
         """So many of the effects that promise most by themselves."""
-        return self._best_to_add(self.ranking.base, None)[:count]
+        return self._single_additions(self.ranking.base, None)[:count]
 
-    def leading(self, c: Candidate, count: int) -> list[str]:
+    def leading_families(self, c: Candidate, count: int) -> list[str]:
         """So many families of which a member promises most beside a model."""
-        families = (self.ranking.search.family[e.added[0].effect] for e in self._best_to_add(c.fit, c))
+        families = (self.ranking.search.family[e.added[0].effect] for e in self._single_additions(c.fit, c))
         return list(dict.fromkeys(families))[:count]
 
-    def _best_to_add(self, fit: Fit, c: Candidate | None) -> list[PredictedModel]:
+    def _single_additions(self, fit: Fit, c: Candidate | None) -> list[PredictedModel]:
         """One further effect beside a fitted model, what promises most first."""
         assert fit.linear is not None
-        noise, at = self.ranking.noise(), self.ranking.scale
-        every = self._beside(c.effects if c else (), fit.linear).with_one()
-        return sorted(every, key=lambda e: (self.predicted_evidence(Promise(fit, c, e), noise, at), e.effects))
-
-    def brief(self) -> list[Candidate]:
-        """Models that were fitted briefly and may be better than the best, or as good; the most promising ones."""
-        possibly, noise = self.ranking.optimistic_scale(), self.ranking.noise()
-        brief = [c for c in self.ranking.known.values() if c.brief]
-        bars = {n: self.ranking.bars(n, possibly) for n in {len(c.effects) for c in brief}}
-        promising = [
-            (self._hope(c, self.ranking.scale, noise), c.effects)
-            for c in brief
-            if self._may_be(c, bars[len(c.effects)], self._hope(c, possibly, noise))
-        ]
-        return [self.ranking.known[names] for _, names in sorted(promising)[: CRITERIA.search.together]]
-
-    def _may_be(self, c: Candidate, bars: Sequence[AcceptanceThreshold], hope: float) -> bool:
-        """Whether one that was fitted briefly may be of interest, with the evidence that it is hoped to have."""
-        of_laws, cost = self.ranking.of_laws(c.effects), self.ranking.cost(c.effects)
-        return any(
-            hope < bar.evidence and (of_laws or not bar.laws) and (bar.cost is None or cost < bar.cost) for bar in bars
+        noise_floor, scale = self.ranking.noise_floor(), self.ranking.scale
+        every = self._neighbourhood(c.effects if c else (), fit.linear).with_one()
+        return sorted(
+            every, key=lambda e: (self.predicted_criterion(Proposal(fit, c, e), noise_floor, scale), e.effects)
         )
 
-    def candidates(self, count: int) -> list[Promise]:
+    def promising_brief_fits(self) -> list[Candidate]:
+        """Models that were fitted briefly and may be better than the best, or as good; the most promising ones."""
+        possibly, noise_floor = self.ranking.optimistic_scale(), self.ranking.noise_floor()
+        brief = [c for c in self.ranking.fitted.values() if c.brief]
+        thresholds = {n: self.ranking.acceptance_thresholds(n, possibly) for n in {len(c.effects) for c in brief}}
+        promising = [
+            (self._optimistic_criterion(c, self.ranking.scale, noise_floor), c.effects)
+            for c in brief
+            if self._may_be_accepted(
+                c, thresholds[len(c.effects)], self._optimistic_criterion(c, possibly, noise_floor)
+            )
+        ]
+        return [self.ranking.fitted[names] for _, names in sorted(promising)[: CRITERIA.search.together]]
+
+    def _may_be_accepted(self, c: Candidate, thresholds: Sequence[AcceptanceThreshold], hope: float) -> bool:
+        """Whether one that was fitted briefly may be of interest, with the evidence that it is hoped to have."""
+        is_specific, cost = self.ranking.is_specific(c.effects), self.ranking.cost(c.effects)
+        return any(
+            hope < threshold.criterion
+            and (is_specific or not threshold.specific)
+            and (threshold.cost is None or cost < threshold.cost)
+            for threshold in thresholds
+        )
+
+    def proposals(self, count: int) -> list[Proposal]:
         """Untried models of so many effects that may be of interest, the best of each set of families, for each bar."""
-        possibly, noise, tried = self.ranking.optimistic_scale(), self.ranking.noise(), self.ranking.seen
-        every = [p for p in _nearest(self._expected(count)) if frozenset(p.expected.effects) not in tried]
-        chosen: dict[tuple[str, ...], Promise] = {}
-        for bar in self.ranking.bars(count, possibly):
-            own = [p for p in every if self._passes(p, bar, possibly, noise)]
-            chosen |= {p.expected.effects: p for p in self._best_of_families(own)}
+        possibly, noise_floor, tried = (
+            self.ranking.optimistic_scale(),
+            self.ranking.noise_floor(),
+            self.ranking.attempted,
+        )
+        every = [p for p in _from_nearest_start(self._expected(count)) if frozenset(p.prediction.effects) not in tried]
+        chosen: dict[tuple[str, ...], Proposal] = {}
+        for threshold in self.ranking.acceptance_thresholds(count, possibly):
+            own = [p for p in every if self._may_pass(p, threshold, possibly, noise_floor)]
+            chosen |= {p.prediction.effects: p for p in self._best_of_families(own)}
         return list(chosen.values())
 
-    def _best_of_families(self, promises: Sequence[Promise]) -> list[Promise]:
+    def _best_of_families(self, promises: Sequence[Proposal]) -> list[Proposal]:
         """The most promising ones, one of each set of families."""
-        noise, at = self.ranking.noise(), self.ranking.scale
+        noise_floor, scale = self.ranking.noise_floor(), self.ranking.scale
         possible = [
-            (self.predicted_evidence(p, noise, at, p.expected.reduction, 0.0), n) for n, p in enumerate(promises)
+            (self.predicted_criterion(p, noise_floor, scale, p.prediction.reduction, 0.0), n)
+            for n, p in enumerate(promises)
         ]
-        by_families: dict[frozenset[str], tuple[float, Promise]] = {}
-        for hope, n in sorted(possible, key=lambda entry: (entry[0], promises[entry[1]].expected.effects, entry[1])):
+        by_families: dict[frozenset[str], tuple[float, Proposal]] = {}
+        for hope, n in sorted(possible, key=lambda entry: (entry[0], promises[entry[1]].prediction.effects, entry[1])):
             first = sorted(h for h, _ in by_families.values())[: CRITERIA.search.together]
             if len(first) == CRITERIA.search.together and hope > first[-1]:
                 break  # no further one can be as good as these
             p = promises[n]
-            own = self.predicted_evidence(p, noise, at)
-            families = frozenset(self.ranking.search.family[name] for name in p.expected.effects)
+            own = self.predicted_criterion(p, noise_floor, scale)
+            families = frozenset(self.ranking.search.family[name] for name in p.prediction.effects)
             if families not in by_families or own < by_families[families][0]:
                 by_families[families] = (own, p)
-        ordered = sorted(by_families.values(), key=lambda entry: (entry[0], entry[1].expected.effects))
+        ordered = sorted(by_families.values(), key=lambda entry: (entry[0], entry[1].prediction.effects))
         return [p for _, p in ordered[: CRITERIA.search.together]]
 
-    def _passes(self, p: Promise, bar: AcceptanceThreshold, at: Scale, noise: float) -> bool:
+    def _may_pass(self, p: Proposal, threshold: AcceptanceThreshold, scale: NoiseScale, noise_floor: float) -> bool:
         """Whether a model may come to what is asked of it."""
-        e, trust = p.expected, self._trust(len(p.expected.effects))
-        if bar.laws and not self.ranking.of_laws(e.effects):
+        e, trust = p.prediction, self._success_share(len(p.prediction.effects))
+        if threshold.specific and not self.ranking.is_specific(e.effects):
             return False
-        if bar.cost is not None and self.ranking.cost(e.effects) >= bar.cost:
+        if threshold.cost is not None and self.ranking.cost(e.effects) >= threshold.cost:
             return False
-        if bar.beside is not None and not self._expects_large_reduction(bar.beside, p, trust, noise):
+        if threshold.reference is not None and not self._expects_large_reduction(
+            threshold.reference, p, trust, noise_floor
+        ):
             return False
-        return self.predicted_evidence(p, noise, at, e.reduction, 1 - trust) <= bar.evidence
+        return self.predicted_criterion(p, noise_floor, scale, e.reduction, 1 - trust) <= threshold.criterion
 
-    def _expected(self, count: int) -> Iterator[Promise]:
+    def _expected(self, count: int) -> Iterator[Proposal]:
         """Models of so many effects from those that were fitted."""
         first = CRITERIA.search.starts
         unsolved = self.ranking.unsolved()
         known = self.ranking.models(count)[:first]
         if unsolved:
-            known = list({c.effects: c for c in (*known, *self.ranking.models(count, laws=True)[:first])}.values())
+            known = list({c.effects: c for c in (*known, *self.ranking.models(count, specific=True)[:first])}.values())
         starts: list[Candidate | None] = [None, *known]
         best = self.ranking.best()
         further = unsolved or (best is not None and count > len(best.effects))
@@ -167,7 +181,7 @@ class PredictedEvidence:
             fit, effects = (c.fit, c.effects) if c else (self.ranking.base, ())
             if fit.linear is None or len(effects) + 2 < count:
                 continue
-            beside = self._beside(effects, fit.linear)
+            beside = self._neighbourhood(effects, fit.linear)
             more = count - len(effects)
             if more == 0 and unsolved:
                 every = beside.with_another_form()
@@ -177,24 +191,27 @@ class PredictedEvidence:
                 every = beside.with_two(first)
             else:
                 continue
-            yield from (Promise(fit, c, e) for e in every)
+            yield from (Proposal(fit, c, e) for e in every)
 
-    def _expects_large_reduction(self, best: Candidate, p: Promise, trust: float, noise: float) -> bool:
+    def _expects_large_reduction(self, best: Candidate, p: Proposal, trust: float, noise_floor: float) -> bool:
         """Whether a model is expected to leave much less than a best one does, which leaves structure."""
         now, own = best.fit.residuals["fit"], p.fit.residuals["fit"]
-        excess = now.chi2 - noise * now.samples
-        if len(p.expected.effects) > len(best.effects) and excess < CRITERIA.search.at_noise * noise * now.samples:
+        excess = now.chi2 - noise_floor * now.samples
+        if (
+            len(p.prediction.effects) > len(best.effects)
+            and excess < CRITERIA.search.at_noise * noise_floor * now.samples
+        ):
             return False  # the fitted runs have nothing left to tell a further effect by
-        left = own.chi2 - trust * p.expected.reduction - noise * own.samples
+        left = own.chi2 - trust * p.prediction.reduction - noise_floor * own.samples
         return left < CRITERIA.search.step * excess
 
     # ---- the numbers ------------------------------------------------------------------------------------------
 
-    def predicted_evidence(
+    def predicted_criterion(
         self,
-        p: Promise,
-        noise: float,
-        at: Scale,
+        p: Proposal,
+        noise_floor: float,
+        scale: NoiseScale,
         reduction: float | None = None,
         lost: float = CRITERIA.search.not_linear,
     ) -> float:
@@ -202,48 +219,52 @@ class PredictedEvidence:
 
         Args:
             p: the model.
-            noise: mean square of the noise.
-            at: the scale.
+            noise_floor: mean square of the noise.
+            scale: the scale.
             reduction: of the squared error; default: that within the bounds of all parameters.
             lost: share of the reduction that is lost on the way.
         """
         fit, start, e = p
         reduction = e.within_bounds[0] if reduction is None else reduction
-        known = evidence(fit, at, e.effects, self.ranking.search.choice, start)
-        return known + self._more(e) * at.penalty(fit) - _worth(reduction, fit, at, noise, lost)
+        known = information_criterion(fit, scale, e.effects, self.ranking.search.model_space, start)
+        return (
+            known
+            + self._additional_parameters(e) * scale.penalty(fit)
+            - _expected_gain(reduction, fit, scale, noise_floor, lost)
+        )
 
-    def _more(self, e: PredictedModel) -> int:
+    def _additional_parameters(self, e: PredictedModel) -> int:
         """How many parameters a model has more than the one that it starts from."""
         return sum(a.cost for a in e.added) - (self.ranking.search.cost[e.exchanged] if e.exchanged else 0)
 
-    def _hope(self, c: Candidate, at: Scale, noise: float) -> float:
+    def _optimistic_criterion(self, c: Candidate, scale: NoiseScale, noise_floor: float) -> float:
         """The evidence of a candidate that was fitted briefly, if all goes as its slopes say."""
         gain = reduction(c.fit.linear) if c.fit.linear is not None else 0.0
-        return self.ranking.evidence(c, at) - _worth(gain, c.fit, at, noise)
+        return self.ranking.information_criterion(c, scale) - _expected_gain(gain, c.fit, scale, noise_floor)
 
-    def wanted(self, e: PredictedModel) -> Wanted:
+    def fit_request(self, e: PredictedModel) -> FitRequest:
         """A model to fit: from the fitted one, and the added effects as they were by themselves, or as expected."""
         values: dict[str, float] = {}
         for a in e.added:
-            if (a.effect,) in self.ranking.known:
-                values |= self.ranking.known[(a.effect,)].fit.values
-        start = self.ranking.known[e.start].fit.values if e.start else self.ranking.base.values
-        return Wanted(e.effects, values | start, e.within_bounds[1])
+            if (a.effect,) in self.ranking.fitted:
+                values |= self.ranking.fitted[(a.effect,)].fit.values
+        start = self.ranking.fitted[e.start].fit.values if e.start else self.ranking.base.values
+        return FitRequest(e.effects, values | start, e.within_bounds[1])
 
     def _additions(self) -> Additions:
         """What the effects can add to the base model, as far as probes and fits tell by now."""
         base = self.ranking.base
         assert base.linear is not None
-        fitted = [self.ranking.known.get((p.effect,)) for p in self._beside_base]
+        fitted = [self.ranking.fitted.get((p.effect,)) for p in self._base_probes]
         key = (id(base), *(id(c.fit) if c else 0 for c in fitted))
-        if key != self._added[0]:
-            made = [addition(base.linear, p, c) for p, c in zip(self._beside_base, fitted, strict=True)]
-            self._added = (key, Additions([a for a in made if a is not None]))
-        return self._added[1]
+        if key != self._base_additions[0]:
+            made = [addition(base.linear, p, c) for p, c in zip(self._base_probes, fitted, strict=True)]
+            self._base_additions = (key, Additions([a for a in made if a is not None]))
+        return self._base_additions[1]
 
-    def _beside(self, effects: tuple[str, ...], linear: Linear) -> LinearisedNeighbourhood:
+    def _neighbourhood(self, effects: tuple[str, ...], linear: Linear) -> LinearisedNeighbourhood:
         """What can be added to a fitted model: as looked at beside it, or else as by itself."""
-        additions, own = self._additions(), self._again.get(effects)
+        additions, own = self._additions(), self._probes_beside.get(effects)
         if own:
             merged = self._merged.get(effects)
             if merged is None or merged[0] is not additions or merged[1] != len(own):
@@ -253,22 +274,24 @@ class PredictedEvidence:
         return LinearisedNeighbourhood(effects, linear, self.ranking.search.family, additions)
 
 
-def _worth(reduction: float, fit: Fit, at: Scale, noise: float, lost: float = CRITERIA.search.not_linear) -> float:
+def _expected_gain(
+    reduction: float, fit: Fit, scale: NoiseScale, noise_floor: float, lost: float = CRITERIA.search.not_linear
+) -> float:
     """What a reduction of the squared error counts: some of it is lost on the way, as models are not linear.
 
     The error of the other runs is expected to fall as that of the fitted ones does; neither falls below the noise.
     """
     fitted, held = fit.residuals["fit"], fit.residuals["holdout"]
     left = 1 - (1 - lost) * reduction / max(fitted.chi2, 1e-300)
-    gain = sum(max(s.chi2 - max(left * s.chi2, noise * s.samples), 0.0) for s in (fitted, held) if s.samples)
-    return gain / at.divisor
+    gain = sum(max(s.chi2 - max(left * s.chi2, noise_floor * s.samples), 0.0) for s in (fitted, held) if s.samples)
+    return gain / scale.divisor
 
 
-def _nearest(promises: Iterable[Promise]) -> list[Promise]:
+def _from_nearest_start(promises: Iterable[Proposal]) -> list[Proposal]:
     """What is expected of each set of effects by the models that lack least of it: they know most of it."""
     every = list(promises)
     lack: dict[frozenset[str], int] = {}
     for p in every:
-        names = frozenset(p.expected.effects)
-        lack[names] = min(len(p.expected.added), lack.get(names, len(p.expected.added)))
-    return [p for p in every if len(p.expected.added) == lack[frozenset(p.expected.effects)]]
+        names = frozenset(p.prediction.effects)
+        lack[names] = min(len(p.prediction.added), lack.get(names, len(p.prediction.added)))
+    return [p for p in every if len(p.prediction.added) == lack[frozenset(p.prediction.effects)]]

@@ -77,7 +77,7 @@ class Hypothesis:
         return Prediction(values, columns)
 
     @property
-    def held(self) -> Array:
+    def information_root(self) -> Array:
         """(k, k) triangular: the fit runs resist a change of the parameters by the square of its product."""
         if self._held is None:
             rows = [np.zeros((1, len(self.free))), *(self.predict(r).slopes for r in self.data.fit_runs)]
@@ -90,10 +90,10 @@ class Hypothesis:
         To first order in the parameters. A parameter without sensitivities stays where it is.
         """
         miss = truth.values - own.values
-        rows = np.vstack([own.slopes, self.held])
+        rows = np.vstack([own.slopes, self.information_root])
         size = np.linalg.norm(rows, axis=0)
         size[size == 0] = 1.0
-        target = np.concatenate([miss, np.zeros(len(self.held))])
+        target = np.concatenate([miss, np.zeros(len(self.information_root))])
         change = np.linalg.lstsq(rows / size, target, rcond=1e-10)[0]
         return float(np.sum((target - rows / size @ change) ** 2))
 

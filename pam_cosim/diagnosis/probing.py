@@ -25,8 +25,8 @@ class EffectProbe:
         own_parameters: names of the parameters that it brought.
         linear: the model with it about the fitted base model and the strength that does most good.
         further: (m,) each, the residual at the other strengths that were looked at.
-        idle: names of own parameters that change no sample, where this was looked at.
-        unread: it moves a reading that nobody took, and no sample.
+        inactive_parameters: names of own parameters that change no sample, where this was looked at.
+        only_unmeasured: it moves a reading that nobody took, and no sample.
     """
 
     effect: str
@@ -34,8 +34,8 @@ class EffectProbe:
     own_parameters: tuple[str, ...]
     linear: Linear
     further: tuple[Array, ...] = ()
-    idle: tuple[str, ...] = ()
-    unread: bool = False
+    inactive_parameters: tuple[str, ...] = ()
+    only_unmeasured: bool = False
 
     @property
     def silent(self) -> bool:
@@ -74,13 +74,13 @@ class Strengths:
     def _value(self, f: Free, strength: float) -> float:
         if not self.absent:
             return strength * f.start
-        away = self.absent.get(f.name)
-        if away is None or away == f.start:
+        null_value = self.absent.get(f.name)
+        if null_value is None or null_value == f.start:
             return f.start
-        if abs(away) > abs(f.start) and away * f.start > 0:
-            inverse = 1 / away + strength * (1 / f.start - 1 / away)
-            return 1 / inverse if inverse * away > 0 else away
-        return away + strength * (f.start - away)
+        if abs(null_value) > abs(f.start) and null_value * f.start > 0:
+            inverse = 1 / null_value + strength * (1 / f.start - 1 / null_value)
+            return 1 / inverse if inverse * null_value > 0 else null_value
+        return null_value + strength * (f.start - null_value)
 
     def within_bounds(self, strength: float) -> bool:
         """Whether the effect can be as strong as that: not all of its parameters are held by a bound before."""
@@ -93,7 +93,7 @@ class Strengths:
 
 
 @dataclass(frozen=True)
-class Stated:
+class StatedEffect:
     """An effect at its stated strength.
 
     Attributes:
@@ -114,7 +114,7 @@ class Stated:
         return np.column_stack([base.residual - residual for residual in (self.linear.residual, *self.weaker)])
 
 
-def shown_from(sizes: Sequence[float], needed: float) -> float:
+def detectable_strength(sizes: Sequence[float], needed: float) -> float:
     """The strength, in stated ones, from which an effect is as large as need be.
 
     What it does is taken for proportional to its strength, from the weakest look at which it is large enough; unless it
@@ -136,7 +136,7 @@ def shown_from(sizes: Sequence[float], needed: float) -> float:
 
 
 @dataclass(frozen=True)
-class _Look:
+class _StrengthTrial:
     """The model at one strength: (m,) residuals, ``moved`` what the effect does that no base parameter could.
 
     left: the sum of squares that the base parameters leave.
@@ -153,7 +153,7 @@ class _Look:
         return float(self.moved @ self.moved)
 
 
-def probed(effect: str, family: str, objective: Objective, base: Linear, strengths: Strengths) -> EffectProbe:
+def probe_effect(effect: str, family: str, objective: Objective, base: Linear, strengths: Strengths) -> EffectProbe:
     """Looks at some strengths of an effect and linearises the model at the one that does most good.
 
     Args:
@@ -170,9 +170,9 @@ def probed(effect: str, family: str, objective: Objective, base: Linear, strengt
     def place(strength: float) -> Array:
         return strengths.place(objective.free, strength)
 
-    looks = _looks(lambda strength: residual_rows(objective, place(strength), rows), base, strengths.signed)
+    looks = _strength_trials(lambda strength: residual_rows(objective, place(strength), rows), base, strengths.signed)
     linear = None
-    for look in sorted(looks, key=lambda look: (_idle(look, base), look.left)):
+    for look in sorted(looks, key=lambda look: (_is_negligible(look, base), look.left)):
         linear = linearised(objective, place(look.strength), rows)
         if linear is not None:
             break
@@ -182,16 +182,16 @@ def probed(effect: str, family: str, objective: Objective, base: Linear, strengt
     return EffectProbe(effect, family, tuple(f.name for f in strengths.own), linear, further)
 
 
-def _idle(look: _Look, base: Linear) -> bool:
+def _is_negligible(look: _StrengthTrial, base: Linear) -> bool:
     """Whether an effect does next to nothing, so that its slopes may say nothing either."""
     return look.size < CRITERIA.search.idle * float(base.residual @ base.residual)
 
 
-def _looks(residual: Callable[[float], Array | None], base: Linear, signed: bool) -> list[_Look]:
+def _strength_trials(residual: Callable[[float], Array | None], base: Linear, signed: bool) -> list[_StrengthTrial]:
     """Residuals at the stated strength, and where those so far say that it does most good."""
     own = np.linalg.qr(base.movable)[0]
     target = base.residual - own @ (own.T @ base.residual)
-    looks: list[_Look] = []
+    looks: list[_StrengthTrial] = []
 
     def look(strength: float) -> bool:
         rows = residual(strength)
@@ -200,13 +200,13 @@ def _looks(residual: Callable[[float], Array | None], base: Linear, signed: bool
         moved = base.residual - rows
         moved = moved - own @ (own.T @ moved)
         left = target - moved
-        looks.append(_Look(strength, rows, moved, float(left @ left)))
+        looks.append(_StrengthTrial(strength, rows, moved, float(left @ left)))
         return True
 
     strength = 1.0
     for _ in range(CRITERIA.search.looks):
         if look(strength):
-            following = _next(looks, target, signed)
+            following = _next_strength(looks, target, signed)
         else:  # the model breaks down
             following = None if looks else strength * CRITERIA.search.weaker
         if following is None:
@@ -215,7 +215,7 @@ def _looks(residual: Callable[[float], Array | None], base: Linear, signed: bool
     return looks
 
 
-def _next(looks: Sequence[_Look], target: Array, signed: bool) -> float | None:
+def _next_strength(looks: Sequence[_StrengthTrial], target: Array, signed: bool) -> float | None:
     """The strength to look at next; None: it is known where the effect does most good, as well as need be.
 
     What an effect does is taken for proportional to its strength, from the look that leaves least. Where that is the
@@ -231,12 +231,12 @@ def _next(looks: Sequence[_Look], target: Array, signed: bool) -> float | None:
     does_good = best.left < goal and best.size > CRITERIA.search.idle * goal
     if not does_good and (abs(strength) < weakest or best.left < goal or (strength < 0 and not signed)):
         positive = (look for look in looks if look.strength > 0)
-        return _weaker(sorted(positive, key=lambda look: look.strength), goal)
+        return _weaker_strength(sorted(positive, key=lambda look: look.strength), goal)
     known = any(abs(strength - s) < CRITERIA.search.same_strength * abs(s) for s in tried)
     return None if known or (strength < 0 and not signed) else strength
 
 
-def _weaker(looks: Sequence[_Look], goal: float) -> float | None:
+def _weaker_strength(looks: Sequence[_StrengthTrial], goal: float) -> float | None:
     """The next strength of an effect that does harm where it does anything; the looks by strength, all positive."""
     weakest = looks[0]
     if weakest.size > CRITERIA.search.little * goal:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.evidence import bic_penalty, scale
+from pam_cosim.diagnosis.evidence import bic_penalty, noise_scale
 from pam_cosim.fitting import Estimate, Fit, FitOptions, Free, fit
 from pam_cosim.measurement import DataSet
 from pam_cosim.simulation import Simulator
@@ -31,14 +31,14 @@ def pruned(
     level = max(1.0, full.residuals["fit"].noise_floor)
     if full.residuals["fit"].excess > CRITERIA.search.pruning_excess * level:
         return full
-    variance, time = scale([full])
+    variance, time = noise_scale([full])
     worth = variance * time * bic_penalty(full, time)  # chi-square that a parameter must take away
     few = CRITERIA.search.pruning_evaluations
-    options = FitOptions(evaluations=few, descents=1, precision=precision, leeway=True)
+    options = FitOptions(evaluations=few, descents=1, precision=precision, holdout_uncertainty=True)
     held: dict[str, Estimate] = {}
     needed: set[str] = set()
     best = full
-    while name := _idle(best, [n for n in own if n not in needed and n not in held]):
+    while name := _least_certain(best, [n for n in own if n not in needed and n not in held]):
         left = [replace(f, start=best.values[f.name]) for f in free if f.name != name and f.name not in held]
         zeros = dict.fromkeys([*held, name], 0.0)
         less = fit(simulator, data, left, fixed=zeros, options=options)
@@ -50,7 +50,7 @@ def pruned(
     return replace(best, parameters={f.name: (best.parameters | held)[f.name] for f in free})
 
 
-def _idle(fitted: Fit, names: Sequence[str]) -> str:
+def _least_certain(fitted: Fit, names: Sequence[str]) -> str:
     """The coefficient that is least distinct from zero, if its interval holds zero; else nothing."""
     some = [(n, e) for n in names if (e := fitted.parameters[n]).low <= 0 <= e.high and e.high > e.low]
     return min((abs(e.value) / (e.high - e.low), n) for n, e in some)[1] if some else ""

@@ -15,12 +15,12 @@ from dataclasses import dataclass
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.evidence import (
-    Scale,
+    NoiseScale,
     any_structure_for_search,
     dominant_effect,
-    evidence,
-    refuted,
-    scale,
+    information_criterion,
+    noise_scale,
+    refuted_by_unfitted_signals,
 )
 from pam_cosim.diagnosis.search import Search
 from pam_cosim.fitting import Fit
@@ -31,16 +31,16 @@ class AcceptanceThreshold:
     """What a further model must come to, to be of interest.
 
     Attributes:
-        evidence: at most.
-        beside: the model that it has to leave much less than; None: it need not.
-        laws: it is made of laws alone.
+        criterion: at most.
+        reference: the model that it has to leave much less than; None: it need not.
+        specific: it is made of laws alone.
         cost: of its effects, at most, where it is to replace a model that leaves noise with fewer effects; None: not
             asked.
     """
 
-    evidence: float
-    beside: Candidate | None = None
-    laws: bool = False
+    criterion: float
+    reference: Candidate | None = None
+    specific: bool = False
     cost: float | None = None
 
 
@@ -50,99 +50,101 @@ class Ranking:
     Args:
         search: what they are chosen from.
         base: the model without effects, fitted.
-        known: the others by their effects, in the order in which these were added; whoever fits more adds them.
+        fitted: the others by their effects, in the order in which these were added; whoever fits more adds them.
 
     Attributes:
-        over: the time for the search is over: models that were fitted in a few steps count as they are.
+        out_of_time: the time for the search is over: models that were fitted in a few steps count as they are.
     """
 
-    def __init__(self, search: Search, base: Fit, known: Mapping[tuple[str, ...], Candidate]) -> None:
-        self.search, self.base, self.known = search, base, known
-        self.scale = scale([base])
-        self.over = False
-        self._left: dict[tuple[str, ...], tuple[Fit, bool]] = {}
+    def __init__(self, search: Search, base: Fit, fitted: Mapping[tuple[str, ...], Candidate]) -> None:
+        self.search, self.base, self.fitted = search, base, fitted
+        self.scale = noise_scale([base])
+        self.out_of_time = False
+        self._structure_known: dict[tuple[str, ...], tuple[Fit, bool]] = {}
 
     @property
     def fits(self) -> list[Fit]:
         """All fitted models."""
-        return [self.base, *(c.fit for c in self.known.values())]
+        return [self.base, *(c.fit for c in self.fitted.values())]
 
     @property
-    def seen(self) -> set[frozenset[str]]:
+    def attempted(self) -> set[frozenset[str]]:
         """The sets of effects that were fitted, or could not be."""
-        return {frozenset(names) for names in (*self.known, *(f.effects for f in self.search.failed))}
+        return {frozenset(names) for names in (*self.fitted, *(f.effects for f in self.search.failed))}
 
-    def renew(self) -> None:
+    def update_scale(self) -> None:
         """Takes note of further fits."""
-        self.scale = scale(self.fits)
+        self.scale = noise_scale(self.fits)
 
-    def noise(self) -> float:
+    def noise_floor(self) -> float:
         """Mean square of the noise, as low as a model leaves it."""
         return min(f.residuals["fit"].noise_floor for f in self.fits)
 
-    def optimistic_scale(self) -> Scale:
+    def optimistic_scale(self) -> NoiseScale:
         """The scale of what is possible: plain noise as long as the best model leaves more, else what that leaves."""
-        return Scale(max(1.0, self.noise()), 1.0) if self.unsolved() else self.scale
+        return NoiseScale(max(1.0, self.noise_floor()), 1.0) if self.unsolved() else self.scale
 
-    def evidence(self, c: Candidate | None, at: Scale | None = None) -> float:
+    def information_criterion(self, c: Candidate | None, scale: NoiseScale | None = None) -> float:
         """The evidence against a model, None: the base model; on the scale of the best model unless given."""
         fit, effects = (c.fit, c.effects) if c else (self.base, ())
-        return evidence(fit, at or self.scale, effects, self.search.choice, c)
+        return information_criterion(fit, scale or self.scale, effects, self.search.model_space, c)
 
-    def of_laws(self, effects: Collection[str]) -> bool:
+    def is_specific(self, effects: Collection[str]) -> bool:
         """Whether none of them says whatever its family can."""
         return self.search.general.isdisjoint(effects)
 
-    def models(self, most: int, laws: bool = False) -> list[Candidate]:
+    def models(self, most: int, specific: bool = False) -> list[Candidate]:
         """Models with so many effects at most, the best first."""
-        some = [c for c in self.known.values() if len(c.effects) <= most and (not laws or self.of_laws(c.effects))]
-        return sorted(some, key=lambda c: (self.evidence(c), c.effects))
+        some = [
+            c for c in self.fitted.values() if len(c.effects) <= most and (not specific or self.is_specific(c.effects))
+        ]
+        return sorted(some, key=lambda c: (self.information_criterion(c), c.effects))
 
-    def best(self, laws: bool = False) -> Candidate | None:
+    def best(self, specific: bool = False) -> Candidate | None:
         """Of those that leave noise, the best with the number of effects that is enough; else the best of all.
 
         None: none beats the base model. Where the evidence does not tell them apart, signals that were compared but
         not fitted may.
 
         Args:
-            laws: only of models that are made of laws.
+            specific: only of models that are made of laws.
         """
-        beaten = self.evidence(None) - CRITERIA.evidence.very_strong
-        done = [c for c in self._done() if self.evidence(c) < beaten]
-        done = [c for c in done if not laws or self.of_laws(c.effects)]
+        beaten = self.information_criterion(None) - CRITERIA.evidence.very_strong
+        done = [c for c in self._complete() if self.information_criterion(c) < beaten]
+        done = [c for c in done if not specific or self.is_specific(c.effects)]
         at_noise = [c for c in done if not self.has_structure(c)]
         if at_noise:
             enough = self._sufficient_count(at_noise)
             done = [c for c in at_noise if len(c.effects) == enough]
-        order = {c.effects: (self.evidence(c), c.effects) for c in done}
+        order = {c.effects: (self.information_criterion(c), c.effects) for c in done}
         first = min(order.values(), default=None)
         if first is None:
             return None
         near = [c for c in done if order[c.effects][0] < first[0] + CRITERIA.evidence.very_strong]
-        sound = [c for c in near if not any(refuted(c.fit, other.fit) for other in near)]
+        sound = [c for c in near if not any(refuted_by_unfitted_signals(c.fit, other.fit) for other in near)]
         return min(sound or near, key=lambda c: order[c.effects])
 
-    def _done(self) -> list[Candidate]:
+    def _complete(self) -> list[Candidate]:
         """The models that were fitted to the end, or as far as there was time for."""
-        return [c for c in self.known.values() if self.over or not c.brief]
+        return [c for c in self.fitted.values() if self.out_of_time or not c.brief]
 
     def _sufficient_count(self, at_noise: Collection[Candidate]) -> int:
         """How many effects are enough, where all of these models leave noise.
 
         The fewest, unless more have fewer parameters, so few that it makes up for the choice, and better evidence.
         """
-        first = min(at_noise, key=lambda c: (len(c.effects), self.evidence(c), c.effects))
-        for c in sorted(at_noise, key=lambda c: (len(c.effects), self.evidence(c), c.effects)):
-            better = self.evidence(c) < self.evidence(first) - CRITERIA.evidence.very_strong
+        first = min(at_noise, key=lambda c: (len(c.effects), self.information_criterion(c), c.effects))
+        for c in sorted(at_noise, key=lambda c: (len(c.effects), self.information_criterion(c), c.effects)):
+            better = self.information_criterion(c) < self.information_criterion(first) - CRITERIA.evidence.very_strong
             if better and self.cost(c.effects) < self.cost(first.effects):
                 first = c
         return len(first.effects)
 
     def has_structure(self, c: Candidate) -> bool:
         """Whether a model leaves structure, in runs that were fitted or in others."""
-        if c.effects not in self._left or self._left[c.effects][0] is not c.fit:
-            self._left[c.effects] = (c.fit, any_structure_for_search(c.fit))
-        return self._left[c.effects][1]
+        if c.effects not in self._structure_known or self._structure_known[c.effects][0] is not c.fit:
+            self._structure_known[c.effects] = (c.fit, any_structure_for_search(c.fit))
+        return self._structure_known[c.effects][1]
 
     def unsolved(self) -> bool:
         """Whether the best model leaves structure, or there is none."""
@@ -159,18 +161,18 @@ class Ranking:
             return [
                 c for c in self.models(len(best.effects)) if self._with_one_more(c.effects) < self.cost(best.effects)
             ][:1]
-        return list({c.effects: c for c in (best, self.best(laws=True)) if c is not None}.values())
+        return list({c.effects: c for c in (best, self.best(specific=True)) if c is not None}.values())
 
     def cost(self, effects: Collection[str]) -> float:
         """What effects are charged for what they are made of: their parameters, and the choice of them."""
         return self._cost(effects, sum(self.search.cost[name] for name in effects))
 
     def _cost(self, effects: Collection[str], parameters: int) -> float:
-        return parameters * self.scale.penalty(self.base) + self.search.choice.cost(effects)
+        return parameters * self.scale.penalty(self.base) + self.search.model_space.cost(effects)
 
     def _with_one_more(self, effects: Collection[str]) -> float:
         """The same with one more effect, of one parameter."""
-        other = next(e.name for e in self.search.shelf if e.name not in effects)
+        other = next(e.name for e in self.search.available_effects if e.name not in effects)
         return self._cost((*effects, other), sum(self.search.cost[name] for name in effects) + 1)
 
     def more_effects_can_pay(self, count: int) -> bool:
@@ -178,33 +180,34 @@ class Ranking:
         best = self.best()
         if best is None or self.has_structure(best):
             return False
-        return self._cost([e.name for e in self.search.shelf][:count], count) < self.cost(best.effects)
+        return self._cost([e.name for e in self.search.available_effects][:count], count) < self.cost(best.effects)
 
-    def bars(self, count: int, at: Scale) -> list[AcceptanceThreshold]:
+    def acceptance_thresholds(self, count: int, scale: NoiseScale) -> list[AcceptanceThreshold]:
         """What models with so many effects must come to: to beat one of the best, to rival the answer, to replace it.
 
         Args:
             count: of effects.
-            at: the scale on which their evidence is reckoned.
+            scale: the scale on which their evidence is reckoned.
         """
         best = self.best()
         if best is None:
-            return [AcceptanceThreshold(self.evidence(None, at))]
+            return [AcceptanceThreshold(self.information_criterion(None, scale))]
         if not self.has_structure(best):
             if count > len(best.effects):
                 return [
-                    AcceptanceThreshold(self.evidence(c, at), c, cost=self.cost(best.effects)) for c in self.parents()
+                    AcceptanceThreshold(self.information_criterion(c, scale), c, cost=self.cost(best.effects))
+                    for c in self.parents()
                 ]
-            return [AcceptanceThreshold(self.evidence(best, at) + CRITERIA.evidence.very_strong)]
-        bars = [AcceptanceThreshold(self.evidence(best, at), best)]
-        if not self.of_laws(best.effects):
-            own = self.best(laws=True)
-            bars.append(AcceptanceThreshold(self.evidence(own, at), own, laws=True))
+            return [AcceptanceThreshold(self.information_criterion(best, scale) + CRITERIA.evidence.very_strong)]
+        bars = [AcceptanceThreshold(self.information_criterion(best, scale), best)]
+        if not self.is_specific(best.effects):
+            own = self.best(specific=True)
+            bars.append(AcceptanceThreshold(self.information_criterion(own, scale), own, specific=True))
         return bars
 
     def answer(self) -> Candidate | None:
         """The best model; where it leaves structure, one effect that is beyond doubt all the same goes first."""
         best = self.best()
         if best is not None and self.has_structure(best):
-            return dominant_effect(self.base, self._done()) or best
+            return dominant_effect(self.base, self._complete()) or best
         return best

@@ -27,12 +27,12 @@ def idle_parameters(probe: EffectProbe, objective: Objective) -> tuple[str, ...]
         return ()
     slopes = dict(zip(probe.linear.names, probe.linear.slopes.T * _ranges(probe)[:, None], strict=True))
     little = CRITERIA.search.idle * float(probe.linear.residual @ probe.linear.residual)
-    still = [f for f in _own(probe, objective) if float(slopes[f.name] @ slopes[f.name]) < little]
-    places = _places(probe, objective) if still else []
-    return tuple(f.name for f in still if all(_still(objective, z, f, little) for z in places))
+    still = [f for f in _own_parameters(probe, objective) if float(slopes[f.name] @ slopes[f.name]) < little]
+    places = _test_points(probe, objective) if still else []
+    return tuple(f.name for f in still if all(_is_inactive(objective, z, f, little) for z in places))
 
 
-def _own(probe: EffectProbe, objective: Objective) -> list[Free]:
+def _own_parameters(probe: EffectProbe, objective: Objective) -> list[Free]:
     return [free for free in objective.free if free.name in probe.own_parameters]
 
 
@@ -40,28 +40,28 @@ def _ranges(probe: EffectProbe) -> Array:
     return np.asarray(probe.linear.high - probe.linear.low)
 
 
-def _places(probe: EffectProbe, objective: Objective) -> list[Array]:
+def _test_points(probe: EffectProbe, objective: Objective) -> list[Array]:
     """Search coordinates: where the probe is linear, and with all of the effect's own parameters on their ways."""
-    z = _where(probe, objective)
+    z = _probe_point(probe, objective)
     low, high = objective.bounds
     own = np.array([free.name in probe.own_parameters for free in objective.free])
     return [z, *(np.where(own, low + share * (high - low), z) for share in _SHARES)]
 
 
-def _where(probe: EffectProbe, objective: Objective) -> Array:
+def _probe_point(probe: EffectProbe, objective: Objective) -> Array:
     """The search coordinates about which the probe is linear."""
     values = dict(zip(probe.linear.names, probe.linear.values.tolist(), strict=True))
     return np.array([free.to_z(values[free.name]) for free in objective.free])
 
 
-def _still(objective: Objective, z: Array, free: Free, little: float) -> bool:
+def _is_inactive(objective: Objective, z: Array, free: Free, little: float) -> bool:
     """Whether the samples are the same at both bounds of a parameter; where a model breaks down nothing is seen."""
-    ends = [_with(objective, z, {free.name: value}) for value in (free.low, free.high)]
+    ends = [_with_values(objective, z, {free.name: value}) for value in (free.low, free.high)]
     one, other = (residual_rows(objective, end, CRITERIA.search.rows) for end in ends)
     return one is None or other is None or float(np.sum((one - other) ** 2)) < little
 
 
-def _with(objective: Objective, z: Array, values: dict[str, float]) -> Array:
+def _with_values(objective: Objective, z: Array, values: dict[str, float]) -> Array:
     moved = z.copy()
     for i, free in enumerate(objective.free):
         if free.name in values:
@@ -69,27 +69,32 @@ def _with(objective: Objective, z: Array, values: dict[str, float]) -> Array:
     return moved
 
 
-def moves_unread(probe: EffectProbe, objective: Objective) -> bool:
+def moves_only_unmeasured(probe: EffectProbe, objective: Objective) -> bool:
     """Whether an effect that no sample shows moves an output of the bench that nobody read, as a thermometer's does.
 
     Then more of it, or another model beside it, shows no more. What moves nothing at all may wait for another effect.
     """
-    unread = _unread(objective)
+    unread = _unmeasured_outputs(objective)
     if not probe.silent or not unread:
         return False
-    z = _where(probe, objective)
-    own = _own(probe, objective)
+    z = _probe_point(probe, objective)
+    own = _own_parameters(probe, objective)
     try:
         here = _readings(objective, z, unread)
         return any(
-            bool(np.any(np.abs(_readings(objective, _with(objective, z, ends), unread) - here) > _seen(here)))
+            bool(
+                np.any(
+                    np.abs(_readings(objective, _with_values(objective, z, ends), unread) - here)
+                    > _visible_change(here)
+                )
+            )
             for ends in ({f.name: f.low for f in own}, {f.name: f.high for f in own})
         )
     except SimulationFailure:
         return False
 
 
-def _unread(objective: Objective) -> list[str]:
+def _unmeasured_outputs(objective: Objective) -> list[str]:
     read = {name for run in objective.data.runs for name in run.measurements if run.sample_count(name)}
     return [name for name in objective.simulator.interface.outputs if name not in read]
 
@@ -100,6 +105,6 @@ def _readings(objective: Objective, z: Array, outputs: Sequence[str]) -> Array:
     return np.array([compared.model[name] for name in outputs])
 
 
-def _seen(readings: Array) -> Array:
+def _visible_change(readings: Array) -> Array:
     """(k, 1) changes that are more than the tolerance of a solver, by the size of each reading."""
     return np.asarray(CRITERIA.noise.assumed_share * np.ptp(readings, axis=1, keepdims=True) + 1e-9 * np.abs(readings))

@@ -14,12 +14,12 @@ from pam_cosim.comparison import without_outliers
 from pam_cosim.compiler import ClassTree, Structure, library_hash, read_structure
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
-from pam_cosim.diagnosis.events import CandidateTried, EffectLookedAt, EffectsLookedAt, FittingBegun
+from pam_cosim.diagnosis.events import CandidateTried, EffectProbed, EffectsProbed, FittingBegun
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.model_space import ModelSpace
-from pam_cosim.diagnosis.probing import EffectProbe, Stated
+from pam_cosim.diagnosis.probing import EffectProbe, StatedEffect
 from pam_cosim.diagnosis.step_times import Retimed, Retiming, nothing_found, run_retiming, steps_between
-from pam_cosim.diagnosis.trial import Trial, crashed, run_afar, run_probe, run_stated
+from pam_cosim.diagnosis.trial import Trial, crashed, run_probe, run_stated, run_trial_without_samples
 from pam_cosim.fitting import Fit, Linear
 from pam_cosim.measurement import DataSet
 from pam_cosim.processes.workers import run_tasks
@@ -28,7 +28,7 @@ Look = TypeVar("Look")
 
 
 @dataclass(frozen=True)
-class Wanted:
+class FitRequest:
     """A model that is to be fitted.
 
     Attributes:
@@ -48,7 +48,7 @@ class Search:
     Attributes:
         tree: the Modelica library with the user's classes.
         model: the base model.
-        shelf: the effects there are.
+        available_effects: the effects there are.
         data: the measurement, with noise levels.
         files: further Modelica files.
         say: told each step and each result, in a line.
@@ -56,13 +56,13 @@ class Search:
         failed: trials without a fit so far; this grows.
         expected: names of effects that are likely.
         at_rest: all runs are points at rest.
-        unseen: names of effects that these cannot show, beside whatever else.
-        idle: by effect, full names of its parameters that no sample depends on; they are not fitted.
+        undetectable: names of effects that these cannot show, beside whatever else.
+        inactive_parameters: by effect, full names of its parameters that no sample depends on; they are not fitted.
     """
 
     tree: ClassTree
     model: str
-    shelf: Sequence[EffectClass]
+    available_effects: Sequence[EffectClass]
     data: DataSet
     files: tuple[Path, ...] = ()
     say: Callable[[Message], None] = lambda message: None
@@ -70,8 +70,8 @@ class Search:
     failed: list[FailedTrial] = field(default_factory=list)
     expected: frozenset[str] = frozenset()
     at_rest: bool = False
-    unseen: frozenset[str] = frozenset()
-    idle: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    undetectable: frozenset[str] = frozenset()
+    inactive_parameters: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     @cached_property
     def structure(self) -> Structure:
@@ -86,56 +86,59 @@ class Search:
     @cached_property
     def family(self) -> dict[str, str]:
         """Family of each effect."""
-        return {e.name: e.family for e in self.shelf}
+        return {e.name: e.family for e in self.available_effects}
 
     @cached_property
-    def choice(self) -> ModelSpace:
+    def model_space(self) -> ModelSpace:
         """What a choice among the effects costs."""
-        return ModelSpace(len(self.shelf), self.expected & self.family.keys())
+        return ModelSpace(len(self.available_effects), self.expected & self.family.keys())
 
     @cached_property
     def cost(self) -> dict[str, int]:
         """Number of parameters of each effect that are fitted."""
-        return {e.name: max(len(e.parameters) - len(self.idle.get(e.name, ())), 1) for e in self.shelf}
+        return {
+            e.name: max(len(e.parameters) - len(self.inactive_parameters.get(e.name, ())), 1)
+            for e in self.available_effects
+        }
 
     @cached_property
-    def broadest(self) -> list[str]:
+    def family_representatives(self) -> list[str]:
         """The effects that stand for their families: the general members, and all of families without one."""
-        covered = {e.family for e in self.shelf if e.general}
-        broad = [e.name for e in self.shelf if e.general or e.family not in covered]
-        return [name for name in broad if name not in self.unseen]
+        covered = {e.family for e in self.available_effects if e.general}
+        broad = [e.name for e in self.available_effects if e.general or e.family not in covered]
+        return [name for name in broad if name not in self.undetectable]
 
     @cached_property
     def general(self) -> frozenset[str]:
         """The effects that say whatever their families can."""
-        return frozenset(e.name for e in self.shelf if e.general)
+        return frozenset(e.name for e in self.available_effects if e.general)
 
     @cached_property
-    def loose_steps(self) -> int:
+    def steps_between_samples(self) -> int:
         """How many commands step between two samples, all runs together."""
         return steps_between(self.data)
 
-    def probed(self, fitted: Fit, has: Sequence[str], effects: Sequence[str]) -> list[EffectProbe]:
+    def probe(self, fitted: Fit, has: Sequence[str], effects: Sequence[str]) -> list[EffectProbe]:
         """What each of some effects does to the samples beside a fitted model, which has others."""
-        trials = [t.screening() for t in self._trials([Wanted((*has, name), fitted.values) for name in effects])]
-        trials = [replace(t, beside=fitted.linear) for t in trials]
-        self.say(EffectsLookedAt(len(trials), tuple(has)).message)
-        return self._looked(run_probe, trials)
+        trials = [t.screening() for t in self._trials([FitRequest((*has, name), fitted.values) for name in effects])]
+        trials = [replace(t, reference=fitted.linear) for t in trials]
+        self.say(EffectsProbed(len(trials), tuple(has)).message)
+        return self._run_probes(run_probe, trials)
 
-    def stated(self, beside: Linear, rows: int) -> list[Stated]:
+    def probe_stated(self, beside: Linear, rows: int) -> list[StatedEffect]:
         """What each effect does at its stated strength and when it is weaker beside a model, in about so many rows."""
         values = dict(zip(beside.names, beside.values.tolist(), strict=True))
-        wanted = [Wanted((e.name,), values) for e in self.shelf]
-        trials = [replace(t.screening().fitted_with(rows=rows), beside=beside) for t in self._trials(wanted)]
-        return self._looked(run_stated, trials)
+        wanted = [FitRequest((e.name,), values) for e in self.available_effects]
+        trials = [replace(t.screening().fitted_with(rows=rows), reference=beside) for t in self._trials(wanted)]
+        return self._run_probes(run_stated, trials)
 
-    def _looked(self, look: Callable[[Trial], Look | FailedTrial], trials: Sequence[Trial]) -> list[Look]:
+    def _run_probes(self, look: Callable[[Trial], Look | FailedTrial], trials: Sequence[Trial]) -> list[Look]:
         number = itertools.count(1)
         results = run_tasks(
             look,
             trials,
             crashed,
-            lambda _: self.say(EffectLookedAt(next(number), len(trials)).message),
+            lambda _: self.say(EffectProbed(next(number), len(trials)).message),
             self.workers,
         )
         self.failed.extend(c for c in results if isinstance(c, FailedTrial))
@@ -153,58 +156,60 @@ class Search:
         results = run_tasks(run_retiming, tasks, nothing_found, lambda _: None, self.workers)
         return [r for r in results if r is not None]
 
-    def briefly(self, models: Sequence[Wanted]) -> list[Candidate]:
+    def fit_briefly(self, models: Sequence[FitRequest]) -> list[Candidate]:
         """Models with these effects, a few steps from these values: enough to tell whether they promise anything."""
         trials = [t.screening() for t in self._trials(models)]
         return self._run("in a few steps", [t.fitted_with(rows=CRITERIA.search.rows) for t in trials])
 
-    def to_the_end(self, candidates: Sequence[Candidate], base: Fit) -> list[Candidate]:
+    def fit_completely(self, candidates: Sequence[Candidate], base: Fit) -> list[Candidate]:
         """Models that were fitted briefly, to the end: from where they stand, and from where they began."""
-        trials = self._trials([Wanted(c.effects, base.values) for c in candidates])
+        trials = self._trials([FitRequest(c.effects, base.values) for c in candidates])
         values, numbers = {c.effects: c.fit.values for c in candidates}, CRITERIA.search
         options = {
             "rows": numbers.rows,
             "precision": numbers.precision,
             "evaluations": numbers.evaluations,
-            "leeway": True,
+            "holdout_uncertainty": True,
         }
         own = [replace(t.fitted_with(**options), further_start=values[t.effects]) for t in trials]
         return self._run("to the end", [t if len(t.effects) == 1 else t.fitted_with(descents=1) for t in own])
 
-    def finished(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate | None:
+    def fit_final(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate | None:
         """The model with just these effects, the last of them without what it does not need; None: it breaks down."""
         trials = [
-            replace(t.fitted_with(descents=1, leeway=True), prune=True)
-            for t in self._trials([Wanted(tuple(effects), start)])
+            replace(t.fitted_with(descents=1, holdout_uncertainty=True), prune=True)
+            for t in self._trials([FitRequest(tuple(effects), start)])
         ]
         return next(iter(self._run("to the end", trials)), None)
 
-    def again(self, models: Sequence[Wanted]) -> list[Candidate]:
+    def refit(self, models: Sequence[FitRequest]) -> list[Candidate]:
         """Models from where they stand to the end, on other samples; no line is printed of them."""
         changes = {"descents": 1, "rules": False, "precision": CRITERIA.search.precision}
         trials = [t.fitted_with(**changes) for t in self._trials(models)]
-        results = run_tasks(run_afar, trials, crashed, lambda _: None, self.workers)
+        results = run_tasks(run_trial_without_samples, trials, crashed, lambda _: None, self.workers)
         return [self._with_data(c) for c in results if isinstance(c, Candidate)]
 
     def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:
         if trials:
             self.say(FittingBegun(len(trials), how).message)
-        results = run_tasks(run_afar, trials, crashed, lambda c: self.say(result_message(c)), self.workers)
+        results = run_tasks(
+            run_trial_without_samples, trials, crashed, lambda c: self.say(result_message(c)), self.workers
+        )
         self.failed.extend(c for c in results if isinstance(c, FailedTrial))
         return [self._with_data(c) for c in results if isinstance(c, Candidate)]
 
     def _with_data(self, c: Candidate) -> Candidate:
         return replace(c, fit=replace(c.fit, comparison=c.fit.comparison.with_data(self.data)))
 
-    def _trials(self, models: Sequence[Wanted]) -> list[Trial]:
+    def _trials(self, models: Sequence[FitRequest]) -> list[Trial]:
         """Trials of the last effect of each model, of those whose effects find a place."""
-        own = {e.name: e for e in self.shelf}
+        own = {e.name: e for e in self.available_effects}
         trials = []
         for m in models:
             composition = compose_on(self.tree, self.structure, m.effects)
             if composition is not None:
                 trial = Trial(own[m.effects[-1]], m.effects, composition, self.data, m.start, self.files)
-                idle = {name for e in m.effects for name in self.idle.get(e, ())}
+                idle = {name for e in m.effects for name in self.inactive_parameters.get(e, ())}
                 trials.append(replace(trial.without(idle), further_start=m.further, library=self.library))
         return trials
 

@@ -16,8 +16,8 @@ from dataclasses import dataclass, field, replace
 from pam_cosim.comparison import without_outliers
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.events import AllRunsAsked, BaseFitted, LookFirst, OutliersSetAside, StepsTimed
-from pam_cosim.diagnosis.evidence import any_structure_for_verdict, contradicted, rank
+from pam_cosim.diagnosis.events import AllRunsSearched, BaseFitted, DoubtRaised, OutliersSetAside, StepTimesFound
+from pam_cosim.diagnosis.evidence import any_structure_for_verdict, contradicted_by_holdout, rank
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.search import Search
 from pam_cosim.diagnosis.selection import Selection, select_effects
@@ -56,9 +56,11 @@ class SearchResult:
         return self.path[-1].fit if self.path else self.base
 
 
-def base_of(simulator: Simulator, data: DataSet, say: Callable[[Message], None]) -> tuple[DataSet, Fit, dict[str, int]]:
+def fit_base_model(
+    simulator: Simulator, data: DataSet, say: Callable[[Message], None]
+) -> tuple[DataSet, Fit, dict[str, int]]:
     """The data without outliers, the base model fitted to them, and how many samples were set aside."""
-    options = FitOptions(rows=CRITERIA.search.rows, leeway=True)
+    options = FitOptions(rows=CRITERIA.search.rows, holdout_uncertainty=True)
     base = fit(simulator, data, options=options)
     data, outliers = without_outliers(data, base.comparison.runs)
     if outliers:
@@ -66,7 +68,7 @@ def base_of(simulator: Simulator, data: DataSet, say: Callable[[Message], None])
         base = fit(simulator, data, options=options)
     say(BaseFitted(base).message)
     for doubt in base.comparison.doubts:
-        say(LookFirst(doubt).message)
+        say(DoubtRaised(doubt).message)
     return data, base, outliers
 
 
@@ -83,71 +85,79 @@ def search_fit_runs(
         deadline: of ``time.monotonic``, at which the search ends.
     """
     selection, steps = select_effects(search, base, deadline), 0
-    if selection.timed is not None:
-        steps = selection.timed.steps
-        search.say(StepsTimed(steps).message)
-        search, base, outliers = _anew(subject, search, selection.timed.data)
-        selection = select_effects(search, base, deadline, clocks=False)
+    if selection.retimed is not None:
+        steps = selection.retimed.steps
+        search.say(StepTimesFound(steps).message)
+        search, base, outliers = _restarted(subject, search, selection.retimed.data)
+        selection = select_effects(search, base, deadline, retime=False)
     every = Counter(outliers) + Counter(selection.outliers)
     return SearchResult(selection.search, selection.base, selection, every, steps)
 
 
-def search_all_runs(subject: Subject, finding: SearchResult, deadline: float) -> SearchResult | None:
+def search_all_runs(subject: Subject, fit_runs_result: SearchResult, deadline: float) -> SearchResult | None:
     """What all runs come to, where held-out runs contradict what the fitted ones did.
 
     None where they do not, where all runs together leave structure too, and where the time is over.
 
     Args:
         subject, deadline: as ``search_fit_runs``.
-        finding: what the fitted runs came to.
+        fit_runs_result: what the fitted runs came to.
     """
-    if not contradicted(finding.last) or time.monotonic() >= deadline:
+    if not contradicted_by_holdout(fit_runs_result.last) or time.monotonic() >= deadline:
         return None
-    finding.search.say(AllRunsAsked().message)
-    roles: list[Role] = ["fit"] * len(finding.search.data.runs)
-    search, base, outliers = _anew(subject, finding.search, _with_roles(finding.search.data, roles))
-    selection = select_effects(search, base, deadline, clocks=False)
+    fit_runs_result.search.say(AllRunsSearched().message)
+    roles: list[Role] = ["fit"] * len(fit_runs_result.search.data.runs)
+    search, base, outliers = _restarted(
+        subject, fit_runs_result.search, _with_roles(fit_runs_result.search.data, roles)
+    )
+    selection = select_effects(search, base, deadline, retime=False)
     every = Counter(outliers) + Counter(selection.outliers)
-    asked = SearchResult(selection.search, selection.base, selection, every)
+    all_runs_result = SearchResult(selection.search, selection.base, selection, every)
     over = math.isfinite(deadline) and selection.untried
-    return None if over or not asked.path or any_structure_for_verdict(asked.last) else asked
+    return (
+        None if over or not all_runs_result.path or any_structure_for_verdict(all_runs_result.last) else all_runs_result
+    )
 
 
-def with_these(finding: SearchResult, effects: Sequence[str]) -> SearchResult:
+def with_effects(fit_runs_result: SearchResult, effects: Sequence[str]) -> SearchResult:
     """The same, the model with only some of its effects."""
     path: list[Candidate] = []
-    known = {c.effects: c for c in finding.selection.tried if not c.brief}
+    known = {c.effects: c for c in fit_runs_result.selection.tried if not c.brief}
     for k in range(1, len(effects) + 1):
         names = tuple(effects[:k])
-        own = known.get(names) or finding.search.finished(names, finding.last.values)
+        own = known.get(names) or fit_runs_result.search.fit_final(names, fit_runs_result.last.values)
         if own is not None:
-            path += rank(path[-1].fit if path else finding.base, [own.without_slopes])
-    return replace(finding, selection=replace(finding.selection, path=tuple(path)))
+            path += rank(path[-1].fit if path else fit_runs_result.base, [own.without_slopes])
+    return replace(fit_runs_result, selection=replace(fit_runs_result.selection, path=tuple(path)))
 
 
-def _anew(subject: Subject, search: Search, data: DataSet) -> tuple[Search, Fit, Mapping[str, int]]:
+def _restarted(subject: Subject, search: Search, data: DataSet) -> tuple[Search, Fit, Mapping[str, int]]:
     with subject.simulator() as simulator:
-        data, base, outliers = base_of(simulator, data, search.say)
-    return replace(search, data=data, unseen=frozenset(), idle={}), base, outliers
+        data, base, outliers = fit_base_model(simulator, data, search.say)
+    return replace(search, data=data, undetectable=frozenset(), inactive_parameters={}), base, outliers
 
 
 def _with_roles(data: DataSet, roles: Sequence[Role]) -> DataSet:
     return replace(data, runs=tuple(replace(run, role=role) for run, role in zip(data.runs, roles, strict=True)))
 
 
-def refit_by_role(finding: SearchResult, asked: SearchResult) -> SearchResult:
+def refit_by_role(fit_runs_result: SearchResult, all_runs_result: SearchResult) -> SearchResult:
     """What all runs came to as the fitted runs alone have it: fitted to these, the others held out.
 
     Args:
-        finding: what the fitted runs came to. asked: what all runs came to.
+        fit_runs_result: what the fitted runs came to. all_runs_result: what all runs came to.
     """
-    data = _with_roles(asked.search.data, [run.role for run in finding.search.data.runs])
-    search, base = replace(asked.search, data=data), finding.base.against(data)
+    data = _with_roles(all_runs_result.search.data, [run.role for run in fit_runs_result.search.data.runs])
+    search, base = replace(all_runs_result.search, data=data), fit_runs_result.base.against(data)
     path: list[Candidate] = []
-    for own in asked.path:
-        again = search.finished(own.effects, own.fit.values) or replace(own, fit=own.fit.against(data))
+    for own in all_runs_result.path:
+        again = search.fit_final(own.effects, own.fit.values) or replace(own, fit=own.fit.against(data))
         path += rank(path[-1].fit if path else base, [again])
-    outliers = Counter(finding.outliers) + Counter(asked.outliers)
+    outliers = Counter(fit_runs_result.outliers) + Counter(all_runs_result.outliers)
     return SearchResult(
-        search, base, replace(asked.selection, path=tuple(c.without_slopes for c in path)), outliers, finding.step_times
+        search,
+        base,
+        replace(all_runs_result.selection, path=tuple(c.without_slopes for c in path)),
+        outliers,
+        fit_runs_result.step_times,
     )

@@ -97,7 +97,11 @@ def _retimed(task: Retiming, simulator: Simulator) -> Retimed | None:
     if not clock.promises(start):
         return None
     options = FitOptions(
-        evaluations=numbers.screening_evaluations, descents=1, precision=numbers.precision, rules=False, leeway=True
+        evaluations=numbers.screening_evaluations,
+        descents=1,
+        precision=numbers.precision,
+        rules=False,
+        holdout_uncertainty=True,
     )
     for _ in range(_ROUNDS):
         start = clock.set_by(start)

@@ -48,8 +48,8 @@ class Subject:
 
     def effects(self, interface: Interface) -> list[EffectClass]:
         """All that the model may lack: effects of the library and of files, and wrong parameters that are stated."""
-        shelf = effect_classes(self.tree, origins(self._parts()))
-        return [*shelf, *stated_parameters(self.data, interface)]
+        available_effects = effect_classes(self.tree, origins(self._parts()))
+        return [*available_effects, *stated_parameters(self.data, interface)]
 
     def _parts(self) -> Sequence[Part]:
         return read_structure(qualified(self.tree, self.name), files=self.sources).parts

@@ -12,9 +12,9 @@ from pam_cosim.arrays import Array
 from pam_cosim.catalogue import Composition, EffectClass
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Attempt, Candidate, FailedTrial
-from pam_cosim.diagnosis.probing import EffectProbe, Stated, Strengths, probed
+from pam_cosim.diagnosis.probing import EffectProbe, StatedEffect, Strengths, probe_effect
 from pam_cosim.diagnosis.pruning import pruned
-from pam_cosim.diagnosis.reach import idle_parameters, moves_unread
+from pam_cosim.diagnosis.reach import idle_parameters, moves_only_unmeasured
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fitting import (
     Fit,
@@ -53,7 +53,7 @@ class Trial:
         brief: a few steps only.
         prune: whether what a general member does not need is held at zero.
         library: ``compiler.library_hash()``.
-        beside: the fitted base model, for a probe.
+        reference: the fitted base model, for a probe.
     """
 
     effect: EffectClass
@@ -67,7 +67,7 @@ class Trial:
     brief: bool = False
     prune: bool = False
     library: str = ""
-    beside: Linear | None = None
+    reference: Linear | None = None
 
     def screening(self) -> Trial:
         """A few steps of the same from one start: enough to tell a promising effect from a hopeless one."""
@@ -118,10 +118,10 @@ def crashed(trial: Trial) -> FailedTrial:
 
 def run_trial(trial: Trial) -> Attempt:
     """Builds the model and fits the free base parameters together with those of the effects."""
-    return _attempted(trial, _fitted, brief=False)
+    return _attempted(trial, _fitted, brief=trial.brief)
 
 
-def run_afar(trial: Trial) -> Attempt:
+def run_trial_without_samples(trial: Trial) -> Attempt:
     """As ``run_trial``, in another process: the samples stay where they are (``Comparison.without_data``)."""
     attempt = run_trial(trial)
     if isinstance(attempt, FailedTrial):
@@ -131,12 +131,12 @@ def run_afar(trial: Trial) -> Attempt:
 
 def run_probe(trial: Trial) -> EffectProbe | FailedTrial:
     """Builds the model and linearises it about the values that it starts from, for what its effect can add."""
-    return _attempted(trial, _probed, brief=True)
+    return _attempted(trial, _probe, brief=True)
 
 
-def run_stated(trial: Trial) -> Stated | FailedTrial:
+def run_stated(trial: Trial) -> StatedEffect | FailedTrial:
     """Builds the model and linearises it about the values that it starts from, its effect as strong as it is stated."""
-    return _attempted(trial, _stated, brief=True)
+    return _attempted(trial, _stated_effect, brief=True)
 
 
 def _attempted(trial: Trial, work: Callable[[Trial, Simulator], Result], brief: bool) -> Result | FailedTrial:
@@ -170,14 +170,14 @@ def _objective(trial: Trial, simulator: Simulator) -> Objective:
     return Objective(simulator, trial.data, trial.data.fit_runs, moved, None, trial.options.tolerance)
 
 
-def _probed(trial: Trial, simulator: Simulator) -> EffectProbe:
-    assert trial.beside is not None
+def _probe(trial: Trial, simulator: Simulator) -> EffectProbe:
+    assert trial.reference is not None
     objective = _objective(trial, simulator)
     strengths = _strengths(trial, objective)
-    probe = probed(trial.effect.name, trial.effect.family, objective, trial.beside, strengths)
+    probe = probe_effect(trial.effect.name, trial.effect.family, objective, trial.reference, strengths)
     at_rest = all(run.is_static for run in trial.data.runs)
     idle = idle_parameters(probe, objective) if at_rest else ()
-    return replace(probe, idle=idle, unread=moves_unread(probe, objective))
+    return replace(probe, inactive_parameters=idle, only_unmeasured=moves_only_unmeasured(probe, objective))
 
 
 def _strengths(trial: Trial, objective: Objective) -> Strengths:
@@ -187,24 +187,24 @@ def _strengths(trial: Trial, objective: Objective) -> Strengths:
     return Strengths(tuple(f for f in objective.free if f.name in names), absent)
 
 
-def _stated(trial: Trial, simulator: Simulator) -> Stated:
-    assert trial.beside is not None
+def _stated_effect(trial: Trial, simulator: Simulator) -> StatedEffect:
+    assert trial.reference is not None
     objective = _objective(trial, simulator)
     strengths, rows = _strengths(trial, objective), trial.options.rows
     linear = linearised(objective, strengths.place(objective.free, 1.0), rows)
     if linear is None:
         raise SimulationFailure(objective.first_failure)
     strength, weaker = 1.0, [linear.residual]
-    while len(weaker) < CRITERIA.search.looks and _shows(trial.beside.residual - weaker[-1]):
+    while len(weaker) < CRITERIA.search.looks and _is_detectable(trial.reference.residual - weaker[-1]):
         strength *= CRITERIA.search.weaker
         residual = residual_rows(objective, strengths.place(objective.free, strength), rows)
         if residual is None:
             break
         weaker.append(residual)
-    return Stated(trial.effect.name, trial.effect.family, strengths, linear, tuple(weaker[1:]))
+    return StatedEffect(trial.effect.name, trial.effect.family, strengths, linear, tuple(weaker[1:]))
 
 
-def _shows(move: Array) -> bool:
+def _is_detectable(move: Array) -> bool:
     return float(move @ move) > CRITERIA.evidence.very_strong
 
 
@@ -216,9 +216,9 @@ def free_parameters(trial: Trial, interface: Interface) -> tuple[tuple[Free, ...
     """
     free = every_parameter(trial.data, trial.composition, interface)
     tried = set(trial.composition.parameters[trial.effect.name]) - trial.data.fit.keys()
-    spread = [[(f.name, s) for s in _orders(f)] for f in free if f.name in tried]
+    spread = [[(f.name, s) for s in _start_magnitudes(f)] for f in free if f.name in tried]
     moved = tuple(f.starting_at(trial.start.get(f.name, f.start)) for f in free)
-    return moved, [dict(trial.further_start)] * bool(trial.further_start) + _combined(spread)
+    return moved, [dict(trial.further_start)] * bool(trial.further_start) + _start_points(spread)
 
 
 def every_parameter(data: DataSet, composition: Composition, interface: Interface) -> list[Free]:
@@ -229,13 +229,13 @@ def every_parameter(data: DataSet, composition: Composition, interface: Interfac
     return [*free, *(model_parameter(name, interface) for name in own if name not in known)]
 
 
-def _combined(spread: Sequence[Sequence[tuple[str, float]]]) -> list[dict[str, float]]:
+def _start_points(spread: Sequence[Sequence[tuple[str, float]]]) -> list[dict[str, float]]:
     """All combinations of a few parameters' values, or one at a time of many."""
     if len(spread) <= CRITERIA.search.combined_parameters:
         return [dict(point) for point in itertools.product(*spread)] if spread else []
     return [{name: value} for values in spread for name, value in values]
 
 
-def _orders(free: Free) -> Sequence[float]:
+def _start_magnitudes(free: Free) -> Sequence[float]:
     values = [free.start * 10.0**k for n in range(CRITERIA.search.decades + 1) for k in (-n, n)]
     return list(dict.fromkeys(min(max(v, free.low), free.high) for v in values))

@@ -13,15 +13,15 @@ import numpy as np
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.evidence import (
-    Scale,
+    NoiseScale,
     any_structure_for_search,
     any_structure_for_verdict,
     dominant_effect,
-    evidence,
     has_structure_for_search,
-    missed,
-    refuted,
-    scale,
+    information_criterion,
+    missed_signals,
+    noise_scale,
+    refuted_by_unfitted_signals,
 )
 from pam_cosim.diagnosis.model_space import ModelSpace
 from pam_cosim.diagnosis.posterior import Posterior, doubts_of, posterior
@@ -95,12 +95,12 @@ class Verdict:
 
 
 _MOST_LISTED = 3  # sets of families
-_TOOK_ALL = (
+_ALL_RUNS_SEARCHED = (
     " The model found from the fitted runs failed on the held-out runs, so the search was repeated with all runs: no "
     "run is left to check this verdict. The parameters are those of the fitted runs alone; fit all runs before you use "
     "them."
 )
-_REST = (
+_FORM_OPEN = (
     "and no other family comes near. What remains has structure that no second effect explains: the family is what "
     "was found, in a form that no listed law has, or something smaller is missing besides."
 )
@@ -116,7 +116,7 @@ _TAKEN_FOR_NOISE = {
 
 
 def rivals(
-    base: Fit, best: Candidate, tried: Sequence[Candidate], family: Mapping[str, str], choice: ModelSpace
+    base: Fit, best: Candidate, tried: Sequence[Candidate], family: Mapping[str, str], model_space: ModelSpace
 ) -> list[Candidate]:
     """Models with other families that the data hardly distinguish from the best, one of each set of families.
 
@@ -129,41 +129,45 @@ def rivals(
         best: the model with all that was selected.
         tried: all models.
         family: of every effect there is.
-        choice: what a choice among them costs.
+        model_space: what a choice among them costs.
     """
-    alike = [c for c in tried if (best.general or not c.general) and not refuted(c.fit, best.fit)]
-    return _near(base, best, tried, alike, family, choice)
+    alike = [c for c in tried if (best.general or not c.general) and not refuted_by_unfitted_signals(c.fit, best.fit)]
+    return _close_alternatives(base, best, tried, alike, family, model_space)
 
 
-def _near(
+def _close_alternatives(
     base: Fit,
     best: Candidate,
     tried: Sequence[Candidate],
     among: Sequence[Candidate],
     family: Mapping[str, str],
-    choice: ModelSpace,
+    model_space: ModelSpace,
 ) -> list[Candidate]:
     """Models with other families whose evidence is hardly less than that of the best, one of each set of families."""
-    at = scale([base, *(c.fit for c in tried)])
+    scale = noise_scale([base, *(c.fit for c in tried)])
     own = frozenset(family[e] for e in best.effects)
-    limit = evidence(best.fit, at, best.effects, choice, best) + CRITERIA.evidence.very_strong
-    each = best_of_each(among, at, family, choice).items()
+    limit = information_criterion(best.fit, scale, best.effects, model_space, best) + CRITERIA.evidence.very_strong
+    each = best_of_each(among, scale, family, model_space).items()
     near = [(score, c) for theirs, (score, c) in each if not theirs >= own and score < limit]
     return [c for _, c in sorted(near, key=lambda entry: (entry[0], entry[1].effects))]
 
 
-def nearest(base: Fit, tried: Sequence[Candidate], family: Mapping[str, str], choice: ModelSpace) -> list[Candidate]:
+def nearest(
+    base: Fit, tried: Sequence[Candidate], family: Mapping[str, str], model_space: ModelSpace
+) -> list[Candidate]:
     """The models with most evidence, one of each set of families, best first: what is left where none leaves noise.
 
     Args:
         base: the model without effects, fitted.
         tried: all models.
         family: of every effect there is.
-        choice: what a choice among them costs.
+        model_space: what a choice among them costs.
     """
-    at = scale([base, *(c.fit for c in tried)])
+    scale = noise_scale([base, *(c.fit for c in tried)])
     fitted = [c for c in tried if not c.brief]
-    each = sorted(best_of_each(fitted, at, family, choice).values(), key=lambda entry: (entry[0], entry[1].effects))
+    each = sorted(
+        best_of_each(fitted, scale, family, model_space).values(), key=lambda entry: (entry[0], entry[1].effects)
+    )
     return [c for _, c in each[: CRITERIA.next_experiment.rivals]]
 
 
@@ -173,34 +177,35 @@ def with_facts(
     best: Candidate | None,
     tried: Sequence[Candidate],
     family: Mapping[str, str],
-    choice: ModelSpace,
+    model_space: ModelSpace,
 ) -> Verdict:
     """The verdict with what its sentences speak of besides: signals that nobody fitted, and models that come as near.
 
     Args:
         verdict: the answer.
-        base, best, tried, family, choice: as for ``rivals``; ``best`` None: nothing was selected.
+        base, best, tried, family, model_space: as for ``rivals``; ``best`` None: nothing was selected.
     """
     fit = best.fit if best else base
-    off = missed(fit)
+    off = missed_signals(fit)
     if best is None:
         return replace(verdict, off=off)
-    against = [c for c in tried if refuted(c.fit, fit)]
-    bent = [c for c in tried if c.general and not best.general and not refuted(c.fit, fit)]
+    against = [c for c in tried if refuted_by_unfitted_signals(c.fit, fit)]
+    bent = [c for c in tried if c.general and not best.general and not refuted_by_unfitted_signals(c.fit, fit)]
     wrong, bending = (
-        tuple(" + ".join(c.effects) for c in _near(base, best, tried, some, family, choice)) for some in (against, bent)
+        tuple(" + ".join(c.effects) for c in _close_alternatives(base, best, tried, some, family, model_space))
+        for some in (against, bent)
     )
     return replace(verdict, off=off, refuted=wrong, bending=bending)
 
 
 def best_of_each(
-    candidates: Sequence[Candidate], at: Scale, family: Mapping[str, str], choice: ModelSpace
+    candidates: Sequence[Candidate], scale: NoiseScale, family: Mapping[str, str], model_space: ModelSpace
 ) -> dict[frozenset[str], tuple[float, Candidate]]:
     """The best model with each set of families, with its evidence, in the order of the candidates."""
     best: dict[frozenset[str], tuple[float, Candidate]] = {}
     for c in candidates:
         families = frozenset(family[e] for e in c.effects)
-        score = evidence(c.fit, at, c.effects, choice, c)
+        score = information_criterion(c.fit, scale, c.effects, model_space, c)
         if families not in best or score < best[families][0]:
             best[families] = (score, c)
     return best
@@ -212,17 +217,17 @@ def with_posterior(
     selected: Sequence[Candidate],
     tried: Sequence[Candidate],
     family: Mapping[str, str],
-    choice: ModelSpace,
+    model_space: ModelSpace,
 ) -> Verdict:
     """The verdict with the probabilities of what may be missing, and of what it says itself.
 
     Args:
         verdict: the answer.
         selected: models that add one effect after another.
-        base, tried, family, choice: as for ``rivals``.
+        base, tried, family, model_space: as for ``rivals``.
     """
     doubts = doubts_of(selected, verdict.kind == "unknown", verdict.remainder)
-    known = posterior(base, selected[-1] if selected else None, tried, family, choice, doubts)
+    known = posterior(base, selected[-1] if selected else None, tried, family, model_space, doubts)
     named = sum(one.probability for one in known.explanations if verdict.names(one.families))
     return replace(verdict, posterior=known, probability=named)
 
@@ -233,7 +238,7 @@ def judge(
     others: Sequence[Candidate],
     tried: Sequence[Candidate] = (),
     family: Mapping[str, str] = MappingProxyType({}),
-    all_asked: bool = False,
+    all_runs_searched: bool = False,
 ) -> Verdict:
     """Turns the effects that were ``selected``, rivals of the model with them and all that were tried into a verdict.
 
@@ -246,7 +251,7 @@ def judge(
         others: rivals of the last of them.
         tried: all models.
         family: of the effects of rivals with several.
-        all_asked: all runs were fitted, for those that were held out contradicted what the others came to.
+        all_runs_searched: all runs were fitted, for those that were held out contradicted what the others came to.
     """
     if not selected:
         if any_structure_for_search(base):
@@ -255,36 +260,51 @@ def judge(
     last = selected[-1]
     families = tuple(c.family for c in selected)
     effects = tuple(c.effect for c in selected)
-    share = explained(base, last.fit)
-    text = f"{' + '.join(effects)} removes {100 * share:.1f} % of the squared error beyond the noise"
+    removed = 100 * explained(base, last.fit)
+    text = f"{' + '.join(effects)} removes {removed:.1f} % of the squared error beyond the noise"
     known = {**family, **{c.effect: c.family for c in (*selected, *others)}}
-    instead = [tuple(e for e in c.effects if e not in effects) or (c.effect,) for c in others]
-    ours = [e for e in effects if not any(e in c.effects for c in others)] or [last.effect]
-    names = " and ".join(" + ".join(dict.fromkeys(known[e] for e in part)) for part in (ours, *instead))
-    caution = _caution(last.fit, all_asked)
+    caution = _caution(last.fit, all_runs_searched)
     if any_structure_for_verdict(last.fit):
         dominant = dominant_effect(base, tried)
         if dominant is not None and dominant.effects == last.effects and not others:
-            return Verdict("identified", families, effects, f"{text}, {_REST}{caution}", remainder=True)
+            return Verdict("identified", families, effects, f"{text}, {_FORM_OPEN}{caution}", remainder=True)
         text += ", but what remains has structure: something else is missing."
-        also = f" Nor can these data separate {names}, and none of them is the answer." if others else ""
-        return Verdict("unknown", families, effects, text + also)
+        if others:
+            named = _alternatives(effects, last, others, known)
+            text += f" Nor can these data separate {named}, and none of them is the answer."
+        return Verdict("unknown", families, effects, text)
     if others:
-        effects = tuple(dict.fromkeys((*effects, *(e for part in instead for e in part))))
-        families = tuple(dict.fromkeys((*families, *(known[e] for part in instead for e in part))))
-        asked = _TOOK_ALL * all_asked
-        return Verdict("ambiguous", families, effects, f"These data cannot separate {names}.{asked}")
-    remains = f"what remains {_of_what(last.fit)}is noise{_loud(last.fit)}.{_but(last.fit)}"
-    return Verdict("identified", families, effects, f"{text}; {remains}{_open(selected)}{caution}")
+        instead = [e for part in _instead(effects, others) for e in part]
+        all_effects = tuple(dict.fromkeys((*effects, *instead)))
+        all_families = tuple(dict.fromkeys((*families, *(known[e] for e in instead))))
+        reason = f"These data cannot separate {_alternatives(effects, last, others, known)}."
+        return Verdict("ambiguous", all_families, all_effects, reason + _ALL_RUNS_SEARCHED * all_runs_searched)
+    remains = f"what remains {_of_fitted_signals(last.fit)}is noise{_noise_excess(last.fit)}.{_exceptions(last.fit)}"
+    return Verdict("identified", families, effects, f"{text}; {remains}{_open_form(selected)}{caution}")
 
 
-def _of_what(fit: Fit) -> str:
+def _instead(effects: Sequence[str], others: Sequence[Candidate]) -> list[tuple[str, ...]]:
+    """What each rival has that the answer has not."""
+    return [tuple(e for e in c.effects if e not in effects) or (c.effect,) for c in others]
+
+
+def _alternatives(
+    effects: Sequence[str], last: Candidate, others: Sequence[Candidate], family: Mapping[str, str]
+) -> str:
+    """The families that stand for each other: those of the answer that no rival has, and those of each rival."""
+    shared = {e for c in others for e in c.effects}
+    ours = [e for e in effects if e not in shared] or [last.effect]
+    families = [dict.fromkeys(family[e] for e in part) for part in (ours, *_instead(effects, others))]
+    return " and ".join(" + ".join(names) for names in families)
+
+
+def _of_fitted_signals(fit: Fit) -> str:
     """Which signals are spoken of, where others were compared but not fitted and are off."""
     signals = fit.comparison.data.signals
-    return f"of {listed([n for n, s in signals.items() if s.fitted])} " if missed(fit) else ""
+    return f"of {listed([n for n, s in signals.items() if s.fitted])} " if missed_signals(fit) else ""
 
 
-def _loud(fit: Fit) -> str:
+def _noise_excess(fit: Fit) -> str:
     """That the noise is more than it was thought to be, and by whom."""
     loud = fit.residuals["fit"].chi2_reduced
     if loud <= CRITERIA.fit.loud:
@@ -294,11 +314,11 @@ def _loud(fit: Fit) -> str:
     return f"; it is {loud**0.5:.2g} times {taken}"
 
 
-def _but(fit: Fit) -> str:
+def _exceptions(fit: Fit) -> str:
     """Where what remains is no noise all the same: signals that were not fitted, and runs that are far off."""
     comparison = fit.comparison
     text = ""
-    for name in missed(fit):
+    for name in missed_signals(fit):
         score, unit = comparison.scores["all"][name], comparison.data.signals[name].unit
         text += (
             f" {name}, compared but not fitted, is {format_quantity(score.rmse, unit)} off "
@@ -323,7 +343,7 @@ def _far_runs(fit: Fit) -> list[tuple[str, str, float, str]]:
     return far
 
 
-def _open(selected: Sequence[Candidate]) -> str:
+def _open_form(selected: Sequence[Candidate]) -> str:
     """What an effect that says whatever its family can leaves open."""
     names = [c.effect for c in selected if c.general]
     if not names:
@@ -334,11 +354,11 @@ def _open(selected: Sequence[Candidate]) -> str:
     )
 
 
-def _caution(fit: Fit, all_asked: bool) -> str:
+def _caution(fit: Fit, all_runs_searched: bool) -> str:
     """What keeps an explanation from being beyond doubt: runs that do not check it, or a fit that ends at a bound."""
     held = fit.residuals["holdout"]
     text = "" if held.samples else " No run was held out: nothing but what was fitted speaks for it."
-    text = _TOOK_ALL if all_asked else text
+    text = _ALL_RUNS_SEARCHED if all_runs_searched else text
     if has_structure_for_search(held) and not any_structure_for_verdict(fit):
         text = " Held-out runs are met only as far as the fitted ones determine the parameters: they check little."
     names = [n for n, e in fit.parameters.items() if e.at_bound and e.determined]

@@ -62,33 +62,39 @@ def take_bench(
     Raises:
         InputError: there is no such bench, or none that the recordings feed.
     """
-    ready = [one for one in map(_at_rest(known), ports(tree)) if one is not None]
+    suited = [_suited(one, known.points) for one in ports(tree)]
+    ready = [one for one in suited if one is not None]
     composed = {one.name: one for one in ready if one.parts}
     if wishes.model is not None and wishes.model not in composed:
         if wishes.muscle is not None:
             raise InputError(f"a muscle is named for a bench that is put together, and {wishes.model} is there already")
         return _named(place, wishes.model, known, describe)
-    told = _told_muscle(wishes, known, tree)
-    muscle = wishes.muscle if told is None else told.name
+    recorded = _recorded_muscle(wishes, known, tree)
+    muscle = wishes.muscle if recorded is None else recorded.name
     candidates = ready if muscle is None else list(composed.values())
     if wishes.model is not None:
         candidates = [composed[wishes.model]]
     elif known.points:
         candidates = [one for one in candidates if _all_imposed(one)]
     choice = choose(candidates, known.columns, known.asked, known.formulas, len(known.sources), _stated_inputs(known))
-    why = _why(choice)
     if not choice.ports.parts:
-        return Bench(choice, choice.ports.name, describe(choice.ports.name), why, None, True)
+        return Bench(choice, choice.ports.name, describe(choice.ports.name), _why(choice), None, True)
     file = place / f"{name}.mo"
     file.write_text(_composed(choice, name, known, tree, muscle), encoding="utf-8", newline="\n")
-    made = f"{name}.mo was put together from {choice.ports.name}"
-    if told is not None:
-        made += f", with the muscle {told.name}, of which the files or their names tell"
-    why = made if wishes.model else f"{why}. {made}"
-    return Bench(choice, file.name, describe(str(file)), why, told, muscle is None)
+    made = _origin(file.name, choice, recorded)
+    why = made if wishes.model else f"{_why(choice)}. {made}"
+    return Bench(choice, file.name, describe(str(file)), why, recorded, muscle is None)
 
 
-def _told_muscle(wishes: DraftRequests, known: ReadRecordings, tree: ClassTree) -> Muscle | None:
+def _origin(file: str, choice: BenchChoice, recorded: Muscle | None) -> str:
+    """What a bench was put together from."""
+    made = f"{file} was put together from {choice.ports.name}"
+    if recorded is None:
+        return made
+    return f"{made}, with the muscle {recorded.name}, of which the files or their names tell"
+
+
+def _recorded_muscle(wishes: DraftRequests, known: ReadRecordings, tree: ClassTree) -> Muscle | None:
     """The muscle that files or their names tell of, where the user names neither one nor a bench."""
     if wishes.muscle is not None or wishes.model is not None:
         return None
@@ -116,15 +122,13 @@ def _composed(choice: BenchChoice, name: str, known: ReadRecordings, tree: Class
     return compose_bench(tree, feed, hold, muscle, measure, name, known.points).text
 
 
-def _at_rest(known: ReadRecordings) -> Callable[[Ports], Ports | None]:
-    """What a bench is to such recordings: those of points at rest have a direction, and no others; None: not one."""
-
-    def of(one: Ports) -> Ports | None:
-        if one.parts and known.points:
-            return replace(one, inputs={**one.inputs, BRANCH: Variable(BRANCH, "1", "Direction of the branch")})
-        return one if (BRANCH in one.inputs) == known.points else None
-
-    return of
+def _suited(one: Ports, points: bool) -> Ports | None:
+    """A bench for such recordings: of points at rest it has a direction, of others it has none; None: not suited."""
+    if one.parts and points:
+        branch = Variable(BRANCH, "1", "Direction of the branch")
+        return replace(one, inputs={**one.inputs, BRANCH: branch})
+    has_branch = BRANCH in one.inputs
+    return one if has_branch == points else None
 
 
 def _all_imposed(one: Ports) -> bool:

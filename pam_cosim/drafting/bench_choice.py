@@ -9,7 +9,7 @@ import numpy as np
 
 from pam_cosim.catalogue.ports import Ports
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.columns import Found
+from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.rest import correlation, span
 from pam_cosim.drafting.vocabulary import AT_REST, Meaning, read_variable
 from pam_cosim.errors import InputError
@@ -41,8 +41,8 @@ class BenchChoice:
     """
 
     ports: Ports
-    inputs: dict[str, Found]
-    outputs: dict[str, Found]
+    inputs: dict[str, RecordedColumn]
+    outputs: dict[str, RecordedColumn]
     unfed: tuple[str, ...]
     others: tuple[str, ...] = ()
     cost: float = 0.0
@@ -50,23 +50,23 @@ class BenchChoice:
     driven: bool = True
 
     @property
-    def fed(self) -> dict[str, Found]:
+    def fed(self) -> dict[str, RecordedColumn]:
         """All of them."""
         return {**self.inputs, **self.outputs}
 
 
 @dataclass(frozen=True)
-class _Given:
+class _Feed:
     """What the user and the recordings give a bench, as ``choose`` has it."""
 
-    columns: Sequence[Found]
+    columns: Sequence[RecordedColumn]
     asked: Mapping[str, str]
     formulas: Mapping[str, str]
     runs: int
     stated: Collection[str]
 
     @property
-    def signals(self) -> list[Found]:
+    def signals(self) -> list[RecordedColumn]:
         """Columns of which it is known what they are, but for time and what stands around a muscle."""
         known = [c for c in self.columns if c.meaning is not None and not c.of("time")]
         return [c for c in known if not _is_parameter(c)]
@@ -74,7 +74,7 @@ class _Given:
 
 def choose(
     candidates: Sequence[Ports],
-    columns: Sequence[Found],
+    columns: Sequence[RecordedColumn],
     asked: Mapping[str, str],
     formulas: Mapping[str, str],
     runs: int,
@@ -93,7 +93,7 @@ def choose(
     Raises:
         InputError: no bench has the names that the user says, or none can be fed.
     """
-    given = _Given(columns, asked, formulas, runs, stated)
+    given = _Feed(columns, asked, formulas, runs, stated)
     choices = [_feed(one, given) for one in _having(candidates, given)]
     order = sorted(choices, key=lambda c: (c.cost, c.ports.rank, c.unread))
     best = order[0]
@@ -106,24 +106,25 @@ def choose(
     return BenchChoice(best.ports, inputs, outputs, best.unfed, others[:3], best.cost, best.unread)
 
 
-def _having(candidates: Sequence[Ports], given: _Given) -> list[Ports]:
+def _having(candidates: Sequence[Ports], given: _Feed) -> list[Ports]:
     """The benches that have every name that the user says.
 
     Raises:
         InputError: there is none.
     """
     named = [name for name in (*given.asked, *given.formulas) if name != "time"]
-    able = [one for one in candidates if all(name in one.inputs or name in one.outputs for name in named)]
-    able = [one for one in able if all(name in one.inputs for name in given.stated)]
+    able = [one for one in candidates if {*named} <= {*one.inputs, *one.outputs}]
+    able = [one for one in able if {*given.stated} <= {*one.inputs}]
     if able:
         return able
     said = [*named, *given.stated]
     known = dict.fromkeys(name for one in candidates for name in (*one.inputs, *one.outputs))
-    name = next((name for name in said if name not in known), said[0] if said else "")
+    unknown = [name for name in said if name not in known]
+    name = next(iter([*unknown, *said]), "")
     raise InputError(f"no bench has an input or output {shown(name)}; {did_you_mean(name, known)}")
 
 
-def _among(column: Found, columns: Sequence[Found], best: BenchChoice, asked: bool) -> Found:
+def _among(column: RecordedColumn, columns: Sequence[RecordedColumn], best: BenchChoice, asked: bool) -> RecordedColumn:
     """The column, saying that others could be it too."""
     taken = {c.name for c in best.fed.values()}
     rivals = [c.name for c in columns if c.meaning == column.meaning and c.name not in taken]
@@ -138,7 +139,7 @@ def meaning_of(variable: Variable) -> Meaning | None:
     return read_variable(variable.name, variable.description, variable.unit)
 
 
-def _feed(ports: Ports, given: _Given) -> BenchChoice:
+def _feed(ports: Ports, given: _Feed) -> BenchChoice:
     """A bench with the columns that feed it best, and what that costs."""
     whole = [c for c in given.signals if len(c.values) == given.runs and c.whole]
     free = [c for c in given.signals if not c.in_names]
@@ -152,14 +153,15 @@ def _feed(ports: Ports, given: _Given) -> BenchChoice:
     driven = _is_driven(ports, fed, left)
     unread = [name for name in readable if name not in outputs and name not in given.formulas]
     measured = bool(outputs) or len(unread) < len(readable)
+    named = [name for name, column in inputs.items() if name == column.name]
     cost = _UNUSED * _unused(left, used) + _UNFED * len(unfed) + _ROUNDABOUT * (far_inputs + far_outputs)
     cost += _UNLIKELY * _unlikely(inputs, outputs) + _UNDRIVEN * ((not driven) + 2 * (not measured))
-    cost -= _NAMED * len([name for name, column in inputs.items() if name == column.name])
+    cost -= _NAMED * len(named)
     cost += _ISOMETRIC if _must_be_fixed(ports, used) else 0.0
     return BenchChoice(ports, inputs, outputs, unfed, (), cost, len(unread), driven and measured)
 
 
-def _unused(left: Sequence[Found], used: Sequence[Found]) -> int:
+def _unused(left: Sequence[RecordedColumn], used: Sequence[RecordedColumn]) -> int:
     """How many columns are left that mean something else than those that are used."""
     known = [c.meaning for c in used]
     return len([c for c in left if c.meaning not in known])
@@ -173,13 +175,13 @@ def _readable(ports: Ports) -> dict[str, Variable]:
     return {name: variable for name, variable in ports.outputs.items() if meaning_of(variable) not in imposed}
 
 
-def _signals_among(columns: Sequence[Found], used: Sequence[Found]) -> list[Found]:
+def _signals_among(columns: Sequence[RecordedColumn], used: Sequence[RecordedColumn]) -> list[RecordedColumn]:
     """Recorded signals that are not used."""
     left = [c for c in columns if c not in used]
     return [c for c in left if c.meaning is not None and c.meaning.kind not in _NO_SIGNALS]
 
 
-def _is_driven(ports: Ports, fed: Collection[str], left: Sequence[Found]) -> bool:
+def _is_driven(ports: Ports, fed: Collection[str], left: Sequence[RecordedColumn]) -> bool:
     """Whether what drives the runs was recorded.
 
     A bench without such inputs runs by itself: where more was recorded than it shows, something drove it.
@@ -188,12 +190,12 @@ def _is_driven(ports: Ports, fed: Collection[str], left: Sequence[Found]) -> boo
     return any(name in fed for name in driving) if driving else not left
 
 
-def _is_parameter(column: Found) -> bool:
+def _is_parameter(column: RecordedColumn) -> bool:
     """Whether a column says what stands around a muscle, or how long it is, and is no signal."""
     return column.meaning is not None and (column.meaning == AT_REST or "ambient" in column.meaning.roles)
 
 
-def _must_be_fixed(ports: Ports, used: Sequence[Found]) -> bool:
+def _must_be_fixed(ports: Ports, used: Sequence[RecordedColumn]) -> bool:
     """Whether a pull changes while nobody reads a length: then it is fixed, and a bench that lets it go is none."""
     pulls = [c for c in used if c.of("force") and not c.held]
     kinds = {c.meaning.kind for c in used if c.meaning}
@@ -207,8 +209,8 @@ def _drives(meaning: Meaning | None) -> bool:
 
 
 def _assign(
-    variables: Mapping[str, Variable], columns: Sequence[Found], given: _Given
-) -> tuple[dict[str, Found], float]:
+    variables: Mapping[str, Variable], columns: Sequence[RecordedColumn], given: _Feed
+) -> tuple[dict[str, RecordedColumn], float]:
     """The best column for each variable, and how far round about that is."""
     by_name = {c.name: c for c in given.columns}
     taken = {name: by_name[given.asked[name]] for name in variables if name in given.asked}
@@ -218,18 +220,31 @@ def _assign(
         meaning = meaning_of(variable)
         if name in taken or meaning is None:
             continue
-        rank = []
-        for i, column in enumerate(columns):
-            far = _distance(column.meaning, meaning)
-            if far is not None and column not in taken.values() and column.name not in reserved:
-                rank.append((far, column.name != name, -column.known, -_moves(column), i, column))
-        if rank:
-            best = min(rank, key=lambda one: one[:5])
-            taken[name], cost = best[5], cost + best[0]
+        left = [c for c in columns if c not in taken.values() and c.name not in reserved]
+        distance, column = _nearest(name, meaning, left)
+        if column is not None:
+            taken[name], cost = column, cost + distance
     return taken, cost
 
 
-def _moves(column: Found) -> float:
+def _nearest(name: str, meaning: Meaning, columns: Sequence[RecordedColumn]) -> tuple[float, RecordedColumn | None]:
+    """The column that serves a variable best, and how far it is from what is asked for.
+
+    Of columns that are as far, the one of that name; the best known; the one that moves most; the first.
+    """
+    distances = {i: _distance(column.meaning, meaning) for i, column in enumerate(columns)}
+    rank = []
+    for i, distance in distances.items():
+        if distance is not None:
+            one = columns[i]
+            rank.append((distance, one.name != name, -one.known, -_moves(one), i))
+    if not rank:
+        return 0.0, None
+    best = min(rank)
+    return best[0], columns[best[4]]
+
+
+def _moves(column: RecordedColumn) -> float:
     """Span of a column over its largest magnitude: of two, the one that moves is the muscle's."""
     largest = float(np.nanmax(np.abs(column.every), initial=0.0))
     return span(column.every) / largest if largest else 0.0
@@ -246,7 +261,7 @@ def _distance(column: Meaning | None, variable: Meaning) -> float | None:
     return None
 
 
-def _unlikely(inputs: Mapping[str, Found], outputs: Mapping[str, Found]) -> float:
+def _unlikely(inputs: Mapping[str, RecordedColumn], outputs: Mapping[str, RecordedColumn]) -> float:
     """How many columns are imposed that do not look so, or read that do."""
     pressures = (c for c in (*outputs.values(), *inputs.values()) if c.of("pressure") or c.of("pressure", "set"))
     pressure = next(pressures, None)
@@ -259,14 +274,14 @@ def _unlikely(inputs: Mapping[str, Found], outputs: Mapping[str, Found]) -> floa
     return doubt + (0.5 if len(read) > 1 and not held else 0.0)
 
 
-def _held(column: Found, pressure: Found | None) -> bool:
+def _held(column: RecordedColumn, pressure: RecordedColumn | None) -> bool:
     """Whether a column is held, and not just at rest where the pressure is."""
     return column.held and (
         pressure is None or abs(correlation(pressure.values, column.values)) < CRITERIA.recognition.follows
     )
 
 
-def _nothing_fits(nearest: BenchChoice, columns: Sequence[Found]) -> str:
+def _nothing_fits(nearest: BenchChoice, columns: Sequence[RecordedColumn]) -> str:
     known = [f"{c.name} ({c.meaning})" for c in columns if c.meaning is not None and not c.of("time")]
     hint = "say what columns are, as --column p='Druck 1', or the bench, --model NAME ('pam-cosim bench --list')"
     if not known:

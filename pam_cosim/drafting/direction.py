@@ -10,7 +10,7 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.columns import Found
+from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.vocabulary import direction_word, split_words
 from pam_cosim.measurement.curves import directions
 from pam_cosim.measurement.points import CONTRACTS
@@ -21,12 +21,12 @@ SENSES = {1: "up", -1: "down", 0: "none"}
 """Directions as ``experiment.toml`` has them."""
 
 
-def with_senses(columns: Sequence[Found]) -> list[Found]:
+def with_senses(columns: Sequence[RecordedColumn]) -> list[RecordedColumn]:
     """The columns, of which those of a direction say which of their values is which way."""
     return [_sensed(c, columns) if c.of("direction") else c for c in columns]
 
 
-def _sensed(column: Found, columns: Sequence[Found]) -> Found:
+def _sensed(column: RecordedColumn, columns: Sequence[RecordedColumn]) -> RecordedColumn:
     """A column of directions with the way that each of its values means; none, where it has more than three."""
     values = [float(v) for v in np.unique(column.every[np.isfinite(column.every)])]
     if len(values) > 3:
@@ -46,7 +46,7 @@ def _sensed(column: Found, columns: Sequence[Found]) -> Found:
     return replace(column, senses=_by_size(values), why=("the larger is taken for up",))
 
 
-def _trend(column: Found, other: Found, value: float) -> float:
+def _trend(column: RecordedColumn, other: RecordedColumn, value: float) -> float:
     """Share of the change of another column that is a rise, less that of falls, between rows of one value."""
     steps = [np.empty(0)]
     for i, own in column.values.items():
@@ -69,7 +69,7 @@ def _by_size(values: Sequence[float]) -> dict[float, int]:
     return {v: 1 if v == values[-1] else -1 if v == values[0] else 0 for v in values}
 
 
-def words_of(column: Found) -> dict[str, str]:
+def words_of(column: RecordedColumn) -> dict[str, str]:
     """up, down or none by the words of a column, as ``experiment.toml`` has them."""
     return {word: SENSES[column.senses.get(float(i), 0)] for i, word in enumerate(column.words)}
 

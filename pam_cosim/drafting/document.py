@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from textwrap import wrap
 
-from pam_cosim.drafting.mapping import ColumnEntry
+from pam_cosim.drafting.mapped import ColumnEntry
 from pam_cosim.drafting.noise import Sigma
 from pam_cosim.drafting.points import PointsDraft
 from pam_cosim.drafting.roles import Role

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.columns import Found
+from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.vocabulary import Meaning, folded, kinds_of, known_unit, says_no_load
 from pam_cosim.units import convert
 
@@ -67,7 +67,7 @@ def _muscle(stem: str, known: Iterable[str]) -> Muscle | None:
     return None
 
 
-def quantities(files: Sequence[Path], columns: Sequence[Found], counts: Sequence[int]) -> list[Found]:
+def quantities(files: Sequence[Path], columns: Sequence[RecordedColumn], counts: Sequence[int]) -> list[RecordedColumn]:
     """What the name of every file says, as columns that do not change within a file.
 
     Args:
@@ -93,7 +93,7 @@ def _all_without_load(files: Sequence[Path]) -> bool:
     return all(says_no_load(file.stem) for file in files)
 
 
-def _common(each: Sequence[Sequence[Said]], counts: Sequence[int], lengths: bool) -> Found | None:
+def _common(each: Sequence[Sequence[Said]], counts: Sequence[int], lengths: bool) -> RecordedColumn | None:
     """The quantity that each name tells once; of lengths, the one that is a contraction."""
     chosen = [_imposed(own, each) if lengths else own for own in each]
     if not all(len(own) == 1 for own in chosen) or len({(own[0].kind, own[0].unit) for own in chosen}) != 1:
@@ -102,7 +102,7 @@ def _common(each: Sequence[Sequence[Said]], counts: Sequence[int], lengths: bool
     values = {i: np.full(count, own[0].value) for i, (own, count) in enumerate(zip(chosen, counts, strict=True))}
     texts = ", ".join(dict.fromkeys(own[0].text for own in chosen))
     why = (f"the names of the files say so: {texts}",)
-    return Found(texts, first.unit, False, Meaning(first.kind), values, why, known=1.0, in_names=True)
+    return RecordedColumn(texts, first.unit, False, Meaning(first.kind), values, why, known=1.0, in_names=True)
 
 
 def _imposed(own: Sequence[Said], each: Sequence[Sequence[Said]]) -> list[Said]:

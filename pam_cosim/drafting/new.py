@@ -15,12 +15,13 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting import values
 from pam_cosim.drafting.bench import Bench, class_name, take_bench
 from pam_cosim.drafting.bench_choice import MECHANICAL, meaning_of
-from pam_cosim.drafting.columns import Found
 from pam_cosim.drafting.document import Draft, document
 from pam_cosim.drafting.folder import check_place, copy_files, put, read_draft, temporary_sibling
-from pam_cosim.drafting.mapping import Mapped, MappedRecording, length_parameter, longest_of, map_columns
+from pam_cosim.drafting.mapped import Mapped, MappedRecording
+from pam_cosim.drafting.mapping import length_parameter, longest_of, map_columns
 from pam_cosim.drafting.noise import Sigma, sigma_of
 from pam_cosim.drafting.points import check_imposed, drafted
+from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.requests import DraftRequests, ReadRecordings, known, recording_table
 from pam_cosim.drafting.rest import is_held, is_switch, span
 from pam_cosim.drafting.roles import Role, roles, stated_roles
@@ -112,11 +113,12 @@ def _content(
 ) -> Draft:
     """What the file says."""
     interface, choice = bench.interface, bench.choice
-    told = _told(bench, recorded, mapped)
+    told = _recorded_values(bench, recorded, mapped)
     guessed = _guessed_roles(bench, recorded, mapped, told)
     by_run = any(role.role == "holdout" for role in guessed) or bool(stated)
     outputs = [name for name in interface.outputs if name in choice.outputs or name in recorded.formulas]
-    shown = [name for name in outputs if len(outputs) > 1 and _is_temperature(interface.outputs[name])]
+    shown = _only_shown(outputs, interface)
+    columns = {name: column for name, column in choice.fed.items() if not column.in_names}
     return Draft(
         title=title,
         model=bench.name,
@@ -128,7 +130,7 @@ def _content(
         sigmas={name: _sigma(name, bench, recorded, mapped) for name in outputs if name not in shown},
         shown=shown,
         stated=recorded.stated,
-        unfed=[name for name in choice.unfed if not all(name in run for run in told)],
+        unfed=_stated_nowhere(choice.unfed, told),
         free=values.free(interface, recorded.points),
         perhaps=values.perhaps(interface, recorded.points),
         to_state=values.to_state(interface, recorded.points),
@@ -137,10 +139,21 @@ def _content(
         told=told,
         interpolation=[_interpolation(course.inputs) for course in mapped.courses],
         resample=_means(mapped.courses),
-        having={name: sorted(column.places) for name, column in choice.fed.items() if not column.in_names},
+        having={name: sorted(column.places) for name, column in columns.items()},
         usual_muscle=bench.usual and _no_size(recorded, interface),
         points=drafted(mapped.courses, interface, recorded.files, by_run) if recorded.points else None,
     )
+
+
+def _only_shown(outputs: Sequence[str], interface: Interface) -> list[str]:
+    """The outputs that nothing is fitted to, where there are others."""
+    temperatures = [name for name in outputs if _is_temperature(interface.outputs[name])]
+    return temperatures if len(outputs) > 1 else []
+
+
+def _stated_nowhere(unfed: Sequence[str], told: Sequence[Mapping[str, values.StatedValue]]) -> list[str]:
+    """Inputs without a column whose values not every recording tells."""
+    return [name for name in unfed if not all(name in run for run in told)]
 
 
 def _guessed_roles(
@@ -153,7 +166,7 @@ def _guessed_roles(
     return roles(mapped.courses, bench.interface, traits, paced=not recorded.points)
 
 
-def _told(bench: Bench, recorded: ReadRecordings, mapped: Mapped) -> list[dict[str, values.StatedValue]]:
+def _recorded_values(bench: Bench, recorded: ReadRecordings, mapped: Mapped) -> list[dict[str, values.StatedValue]]:
     """What each recording tells of itself, as far as the user does not state it."""
     interface = bench.interface
     left = [column for column in recorded.columns if column not in bench.choice.fed.values()]
@@ -234,7 +247,7 @@ _IGNORED_KINDS = {
 }
 
 
-def _why_ignored(column: Found, by_meaning: Mapping[Meaning | None, str]) -> str:
+def _why_ignored(column: RecordedColumn, by_meaning: Mapping[Meaning | None, str]) -> str:
     """Why a column is not read."""
     meaning = column.meaning
     if meaning is None:

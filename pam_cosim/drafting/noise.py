@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pam_cosim.drafting.mapping import MappedRecording
+from pam_cosim.drafting.mapped import MappedRecording
 from pam_cosim.drafting.rest import noise_at_rest
 from pam_cosim.units import format_quantity
 

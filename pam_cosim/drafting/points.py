@@ -11,7 +11,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.direction import moves, ordered, way, ways_in
-from pam_cosim.drafting.mapping import MappedRecording
+from pam_cosim.drafting.mapped import MappedRecording
 from pam_cosim.drafting.rest import span
 from pam_cosim.drafting.values import text_of
 from pam_cosim.errors import InputError

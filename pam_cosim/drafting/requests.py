@@ -11,11 +11,13 @@ from pathlib import Path
 
 from pydantic import ValidationError
 
-from pam_cosim.drafting.columns import Found, check_time, find_columns
+from pam_cosim.drafting.columns import find_columns
 from pam_cosim.drafting.direction import with_senses
 from pam_cosim.drafting.file_names import quantities
+from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.rest import span
 from pam_cosim.drafting.sources import RecordingSource, read_sources
+from pam_cosim.drafting.time_column import check_time
 from pam_cosim.drafting.vocabulary import AT_REST, Meaning
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import RecordingTable
@@ -52,8 +54,8 @@ class ReadRecordings:
     """
 
     sources: tuple[RecordingSource, ...]
-    columns: tuple[Found, ...]
-    time: Found | None
+    columns: tuple[RecordedColumn, ...]
+    time: RecordedColumn | None
     recording: RecordingTable
     asked: dict[str, str]
     formulas: dict[str, str]
@@ -97,7 +99,7 @@ def _rows(source: RecordingSource) -> int:
     return len(next(iter(source.table.columns.values())).values)
 
 
-def _as_points(columns: Sequence[Found]) -> list[Found]:
+def _as_points(columns: Sequence[RecordedColumn]) -> list[RecordedColumn]:
     """The columns of tables of points at rest: directions have a sense, a pressure was reached, a mass was hung on."""
     set_, plain = Meaning("pressure", frozenset({"set"})), Meaning("pressure")
     made = [replace(c, points=True) for c in with_senses(columns)]
@@ -106,7 +108,7 @@ def _as_points(columns: Sequence[Found]) -> list[Found]:
     return _instead(made, Meaning("mass"), Meaning("force"), "the load of each row")
 
 
-def _with_rest(columns: list[Found]) -> list[Found]:
+def _with_rest(columns: list[RecordedColumn]) -> list[RecordedColumn]:
     """The columns, of which a length that does not change beside a contraction is that of the muscle at rest."""
     varying = [c for c in columns if c.meaning is not None and c.meaning.kind in ("contraction", "ratio")]
     if not varying:
@@ -116,7 +118,7 @@ def _with_rest(columns: list[Found]) -> list[Found]:
     return [replace(c, meaning=AT_REST, why=(*c.why, why)) if c in still else c for c in columns]
 
 
-def _instead(columns: list[Found], other: Meaning, wanted: Meaning, why: str) -> list[Found]:
+def _instead(columns: list[RecordedColumn], other: Meaning, wanted: Meaning, why: str) -> list[RecordedColumn]:
     """The columns, of which one that means another thing serves where none means what is wanted."""
     if any(c.meaning == wanted for c in columns):
         return columns

@@ -9,10 +9,10 @@ from shlex import quote
 
 from pam_cosim.drafting import values
 from pam_cosim.drafting.bench_choice import BenchChoice
-from pam_cosim.drafting.columns import Found
 from pam_cosim.drafting.direction import SENSES
 from pam_cosim.drafting.document import Draft
-from pam_cosim.drafting.mapping import ColumnEntry, Mapped, MappedRecording
+from pam_cosim.drafting.mapped import ColumnEntry, Mapped, MappedRecording
+from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.rest import begins_still
 from pam_cosim.measurement import DataSet
 from pam_cosim.units import format_quantity
@@ -69,7 +69,7 @@ def _counted(runs: int) -> str:
     return f"{runs} run" if runs == 1 else f"{runs} runs"
 
 
-def guesses(made: Draft, choice: BenchChoice, time: Found | None) -> tuple[Guess, ...]:
+def guesses(made: Draft, choice: BenchChoice, time: RecordedColumn | None) -> tuple[Guess, ...]:
     """A line for each column, for the noise of each signal, and for each recording that is held out."""
     columns = {**choice.fed, **({"time": time} if time is not None else {})}
     rows = [_of_column(name, entry, columns.get(name), made) for name, entry in made.entries.items()]
@@ -84,7 +84,7 @@ def guesses(made: Draft, choice: BenchChoice, time: Found | None) -> tuple[Guess
     return tuple(rows + _of_points(made))
 
 
-def _of_column(name: str, entry: ColumnEntry, column: Found | None, made: Draft) -> Guess:
+def _of_column(name: str, entry: ColumnEntry, column: RecordedColumn | None, made: Draft) -> Guess:
     """What a column was taken for, and why."""
     what = column.name if column is not None else entry.formula or ""
     kind = "" if name == "time" else " (input)" if name in made.interface.inputs else " (measured)"
@@ -92,7 +92,7 @@ def _of_column(name: str, entry: ColumnEntry, column: Found | None, made: Draft)
     return Guess(what, f"{name}{_unit_or_words(entry, column)}{kind}", why)
 
 
-def _unit_or_words(entry: ColumnEntry, column: Found | None) -> str:
+def _unit_or_words(entry: ColumnEntry, column: RecordedColumn | None) -> str:
     """The unit of a column; of directions, what its words or numbers mean."""
     if entry.words:
         return f": {', '.join(f'{word} = {way}' for word, way in entry.words.items())}"

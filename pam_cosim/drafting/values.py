@@ -11,8 +11,8 @@ import numpy as np
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.bench_choice import meaning_of
-from pam_cosim.drafting.columns import Found
-from pam_cosim.drafting.mapping import Mapped, MappedRecording
+from pam_cosim.drafting.mapped import Mapped, MappedRecording
+from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.rest import is_constant, noise_of, span
 from pam_cosim.drafting.vocabulary import UNITS, Meaning, fits, read_variable
 from pam_cosim.model.interface import Interface, Variable
@@ -80,7 +80,7 @@ def _signal(name: str, meaning: Meaning | None, course: MappedRecording, interfa
     return alike[0] if alike else None
 
 
-def recorded(columns: Sequence[Found], interface: Interface, count: int) -> list[dict[str, StatedValue]]:
+def recorded(columns: Sequence[RecordedColumn], interface: Interface, count: int) -> list[dict[str, StatedValue]]:
     """Loads and ambient conditions that columns hold, by recording, where one parameter only can be meant."""
     told: list[dict[str, StatedValue]] = [{} for _ in range(count)]
     for column in columns:

@@ -279,19 +279,25 @@ def _kind_with_unit(named: Sequence[str], unit: str, exact: bool) -> str | None:
     """What the words say among what has the unit; without words, what usually has it."""
     possible = [kind for kind in UNITS if fits(unit, kind)]
     kind = next((one for one in named if one in possible), None)
-    lengths = bool({"contraction", "length"} & set(named))
-    if kind is None and lengths and "ratio" in possible:
+    if kind is None and "ratio" in possible and _is_length(named):
         kind = "ratio"
     if kind is None:
         kind = _usual_kind(possible, exact)
-    if kind == "mass" and "force" in named:
-        kind = "force"
     if kind in ("contraction", "ratio", "command") and "ratio" in possible:
-        share = lengths or "ratio" in named
-        kind = "ratio" if share else "command" if "command" in named else None
-    if kind is None and "force" in named and "mass" in possible:
-        kind = "force"
-    return kind
+        kind = _kind_of_ratio(named)
+    weighed = kind == "mass" or (kind is None and "mass" in possible)
+    return "force" if weighed and "force" in named else kind
+
+
+def _is_length(named: Sequence[str]) -> bool:
+    return "contraction" in named or "length" in named
+
+
+def _kind_of_ratio(named: Sequence[str]) -> str | None:
+    """What a number without a unit is: a share of a length, or a command."""
+    if _is_length(named) or "ratio" in named:
+        return "ratio"
+    return "command" if "command" in named else None
 
 
 def _usual_kind(possible: Sequence[str], exact: bool) -> str | None:

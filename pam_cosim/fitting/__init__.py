@@ -7,7 +7,7 @@ from pam_cosim.fitting.estimate import Estimate, estimates
 from pam_cosim.fitting.fit import Fit, fit, profile
 from pam_cosim.fitting.free import Free, base_parameters, model_parameter
 from pam_cosim.fitting.free_selection import with_free
-from pam_cosim.fitting.holdout_uncertainty import Leeway
+from pam_cosim.fitting.holdout_uncertainty import HoldoutUncertainty
 from pam_cosim.fitting.linear import Linear, linearised, residual_rows, rows_of_series
 from pam_cosim.fitting.methods import METHODS, Record, summary
 from pam_cosim.fitting.options import FitOptions
@@ -28,7 +28,7 @@ __all__ = [
     "Fit",
     "FitOptions",
     "Free",
-    "Leeway",
+    "HoldoutUncertainty",
     "Linear",
     "ParameterPosterior",
     "PredictiveBands",

@@ -21,7 +21,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.fitting.combinations import Combination, combinations
 from pam_cosim.fitting.estimate import Estimate, describe, estimates
 from pam_cosim.fitting.free import Free, base_parameters
-from pam_cosim.fitting.holdout_uncertainty import Leeway, leeway
+from pam_cosim.fitting.holdout_uncertainty import HoldoutUncertainty, estimate_holdout_uncertainty
 from pam_cosim.fitting.levenberg_marquardt import Minimum
 from pam_cosim.fitting.linear import Linear, linearised
 from pam_cosim.fitting.methods import METHODS, Record
@@ -54,7 +54,7 @@ class Fit(Printed):
         convergence: how the chi-square came down.
         correlation: (k, k) matrix of the estimates, in the order of ``parameters``; empty: not known.
         linear: the model about the optimum, where the options ask for it.
-        leeway: of the held-out runs, where the options ask for it.
+        holdout_uncertainty: of the held-out runs, where the options ask for it.
         starts: start values that were estimated, as "state@run".
     """
 
@@ -70,16 +70,16 @@ class Fit(Printed):
     convergence: Convergence = field(default_factory=Convergence)
     correlation: Array = field(default_factory=lambda: np.zeros((0, 0)))
     linear: Linear | None = None
-    leeway: Leeway = field(default_factory=Leeway)
+    holdout_uncertainty: HoldoutUncertainty = field(default_factory=HoldoutUncertainty)
     starts: dict[str, Estimate] = field(default_factory=dict)
 
     @property
-    def tested(self) -> dict[str, ResidualStatistics]:
+    def residuals_beyond_uncertainty(self) -> dict[str, ResidualStatistics]:
         """``residuals``, those of held-out runs but for what the parameters' uncertainty explains of them."""
-        if not self.leeway.shifts:
+        if not self.holdout_uncertainty.shifts:
             return self.residuals
-        by_role = statistics_by_role(self.comparison, self.leeway.shifts)
-        held = replace(by_role["holdout"], chi2=by_role["holdout"].chi2 + self.leeway.cost)
+        by_role = statistics_by_role(self.comparison, self.holdout_uncertainty.shifts)
+        held = replace(by_role["holdout"], chi2=by_role["holdout"].chi2 + self.holdout_uncertainty.cost)
         return {**self.residuals, "holdout": held}
 
     @property
@@ -218,11 +218,11 @@ def fit(
         correlations(end.jacobian),
         linear,
         starts=begun,
-        leeway=_leeway(simulator, data, chosen, fixed, options, end, spread),
+        holdout_uncertainty=_holdout_uncertainty(simulator, data, chosen, fixed, options, end, spread),
     )
 
 
-def _leeway(
+def _holdout_uncertainty(
     simulator: AnySimulator,
     data: DataSet,
     free: Sequence[Free],
@@ -230,10 +230,12 @@ def _leeway(
     options: FitOptions,
     end: Minimum,
     spread: float,
-) -> Leeway:
-    if not options.leeway or not data.holdout_runs:
-        return Leeway()
-    return leeway(Objective(simulator, data, data.holdout_runs, free, fixed, options.tolerance), end, spread)
+) -> HoldoutUncertainty:
+    if not options.holdout_uncertainty or not data.holdout_runs:
+        return HoldoutUncertainty()
+    return estimate_holdout_uncertainty(
+        Objective(simulator, data, data.holdout_runs, free, fixed, options.tolerance), end, spread
+    )
 
 
 def profile(

@@ -29,35 +29,29 @@ def with_free(
         InputError: the model has no such parameter, it has no bounds, or a start is of none of these.
     """
     data, starts = _beginning(data, interface, start or {})
-    known = {f.name: f for f in base_parameters(data, interface)}
-    names = tuple(known) if free is None else tuple(dict.fromkeys(free))
-    further = [n for n in (*names, *starts) if n not in known]
-    every = known | {n: model_parameter(n, interface) for n in further}
-    stray = next((n for n in starts if n not in names and n not in known), None)
-    if stray is not None:
-        raise InputError(f"'{stray}' has a start and is not free; {did_you_mean(stray, [*names, *known])}")
-    moved = {n: f.starting_at(starts.get(n, f.start)) for n, f in every.items()}
-    as_declared = {n: data.fit[n] for n in names if n in data.fit and n not in starts}
-    held = {n: f for n, f in moved.items() if n not in names}
-    return replace(
-        data,
-        fit={n: as_declared.get(n) or _declared(moved[n]) for n in names},
-        runs=tuple(_holding(run, held) for run in data.runs),
-    )
+    declared = {f.name: f for f in base_parameters(data, interface)}
+    names = tuple(declared) if free is None else tuple(dict.fromkeys(free))
+    further = [n for n in (*names, *starts) if n not in declared]
+    every = declared | {n: model_parameter(n, interface) for n in further}
+    for name in starts:
+        if name not in names and name not in declared:
+            raise InputError(f"'{name}' has a start and is not free; {did_you_mean(name, [*names, *declared])}")
+    started = {n: f.starting_at(starts.get(n, f.start)) for n, f in every.items()}
+    fit = {n: _declared(started[n]) for n in names}
+    fit |= {n: data.fit[n] for n in names if n in data.fit and n not in starts}
+    held = {n: f for n, f in started.items() if n not in names}
+    return replace(data, fit=fit, runs=tuple(_holding(run, held) for run in data.runs))
 
 
 def _beginning(data: DataSet, interface: Interface, start: Mapping[str, float]) -> tuple[DataSet, dict[str, float]]:
     """The data set whose runs know the start values that are stated of them, and the other starts."""
-    ends = {f"{state}@{run.name}": (state, run.name) for state in interface.states for run in data.runs}
-    own = {name: value for name, value in start.items() if name in ends}
-    if not own:
-        return data, dict(start)
-
-    def stated(run: Run) -> Run:
-        of_run = {ends[name][0]: value for name, value in own.items() if ends[name][1] == run.name}
-        return replace(run, parameters={**run.parameters, **of_run}) if of_run else run
-
-    return replace(data, runs=tuple(map(stated, data.runs))), {n: v for n, v in start.items() if n not in own}
+    others = dict(start)
+    runs = []
+    for run in data.runs:
+        names = {f"{state}@{run.name}": state for state in interface.states}
+        of_run = {state: others.pop(name) for name, state in names.items() if name in others}
+        runs.append(replace(run, parameters={**run.parameters, **of_run}) if of_run else run)
+    return replace(data, runs=tuple(runs)), others
 
 
 def _declared(f: Free) -> FreeParameter:

@@ -19,7 +19,7 @@ from pam_cosim.fitting.objective import Objective
 
 
 @dataclass(frozen=True)
-class Leeway:
+class HoldoutUncertainty:
     """What held-out runs gain when the parameters move as the fitted ones allow.
 
     Attributes:
@@ -31,8 +31,8 @@ class Leeway:
     cost: float = 0.0
 
 
-def leeway(held: Objective, end: Minimum, spread: float) -> Leeway:
-    """The leeway of held-out runs.
+def estimate_holdout_uncertainty(held: Objective, end: Minimum, spread: float) -> HoldoutUncertainty:
+    """What held-out runs gain when the parameters move within their uncertainty.
 
     Args:
         held: the objective of these runs alone, with the parameters of the fit.
@@ -41,7 +41,7 @@ def leeway(held: Objective, end: Minimum, spread: float) -> Leeway:
     """
     residuals = held.residuals(end.z)
     if not np.all(np.isfinite(residuals)):
-        return Leeway()
+        return HoldoutUncertainty()
     slopes, known = held.jacobian(end.z, residuals)[: held.size], end.jacobian / spread
     low, high = held.bounds
     room = CRITERIA.fit.at_bound * (high - low)
@@ -50,7 +50,7 @@ def leeway(held: Objective, end: Minimum, spread: float) -> Leeway:
     wanted = np.concatenate([np.zeros(len(known)), -residuals[: held.size]])
     step = np.linalg.lstsq(rows, wanted, rcond=None)[0]
     paid = known[:, free] @ step
-    return Leeway(_shifts(held, slopes[:, free] @ step), float(paid @ paid))
+    return HoldoutUncertainty(_shifts(held, slopes[:, free] @ step), float(paid @ paid))
 
 
 def _shifts(held: Objective, moved: Array) -> dict[tuple[str, str], Array]:

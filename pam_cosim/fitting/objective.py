@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Mapping, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
 from pam_cosim.comparison import RunComparison, simulate_run, slope, usual_square, weighted
@@ -179,7 +180,7 @@ class Objective:
         parts = []
         for signal, slopes in names.items():
             kept = np.isfinite(run.run.measurements[signal])
-            by_error = slope(run.residual(signal)[kept], self.data.signals[signal])
+            by_error = self._by_error(run, signal, kept)
             parts.append(-np.column_stack([run.model[n][kept] * by_error for n in slopes]))
         return run, residuals, np.vstack(parts)
 
@@ -262,11 +263,16 @@ class Objective:
         parts, errors = [], defaultdict(list)
         for run, i in zip(runs, chosen, strict=True):
             for name in self._signals[i]:
-                error = run.residual(name)[np.isfinite(run.run.measurements[name])]
+                kept = np.isfinite(run.run.measurements[name])
+                error, reading = run.residual(name)[kept], run.run.measurements[name][kept]
                 errors[name].append(error)
-                parts.append(weighted(error, self.data.signals[name]))
+                parts.append(weighted(error, self.data.signals[name], reading))
         self._errors = {name: float(np.sqrt(np.mean(np.concatenate(e) ** 2))) for name, e in errors.items()}
         return np.concatenate(parts) if parts else np.zeros(0)
+
+    def _by_error(self, run: RunComparison, name: str, kept: NDArray[np.bool_]) -> Array:
+        """How the residuals of a signal grow with its errors, at the samples that are there."""
+        return slope(run.residual(name)[kept], self.data.signals[name], run.run.measurements[name][kept])
 
     def _exact_jacobian(self, z: Array, runs: Sequence[RunComparison]) -> Array:
         """(size + priors, parameters); columns of parameters whose sensitivities the model does not tell are zero."""
@@ -277,7 +283,7 @@ class Objective:
             for name, slopes in told.items():
                 kept = np.isfinite(run.run.measurements[name])
                 count = int(kept.sum())
-                by_error = slope(run.residual(name)[kept], self.data.signals[name])
+                by_error = self._by_error(run, name, kept)
                 for i, sensitivity in slopes:
                     moved = by_z[i] * self.free[i].size_in(run.run)
                     jacobian[row : row + count, i] = -by_error * run.model[sensitivity][kept] * moved

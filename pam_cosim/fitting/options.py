@@ -24,7 +24,7 @@ class FitOptions:
         precision: a descent ends where a step takes away less than this part of the chi-square.
         rows: of the linearised model about the optimum that the fit keeps; 0: none is kept.
         rules: whether to say where the error sits.
-        leeway: whether to say what held-out runs gain as far as the parameters are uncertain.
+        holdout_uncertainty: whether to say what held-out runs gain as far as the parameters are uncertain.
     """
 
     method: str = "least-squares"
@@ -36,4 +36,4 @@ class FitOptions:
     precision: float = CRITERIA.fit.precision
     rows: int = 0
     rules: bool = True
-    leeway: bool = False
+    holdout_uncertainty: bool = False

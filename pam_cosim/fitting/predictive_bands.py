@@ -158,7 +158,7 @@ def _band(data: DataSet, run: Run, name: str, best: Array, drawn: Array, weights
     tail = CRITERIA.fit.tail
     low, high = _quantile(drawn, weights, tail), _quantile(drawn, weights, 1 - tail)
     centre = weights @ drawn
-    around = reach * np.sqrt(weights @ (drawn - centre) ** 2 + signal.sigma**2)
+    around = reach * np.sqrt(weights @ (drawn - centre) ** 2 + signal.sigma_at(best) ** 2)
     measured = run.measurements.get(name, np.zeros(0))
     readings = measured if np.isfinite(measured).any() else np.zeros(0)
     return Band(signal.unit, best, low, high, centre - around, centre + around, readings)

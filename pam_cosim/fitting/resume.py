@@ -24,7 +24,7 @@ from pam_cosim.files import read_json, write_text
 from pam_cosim.fitting.free import Free
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fitting.options import FitOptions
-from pam_cosim.measurement import DataSet
+from pam_cosim.measurement import DataSet, Signal
 from pam_cosim.simulation import AnySimulator
 
 _KIND = "pam-cosim fit in progress"
@@ -80,9 +80,13 @@ def identity_of(
     with ZipFile(simulator.path) as archive:
         description = hashlib.sha256(archive.read("modelDescription.xml")).hexdigest()
     parameters = json.dumps([[asdict(f) for f in free], sorted(fixed.items())])
-    return Identity(
-        simulator.interface.model, description, _digest(data), parameters, json.dumps(asdict(options), sort_keys=True)
-    )
+    return Identity(simulator.interface.model, description, _digest(data), parameters, _options_text(options))
+
+
+def _options_text(options: FitOptions) -> str:
+    saved = asdict(options)
+    saved["leeway"] = saved.pop("holdout_uncertainty")  # the name in version 1 of the file
+    return json.dumps(saved, sort_keys=True)
 
 
 def _digest(data: DataSet) -> str:
@@ -92,8 +96,12 @@ def _digest(data: DataSet) -> str:
         digest.update(json.dumps([run.name, run.interpolation, known]).encode())
         for name, values in [("time", run.time), *run.inputs.items(), *run.measurements.items()]:
             digest.update(name.encode() + np.ascontiguousarray(values).tobytes())
-    noise = {n: [s.sigma, s.step] for n, s in data.fitted_signals.items()}
+    noise = {n: [s.sigma, s.step, *_growth(s)] for n, s in data.fitted_signals.items()}
     return hashlib.sha256(digest.digest() + json.dumps(noise).encode()).hexdigest()
+
+
+def _growth(signal: Signal) -> list[float]:
+    return [signal.sigma_at_zero, signal.sigma_of_reading] if signal.sigma_of_reading else []
 
 
 class FitLog:

@@ -9,7 +9,7 @@ blocks, and a search over the parameters has no more of them than before.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Generic, TypeVar
 
@@ -17,11 +17,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison import measured, start_time
+from pam_cosim.comparison import measured_initial_state, start_time
 from pam_cosim.comparison.initial_state import inputs_of_run
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.measurement import DataSet, Run
+from pam_cosim.model.interface import Variable
 from pam_cosim.simulation import AnySimulator
 
 Result = TypeVar("Result")
@@ -97,7 +98,7 @@ def start_values(simulator: AnySimulator, data: DataSet, run: Run, parameters: M
     own = data.parameters_of(run, parameters)
     names = simulator.interface.states
     bare = {n: v for n, v in own.items() if n not in names}
-    begins = measured(simulator, data, run, bare)
+    begins = measured_initial_state(simulator, data, run, bare)
     times = np.unique(np.append(start_time(run), run.time))
     course = simulator.run(
         times,
@@ -107,18 +108,21 @@ def start_values(simulator: AnySimulator, data: DataSet, run: Run, parameters: M
         start_time=start_time(run),
         settle=begins.settle,
     )
-    mean = np.array([course[n][0] for n in names])
-    through = np.array([np.ptp(course[n]) for n in names])
-    size = np.array([np.max(np.abs(course[n])) for n in names])
-    moved = [i for i in range(len(names)) if through[i] > _STILL * size[i]]
-    chosen = tuple(names[i] for i in moved)
-    values = np.array([own.get(n, m) for n, m in zip(chosen, mean[moved], strict=True)])
-    known = simulator.interface.start_values
-    low = np.array([-np.inf if (end := known[n].min) is None else end for n in chosen])
-    high = np.array([np.inf if (end := known[n].max) is None else end for n in chosen])
-    sd = CRITERIA.starts.range * through[moved]
-    still = {n: float(mean[i]) for i, n in enumerate(names) if i not in moved}
-    return StartValues(run, chosen, mean[moved], sd, begins.shown, np.clip(values, low, high), low, high, still)
+    first = {n: float(course[n][0]) for n in names}
+    moving = tuple(n for n in names if np.ptp(course[n]) > _STILL * np.max(np.abs(course[n])))
+    mean = np.array([first[n] for n in moving])
+    sd = CRITERIA.starts.range * np.array([np.ptp(course[n]) for n in moving])
+    values = np.array([own.get(n, first[n]) for n in moving])
+    low, high = _limits([simulator.interface.start_values[n] for n in moving])
+    still = {n: first[n] for n in names if n not in moving}
+    return StartValues(run, moving, mean, sd, begins.shown, np.clip(values, low, high), low, high, still)
+
+
+def _limits(variables: Sequence[Variable]) -> tuple[Array, Array]:
+    """What the model says that start values can be; infinite where it says nothing."""
+    low = [-np.inf if one.min is None else one.min for one in variables]
+    high = [np.inf if one.max is None else one.max for one in variables]
+    return np.array(low), np.array(high)
 
 
 def eliminate(

@@ -194,10 +194,12 @@ def unknown(
     Xml.SubElement(parent, tag, attributes)
 
 
-def document(root: Xml.Element) -> bytes:
+def document(root: Xml.Element, *, indented: bool = True) -> bytes:
     """The file's text. ElementTree escapes what has a meaning in XML; what XML cannot hold becomes U+FFFD."""
     for element in root.iter():
         for key, value in element.attrib.items():
-            element.set(key, _NOT_XML.sub("\ufffd", value))
-    Xml.indent(root)
+            if not value.isprintable():
+                element.set(key, _NOT_XML.sub("\ufffd", value))
+    if indented:
+        Xml.indent(root)
     return bytes(Xml.tostring(root, encoding="utf-8", xml_declaration=True)) + b"\n"

@@ -57,7 +57,7 @@ def model_description(
         element = Xml.SubElement(variables, "ScalarVariable", shared.scalar_attributes(entry))
         Xml.SubElement(element, "Real", real)
     _structure(root, ode, entries, lean)
-    return shared.document(root)
+    return shared.document(root, indented=not lean)
 
 
 def _source_files(kind: Xml.Element, sources: Sequence[str]) -> None:

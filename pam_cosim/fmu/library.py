@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from pam_cosim.catalogue import full_name
-from pam_cosim.compiler import Ode, compile_model, flat_hash, smooth_parameters, with_sensitivities
+from pam_cosim.compiler import Ode, compile_model, few_collections, flat_hash, smooth_parameters, with_sensitivities
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_regular
 from pam_cosim.fmu.build import cached_fmu, cached_lean_model, cached_taped_model
@@ -111,6 +111,7 @@ def build_source(
         ModelError: the model cannot be compiled.
     """
     key, make = _recipe(model, [*files, _source(text)], sensitivities, where_smooth=True, library=library)
-    if brief:
-        return cached_taped_model(key, make)
-    return cached_lean_model(key, make) if lean else cached_fmu(key, make)
+    with few_collections():
+        if brief:
+            return cached_taped_model(key, make)
+        return cached_lean_model(key, make) if lean else cached_fmu(key, make)

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import casadi as ca
 import numpy as np
@@ -81,15 +81,15 @@ def tape_of(function: ca.Function) -> Tape:
     Raises:
         NoTapeError: one of them is not among ``OPERATIONS``.
     """
-    every = [_Step(function, k) for k in range(function.n_instructions())]
-    constants = sorted({step.constant for step in every if step.operation == ca.OP_CONST})
+    steps = _steps(function)
+    constants = sorted({function.instruction_constant(s.number) for s in steps if s.operation == ca.OP_CONST})
     arguments = tuple(function.numel_in(i) for i in range(function.n_in()))
     begin = np.cumsum([len(constants), *arguments]).tolist()
     fixed, place = {value: i for i, value in enumerate(constants)}, dict[int, int]()
     rows, numbers = [], _numbers()
-    for step in every:
+    for step in steps:
         if step.operation == ca.OP_CONST:
-            place[step.to[0]] = fixed[step.constant]
+            place[step.to[0]] = fixed[function.instruction_constant(step.number)]
         elif step.operation == ca.OP_INPUT:
             argument, element = step.of
             place[step.to[0]] = begin[argument] + element
@@ -106,13 +106,20 @@ def tape_of(function: ca.Function) -> Tape:
     return Tape(operations, np.array(constants, dtype=float), arguments, max(begin[-1] + function.sz_w(), results, 1))
 
 
-class _Step:
-    """An instruction of CasADi's: its operation, where it takes from and puts to, and the constant that it is."""
+class _Step(NamedTuple):
+    """An instruction of CasADi's: its number, its operation, and where it takes from and puts to."""
 
-    def __init__(self, function: ca.Function, number: int) -> None:
-        self.operation = function.instruction_id(number)
-        self.constant = function.instruction_constant(number) if self.operation == ca.OP_CONST else 0.0
-        self.of, self.to = function.instruction_input(number), function.instruction_output(number)
+    number: int
+    operation: int
+    of: Sequence[int]
+    to: Sequence[int]
+
+
+def _steps(function: ca.Function) -> list[_Step]:
+    numbers = range(function.n_instructions())
+    operations = map(function.instruction_id, numbers)
+    sources, places = map(function.instruction_input, numbers), map(function.instruction_output, numbers)
+    return list(map(_Step, numbers, operations, sources, places))
 
 
 def taped(ode: Ode) -> TapedModel:

@@ -11,6 +11,7 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import FILE_NAME
@@ -37,6 +38,7 @@ class StatedSignal:
         fitted: as in ``Signal``.
         step: of means of a record in coarse steps [unit]; 0: none.
         repeatability: standard deviation between runs of the same test [unit]; 0: not stated.
+        sigma_of_reading: standard deviation of noise that grows with the reading, a share of it [1].
     """
 
     name: str
@@ -45,6 +47,7 @@ class StatedSignal:
     fitted: bool = True
     step: float = 0.0
     repeatability: float = 0.0
+    sigma_of_reading: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -54,7 +57,8 @@ class Signal:
     Attributes:
         name: the output's name.
         unit: the bench's unit of it.
-        sigma: standard deviation of the instrument's noise [unit].
+        sigma: standard deviation of the instrument's noise [unit]; where it grows with the reading, its root mean
+            square over the samples.
         estimated: ``sigma`` was not stated by the experimenter: it was estimated from the samples, or assumed.
         fitted: parameters are fitted to it and models judged by it; otherwise it is only shown beside the model.
         step: of the record [unit], where that is coarse beside the noise: ``sigma`` holds what it adds. 0: none.
@@ -63,6 +67,8 @@ class Signal:
         repeats: ``repeatability`` was estimated from runs that repeat one another, not stated by the experimenter.
         assumed: the samples show no noise to estimate, so that ``sigma`` is a share of their range.
         stated: ``sigma`` as it was stated [unit], before steps and repeated runs count; None: it was not.
+        sigma_of_reading: noise that grows with the reading, a share of it [1]; 0: the noise is the same everywhere.
+        sigma_at_zero: the noise where the reading is zero [unit]; counts where ``sigma_of_reading`` does.
     """
 
     name: str
@@ -75,6 +81,14 @@ class Signal:
     repeats: bool = False
     assumed: bool = False
     stated: float | None = None
+    sigma_of_reading: float = 0.0
+    sigma_at_zero: float = 0.0
+
+    def sigma_at(self, reading: Array | float) -> Array | float:
+        """Standard deviation of the noise of readings [unit]: one for each where it grows with them."""
+        if not self.sigma_of_reading:
+            return self.sigma
+        return np.asarray(np.hypot(self.sigma_at_zero, self.sigma_of_reading * np.asarray(reading)))
 
     @property
     def scatter(self) -> str:
@@ -88,7 +102,11 @@ class Signal:
             return "of repeated runs" if self.repeats else "stated repeatability"
         if self.assumed:
             return "assumed"
-        return "estimated from the samples" if self.estimated else "stated"
+        source = "estimated from the samples" if self.estimated else "stated"
+        if self.sigma_of_reading:
+            at_zero = format_quantity(self.sigma_at_zero, self.unit, 3)
+            return f"{source}: {at_zero} and {100 * self.sigma_of_reading:.3g} % of the reading, on average"
+        return source
 
     def as_stated(self) -> StatedSignal:
         """What the experimenter stated of it."""
@@ -96,7 +114,10 @@ class Signal:
         if stated is None and not self.estimated and self.scatter == "noise":
             stated = self.sigma  # of a signal that was made otherwise than by reading
         repeatability = 0.0 if self.repeats else self.repeatability
-        return StatedSignal(self.name, self.unit, stated, self.fitted, repeatability=repeatability)
+        growth = self.sigma_of_reading
+        return StatedSignal(
+            self.name, self.unit, stated, self.fitted, repeatability=repeatability, sigma_of_reading=growth
+        )
 
     @property
     def noise(self) -> float:

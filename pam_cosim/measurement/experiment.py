@@ -61,6 +61,7 @@ class SignalTable(_Table):
     """``[signals.NAME]``."""
 
     sigma: Value | None = None
+    sigma_of_reading: Value | None = None
     repeatability: Value | None = None
 
 

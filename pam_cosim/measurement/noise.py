@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from math import erf, exp, inf, nan, pi, sqrt
+from math import erf, exp, hypot, inf, nan, pi, sqrt
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
@@ -87,7 +87,20 @@ def _complete(stated: StatedSignal, runs: Sequence[Run]) -> Signal:
         assumed=not known,
         stated=stated.sigma,
     )
-    return signal if signal.assumed or signal.step else _with_steps(signal, samples)
+    if not (signal.assumed or signal.step):
+        signal = _with_steps(signal, samples)
+    return _growing(signal, stated.sigma_of_reading, samples) if stated.sigma_of_reading else signal
+
+
+def _growing(signal: Signal, growth: float, samples: Sequence[Array]) -> Signal:
+    """The signal with noise that grows with the reading; steps count as noise beside it, white and the same everywhere.
+
+    What an instrument of a class of accuracy is off by at every reading alike is no noise: that is an effect.
+    """
+    readings = np.concatenate(samples)
+    typical = growth * sqrt(float(np.nanmean(readings**2)))
+    at_zero = signal.sigma
+    return replace(signal, sigma=hypot(at_zero, typical), sigma_of_reading=growth, sigma_at_zero=at_zero, step=0.0)
 
 
 def _assumed(samples: Sequence[Array]) -> float:

@@ -52,16 +52,22 @@ def with_start(
         return _with_mode(document, index, replace(run, start=Start(mode=mode)), lead=not anew)
     start = Start(mode=_stated(content, table, "start"), periodic=bool(_stated(content, table, "periodic")))
     if start.periodic:
-        for key in ("start", "before"):
-            if key in own or (key in places and "periodic" not in own):
-                message = f"{key} says where the run begins, and so does periodic = true; keep one of them"
-                raise document.error(message, *places[key])
+        _check_periodic(document, own, places)
     lead = _stated(content, table, "lead")
     if lead is not None:
         start = replace(start, lead=_seconds(document, lead, *places["lead"]))
     if "before" in places and not start.periodic:
         start = _with_before(document, interface, start, _stated(content, table, "before"), places["before"])
     return _without_lead(document, replace(run, start=start), places.get("lead", ()))
+
+
+def _check_periodic(document: ExperimentFile, own: dict[str, KeyPath], places: dict[str, KeyPath]) -> None:
+    """A periodic run begins where its period ends; what is stated of all runs gives way to what is stated of one."""
+    for key in ("start", "before"):
+        shared_counts = key in places and "periodic" not in own
+        if key in own or shared_counts:
+            message = f"{key} says where the run begins, and so does periodic = true; keep one of them"
+            raise document.error(message, *places[key])
 
 
 def _with_mode(document: ExperimentFile, index: int, run: Run, lead: bool) -> Run:

@@ -57,7 +57,7 @@ def _estimated(signal: Signal, runs: Sequence[Run]) -> Signal:
 def _raised(signal: Signal) -> Signal:
     if signal.repeatability <= signal.sigma:
         return signal
-    return replace(signal, sigma=signal.repeatability, estimated=False, assumed=False)
+    return replace(signal, sigma=signal.repeatability, estimated=False, assumed=False, sigma_of_reading=0.0)
 
 
 def _repeats(runs: Sequence[Run]) -> Iterator[tuple[Run, Run]]:

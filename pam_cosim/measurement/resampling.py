@@ -90,7 +90,9 @@ def with_noise_of_means(signals: Mapping[str, StatedSignal], runs: Sequence[Run]
         fewest = min(means, key=lambda one: one.samples, default=Averaged(1))
         if signal.sigma is not None and fewest.samples > 1:
             step = fewest.step if 2.0 * signal.sigma < fewest.step else 0.0
-            changed[name] = replace(signal, sigma=noise_of_mean(signal.sigma, fewest), step=step)
+            growth = signal.sigma_of_reading / sqrt(fewest.samples)
+            sigma = noise_of_mean(signal.sigma, fewest)
+            changed[name] = replace(signal, sigma=sigma, step=step, sigma_of_reading=growth)
     return changed
 
 

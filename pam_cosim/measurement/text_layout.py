@@ -100,24 +100,35 @@ def find_layout(lines: list[Line], stated: Layout, file: Path) -> TextLayout:
         stated = stated if stated.separator else replace(stated, separator=_key(said[1]))
         lines = [(0, "#"), *lines[1:]]
     tried = [stated.separator] if stated.separator else list(SEPARATORS)
-    read = [layout for one in tried if (layout := _by(SEPARATORS[one], lines, stated)) is not None]
-    fits = [layout for layout in read if layout.consistent]
+    layouts = [_layout_by(SEPARATORS[one], lines, stated) for one in tried]
+    read = [layout for layout in layouts if layout is not None]
+    if not read:
+        raise _no_rows(lines, file)
+    best = _only_consistent(read, file) or max(read, key=_completeness)
+    if best.complaint:
+        raise InputError(best.complaint[1], file, best.complaint[0])
+    return best
+
+
+def _completeness(layout: TextLayout) -> tuple[bool, int]:
+    """Of layouts that are not consistent, the best has no complaint, and most columns."""
+    return layout.complaint is None, len(layout.headings)
+
+
+def _only_consistent(layouts: list[TextLayout], file: Path) -> TextLayout | None:
+    """The layout that all rows agree with; None: there is none.
+
+    Raises:
+        InputError: there are several.
+    """
+    fits = [layout for layout in layouts if layout.consistent]
     if len(fits) > 1 and fits[-1].separator == " ":  # Tabs are blanks too.
         fits.pop()
     if len(fits) > 1:
         words = " or ".join(WORDS[layout.separator] for layout in fits)
-        raise InputError(
-            f"the columns may be separated by {words}; state it under [recording], as separator = "
-            f'"{_key(fits[0].separator)}"',
-            file,
-            fits[0].header_line,
-        )
-    if not read:
-        raise _no_rows(lines, file)
-    best = fits[0] if fits else max(read, key=lambda layout: (layout.complaint is None, len(layout.headings)))
-    if best.complaint:
-        raise InputError(best.complaint[1], file, best.complaint[0])
-    return best
+        message = f"the columns may be separated by {words}; state it under [recording], as separator = "
+        raise InputError(f'{message}"{_key(fits[0].separator)}"', file, fits[0].header_line)
+    return fits[0] if fits else None
 
 
 def _key(separator: str) -> str:
@@ -136,7 +147,7 @@ def _no_rows(lines: list[Line], file: Path) -> InputError:
     )
 
 
-def _by(separator: str, lines: list[Line], stated: Layout) -> TextLayout | None:
+def _layout_by(separator: str, lines: list[Line], stated: Layout) -> TextLayout | None:
     """The layout by this separator; None when there are no rows."""
     after = max(stated.header_line or 0, stated.units_line or 0)
     rows, start = _cells(separator, lines, after, _is_row)
@@ -144,19 +155,29 @@ def _by(separator: str, lines: list[Line], stated: Layout) -> TextLayout | None:
         rows, start = _cells(separator, lines, after, _is_dated_row)
     if start is None:
         return None
-    count = len(rows[start].cells)
-    # A faulty first row is no header: a number is among its cells, and a header stands above.
-    while start > 1 and _holds_number(rows[start - 1], count) and len(rows[start - 2].cells) == count:
-        start -= 1
+    start = _first_row(rows, start)
     comments = [(number, line) for number, line in lines[: rows[start].index] if is_comment(line)]
     header = _header(separator, rows[:start], rows[start].cells, comments, stated)
     if isinstance(header, str):
         return TextLayout(separator, (), 0, rows[start].index, False, (rows[start].number, header))
     headings = header.headings()
-    parts = [(heading, split_heading(heading) or ("", "")) for heading, _ in headings]
-    kept = [i for i, (heading, (name, _)) in enumerate(parts) if stated.keeps(heading, name)]
+    kept = [i for i, (heading, _) in enumerate(headings) if stated.keeps(heading, _name_in(heading))]
     fits = all(_fits(row.cells, len(headings), kept, stated.missing) for row in rows[start:])
     return TextLayout(separator, headings, header.line, rows[start].index, fits)
+
+
+def _first_row(rows: list[_Row], start: int) -> int:
+    """The first row of numbers: a faulty one is no header, a number is among its cells, and a header stands above."""
+    count = len(rows[start].cells)
+    while start > 1 and _holds_number(rows[start - 1], count) and len(rows[start - 2].cells) == count:
+        start -= 1
+    return start
+
+
+def _name_in(heading: str) -> str:
+    """The name in a heading, without its unit; "" where it holds none."""
+    parts = split_heading(heading)
+    return parts[0] if parts else ""
 
 
 def _cells(
@@ -213,13 +234,7 @@ def _header(separator: str, above: list[_Row], ends: list[str], comments: list[L
     if stated.header_line is not None or stated.units_line is not None:
         return _stated_header(separator, above, count, stated)
     if not above:
-        cells = _names(separator, _COMMENT.sub("", comments[-1][1], count=1), count) if comments else []
-        if comments and len(cells) == count:
-            return _Header(comments[-1][0], cells)
-        return (
-            "the header is missing; begin with a line such as 'time [s],p [kPa]', or state it under [recording]: "
-            'names = ["time [s]", "p [kPa]"]'
-        )
+        return _header_in_comment(separator, comments, count) or _NO_HEADER
     last = above[-1]
     if len(above) > 1 and _are_units(last.cells):
         names = _names(separator, above[-2].text, count)
@@ -230,6 +245,21 @@ def _header(separator: str, above: list[_Row], ends: list[str], comments: list[L
         return _Header(last.number, names)
     decimal = "; write decimal points, not commas" if separator == "," and count == 2 * len(names) else ""
     return f"this row has {count} cells, the header has {len(names)}{decimal}"
+
+
+_NO_HEADER = (
+    "the header is missing; begin with a line such as 'time [s],p [kPa]', or state it under [recording]: "
+    'names = ["time [s]", "p [kPa]"]'
+)
+
+
+def _header_in_comment(separator: str, comments: list[Line], count: int) -> _Header | None:
+    """The last comment above the rows, where it has as many names as they have cells."""
+    if not comments:
+        return None
+    number, text = comments[-1]
+    cells = _names(separator, _COMMENT.sub("", text, count=1), count)
+    return _Header(number, cells) if len(cells) == count else None
 
 
 def _stated_header(separator: str, above: list[_Row], count: int, stated: Layout) -> _Header | str:

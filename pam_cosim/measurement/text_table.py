@@ -49,7 +49,7 @@ def read_text_table(file: Path, stated: Layout) -> Table:
             finite number; with line and column.
     """
     text, encoding = read_any_text(file, stated.encoding)
-    lines = [(number, line) for number, line in _lines(text) if line and not line.isspace()]
+    lines = _filled_lines(text)
     del text
     if not lines:
         raise InputError("the file is empty; begin with a header such as 'time [s],p [kPa]'", file)
@@ -58,9 +58,7 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     keep = [i for i, (name, _) in enumerate(names) if stated.keeps(layout.headings[i][0], name)]
     body = [line for line in lines[layout.start :] if line[1][0] in _PLAIN or not is_comment(line[1])]
     reader = _Reader(layout, [name for name, _ in names], keep, file, ".")
-    heads = [heading for heading, _ in layout.headings]
-    said = zip((name for name, _ in names), heads, strict=True)
-    reader.words = [stated.words.get(name, stated.words.get(heading, {})) for name, heading in said]
+    reader.words = _words_of_columns(layout, names, stated)
     reader.missing = stated.missing
     reader.decimal = stated.decimal or decimal_sign(reader.cells(body), layout.separator, file)
     columns = {
@@ -72,6 +70,22 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     return Table(file, columns, layout.header_line or None, numbers, notes, met)
 
 
+def _filled_lines(text: str) -> list[Line]:
+    """The lines that are not blank, with their numbers."""
+    return [(number, line) for number, line in _lines(text) if line and not line.isspace()]
+
+
+def _words_of_columns(
+    layout: TextLayout, names: Sequence[tuple[str, str]], stated: Layout
+) -> list[Mapping[str, float]]:
+    """For each column, what words in it mean, which is stated by its name or by its whole heading."""
+    words = []
+    for (name, _), (heading, _) in zip(names, layout.headings, strict=True):
+        of_heading = stated.words.get(heading, {})
+        words.append(stated.words.get(name, of_heading))
+    return words
+
+
 def text_columns(file: Path, stated: Layout) -> dict[str, tuple[str, ...]]:
     """The columns in which no row has a number, such as remarks and dates: the different cells of each, by heading.
 
@@ -79,7 +93,7 @@ def text_columns(file: Path, stated: Layout) -> dict[str, tuple[str, ...]]:
         InputError: as ``read_text_table``, where the file has no rows or its separator is ambiguous.
     """
     text, _ = read_any_text(file, stated.encoding)
-    lines = [(number, line) for number, line in _lines(text) if line and not line.isspace()]
+    lines = _filled_lines(text)
     if not lines:
         return {}
     layout = find_layout(lines, stated, file)

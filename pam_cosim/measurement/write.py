@@ -104,6 +104,8 @@ class _Writer:
             stated = signal.as_stated()
             if stated.sigma is not None:
                 yield f"sigma = {self._quantity(name, stated.sigma, difference=True)}"
+            if stated.sigma_of_reading:
+                yield f"sigma_of_reading = {stated.sigma_of_reading!r}"
             if stated.repeatability:
                 yield f"repeatability = {self._quantity(name, stated.repeatability, difference=True)}"
 

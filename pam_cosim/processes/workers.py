@@ -107,11 +107,27 @@ def _signal(children: Sequence[BaseProcess], number: int) -> None:
                 os.kill(child.pid, number)
 
 
-def _interruptibly(function: Callable[..., Result], *task: Task) -> Result | None:
-    """In a worker. None: interrupted, and nobody asks for the result."""
+def _interruptibly(folder: str, function: Callable[..., Result], *task: Task) -> Result | None:
+    """In a worker, which may have begun elsewhere. None: interrupted, and nobody asks for the result.
+
+    Args:
+        folder: in which paths of the task are meant.
+        function: the task.
+        task: what it takes.
+    """
     with suppress(KeyboardInterrupt), sigint_unblocked():
+        with suppress(OSError):
+            os.chdir(folder)
         return function(*task)
     return None
+
+
+def _folder() -> str:
+    """Where this process is; nothing, where its folder was removed."""
+    try:
+        return os.getcwd()
+    except OSError:
+        return ""
 
 
 @contextmanager
@@ -133,7 +149,7 @@ class _Interruptible(Executor):
         self._pool = pool
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        future: Future[Any] = self._pool.submit(_interruptibly, partial(fn, *args, **kwargs))
+        future: Future[Any] = self._pool.submit(_interruptibly, _folder(), partial(fn, *args, **kwargs))
         return future
 
 
@@ -213,12 +229,13 @@ def _attempt(
     """Runs the chosen tasks; returns those whose pool broke."""
     lost: list[int] = []
     running: dict[Future[Result], int] = {}
+    folder = _folder()
     _start_helpers()
     with sigint_blocked():
         pool = _pool(count)
         for i in chosen:
             try:
-                running[pool.submit(_interruptibly, function, tasks[i])] = i
+                running[pool.submit(_interruptibly, folder, function, tasks[i])] = i
             except BrokenProcessPool:
                 lost.append(i)
     try:

@@ -8,7 +8,7 @@ from html import escape
 from importlib import import_module
 from typing import Any
 
-from pam_cosim.diagnosis import BaseFitted, BegunAnew, Candidate, CandidateTried, EffectLookedAt, Event, Judged
+from pam_cosim.diagnosis import BaseFitted, Candidate, CandidateTried, EffectProbed, Event, Judged, SearchRestarted
 from pam_cosim.diagnosis.evidence import rank
 from pam_cosim.fitting import Fit, Standing
 from pam_cosim.reporting.account.diagnosis_rows import candidate_row
@@ -52,12 +52,12 @@ class Live:
             self._show()
 
     def _take(self, event: Standing | Event) -> None:
-        self._line = event.status if isinstance(event, EffectLookedAt) else str(event) or self._line
+        self._line = event.status if isinstance(event, EffectProbed) else str(event) or self._line
         if isinstance(event, Event) and str(event) and not event.detail:
             self._headline = str(event)
         if isinstance(event, BaseFitted):
             self._base = event.fit
-        elif isinstance(event, BegunAnew):
+        elif isinstance(event, SearchRestarted):
             self._tried.clear()
         elif isinstance(event, CandidateTried) and isinstance(event.attempt, Candidate):
             self._tried[event.attempt.effects] = event.attempt

@@ -17,6 +17,7 @@ from typing import Any, get_args
 
 import numpy as np
 from cattrs import Converter
+from cattrs.gen import make_dict_structure_fn, make_dict_unstructure_fn, override
 from cattrs.strategies import configure_tagged_union, include_subclasses
 
 from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation, Tracking
@@ -25,7 +26,7 @@ from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis.planning import RunPlan
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, read_file, write_bytes
-from pam_cosim.fitting import Fit, Leeway, PredictiveBands, Profiles, Record
+from pam_cosim.fitting import Fit, HoldoutUncertainty, PredictiveBands, Profiles, Record
 from pam_cosim.ledger import Ledger
 from pam_cosim.simulation import Trajectory
 from pam_cosim.study.saved_content import arrays_in, check_plain, plain_value
@@ -144,16 +145,21 @@ def _converter() -> Converter:
     converter.register_unstructure_hook_func(_is_array, _put)
     converter.register_structure_hook_func(_is_array, lambda reference, _: _taken(reference))
     converter.register_unstructure_hook(
-        Leeway, lambda v: {"cost": v.cost, "shifts": [[*key, _put(shift)] for key, shift in v.shifts.items()]}
+        HoldoutUncertainty,
+        lambda v: {"cost": v.cost, "shifts": [[*key, _put(shift)] for key, shift in v.shifts.items()]},
     )
     converter.register_structure_hook(
-        Leeway, lambda v, _: Leeway({(r, s): _taken(a) for r, s, a in v["shifts"]}, float(v["cost"]))
+        HoldoutUncertainty,
+        lambda v, _: HoldoutUncertainty({(r, s): _taken(a) for r, s, a in v["shifts"]}, float(v["cost"])),
     )
     converter.register_unstructure_hook(Path, str)
     converter.register_structure_hook(Path, lambda text, _: Path(text))
     for kind in (str, float, int, bool):
         converter.register_structure_hook(kind, plain_value)
     include_subclasses(Record, converter, union_strategy=configure_tagged_union)
+    saved_name = override(rename="leeway")  # the key in version 1 of the file
+    converter.register_unstructure_hook(Fit, make_dict_unstructure_fn(Fit, converter, holdout_uncertainty=saved_name))
+    converter.register_structure_hook(Fit, make_dict_structure_fn(Fit, converter, holdout_uncertainty=saved_name))
     return converter
 
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from pam_cosim import diagnosis as rooms
-from pam_cosim.diagnosis import BaseFitted, BegunAnew, CandidateTried, Diagnosis, FailedTrial, Judged, LedgerKept
+from pam_cosim.diagnosis import BaseFitted, CandidateTried, Diagnosis, FailedTrial, Judged, LedgerKept, SearchRestarted
 from pam_cosim.diagnosis.evidence import rank
 from pam_cosim.diagnosis.verdict import explained
 from pam_cosim.fitting import Fit
@@ -65,7 +65,7 @@ class Following:
         """What is to be shown of something that happened."""
         if isinstance(event, BaseFitted):
             self.base = event.fit
-        elif isinstance(event, BegunAnew):
+        elif isinstance(event, SearchRestarted):
             self.tried.clear()
             self.failed.clear()
         elif isinstance(event, CandidateTried):

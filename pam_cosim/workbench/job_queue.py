@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from pam_cosim.diagnosis import EffectLookedAt, Message
+from pam_cosim.diagnosis import EffectProbed, Message
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fitting import Standing
 from pam_cosim.units import readable_factor
@@ -169,7 +169,7 @@ class JobQueue:
                 job.text = str(said)
                 windows.tell(job.busy())
         event = said.event if isinstance(said, Message) else said
-        if isinstance(event, EffectLookedAt):
+        if isinstance(event, EffectProbed):
             job.text = event.status
             windows.tell(job.busy())
         for told in job.following.events(event):

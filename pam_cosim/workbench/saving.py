@@ -15,7 +15,7 @@ from typing import Any
 from pam_cosim.diagnosis import Candidate, Diagnosis
 from pam_cosim.errors import InputError
 from pam_cosim.files import read_json, write_bytes, write_json
-from pam_cosim.fitting import Fit, Leeway
+from pam_cosim.fitting import Fit, HoldoutUncertainty
 from pam_cosim.study.products import load, save
 from pam_cosim.workbench.paths import inside
 from pam_cosim.workbench.protocol import LadderStep, Level
@@ -50,7 +50,7 @@ def lean(diagnosis: Diagnosis) -> Diagnosis:
 def lean_fit(fit: Fit) -> Fit:
     """A fit without its curves: values, intervals and scores stay."""
     comparison = replace(fit.comparison, data=replace(fit.comparison.data, runs=()), runs=())
-    return replace(fit, comparison=comparison, linear=None, leeway=Leeway())
+    return replace(fit, comparison=comparison, linear=None, holdout_uncertainty=HoldoutUncertainty())
 
 
 def save_state(state: State, folder: Path) -> SavedStudy:

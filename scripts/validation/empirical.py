@@ -14,14 +14,14 @@ from scripts.validation.drawing import COLOURS, figure, numbers, save, simulate,
 EMPIRICAL = """model EmpiricalForce
   extends PneumaticMuscle.Benches.StaticForce(muscle(L0=0.3, D0=0.02, alpha_0=23*PneumaticMuscle.Constants.pi/180,
     redeclare model Braid = PneumaticMuscle.Laws.Forces.Empirical));
-end EmpiricalForce;"""  # the measures of Components.EmpiricalMuscle
+end EmpiricalForce;"""  # the measures of Muscles.Components.EmpiricalMuscle
 PRESSURES = (100, 200, 300, 400)  # kPa, at which the static force is drawn
 
 
 def loads_and_rates(folder: Path) -> list[str]:
     """DY Figs. 2, 7 and 8."""
     cases = ((5, 0.5), (5, 2), (20, 0.5), (20, 2))
-    r = simulate("Validation.LoadsAndRates", 20, 4001)
+    r = simulate("Examples.Validation.LoadsAndRates", 20, 4001)
     picture, axes = figure(2, 8.0)
     late = r.time > 2
     for i, (m, _) in enumerate(cases):
@@ -31,13 +31,13 @@ def loads_and_rates(folder: Path) -> list[str]:
         a.set(xlabel="gauge pressure [kPa]", ylabel="contraction ratio [%]", title=f"random wave up to {f:g} Hz")
         a.legend()
     save(picture, folder, "loads-and-rates")
-    a, b, c, d = widths("Validation.LoadsAndRates", 20, 20001, 2e5, 2.0)
+    a, b, c, d = widths("Examples.Validation.LoadsAndRates", 20, 20001, 2e5, 2.0)
     return [f"{a:.2f} and {b:.2f} % of the length (5 kg, 0.5 and 2 Hz), {c:.2f} and {d:.2f} % (20 kg)"]
 
 
 def force_dynamics(folder: Path) -> list[str]:
     """DY Fig. 5: forces by contraction and by input pressure, at four loads."""
-    r = simulate("Validation.ForceDynamics", 20, 4001)
+    r = simulate("Examples.Validation.ForceDynamics", 20, 4001)
     picture, rows = plt.subplots(2, 4, figsize=(12, 5.4), layout="constrained", sharey="row")
     names = (("F_net", "$F_{net}$"), ("F_hys", "$F_{hys}$"), ("F_dyn", "$F_{dyn}$"))
     strain = np.linspace(0, 0.3, 61)

@@ -21,7 +21,7 @@ end EnergyIsotonic;"""
 def tank_curves(folder: Path) -> list[str]:
     """DP section 4.4, Figs. 4 and 5."""
     picture, axes = figure(2, 9.0)
-    r = simulate("Validation.TankCurves", 100, 2001)
+    r = simulate("Examples.Validation.TankCurves", 100, 2001)
     shades = plt.get_cmap("viridis")(np.linspace(0, 0.9, 8))
     for a, supply in zip(axes, (207, 138), strict=True):
         for i, volume in enumerate(VOLUMES):
@@ -39,7 +39,7 @@ def tank_curves(folder: Path) -> list[str]:
 
 def polytropic_exponent(folder: Path) -> list[str]:
     """DP Figs. 8, 10 and 12."""
-    r = simulate("Validation.PolytropicExponent", 10)
+    r = simulate("Examples.Validation.PolytropicExponent", 10)
     picture, (a, b, c) = figure(3)
     for i, n in enumerate(EXPONENTS):
         key, style = f"[{i + 1}]", {"color": COLOURS[i], "label": f"$n_g$ = {n:g}"}
@@ -53,7 +53,7 @@ def polytropic_exponent(folder: Path) -> list[str]:
     c.set(xlabel="time [s]", ylabel="gas temperature [°C]", title="films of air")
     a.legend()
     save(picture, folder, "polytropic-exponent")
-    sharp = simulate("Validation.PolytropicExponent", 10, **{"inlet.rise": 1e-4, "outlet.rise": 1e-4})
+    sharp = simulate("Examples.Validation.PolytropicExponent", 10, **{"inlet.rise": 1e-4, "outlet.rise": 1e-4})
     first, vented, switched = (
         [at(run, f"p[{i}]", t) / 1e3 for i in (1, 2, 3)] for run, t in ((r, 1.0), (r, 6.0), (sharp, 6.0))
     )

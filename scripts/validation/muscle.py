@@ -24,7 +24,7 @@ def rise_time(t: np.ndarray, x: np.ndarray) -> float:
 
 def bladder_friction(folder: Path) -> list[str]:
     """DP Figs. 9 and 11."""
-    r = simulate("Validation.BladderFriction", 10)
+    r = simulate("Examples.Validation.BladderFriction", 10)
     picture, (a,) = figure(1, 4.6)
     for i, mu in enumerate((0.015, 0.04)):
         a.plot(r.time, r.values[f"x[{i + 1}]"] * 1e3, color=COLOURS[i], label=rf"$\mu_{{fb}}$ = {mu:g}")
@@ -37,7 +37,7 @@ def bladder_friction(folder: Path) -> list[str]:
 
 def butyl_pressure(folder: Path) -> list[str]:
     """DP Fig. 7."""
-    r = simulate("Validation.ButylPressure", 10)
+    r = simulate("Examples.Validation.ButylPressure", 10)
     picture, (a, b) = figure(2, 8.0)
     for i, n in enumerate((1.0, 1.2, 1.4)):
         p, x = r.values[f"p[{i + 1}]"] / 1e3, r.values[f"x[{i + 1}]"] * 1e3
@@ -61,8 +61,9 @@ def butyl_pressure(folder: Path) -> list[str]:
 def butyl_slow_rise(folder: Path) -> list[str]:
     """DP Fig. 9: as published, five times the friction, an elastic bladder."""
     picture, (a, b, c) = figure(3)
-    fast = simulate("Validation.ButylSlowRise", 10)
-    slow = simulate("Validation.ButylSlowRise", 80, **{"inlet.height": 0.17, "inlet.stop": 1e3, "outlet.start": 1e3})
+    model = "Examples.Validation.ButylSlowRise"
+    fast = simulate(model, 10)
+    slow = simulate(model, 80, **{"inlet.height": 0.17, "inlet.stop": 1e3, "outlet.start": 1e3})
     rise: dict[str, list[float]] = {"fast": [], "slow": []}
     at_100: dict[str, list[float]] = {"fast": [], "slow": []}
     last: list[float] = []
@@ -93,7 +94,7 @@ def butyl_slow_rise(folder: Path) -> list[str]:
 
 def gas_temperature(folder: Path) -> list[str]:
     """DP (45), (60) and Fig. 12."""
-    r = simulate("Validation.GasTemperature", 10, 4001)
+    r = simulate("Examples.Validation.GasTemperature", 10, 4001)
     picture, (a, b, c) = figure(3, 10.5, 3.5)
     cases = (("power", 1, "power law (60), n = 1.2"), ("power", 2, "power law (60), n = 1.4"),
              ("energy", 1, "balance of energy"), ("energy", 2, "the same, $\\mu_{fb}$ = 0.04"))  # fmt: skip

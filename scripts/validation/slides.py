@@ -21,7 +21,7 @@ REACH = 0.164  # contraction ratio up to which the cones of DP Table 1 span the 
 def two_lengths(folder: Path) -> list[str]:
     """AM Fig. 8."""
     cases = ((0.15, 0.2), (0.30, 0.2), (0.15, 2), (0.30, 2))
-    r = simulate("Validation.TwoLengths", 10, 8001)
+    r = simulate("Examples.Validation.TwoLengths", 10, 8001)
     picture, axes = figure(2, 8.0)
     late = r.time > 5
     for i, (length, _) in enumerate(cases):
@@ -31,7 +31,7 @@ def two_lengths(folder: Path) -> list[str]:
         a.set(xlabel="gauge pressure [kPa]", ylabel="contraction ratio [%]", title=f"sine of {f:g} Hz")
         a.legend()
     save(picture, folder, "two-lengths")
-    a, b, c, d = widths("Validation.TwoLengths", 10, 40001, 3e5, 5.0)
+    a, b, c, d = widths("Examples.Validation.TwoLengths", 10, 40001, 3e5, 5.0)
     assert abs(a - b) < 5e-3
     return [
         f"share one loop at 0.2 Hz ({a:.2f} % of the length wide at 300 kPa)",

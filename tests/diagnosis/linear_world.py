@@ -13,7 +13,7 @@ from pam_cosim.catalogue import EffectClass, effect_classes
 from pam_cosim.compiler import read_library
 from pam_cosim.diagnosis import Candidate
 from pam_cosim.diagnosis.probing import EffectProbe
-from pam_cosim.diagnosis.search import Search, Wanted
+from pam_cosim.diagnosis.search import FitRequest, Search
 from pam_cosim.fitting import Estimate, Fit, Linear
 from tests.diagnosis.synthetic import statistics
 
@@ -57,7 +57,7 @@ class LinearWorld(Search):
     looks: list[tuple[tuple[str, ...], int]] = field(default_factory=list)
 
     @property
-    def loose_steps(self) -> int:
+    def steps_between_samples(self) -> int:
         """It has no commands."""
         return 0
 
@@ -81,7 +81,7 @@ class LinearWorld(Search):
         linear = Linear(names, values, -limits, limits, left["fit"], columns["fit"])
         return Fit("Test", estimates, _NOTHING, numbers, 1, linear=linear)
 
-    def probed(self, fitted: Fit, has: Sequence[str], effects: Sequence[str]) -> list[EffectProbe]:
+    def probe(self, fitted: Fit, has: Sequence[str], effects: Sequence[str]) -> list[EffectProbe]:
         assert fitted.linear is not None
         self.looks.append((tuple(has), len(effects)))
         probes = []
@@ -98,14 +98,14 @@ class LinearWorld(Search):
     def without_outliers(self, fit: Fit) -> tuple[Search, dict[str, int]]:
         return self, {}
 
-    def briefly(self, models: Sequence[Wanted]) -> list[Candidate]:
+    def fit_briefly(self, models: Sequence[FitRequest]) -> list[Candidate]:
         return [replace(self.candidate(m.effects), brief=True) for m in models]
 
-    def to_the_end(self, candidates: Sequence[Candidate], base: Fit) -> list[Candidate]:
+    def fit_completely(self, candidates: Sequence[Candidate], base: Fit) -> list[Candidate]:
         self.tried.extend(c.effects for c in candidates)
         return [self.candidate(c.effects) for c in candidates]
 
-    def finished(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate | None:
+    def fit_final(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate | None:
         return self.candidate(tuple(effects))
 
     def candidate(self, names: tuple[str, ...]) -> Candidate:

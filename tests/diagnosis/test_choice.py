@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from pam_cosim import study
-from pam_cosim.diagnosis.model_space import ModelSpace, meant
+from pam_cosim.diagnosis.model_space import ModelSpace, effects_named
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import write_data_set
 from pam_cosim.simulation import Simulator
@@ -20,20 +20,20 @@ from tests.diagnosis.linear_world import KNOWN, SHELF
 
 
 def test_expected_effects_are_chosen_from_among_themselves() -> None:
-    choice = ModelSpace(100, frozenset({"a", "b"}))
-    assert choice.cost(()) == 0.0
-    assert choice.cost(("c",)) == pytest.approx(2 * math.log(100))
-    assert choice.cost(("a",)) == pytest.approx(2 * math.log(2))
-    assert choice.cost(("a", "c")) == pytest.approx(2 * math.log(2 * 100))
+    model_space = ModelSpace(100, frozenset({"a", "b"}))
+    assert model_space.cost(()) == 0.0
+    assert model_space.cost(("c",)) == pytest.approx(2 * math.log(100))
+    assert model_space.cost(("a",)) == pytest.approx(2 * math.log(2))
+    assert model_space.cost(("a", "c")) == pytest.approx(2 * math.log(2 * 100))
     assert ModelSpace(10).cost(("x", "y")) == pytest.approx(2 * math.log(45))
 
 
 def test_a_family_or_an_effect_is_meant_by_its_name() -> None:
     leaks = {e.name for e in SHELF if e.family == "leak"}
-    assert meant(SHELF, ["leak", "ThermocoupleLag"], InputError) == leaks | {"ThermocoupleLag"}
-    assert meant(SHELF, ["wrong_parameter"], InputError) == frozenset()
+    assert effects_named(SHELF, ["leak", "ThermocoupleLag"], InputError) == leaks | {"ThermocoupleLag"}
+    assert effects_named(SHELF, ["wrong_parameter"], InputError) == frozenset()
     with pytest.raises(InputError, match=r"no effect 'leek'; did you mean 'leak'"):
-        meant(SHELF, ["leek"], InputError)
+        effects_named(SHELF, ["leek"], InputError)
 
 
 def test_what_is_excluded_or_expected_is_read_and_written(tmp_path: Path, bench: Callable[[str], Path]) -> None:

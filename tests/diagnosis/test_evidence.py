@@ -7,11 +7,11 @@ import math
 import pytest
 
 from pam_cosim.diagnosis.evidence import (
-    Scale,
+    NoiseScale,
     bic,
-    convincing,
-    evidence,
+    information_criterion,
     rank,
+    significantly_better,
 )
 from pam_cosim.diagnosis.model_space import ModelSpace
 from pam_cosim.fitting import Estimate
@@ -71,21 +71,25 @@ def test_convincing_needs_evidence_and_the_holdout_runs() -> None:
     (better,) = rank(base, [candidate("a", fitted(1.0, holdout=1.1))])
     (overfitted,) = rank(base, [candidate("a", fitted(1.0, holdout=2.1))])
     (chance,) = rank(base, [candidate("a", fitted(1.995, holdout=1.9, parameters=3))])
-    assert [convincing(base, c) for c in (better, overfitted, chance)] == [True, False, False]
+    assert [significantly_better(base, c) for c in (better, overfitted, chance)] == [True, False, False]
     (no_holdout,) = rank(fitted(2.0), [candidate("a", fitted(1.0))])
-    assert convincing(fitted(2.0), no_holdout)
+    assert significantly_better(fitted(2.0), no_holdout)
 
 
 def test_evidence_of_all_runs_and_what_it_pays_for() -> None:
     """Chi-square of both roles, a parameter's logarithm, and the number of sets of two among ten effects."""
     fit = fitted(1.0, holdout=1.5, parameters=3)
-    assert evidence(fit, Scale(1.0, 1.0), ("a", "b"), ModelSpace(10)) == pytest.approx(
+    assert information_criterion(fit, NoiseScale(1.0, 1.0), ("a", "b"), ModelSpace(10)) == pytest.approx(
         1000 + 3 * LOG + 1500 + 2 * math.log(45)
     )
-    assert evidence(fit, Scale(2.0, 5.0), (), ModelSpace(10)) == pytest.approx(100 + 3 * math.log(200) + 150)
+    assert information_criterion(fit, NoiseScale(2.0, 5.0), (), ModelSpace(10)) == pytest.approx(
+        100 + 3 * math.log(200) + 150
+    )
 
 
 def test_evidence_pays_for_a_parameter_that_the_data_do_not_determine() -> None:
     limit = candidate("a", fitted(1.0, parameters=2, own={"tau": LOST}), own={"tau": LOST})
-    known = (Scale(1.0, 1.0), ("a",), ModelSpace(10))
-    assert evidence(limit.fit, *known, limit) == pytest.approx(evidence(limit.fit, *known) + LOG)
+    known = (NoiseScale(1.0, 1.0), ("a",), ModelSpace(10))
+    assert information_criterion(limit.fit, *known, limit) == pytest.approx(
+        information_criterion(limit.fit, *known) + LOG
+    )

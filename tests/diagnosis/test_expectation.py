@@ -17,7 +17,7 @@ NAMES = {"LinearBladder", "ThermocoupleLag", "OrificeLeak"}
 
 def additions() -> Additions:
     assert BASE.linear is not None
-    made = [addition(BASE.linear, p) for p in WORLD.probed(BASE, (), [e.name for e in SHELF]) if p.effect in NAMES]
+    made = [addition(BASE.linear, p) for p in WORLD.probe(BASE, (), [e.name for e in SHELF]) if p.effect in NAMES]
     return Additions([a for a in made if a is not None])
 
 
@@ -47,7 +47,7 @@ def test_another_form_of_an_effect_is_expected_to_do_what_the_first_one_does_and
     assert base.linear is not None and one.linear is not None
     made = [
         addition(base.linear, p)
-        for p in likely.probed(base, (), [e.name for e in SHELF])
+        for p in likely.probe(base, (), [e.name for e in SHELF])
         if p.effect in {"YoungBladder", "OrificeLeak"}
     ]
     every = Additions([a for a in made if a is not None])
@@ -71,7 +71,7 @@ def test_a_reduction_ends_at_a_bound() -> None:
 
 def test_what_moves_nothing_adds_nothing() -> None:
     assert BASE.linear is not None
-    (probe,) = [p for p in WORLD.probed(BASE, (), [e.name for e in SHELF]) if p.effect == "OrificeLeak"]
+    (probe,) = [p for p in WORLD.probe(BASE, (), [e.name for e in SHELF]) if p.effect == "OrificeLeak"]
     still = np.hstack([BASE.linear.slopes, np.zeros((ROWS, 1))])
     idle = Linear(
         probe.linear.names, probe.linear.values, probe.linear.low, probe.linear.high, BASE.linear.residual, still

@@ -35,13 +35,13 @@ class World:
         (fold,) = {i % CRITERIA.folds.most for i, run in enumerate(data.runs) if run.role == "holdout"}
         self.asked.append((fold, effects))
         chi2 = 4.0 + sum(gain[fold] for name, gain in self.gains.items() if name not in effects)
-        return module._Left({"F": float(np.sqrt(chi2))}, chi2, (f"r{fold}",))
+        return module._HoldoutError({"F": float(np.sqrt(chi2))}, chi2, (f"r{fold}",))
 
     def folds(self, monkeypatch: pytest.MonkeyPatch, runs: int = 10, **values: float) -> Folds | None:
         def left_out(subject: Any, search: Any, data: DataSet, models: Any, values: Any) -> Any:
             return {effects: self.left(data, effects) for effects in models}
 
-        monkeypatch.setattr(module, "_left_out", left_out)
+        monkeypatch.setattr(module, "_holdout_errors", left_out)
         search: Any = SimpleNamespace(data=data_of(runs), say=lambda message: None)
         final: Any = SimpleNamespace(values=values)
         return folds_of(None, search, tuple(self.gains), final)  # type: ignore[arg-type]
@@ -79,7 +79,7 @@ def test_each_run_is_left_out_once(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_model_that_breaks_down_with_an_effect_does_not_need_it() -> None:
-    good = module._Left({}, 2.0)
+    good = module._HoldoutError({}, 2.0)
     assert module._is_needed(good, None) and not module._is_needed(None, good)
     assert not module._is_needed(replace(good, chi2=0.9), replace(good, chi2=0.99))  # noise either way
 

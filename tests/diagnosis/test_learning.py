@@ -104,6 +104,6 @@ def test_forms_are_distinct_and_finite() -> None:
     variables["twice"] = 2 * variables["x"]
     known = quantities(variables, {"x": "m", "v": "m/s", "twice": "m"})
     assert [(q.name, q.signed) for q in known] == [("x", False), ("v", True)]
-    shelf = forms(known)
-    assert len({(f.text, f.shape) for f in shelf}) == len(shelf) > 20
-    assert all(np.isfinite(f.values(variables)).all() for f in shelf)
+    library = forms(known)
+    assert len({(f.text, f.shape) for f in library}) == len(library) > 20
+    assert all(np.isfinite(f.values(variables)).all() for f in library)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
-from pam_cosim.diagnosis.diagnose import base_of
+from pam_cosim.diagnosis.diagnose import fit_base_model
 from pam_cosim.diagnosis.explanation import LearnedModel, directly_learned
 from pam_cosim.diagnosis.learning_library import quantities, ramps
 from pam_cosim.diagnosis.search import Search
@@ -29,9 +29,9 @@ def learned(data: DataSet) -> tuple[Fit, LearnedModel | None]:
     """The base model's fit, and the term that is learned beside it."""
     subject = subject_of(data, None, (), 1, lambda message: None)
     with subject.simulator() as simulator:
-        shelf = subject.effects(simulator.interface)
-        known, base, _ = base_of(simulator, subject.data, lambda message: None)
-    search = Search(subject.tree, subject.name, shelf, known, subject.sources, lambda message: None, 1)
+        available_effects = subject.effects(simulator.interface)
+        known, base, _ = fit_base_model(simulator, subject.data, lambda message: None)
+    search = Search(subject.tree, subject.name, available_effects, known, subject.sources, lambda message: None, 1)
     return base, directly_learned(search, (), base)
 
 
@@ -110,9 +110,9 @@ def test_nothing_is_learned_where_nothing_is_missing(tmp_path: Path) -> None:
 def test_ramps_are_lines_and_bends_inside_the_span() -> None:
     z = np.concatenate([np.zeros(40), np.linspace(0, 2, 60)])
     known = quantities({"x": z}, {"x": "m"})
-    shelf = ramps(known, {"x": z})
-    assert [f.words for f in shelf][:2] == ["1", "x"] and len(shelf) == 4  # a bend at the first value says nothing
-    bend = shelf[2]
+    library = ramps(known, {"x": z})
+    assert [f.words for f in library][:2] == ["1", "x"] and len(library) == 4  # a bend at the first value says nothing
+    bend = library[2]
     values = bend.values({"x": np.array([0.0, 2.0])})
     assert values[0] < 0.02 and values[1] == pytest.approx(1 - float(bend.words.split("- ")[1][:-1]), abs=0.02)
     assert replace(bend) == bend

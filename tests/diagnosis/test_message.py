@@ -9,7 +9,7 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim.cli.commands.common import follower, teller
-from pam_cosim.diagnosis import BaseFitted, EffectLookedAt, EffectsLookedAt, Event, FailedTrial, Judged, Message
+from pam_cosim.diagnosis import BaseFitted, EffectProbed, EffectsProbed, Event, FailedTrial, Judged, Message
 from pam_cosim.diagnosis.events import listened
 from pam_cosim.diagnosis.search import result_message
 from rig.short import write_light_data
@@ -82,14 +82,14 @@ def test_how_many_are_done_is_told_as_data_alone() -> None:
     lines: list[Message] = []
     events: list[Event] = []
     tell = listened(lines.append, events.append)
-    tell(EffectsLookedAt(2).message)
-    tell(EffectLookedAt(1, 2).message)
-    tell(EffectLookedAt(2, 2).message)
-    assert len(lines) == 1 and [type(event) for event in events[1:]] == [EffectLookedAt] * 2
+    tell(EffectsProbed(2).message)
+    tell(EffectProbed(1, 2).message)
+    tell(EffectProbed(2, 2).message)
+    assert len(lines) == 1 and [type(event) for event in events[1:]] == [EffectProbed] * 2
     status = Status()
     for event in events:
         follower(status)(event)
     assert status.shown[-1].endswith("2 of 2 done") and len(status.shown) == 2
     alone: list[Message] = []
-    listened(alone.append, None)(EffectLookedAt(1, 2).message)
+    listened(alone.append, None)(EffectProbed(1, 2).message)
     assert not alone

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from pam_cosim.diagnosis import Candidate
-from pam_cosim.diagnosis.evidence import contradicted
+from pam_cosim.diagnosis.evidence import contradicted_by_holdout
 from pam_cosim.diagnosis.ranking import Ranking
 from pam_cosim.fitting import Estimate, Fit
 from tests.diagnosis.linear_world import KNOWN, world
@@ -25,7 +25,7 @@ def _model(effects: str, chi2: float, parameters: int, score: float = 0.0, holdo
 
 def _order(*models: Candidate) -> Ranking:
     order = Ranking(world({}), fitted(50.0, score=STRUCTURE), {c.effects: c for c in models})
-    order.renew()
+    order.update_scale()
     return order
 
 
@@ -46,7 +46,7 @@ def test_what_leaves_noise_is_better_than_what_does_not_however_many_parameters_
 
 def test_a_further_effect_that_follows_the_noise_more_closely_is_not_needed() -> None:
     one, two = _model("OrificeLeak", 1.05, 1), _model("OrificeLeak+DahlFriction", 0.9, 3)
-    assert _order(one, two).evidence(two) < _order(one, two).evidence(one)
+    assert _order(one, two).information_criterion(two) < _order(one, two).information_criterion(one)
     assert _best(one, two) == "OrificeLeak"
 
 
@@ -68,17 +68,22 @@ def test_laws_are_carried_on_beside_what_says_whatever_its_family_can() -> None:
     general, laws = _model("GeneralLeak", 5.0, 8, STRUCTURE), _model("OrificeLeak+LinearBladder", 9.0, 2, STRUCTURE)
     order = _order(general, laws)
     assert order.parents() == [general, laws]
-    of_all, of_laws = order.bars(3, order.scale)
-    assert (of_all.laws, of_laws.laws) == (False, True)
-    assert (of_all.beside, of_laws.beside) == (general, laws)
-    assert of_all.evidence == order.evidence(general) < of_laws.evidence == order.evidence(laws)
+    of_all, of_laws = order.acceptance_thresholds(3, order.scale)
+    assert (of_all.specific, of_laws.specific) == (False, True)
+    assert (of_all.reference, of_laws.reference) == (general, laws)
+    assert (
+        of_all.criterion
+        == order.information_criterion(general)
+        < of_laws.criterion
+        == order.information_criterion(laws)
+    )
 
 
 def test_not_where_the_best_is_made_of_laws_or_leaves_noise() -> None:
     laws = _model("OrificeLeak", 5.0, 1, STRUCTURE)
-    assert len(_order(laws, _model("GeneralLeak", 9.0, 8, STRUCTURE)).bars(2, _order(laws).scale)) == 1
+    assert len(_order(laws, _model("GeneralLeak", 9.0, 8, STRUCTURE)).acceptance_thresholds(2, _order(laws).scale)) == 1
     solved = _order(_model("GeneralLeak", 1.0, 8), _model("OrificeLeak", 5.0, 1, STRUCTURE))
-    assert [bar.laws for bar in solved.bars(1, solved.scale)] == [False]
+    assert [bar.specific for bar in solved.acceptance_thresholds(1, solved.scale)] == [False]
 
 
 @pytest.mark.parametrize(("effect", "room"), [("OrificeLeak", False), ("FlexibleLeak", False), ("GeneralLeak", True)])
@@ -90,8 +95,12 @@ def test_what_leaves_noise_by_many_parameters_is_challenged_from_a_plainer_model
     rich, plain = _model("GeneralLeak", 1.0, 8), _model("OrificeLeak", 5.0, 1, STRUCTURE)
     order = _order(rich, plain, _model("FlexibleBladder", 20.0, 3, STRUCTURE))
     assert order.parents() == [plain]
-    (bar,) = order.bars(2, order.scale)
-    assert (bar.beside, bar.evidence, bar.cost) == (plain, order.evidence(plain), order.cost(rich.effects))
+    (bar,) = order.acceptance_thresholds(2, order.scale)
+    assert (bar.reference, bar.criterion, bar.cost) == (
+        plain,
+        order.information_criterion(plain),
+        order.cost(rich.effects),
+    )
 
 
 def test_no_room_is_asked_for_where_the_best_leaves_structure() -> None:
@@ -108,4 +117,4 @@ def test_no_room_is_asked_for_where_the_best_leaves_structure() -> None:
     ],
 )
 def test_when_held_out_runs_contradict_what_the_fitted_ones_came_to(fit: Fit, expected: bool) -> None:
-    assert contradicted(fit) is expected
+    assert contradicted_by_holdout(fit) is expected

@@ -25,7 +25,7 @@ def looked(does: Callable[[float], np.ndarray], hidden: np.ndarray, signed: bool
     goal = left - own @ (own.T @ left)
     return [
         (look.strength, look.left / float(goal @ goal))
-        for look in probing._looks(lambda s: left - does(s), base, signed)
+        for look in probing._strength_trials(lambda s: left - does(s), base, signed)
     ]
 
 
@@ -68,6 +68,9 @@ def test_parameters_follow_the_strength() -> None:
 
 def test_nothing_is_sought_between_strengths_of_either_sign() -> None:
     target, other = np.eye(2)
-    strong, weak = probing._Look(1.0, other, 2 * other, 5.0), probing._Look(-0.3, other, 1e-4 * other, 1.001)
-    following = probing._next([strong, weak], target, signed=True)
+    strong, weak = (
+        probing._StrengthTrial(1.0, other, 2 * other, 5.0),
+        probing._StrengthTrial(-0.3, other, 1e-4 * other, 1.001),
+    )
+    following = probing._next_strength([strong, weak], target, signed=True)
     assert following is not None and 0 < following < 1

@@ -11,7 +11,7 @@ import pytest
 import pam_cosim as pam
 from pam_cosim.diagnosis import search as searches
 from pam_cosim.diagnosis.search import Search
-from pam_cosim.diagnosis.search_result import base_of
+from pam_cosim.diagnosis.search_result import fit_base_model
 from pam_cosim.diagnosis.subject import subject_of
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import DataSet
@@ -21,9 +21,9 @@ def looked_at(data: DataSet) -> tuple[Search, Fit]:
     """A search beside the fitted base model of a data set."""
     subject = subject_of(data, None, [], 0, lambda message: None)
     with subject.simulator() as simulator:
-        shelf = subject.effects(simulator.interface)
-        data, base, _ = base_of(simulator, subject.data, lambda message: None)
-    return Search(subject.tree, subject.name, shelf, data, subject.sources, workers=0), base
+        available_effects = subject.effects(simulator.interface)
+        data, base, _ = fit_base_model(simulator, subject.data, lambda message: None)
+    return Search(subject.tree, subject.name, available_effects, data, subject.sources, workers=0), base
 
 
 @pytest.fixture(scope="module")
@@ -42,21 +42,23 @@ def at_rest(tmp_path_factory: pytest.TempPathFactory) -> tuple[Search, Fit]:
 
 def test_points_at_rest_tell_no_lag_of_a_load_cell_that_has_a_gain_too(at_rest: tuple[Search, Fit]) -> None:
     search, base = at_rest
-    general, lag, offset = search.probed(base, (), ["GeneralLoadCell", "ForceLag", "ForceOffset"])
-    assert lag.silent and not general.silent and not offset.silent and offset.idle == ()
-    assert [name.rpartition(".")[2] for name in general.idle] == ["tau", "r"]
-    without = replace(search, idle={"GeneralLoadCell": general.idle})
+    general, lag, offset = search.probe(base, (), ["GeneralLoadCell", "ForceLag", "ForceOffset"])
+    assert lag.silent and not general.silent and not offset.silent and offset.inactive_parameters == ()
+    assert [name.rpartition(".")[2] for name in general.inactive_parameters] == ["tau", "r"]
+    without = replace(search, inactive_parameters={"GeneralLoadCell": general.inactive_parameters})
     assert without.cost["GeneralLoadCell"] == search.cost["GeneralLoadCell"] - 2
-    (candidate,) = without.briefly([searches.Wanted(("GeneralLoadCell",), base.values)])
-    left = set(general.own_parameters) - set(general.idle)
-    assert left <= set(candidate.fit.parameters) and not set(general.idle) & set(candidate.fit.parameters)
+    (candidate,) = without.fit_briefly([searches.FitRequest(("GeneralLoadCell",), base.values)])
+    left = set(general.own_parameters) - set(general.inactive_parameters)
+    assert left <= set(candidate.fit.parameters) and not set(general.inactive_parameters) & set(
+        candidate.fit.parameters
+    )
 
 
 def test_a_parameter_that_waits_for_another_is_no_idle_one(at_rest: tuple[Search, Fit]) -> None:
     """The reach of a wall that takes nothing at first, and so moves nothing."""
     search, base = at_rest
-    (bladder,) = search.probed(base, (), ["GeneralBladder"])
-    assert bladder.idle == ()
+    (bladder,) = search.probe(base, (), ["GeneralBladder"])
+    assert bladder.inactive_parameters == ()
 
 
 def test_a_thermometer_that_nobody_read_has_no_effect(tmp_path: Path) -> None:
@@ -69,7 +71,7 @@ def test_a_thermometer_that_nobody_read_has_no_effect(tmp_path: Path) -> None:
         'model = "PneumaticMuscle.Benches.TankFilling"\n[signals.p]\nsigma = "0.5 kPa"\n[[runs]]\nfile = "a.csv"\n'
     )
     search, base = looked_at(pam.read(tmp_path))
-    names = [e.name for e in search.shelf if e.family in ("temperature_sensor", "thermocouple_lag")]
-    probes = {p.effect: p for p in search.probed(base, (), [*names, "WarmWall", "OrificeLeak"])}
-    assert names and all(probes[name].unread for name in names)
-    assert not probes["OrificeLeak"].unread and not probes["WarmWall"].unread
+    names = [e.name for e in search.available_effects if e.family in ("temperature_sensor", "thermocouple_lag")]
+    probes = {p.effect: p for p in search.probe(base, (), [*names, "WarmWall", "OrificeLeak"])}
+    assert names and all(probes[name].only_unmeasured for name in names)
+    assert not probes["OrificeLeak"].only_unmeasured and not probes["WarmWall"].only_unmeasured

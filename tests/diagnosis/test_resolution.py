@@ -11,9 +11,9 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.hypothetical_measurements import NOW, Option
+from pam_cosim.diagnosis.hypothetical_measurements import AS_MEASURED, Option
 from pam_cosim.diagnosis.identifiability import Rows
-from pam_cosim.diagnosis.probing import Stated, Strengths, shown_from
+from pam_cosim.diagnosis.probing import StatedEffect, Strengths, detectable_strength
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free, Linear
 from tests.cli.conftest import EXPERIMENT, table
@@ -31,19 +31,19 @@ def unit(row: int) -> np.ndarray:
 BASE = Linear(("a",), np.array([0.0]), -WIDE, WIDE, np.zeros(2 * COUNT), 5 * unit(0)[:, None])
 
 
-def stated(effect: str, family: str, does: np.ndarray, weaker: float = CRITERIA.search.weaker) -> Stated:
+def stated(effect: str, family: str, does: np.ndarray, weaker: float = CRITERIA.search.weaker) -> StatedEffect:
     """An effect of one parameter, which does this at its stated value, and so much of it when weaker."""
     name = f"{effect}.k"
     own = Free(name, -1e6, 1e6, 1.0, "N")
     slopes = np.column_stack([BASE.slopes, does])
     limits = np.append(WIDE, 1e6)
     linear = Linear(("a", name), np.array([0.0, 1.0]), -limits, limits, BASE.residual - does, slopes)
-    return Stated(effect, family, Strengths((own,), {name: 0.0}), linear, (BASE.residual - weaker * does,))
+    return StatedEffect(effect, family, Strengths((own,), {name: 0.0}), linear, (BASE.residual - weaker * does,))
 
 
-def rows(*effects: Stated) -> Rows:
-    option = [NOW] * COUNT + [MORE] * COUNT
-    return Rows(BASE, {"a": "m"}, effects, option, {NOW: COUNT, MORE: COUNT})
+def rows(*effects: StatedEffect) -> Rows:
+    option = [AS_MEASURED] * COUNT + [MORE] * COUNT
+    return Rows(BASE, {"a": "m"}, effects, option, {AS_MEASURED: COUNT, MORE: COUNT})
 
 
 def test_a_parameter_is_known_as_well_as_the_samples_move_with_it() -> None:
@@ -54,7 +54,9 @@ def test_a_parameter_is_known_as_well_as_the_samples_move_with_it() -> None:
 
 def test_a_parameter_that_moves_nothing_is_known_as_well_as_its_bounds() -> None:
     still = replace(BASE, slopes=0 * BASE.slopes)
-    (known,) = Rows(still, {"a": "m"}, [], [NOW] * 2 * COUNT, {NOW: 2 * COUNT}).identifiability().parameters
+    (known,) = (
+        Rows(still, {"a": "m"}, [], [AS_MEASURED] * 2 * COUNT, {AS_MEASURED: 2 * COUNT}).identifiability().parameters
+    )
     assert known.deviation == pytest.approx(2e6 / math.sqrt(12))  # of an even distribution
     assert not known.determined
 
@@ -82,11 +84,11 @@ def test_what_begins_at_a_threshold_shows_where_it_was_seen_or_not_at_all() -> N
 
 
 def test_a_strength_is_extrapolated_from_the_weakest_look_that_shows() -> None:
-    assert shown_from([100.0, 10.0, 1.0], 5.0) == pytest.approx(0.05)  # in proportion
-    assert shown_from([100.0, 40.0, 4.0], 5.0) == pytest.approx(0.1 * 5 / 40)  # saturated where it is strong
-    assert shown_from([100.0, 10.0, 0.0], 5.0) == pytest.approx(0.1)  # a threshold lies between the last two
-    assert shown_from([1.0], 5.0) == pytest.approx(5.0)
-    assert shown_from([0.0], 5.0) == math.inf
+    assert detectable_strength([100.0, 10.0, 1.0], 5.0) == pytest.approx(0.05)  # in proportion
+    assert detectable_strength([100.0, 40.0, 4.0], 5.0) == pytest.approx(0.1 * 5 / 40)  # saturated where it is strong
+    assert detectable_strength([100.0, 10.0, 0.0], 5.0) == pytest.approx(0.1)  # a threshold lies between the last two
+    assert detectable_strength([1.0], 5.0) == pytest.approx(5.0)
+    assert detectable_strength([0.0], 5.0) == math.inf
 
 
 def test_families_that_do_the_same_are_told_apart_by_a_signal_in_which_they_differ() -> None:

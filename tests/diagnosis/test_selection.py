@@ -91,7 +91,7 @@ def test_what_stands_for_a_family_is_looked_at_first_where_time_is_short() -> No
     pair = world({"LinearBladder": 5.0})
     short = select_effects(pair, pair.fitted(()), deadline=time.monotonic() + 1e6)
     every = select_effects(pair, pair.fitted(()))
-    assert [p.effect for p in short.probes[: len(pair.broadest)]] == pair.broadest
+    assert [p.effect for p in short.probes[: len(pair.family_representatives)]] == pair.family_representatives
     assert {p.effect for p in short.probes} == {p.effect for p in every.probes}
 
 
@@ -108,9 +108,9 @@ def test_an_effect_that_is_chosen_but_not_needed_goes(superfluous: str) -> None:
     pair = world(dict.fromkeys(needed, 5.0))
     models = _Models(pair, pair.fitted(()), math.inf)
     chosen = (needed[0], superfluous, needed[1])
-    models.known[chosen] = pair.candidate(chosen)
-    models.ranking.renew()
-    models.try_without_one()
+    models.fitted[chosen] = pair.candidate(chosen)
+    models.ranking.update_scale()
+    models.try_removing_one()
     answer = models.ranking.answer()
     assert answer is not None and set(answer.effects) == set(needed)
 
@@ -126,10 +126,10 @@ def test_a_model_that_breaks_down_in_the_end_makes_place_for_the_next(monkeypatc
     leaking = world({"GeneralLeak": 30.0})
     models = _Models(leaking, leaking.fitted(()), math.inf)
     for names in (("GeneralLeak",), ("OrificeLeak",)):
-        models.known[names] = leaking.candidate(names)
-    models.ranking.renew()
-    whole = LinearWorld.finished
+        models.fitted[names] = leaking.candidate(names)
+    models.ranking.update_scale()
+    whole = LinearWorld.fit_final
     broken = staticmethod(lambda effects, start: None if "GeneralLeak" in effects else whole(leaking, effects, start))
     assert models.path()[-1].effects == ("GeneralLeak",)
-    monkeypatch.setattr(LinearWorld, "finished", broken)
+    monkeypatch.setattr(LinearWorld, "fit_final", broken)
     assert models.path()[-1].effects == ("OrificeLeak",)

@@ -252,7 +252,7 @@ class _Excused(Fit):
     """A fit whose error on held-out runs is within the uncertainty of its parameters."""
 
     @property
-    def tested(self) -> dict[str, ResidualStatistics]:
+    def residuals_beyond_uncertainty(self) -> dict[str, ResidualStatistics]:
         return {**self.residuals, "holdout": statistics(1.0)}
 
 

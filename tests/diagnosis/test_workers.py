@@ -9,6 +9,7 @@ import sys
 import time
 from pathlib import Path
 
+import numpy as np
 import pytest
 from threadpoolctl import threadpool_info, threadpool_limits
 
@@ -37,6 +38,14 @@ def test_results_keep_the_order_of_the_tasks() -> None:
     told: list[int] = []
     assert run_tasks(slow_square, [0, 9], lambda n: -1, told.append, 2) == [0, 81]
     assert sorted(told) == [0, 81]
+
+
+def test_tasks_run_where_who_asks_is_now(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("first", "second"):
+        folder = tmp_path / name
+        folder.mkdir()
+        monkeypatch.chdir(folder)
+        assert run_tasks(os.path.abspath, ["model.mo"], str, lambda _: None, 1) == [str(folder / "model.mo")]
 
 
 def test_no_tasks() -> None:
@@ -124,6 +133,7 @@ def test_linear_algebra_keeps_to_one_thread_and_is_given_back_the_others() -> No
     def threads() -> list[int]:
         return [pool["num_threads"] for pool in threadpool_info()]
 
+    np.linalg.inv(np.eye(2))  # loads the linear algebra
     with threadpool_limits(limits=2):
         before = threads()
         assert set(on_one_thread(threads)()) == {1}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pam_cosim.drafting.mapping import MappedRecording
+from pam_cosim.drafting.mapped import MappedRecording
 from pam_cosim.drafting.roles import roles
 from pam_cosim.model.interface import Interface, Variable
 

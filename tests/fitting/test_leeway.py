@@ -30,23 +30,23 @@ def _both(short: float, c_d: float) -> DataSet:
 def fitted(bench: Callable[[str], Path]) -> Callable[[DataSet], Fit]:
     def run(data: DataSet) -> Fit:
         with Simulator(bench("VesselOrifice")) as simulator:
-            return fit(simulator, data, options=FitOptions(leeway=True))
+            return fit(simulator, data, options=FitOptions(holdout_uncertainty=True))
 
     return run
 
 
 def test_an_error_within_the_uncertainty_of_the_parameters_is_none(fitted: Callable[[DataSet], Fit]) -> None:
     result = fitted(_both(5.0, TRUE_C_D))
-    raw, tested = result.residuals["holdout"], result.tested["holdout"]
+    raw, tested = result.residuals["holdout"], result.residuals_beyond_uncertainty["holdout"]
     assert abs(result.parameters["tank.n"].value - TRUE_N) > 0.002  # 5 s tell the exponent badly
     assert raw.chi2_reduced > 2.0
-    assert tested.chi2_reduced < 1.5 and result.leeway.cost < 9.0
-    assert result.tested["fit"] == result.residuals["fit"]
+    assert tested.chi2_reduced < 1.5 and result.holdout_uncertainty.cost < 9.0
+    assert result.residuals_beyond_uncertainty["fit"] == result.residuals["fit"]
 
 
 def test_an_error_that_the_fitted_run_does_not_allow_stays(fitted: Callable[[DataSet], Fit]) -> None:
     result = fitted(_both(60.0, 0.93 * TRUE_C_D))
-    raw, tested = result.residuals["holdout"], result.tested["holdout"]
+    raw, tested = result.residuals["holdout"], result.residuals_beyond_uncertainty["holdout"]
     assert raw.chi2_reduced > 5.0
     assert tested.chi2_reduced > 3.0
 
@@ -54,7 +54,7 @@ def test_an_error_that_the_fitted_run_does_not_allow_stays(fitted: Callable[[Dat
 def test_without_being_asked_or_without_held_out_runs_there_is_none(bench: Callable[[str], Path]) -> None:
     data = _both(60.0, TRUE_C_D)
     with Simulator(bench("VesselOrifice")) as simulator:
-        assert fit(simulator, data).leeway.shifts == {}
+        assert fit(simulator, data).holdout_uncertainty.shifts == {}
         alone = replace(data, runs=data.runs[:1])
-        result = fit(simulator, alone, options=FitOptions(leeway=True))
-    assert result.leeway.shifts == {} and result.tested == result.residuals
+        result = fit(simulator, alone, options=FitOptions(holdout_uncertainty=True))
+    assert result.holdout_uncertainty.shifts == {} and result.residuals_beyond_uncertainty == result.residuals

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
-from pam_cosim.comparison import measured
+from pam_cosim.comparison import measured_initial_state
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free, with_starts
 from pam_cosim.fitting.objective import Objective
@@ -115,7 +115,7 @@ def test_a_reading_at_the_end_of_its_range_shows_no_start(data: Callable[..., Da
     data_set = data(start="measured")
     with Simulator(build_model(str(model))) as simulator:
         for run in data_set.runs:
-            begins = measured(simulator, data_set, run, data_set.parameters_of(run, {}))
+            begins = measured_initial_state(simulator, data_set, run, data_set.parameters_of(run, {}))
             assert set(begins.values) == {"muscle.gas.p"}
             assert begins.settle == "others"
 

@@ -142,11 +142,11 @@ def misses(
 HARNESS = """model Harness "An effect on an imposed path under an imposed pressure"
   input Real x_wanted(unit="m", start=0); input Real p_wanted(unit="Pa", start=1e5);
   output Real f(unit="N") = effect.f;
-  inner PneumaticMuscle.Components.Ambient ambient;
+  inner PneumaticMuscle.Ambient ambient;
   {effect} effect(L0=0.24, D0=0.02, turns=2, t_wall=0.254e-3);
-  PneumaticMuscle.Components.Fixed ceiling(s0=0.24);
-  PneumaticMuscle.Components.ImposedPosition hand(s_wanted=x_wanted, tau=2e-4);
-  PneumaticMuscle.Components.Regulator regulator(p_wanted=p_wanted);
+  PneumaticMuscle.Mechanics.Components.Fixed ceiling(s0=0.24);
+  PneumaticMuscle.Mechanics.Components.ImposedPosition hand(s_wanted=x_wanted, tau=2e-4);
+  PneumaticMuscle.Pneumatics.Components.Regulator regulator(p_wanted=p_wanted);
 equation
   connect(effect.flange_a, hand.flange); connect(effect.flange_b, ceiling.flange); connect(effect.port, regulator.port);
 end Harness;"""

@@ -18,7 +18,7 @@ from pam_cosim.simulation import Simulator
 from tests.library.shelf import check_each, tree
 
 LIBRARY = modelica_root() / "PneumaticMuscle"
-SHELVES = ("Benches", "Examples", "Validation")
+SHELVES = ("Benches", "Examples")
 
 
 def _public(info: ClassInfo) -> bool:

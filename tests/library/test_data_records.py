@@ -42,13 +42,13 @@ def in_degrees(own: dict[str, float]) -> dict[str, float]:
 
 
 def test_every_record_is_pinned() -> None:
-    records = {file.stem for file in (modelica_root() / "PneumaticMuscle" / "Data").glob("*.mo")}
+    records = {file.stem for file in (modelica_root() / "PneumaticMuscle" / "Muscles" / "Data").glob("*.mo")}
     assert records - BASES - {"package"} == set(PRINTED)
 
 
 @pytest.mark.parametrize("record", PRINTED)
 def test_record_holds_what_is_printed(record: str) -> None:
-    own = values(f"parameter PneumaticMuscle.Data.{record} it;", list(PRINTED[record]))
+    own = values(f"parameter PneumaticMuscle.Muscles.Data.{record} it;", list(PRINTED[record]))
     assert in_degrees(own) == pytest.approx(PRINTED[record], rel=1e-12)
 
 

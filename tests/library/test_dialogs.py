@@ -50,7 +50,7 @@ def test_what_is_looked_for_around_a_model_is_put_there_by_a_tool() -> None:
     outer = {(c.name, c.type.names[-1]) for n in CLASSES for c in n.components.values() if "outer" in c.prefixes}
     assert ("ambient", "Ambient") in outer
     for name, of in outer:
-        definition = LIBRARY.find(f"PneumaticMuscle.Components.{of}")
+        definition = LIBRARY.find(f"PneumaticMuscle.{of}")
         assert definition is not None
         assert value(definition.annotation, "defaultComponentName") == name
         assert value(definition.annotation, "defaultComponentPrefixes") == "inner"

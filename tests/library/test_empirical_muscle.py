@@ -112,7 +112,7 @@ def test_printed_sleeve_begins_without_a_jump_only_where_both_lengths_are_one() 
 
 def test_forces_of_figure_5_balance() -> None:
     """DY (13)-(16): F_dyn = F_s - M g - F_elastic - F_hys, and F_dyn = M L eps_ddot."""
-    with Simulator(build_model("PneumaticMuscle.Validation.ForceDynamics")) as simulator:
+    with Simulator(build_model("PneumaticMuscle.Examples.Validation.ForceDynamics")) as simulator:
         run = simulator.run(np.linspace(0, 20, 8001), tolerance=1e-8)
     v = run.values
     for i, load in enumerate((5, 10, 20, 30), start=1):

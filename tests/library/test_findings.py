@@ -30,14 +30,14 @@ def static_force(p: float, eps: float) -> float:
 
 
 def test_exponent_matters_for_the_steady_state_only_with_the_printed_wall() -> None:
-    trajectory = run("Validation.PolytropicExponent", 10)
+    trajectory = run("Examples.Validation.PolytropicExponent", 10)
     x, printed = ([at(trajectory, f"{name}[{i}]", 4.9) for i in (1, 2, 3)] for name in ("x", "x_printed"))
     assert x == pytest.approx([67.88e-3] * 3, rel=1e-3)
     assert printed[0] > 1.25 * printed[1] > 1.25 * printed[2]
 
 
 def test_temperature_by_the_polytropic_law_is_far_above_the_printed_four_degrees() -> None:
-    trajectory = run("Validation.PolytropicExponent", 10)
+    trajectory = run("Examples.Validation.PolytropicExponent", 10)
     for i, n in ((1, 1.0), (2, 1.2), (3, 1.4)):
         rise = float(trajectory.values[f"T[{i}]"].max()) - 293.15
         ratio = 1 + float(trajectory.values[f"p[{i}]"].max()) / 101325
@@ -46,14 +46,15 @@ def test_temperature_by_the_polytropic_law_is_far_above_the_printed_four_degrees
 
 
 def test_bladder_friction_moves_the_steady_contraction() -> None:
-    trajectory = run("Validation.BladderFriction", 10)
+    trajectory = run("Examples.Validation.BladderFriction", 10)
     assert at(trajectory, "x[1]", 4.9) == pytest.approx(62.86e-3, abs=5e-5)
     assert at(trajectory, "x[2]", 4.9) == pytest.approx(47.43e-3, abs=5e-5)
 
 
 def test_friction_slows_only_fast_filling_and_a_bladder_every_filling() -> None:
-    fast = run("Validation.ButylSlowRise", 4.9)
-    slow = run("Validation.ButylSlowRise", 80, **{"inlet.height": 0.17, "inlet.stop": 1e3, "outlet.start": 1e3})
+    model = "Examples.Validation.ButylSlowRise"
+    fast = run(model, 4.9)
+    slow = run(model, 80, **{"inlet.height": 0.17, "inlet.stop": 1e3, "outlet.start": 1e3})
 
     def contraction(trajectory: Trajectory, i: int) -> float:
         return float(np.interp(1e5, trajectory.values[f"p[{i}]"], trajectory.values[f"x[{i}]"]))
@@ -72,7 +73,7 @@ def test_slides_linearisation_holds_but_for_a_power_of_ten() -> None:
 
 
 def test_loops_of_the_empirical_muscle_widen_with_load_and_rate() -> None:
-    trajectory = run("Validation.LoadsAndRates", 20)
+    trajectory = run("Examples.Validation.LoadsAndRates", 20)
 
     def width(i: int) -> float:
         near = (np.abs(trajectory.values[f"p[{i}]"] - 2e5) < 5e3) & (trajectory.time > 2)
@@ -82,14 +83,14 @@ def test_loops_of_the_empirical_muscle_widen_with_load_and_rate() -> None:
 
 
 def test_butyl_pressure_hardly_depends_on_the_exponent_and_the_length_matters() -> None:
-    trajectory = run("Validation.ButylPressure", 10)
+    trajectory = run("Examples.Validation.ButylPressure", 10)
     assert [at(trajectory, f"p[{i}]", 1.0) for i in (1, 2, 3)] == pytest.approx([96.64e3, 95.00e3, 93.78e3], rel=2e-3)
     assert [at(trajectory, f"x[{i}]", 4.9) for i in (1, 2, 3)] == pytest.approx([62.86e-3] * 3, rel=1e-3)
     assert at(trajectory, "x_long", 4.9) == pytest.approx(67.88e-3, rel=1e-3)
 
 
 def test_two_lengths_share_one_slow_loop_and_inertia_parts_them() -> None:
-    trajectory = run("Validation.TwoLengths", 10, 8001)
+    trajectory = run("Examples.Validation.TwoLengths", 10, 8001)
 
     def width(i: int) -> float:
         near = (np.abs(trajectory.values[f"p[{i}]"] - 3e5) < 3e3) & (trajectory.time > 5)
@@ -100,7 +101,7 @@ def test_two_lengths_share_one_slow_loop_and_inertia_parts_them() -> None:
 
 
 def test_area_by_the_flow_is_one_for_all_supplies_and_other_conversions_are_not() -> None:
-    trajectory = run("Validation.ValveCalibration", 10)
+    trajectory = run("Examples.Validation.ValveCalibration", 10)
     area, choked, gauge = ([float(trajectory.values[f"{name}[{i}]"][-1]) for i in range(1, 16)]
                            for name in ("A", "A_choked", "A_gauge"))  # fmt: skip
     assert area == pytest.approx([2.580e-7] * 15, rel=1e-3)

@@ -118,7 +118,7 @@ def test_pictures_are_drawn() -> None:
 
 
 def test_a_component_that_is_turned_is_drawn_turned() -> None:
-    of: Class = PICTURES.of("PneumaticMuscle.Components.Load")
+    of: Class = PICTURES.of("PneumaticMuscle.Mechanics.Components.Load")
     turned = Placed("a", of, np.array([[-10, -20], [10, 20.0]]), np.array([5.0, 0]), 90)
     assert turned.at(np.array([[100.0, 0]])) == pytest.approx(np.array([[5, 10.0]]))
     assert turned.corners == pytest.approx(np.array([[-15, -10], [25, 10.0]]))

@@ -25,7 +25,7 @@ INPUTS = Inputs(
 
 @pytest.fixture(scope="module")
 def trajectory() -> Trajectory:
-    with Simulator(build_model("PneumaticMuscle.Validation.GasTemperature")) as simulator:
+    with Simulator(build_model("PneumaticMuscle.Examples.Validation.GasTemperature")) as simulator:
         return simulator.run(TIMES, tolerance=1e-8)
 
 

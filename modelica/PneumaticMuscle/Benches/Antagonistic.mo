@@ -25,39 +25,41 @@ model Antagonistic "Two muscles that pull a pulley against each other"
   Interfaces.Signals.LengthOutput x "Travel of the rim, towards the first muscle"
     annotation (Placement(transformation(extent={{240,-135},{260,-115}}),
       iconTransformation(extent={{90,-70},{110,-50}})));
-  replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducers"
+  replaceable model Manometer = Instruments.Sensors.GaugePressure constrainedby Interfaces.Manometer
+    "Pressure transducers"
     annotation (choicesAllMatching=true);
-  replaceable model PressureChannel = Sensors.DirectPressure constrainedby Interfaces.PressureChannel
+  replaceable model PressureChannel = Instruments.Sensors.DirectPressure constrainedby Interfaces.PressureChannel
     "Measuring channel of the pressure"
     annotation (choicesAllMatching=true);
-  replaceable model PositionChannel = Sensors.DirectPosition constrainedby Interfaces.PositionChannel
+  replaceable model PositionChannel = Instruments.Sensors.DirectPosition constrainedby Interfaces.PositionChannel
     "Measuring channel of the position"
     annotation (choicesAllMatching=true);
-  replaceable model Recorder = Sensors.SharedClock constrainedby Interfaces.Recorder "Recorder of the readings"
+  replaceable model Recorder = Instruments.Sensors.SharedClock constrainedby Interfaces.Recorder
+    "Recorder of the readings"
     annotation (choicesAllMatching=true);
-  inner Components.Ambient ambient "Surroundings"
+  inner Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-20,60},{20,100}})));
-  Components.Supply supply "Air supply"
+  Pneumatics.Components.Supply supply "Air supply"
     annotation (Placement(transformation(extent={{-240,90},{-200,130}})));
-  Components.Atmosphere atmosphere "Outlet"
+  Pneumatics.Components.Atmosphere atmosphere "Outlet"
     annotation (Placement(transformation(extent={{-240,-130},{-200,-90}})));
-  Components.ValvePair valve_1 "Valves of the first muscle"
+  Pneumatics.Components.ValvePair valve_1 "Valves of the first muscle"
     annotation (Placement(transformation(extent={{-180,-20},{-140,20}})));
-  Components.ValvePair valve_2 "Valves of the second muscle"
+  Pneumatics.Components.ValvePair valve_2 "Valves of the second muscle"
     annotation (Placement(transformation(extent={{180,-20},{140,20}})));
-  Components.Muscle muscle_1 "First muscle"
+  Muscles.Components.Muscle muscle_1 "First muscle"
     annotation (Placement(transformation(extent={{-100,-20},{-60,20}})));
-  Components.Muscle muscle_2 "Second muscle"
+  Muscles.Components.Muscle muscle_2 "Second muscle"
     annotation (Placement(transformation(extent={{100,-20},{60,20}})));
-  Components.Fixed frame_1(s0=muscle_1.L0) "Where the first muscle is fixed"
+  Mechanics.Components.Fixed frame_1(s0=muscle_1.L0) "Where the first muscle is fixed"
     annotation (Placement(transformation(extent={{-100,55},{-60,95}})));
-  Components.Fixed frame_2(s0=muscle_2.L0) "Where the second muscle is fixed"
+  Mechanics.Components.Fixed frame_2(s0=muscle_2.L0) "Where the second muscle is fixed"
     annotation (Placement(transformation(extent={{60,55},{100,95}})));
-  Components.Stop stop_1(L0=muscle_1.L0) "Full extension of the first muscle"
+  Mechanics.Components.Stop stop_1(L0=muscle_1.L0) "Full extension of the first muscle"
     annotation (Placement(transformation(extent={{-50,-20},{-10,20}})));
-  Components.Stop stop_2(L0=muscle_2.L0) "Full extension of the second muscle"
+  Mechanics.Components.Stop stop_2(L0=muscle_2.L0) "Full extension of the second muscle"
     annotation (Placement(transformation(extent={{10,-20},{50,20}})));
-  Components.Pulley pulley "Pulley"
+  Mechanics.Components.Pulley pulley "Pulley"
     annotation (Placement(transformation(extent={{-20,-100},{20,-60}})));
   Manometer manometer_1 "Pressure transducer"
     annotation (Placement(transformation(extent={{-140,55},{-100,95}})));

@@ -7,21 +7,24 @@ model ClosedVessel "A vessel under pressure with everything shut"
   Interfaces.Signals.TemperatureOutput T "Temperature reading in the vessel"
     annotation (Placement(transformation(extent={{100,-45},{120,-25}}),
       iconTransformation(extent={{90,-50},{110,-30}})));
-  replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"
+  replaceable model Thermometer = Instruments.Sensors.IdealThermometer constrainedby Interfaces.Thermometer
+    "Thermometer"
     annotation (choicesAllMatching=true);
-  replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"
+  replaceable model Manometer = Instruments.Sensors.GaugePressure constrainedby Interfaces.Manometer
+    "Pressure transducer"
     annotation (choicesAllMatching=true);
-  replaceable model PressureChannel = Sensors.DirectPressure constrainedby Interfaces.PressureChannel
+  replaceable model PressureChannel = Instruments.Sensors.DirectPressure constrainedby Interfaces.PressureChannel
     "Measuring channel of the pressure"
     annotation (choicesAllMatching=true);
-  replaceable model TemperatureChannel = Sensors.DirectTemperature constrainedby Interfaces.TemperatureChannel
-    "Measuring channel of the temperature"
+  replaceable model TemperatureChannel = Instruments.Sensors.DirectTemperature
+    constrainedby Interfaces.TemperatureChannel "Measuring channel of the temperature"
     annotation (choicesAllMatching=true);
-  replaceable model Recorder = Sensors.SharedClock constrainedby Interfaces.Recorder "Recorder of the readings"
+  replaceable model Recorder = Instruments.Sensors.SharedClock constrainedby Interfaces.Recorder
+    "Recorder of the readings"
     annotation (choicesAllMatching=true);
-  inner Components.Ambient ambient "Surroundings"
+  inner Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-120,-20},{-80,20}})));
-  Components.Tank tank(V=1e-4, p_start=7e5, startIsReference=true) "Vessel"
+  Pneumatics.Components.Tank tank(V=1e-4, p_start=7e5, startIsReference=true) "Vessel"
     annotation (Placement(transformation(extent={{30,-20},{70,20}})));
   Manometer manometer "Pressure transducer"
     annotation (Placement(transformation(extent={{-30,60},{10,100}})));

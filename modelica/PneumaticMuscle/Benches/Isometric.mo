@@ -22,44 +22,47 @@ model Isometric "A muscle whose contraction is imposed, driven by current-driven
   Interfaces.Signals.TemperatureOutput T "Temperature reading in the muscle"
     annotation (Placement(transformation(extent={{100,-160},{120,-140}}),
       iconTransformation(extent={{90,-70},{110,-50}})));
-  replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"
+  replaceable model Thermometer = Instruments.Sensors.IdealThermometer constrainedby Interfaces.Thermometer
+    "Thermometer"
     annotation (choicesAllMatching=true);
-  replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"
+  replaceable model Manometer = Instruments.Sensors.GaugePressure constrainedby Interfaces.Manometer
+    "Pressure transducer"
     annotation (choicesAllMatching=true);
   replaceable model Line = Laws.Lines.DirectLine constrainedby Interfaces.Line "Line between valves and muscle"
     annotation (choicesAllMatching=true);
-  replaceable model PressureChannel = Sensors.DirectPressure constrainedby Interfaces.PressureChannel
+  replaceable model PressureChannel = Instruments.Sensors.DirectPressure constrainedby Interfaces.PressureChannel
     "Measuring channel of the pressure"
     annotation (choicesAllMatching=true);
-  replaceable model ForceChannel = Sensors.DirectForce constrainedby Interfaces.ForceChannel
+  replaceable model ForceChannel = Instruments.Sensors.DirectForce constrainedby Interfaces.ForceChannel
     "Measuring channel of the force"
     annotation (choicesAllMatching=true);
-  replaceable model TemperatureChannel = Sensors.DirectTemperature constrainedby Interfaces.TemperatureChannel
-    "Measuring channel of the temperature"
+  replaceable model TemperatureChannel = Instruments.Sensors.DirectTemperature
+    constrainedby Interfaces.TemperatureChannel "Measuring channel of the temperature"
     annotation (choicesAllMatching=true);
-  replaceable model Recorder = Sensors.SharedClock constrainedby Interfaces.Recorder "Recorder of the readings"
+  replaceable model Recorder = Instruments.Sensors.SharedClock constrainedby Interfaces.Recorder
+    "Recorder of the readings"
     annotation (choicesAllMatching=true);
-  inner Components.Ambient ambient "Surroundings"
+  inner Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
-  Components.Supply supply "Air supply"
+  Pneumatics.Components.Supply supply "Air supply"
     annotation (Placement(transformation(extent={{-170,20},{-130,60}})));
-  Components.Atmosphere atmosphere "Outlet"
+  Pneumatics.Components.Atmosphere atmosphere "Outlet"
     annotation (Placement(transformation(extent={{-170,-60},{-130,-20}})));
-  Components.ValvePair valve "Inlet and exhaust valve"
+  Pneumatics.Components.ValvePair valve "Inlet and exhaust valve"
     annotation (Placement(transformation(extent={{-110,-20},{-70,20}})));
   Line line "Line between valves and muscle"
     annotation (Placement(transformation(extent={{-50,-20},{-10,20}})));
-  Components.Muscle muscle "Muscle"
+  Muscles.Components.Muscle muscle "Muscle"
     annotation (Placement(transformation(extent={{30,-20},{70,20}})));
-  Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs"
+  Mechanics.Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs"
     annotation (Placement(transformation(extent={{30,60},{70,100}})));
-  Components.ImposedPosition drive "What moves the load end"
+  Mechanics.Components.ImposedPosition drive "What moves the load end"
     annotation (Placement(transformation(extent={{30,-150},{70,-110}})));
   Manometer manometer "Pressure transducer"
     annotation (Placement(transformation(extent={{-50,60},{-10,100}})));
   Thermometer thermometer(T_start=ambient.T, m_flow=muscle.port.m_flow) "Thermometer"
     annotation (Placement(transformation(extent={{-110,60},{-70,100}})));
-  Sensors.Pull loadCell "Load cell"
+  Instruments.Sensors.Pull loadCell "Load cell"
     annotation (Placement(transformation(extent={{30,-85},{70,-45}})));
   PressureChannel channel_p(dynamics=ambient.dynamics) "Measuring channel of the pressure"
     annotation (Placement(transformation(extent={{-170,-210},{-130,-170}})));
@@ -113,9 +116,9 @@ equation
     experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
 <p>The muscle of <a href=\"modelica://PneumaticMuscle.Benches.Isotonic\">Isotonic</a> between a ceiling and a drive. The
 imposed contraction reaches the muscle through a critically damped filter of 5 ms,
-<a href=\"modelica://PneumaticMuscle.Components.ImposedPosition\">Components.ImposedPosition</a>, because the speed of
-the end enters the pressure, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (59). It starts from
-zero contraction whatever the input says. The braid carries no push: a negative pull does not occur in a sleeve, but the
-base model allows it beyond full contraction, 3 L^2 &lt; b^2.</p>
+<a href=\"modelica://PneumaticMuscle.Mechanics.Components.ImposedPosition\">Components.ImposedPosition</a>, because the
+speed of the end enters the pressure, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (59). It
+starts from zero contraction whatever the input says. The braid carries no push: a negative pull does not occur in a
+sleeve, but the base model allows it beyond full contraction, 3 L^2 &lt; b^2.</p>
 </html>"));
 end Isometric;

@@ -19,46 +19,49 @@ model Isotonic "A muscle that lifts a hanging mass, driven by current-driven val
   Interfaces.Signals.TemperatureOutput T "Temperature reading in the muscle"
     annotation (Placement(transformation(extent={{140,-130},{160,-110}}),
       iconTransformation(extent={{90,-70},{110,-50}})));
-  replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"
+  replaceable model Thermometer = Instruments.Sensors.IdealThermometer constrainedby Interfaces.Thermometer
+    "Thermometer"
     annotation (choicesAllMatching=true);
-  replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"
+  replaceable model Manometer = Instruments.Sensors.GaugePressure constrainedby Interfaces.Manometer
+    "Pressure transducer"
     annotation (choicesAllMatching=true);
   replaceable model Line = Laws.Lines.DirectLine constrainedby Interfaces.Line "Line between valves and muscle"
     annotation (choicesAllMatching=true);
-  replaceable model PressureChannel = Sensors.DirectPressure constrainedby Interfaces.PressureChannel
+  replaceable model PressureChannel = Instruments.Sensors.DirectPressure constrainedby Interfaces.PressureChannel
     "Measuring channel of the pressure"
     annotation (choicesAllMatching=true);
-  replaceable model PositionChannel = Sensors.DirectPosition constrainedby Interfaces.PositionChannel
+  replaceable model PositionChannel = Instruments.Sensors.DirectPosition constrainedby Interfaces.PositionChannel
     "Measuring channel of the position"
     annotation (choicesAllMatching=true);
-  replaceable model TemperatureChannel = Sensors.DirectTemperature constrainedby Interfaces.TemperatureChannel
-    "Measuring channel of the temperature"
+  replaceable model TemperatureChannel = Instruments.Sensors.DirectTemperature
+    constrainedby Interfaces.TemperatureChannel "Measuring channel of the temperature"
     annotation (choicesAllMatching=true);
-  replaceable model Recorder = Sensors.SharedClock constrainedby Interfaces.Recorder "Recorder of the readings"
+  replaceable model Recorder = Instruments.Sensors.SharedClock constrainedby Interfaces.Recorder
+    "Recorder of the readings"
     annotation (choicesAllMatching=true);
-  inner Components.Ambient ambient "Surroundings"
+  inner Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
-  Components.Supply supply "Air supply"
+  Pneumatics.Components.Supply supply "Air supply"
     annotation (Placement(transformation(extent={{-170,20},{-130,60}})));
-  Components.Atmosphere atmosphere "Outlet"
+  Pneumatics.Components.Atmosphere atmosphere "Outlet"
     annotation (Placement(transformation(extent={{-170,-60},{-130,-20}})));
-  Components.ValvePair valve "Inlet and exhaust valve"
+  Pneumatics.Components.ValvePair valve "Inlet and exhaust valve"
     annotation (Placement(transformation(extent={{-110,-20},{-70,20}})));
   Line line "Line between valves and muscle"
     annotation (Placement(transformation(extent={{-50,-20},{-10,20}})));
-  Components.Muscle muscle "Muscle"
+  Muscles.Components.Muscle muscle "Muscle"
     annotation (Placement(transformation(extent={{30,-20},{70,20}})));
-  Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs"
+  Mechanics.Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs"
     annotation (Placement(transformation(extent={{30,60},{70,100}})));
-  Components.Load load(s_start=-load.m*Constants.g/stop.k) "Hanging mass, at rest on the stop"
+  Mechanics.Components.Load load(s_start=-load.m*Constants.g/stop.k) "Hanging mass, at rest on the stop"
     annotation (Placement(transformation(extent={{30,-105},{70,-65}})));
-  Components.Stop stop(L0=muscle.L0) "Full extension"
+  Mechanics.Components.Stop stop(L0=muscle.L0) "Full extension"
     annotation (Placement(transformation(extent={{95,-20},{135,20}})));
   Manometer manometer "Pressure transducer"
     annotation (Placement(transformation(extent={{-50,60},{-10,100}})));
   Thermometer thermometer(T_start=ambient.T, m_flow=muscle.port.m_flow) "Thermometer"
     annotation (Placement(transformation(extent={{-110,60},{-70,100}})));
-  Sensors.Contraction ruler "Displacement transducer"
+  Instruments.Sensors.Contraction ruler "Displacement transducer"
     annotation (Placement(transformation(extent={{95,-105},{135,-65}})));
   PressureChannel channel_p(dynamics=ambient.dynamics) "Measuring channel of the pressure"
     annotation (Placement(transformation(extent={{-170,-170},{-130,-130}})));
@@ -115,8 +118,7 @@ equation
   annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-180},{150,120}})),
     experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
 <p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> section 3 and Fig. 2, equations DP (17)-(18),
-(40)-(42), (44)-(49), (59)-(60), (62), (68)-(71): the base model whose parts are in
-<a href=\"modelica://PneumaticMuscle.Components\">Components</a>. The mass rests on the stop of the full length at the
+(40)-(42), (44)-(49), (59)-(60), (62), (68)-(71): the base model. The mass rests on the stop of the full length at the
 start. By default it is filled from 207 kPa at 0.35 A.</p>
 </html>"));
 end Isotonic;

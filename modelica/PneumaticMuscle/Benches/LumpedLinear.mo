@@ -13,16 +13,17 @@ model LumpedLinear "Linear model of three states, pressure, length and its rate,
   Interfaces.Signals.ForceOutput F "Pull of the muscle"
     annotation (Placement(transformation(extent={{90,-110},{110,-90}}),
       iconTransformation(extent={{90,-70},{110,-50}})));
-  replaceable model PressureChannel = Sensors.DirectPressure constrainedby Interfaces.PressureChannel
+  replaceable model PressureChannel = Instruments.Sensors.DirectPressure constrainedby Interfaces.PressureChannel
     "Measuring channel of the pressure"
     annotation (choicesAllMatching=true);
-  replaceable model PositionChannel = Sensors.DirectPosition constrainedby Interfaces.PositionChannel
+  replaceable model PositionChannel = Instruments.Sensors.DirectPosition constrainedby Interfaces.PositionChannel
     "Measuring channel of the position"
     annotation (choicesAllMatching=true);
-  replaceable model ForceChannel = Sensors.DirectForce constrainedby Interfaces.ForceChannel
+  replaceable model ForceChannel = Instruments.Sensors.DirectForce constrainedby Interfaces.ForceChannel
     "Measuring channel of the force"
     annotation (choicesAllMatching=true);
-  replaceable model Recorder = Sensors.SharedClock constrainedby Interfaces.Recorder "Recorder of the readings"
+  replaceable model Recorder = Instruments.Sensors.SharedClock constrainedby Interfaces.Recorder
+    "Recorder of the readings"
     annotation (choicesAllMatching=true);
   parameter Types.GaugePressure p_0(min=0, max=1e6) = 2.5e5 "Gauge pressure at the operating point"
     annotation (Dialog(group="Operating point"));

@@ -10,14 +10,15 @@ model StaticForce "Pull of a muscle by pressure and contraction ratio, without a
   Interfaces.Signals.ForceOutput F "Pull of the muscle"
     annotation (Placement(transformation(extent={{90,-35},{110,-15}}),
       iconTransformation(extent={{90,-10},{110,10}})));
-  replaceable model ForceChannel = Sensors.DirectForce constrainedby Interfaces.ForceChannel
+  replaceable model ForceChannel = Instruments.Sensors.DirectForce constrainedby Interfaces.ForceChannel
     "Measuring channel of the force"
     annotation (choicesAllMatching=true);
-  replaceable model Recorder = Sensors.SharedClock constrainedby Interfaces.Recorder "Recorder of the readings"
+  replaceable model Recorder = Instruments.Sensors.SharedClock constrainedby Interfaces.Recorder
+    "Recorder of the readings"
     annotation (choicesAllMatching=true);
-  inner Components.Ambient ambient "Surroundings"
+  inner Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-70,-20},{-30,20}})));
-  Components.HeldMuscle muscle "Muscle"
+  Muscles.Components.HeldMuscle muscle "Muscle"
     annotation (Placement(transformation(extent={{10,-20},{50,20}})));
   ForceChannel channel_F(u=muscle.F, dynamics=ambient.dynamics) "Measuring channel of the force"
     annotation (Placement(transformation(extent={{-80,-100},{-40,-60}})));

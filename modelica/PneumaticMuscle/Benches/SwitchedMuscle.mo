@@ -19,35 +19,38 @@ model SwitchedMuscle "A muscle of imposed contraction that on-off valves fill fr
   Interfaces.Signals.TemperatureOutput T "Temperature reading in the muscle"
     annotation (Placement(transformation(extent={{100,-85},{120,-65}}),
       iconTransformation(extent={{90,-50},{110,-30}})));
-  replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"
+  replaceable model Thermometer = Instruments.Sensors.IdealThermometer constrainedby Interfaces.Thermometer
+    "Thermometer"
     annotation (choicesAllMatching=true);
-  replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"
+  replaceable model Manometer = Instruments.Sensors.GaugePressure constrainedby Interfaces.Manometer
+    "Pressure transducer"
     annotation (choicesAllMatching=true);
   replaceable model Line = Laws.Lines.DirectLine constrainedby Interfaces.Line "Line between valves and muscle"
     annotation (choicesAllMatching=true);
-  replaceable model PressureChannel = Sensors.DirectPressure constrainedby Interfaces.PressureChannel
+  replaceable model PressureChannel = Instruments.Sensors.DirectPressure constrainedby Interfaces.PressureChannel
     "Measuring channel of the pressure"
     annotation (choicesAllMatching=true);
-  replaceable model TemperatureChannel = Sensors.DirectTemperature constrainedby Interfaces.TemperatureChannel
-    "Measuring channel of the temperature"
+  replaceable model TemperatureChannel = Instruments.Sensors.DirectTemperature
+    constrainedby Interfaces.TemperatureChannel "Measuring channel of the temperature"
     annotation (choicesAllMatching=true);
-  replaceable model Recorder = Sensors.SharedClock constrainedby Interfaces.Recorder "Recorder of the readings"
+  replaceable model Recorder = Instruments.Sensors.SharedClock constrainedby Interfaces.Recorder
+    "Recorder of the readings"
     annotation (choicesAllMatching=true);
-  inner Components.Ambient ambient "Surroundings"
+  inner Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
-  Components.Supply supply "Source"
+  Pneumatics.Components.Supply supply "Source"
     annotation (Placement(transformation(extent={{-170,20},{-130,60}})));
-  Components.Atmosphere atmosphere "Outlet"
+  Pneumatics.Components.Atmosphere atmosphere "Outlet"
     annotation (Placement(transformation(extent={{-170,-60},{-130,-20}})));
-  Components.ValvePair valve(u_in=u_open*u_in, u_out=u_open*u_out, C_A=0.2) "Inlet and exhaust valve"
+  Pneumatics.Components.ValvePair valve(u_in=u_open*u_in, u_out=u_open*u_out, C_A=0.2) "Inlet and exhaust valve"
     annotation (Placement(transformation(extent={{-110,-20},{-70,20}})));
   Line line "Line between valves and muscle"
     annotation (Placement(transformation(extent={{-50,-20},{-10,20}})));
-  Components.Muscle muscle "Muscle"
+  Muscles.Components.Muscle muscle "Muscle"
     annotation (Placement(transformation(extent={{30,-20},{70,20}})));
-  Components.Fixed ceiling(s0=muscle.L0) "Where the muscle is fixed"
+  Mechanics.Components.Fixed ceiling(s0=muscle.L0) "Where the muscle is fixed"
     annotation (Placement(transformation(extent={{30,60},{70,100}})));
-  Components.ImposedPosition drive(tau=1e-3) "What moves the load end"
+  Mechanics.Components.ImposedPosition drive(tau=1e-3) "What moves the load end"
     annotation (Placement(transformation(extent={{30,-95},{70,-55}})));
   Manometer manometer "Pressure transducer"
     annotation (Placement(transformation(extent={{-50,60},{-10,100}})));
@@ -96,6 +99,6 @@ equation
 command of 1 opens 10 <code>valve.C_A</code> mm2, so that <code>valve.C_A</code> is the effective area of the open
 valve. A finite tank needs no model of its own where the pressure before the valve is measured: it is the input
 <code>p_supply</code>, with its droop. The contraction passes a critically damped filter of 1 ms,
-<a href=\"modelica://PneumaticMuscle.Components.ImposedPosition\">Components.ImposedPosition</a>.</p>
+<a href=\"modelica://PneumaticMuscle.Mechanics.Components.ImposedPosition\">Components.ImposedPosition</a>.</p>
 </html>"));
 end SwitchedMuscle;

@@ -16,31 +16,34 @@ model TankFilling "A tank that is filled and emptied through current-driven valv
   Interfaces.Signals.TemperatureOutput T(displayUnit="degC") "Temperature reading in the tank"
     annotation (Placement(transformation(extent={{100,-65},{120,-45}}),
       iconTransformation(extent={{90,-50},{110,-30}})));
-  replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"
+  replaceable model Thermometer = Instruments.Sensors.IdealThermometer constrainedby Interfaces.Thermometer
+    "Thermometer"
     annotation (choicesAllMatching=true);
-  replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"
+  replaceable model Manometer = Instruments.Sensors.GaugePressure constrainedby Interfaces.Manometer
+    "Pressure transducer"
     annotation (choicesAllMatching=true);
   replaceable model Line = Laws.Lines.DirectLine constrainedby Interfaces.Line "Line between valves and tank"
     annotation (choicesAllMatching=true);
-  replaceable model PressureChannel = Sensors.DirectPressure constrainedby Interfaces.PressureChannel
+  replaceable model PressureChannel = Instruments.Sensors.DirectPressure constrainedby Interfaces.PressureChannel
     "Measuring channel of the pressure"
     annotation (choicesAllMatching=true);
-  replaceable model TemperatureChannel = Sensors.DirectTemperature constrainedby Interfaces.TemperatureChannel
-    "Measuring channel of the temperature"
+  replaceable model TemperatureChannel = Instruments.Sensors.DirectTemperature
+    constrainedby Interfaces.TemperatureChannel "Measuring channel of the temperature"
     annotation (choicesAllMatching=true);
-  replaceable model Recorder = Sensors.SharedClock constrainedby Interfaces.Recorder "Recorder of the readings"
+  replaceable model Recorder = Instruments.Sensors.SharedClock constrainedby Interfaces.Recorder
+    "Recorder of the readings"
     annotation (choicesAllMatching=true);
-  inner Components.Ambient ambient "Surroundings"
+  inner Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
-  Components.Supply supply "Air supply"
+  Pneumatics.Components.Supply supply "Air supply"
     annotation (Placement(transformation(extent={{-170,20},{-130,60}})));
-  Components.Atmosphere atmosphere "Outlet"
+  Pneumatics.Components.Atmosphere atmosphere "Outlet"
     annotation (Placement(transformation(extent={{-170,-60},{-130,-20}})));
-  Components.ValvePair valve "Inlet and exhaust valve"
+  Pneumatics.Components.ValvePair valve "Inlet and exhaust valve"
     annotation (Placement(transformation(extent={{-110,-20},{-70,20}})));
   Line line "Line between valves and tank"
     annotation (Placement(transformation(extent={{-50,-20},{-10,20}})));
-  Components.Tank tank "Tank"
+  Pneumatics.Components.Tank tank "Tank"
     annotation (Placement(transformation(extent={{30,-20},{70,20}})));
   Manometer manometer "Pressure transducer"
     annotation (Placement(transformation(extent={{-50,60},{-10,100}})));

@@ -10,26 +10,27 @@ model VerticalLoad "The empirical muscle with a hanging load, driven by pressure
   Interfaces.Signals.RealOutput eps(unit="1") "Contraction ratio"
     annotation (Placement(transformation(extent={{140,-100},{160,-80}}),
       iconTransformation(extent={{90,-50},{110,-30}})));
-  replaceable model PositionChannel = Sensors.DirectPosition constrainedby Interfaces.PositionChannel
+  replaceable model PositionChannel = Instruments.Sensors.DirectPosition constrainedby Interfaces.PositionChannel
     "Measuring channel of the position"
     annotation (choicesAllMatching=true);
-  replaceable model Recorder = Sensors.SharedClock constrainedby Interfaces.Recorder "Recorder of the readings"
+  replaceable model Recorder = Instruments.Sensors.SharedClock constrainedby Interfaces.Recorder
+    "Recorder of the readings"
     annotation (choicesAllMatching=true);
   parameter Real frequency(unit="Hz", min=0.01, max=100) = 0.5 "Frequency of the excitation"
     annotation (Dialog(group="Load"));
-  inner Components.Ambient ambient "Surroundings"
+  inner Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-80,65},{-40,105}})));
-  inner Components.Excitation excitation(F_load=load.m*Constants.g, frequency=frequency) "Load and frequency of the run"
+  inner Excitation excitation(F_load=load.m*Constants.g, frequency=frequency) "Load and frequency of the run"
     annotation (Placement(transformation(extent={{-80,-105},{-40,-65}})));
-  Components.Regulator regulator "Pressure regulator"
+  Pneumatics.Components.Regulator regulator "Pressure regulator"
     annotation (Placement(transformation(extent={{-50,-20},{-10,20}})));
-  Components.EmpiricalMuscle muscle "Muscle"
+  Muscles.Components.EmpiricalMuscle muscle "Muscle"
     annotation (Placement(transformation(extent={{30,-20},{70,20}})));
-  Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs"
+  Mechanics.Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs"
     annotation (Placement(transformation(extent={{30,60},{70,100}})));
-  Components.Load load(m=10, s_start=muscle.elasticity.x_rest) "Hanging mass, at rest without pressure"
+  Mechanics.Components.Load load(m=10, s_start=muscle.elasticity.x_rest) "Hanging mass, at rest without pressure"
     annotation (Placement(transformation(extent={{30,-105},{70,-65}})));
-  Sensors.Contraction ruler "Displacement transducer"
+  Instruments.Sensors.Contraction ruler "Displacement transducer"
     annotation (Placement(transformation(extent={{95,-105},{135,-65}})));
   PositionChannel channel_x(dynamics=ambient.dynamics) "Measuring channel of the position"
     annotation (Placement(transformation(extent={{-80,-170},{-40,-130}})));

@@ -9,25 +9,28 @@ model VesselOrifice "A vessel that empties or fills through a plain orifice"
       iconTransformation(extent={{90,-50},{110,-30}})));
   parameter Types.GaugePressure p_outside(min=-1.01e5, max=1e8) = 0 "Gauge pressure outside"
     annotation (Dialog(group="Surroundings"));
-  replaceable model PressureChannel = Sensors.DirectPressure constrainedby Interfaces.PressureChannel
+  replaceable model PressureChannel = Instruments.Sensors.DirectPressure constrainedby Interfaces.PressureChannel
     "Measuring channel of the pressure"
     annotation (choicesAllMatching=true);
-  replaceable model TemperatureChannel = Sensors.DirectTemperature constrainedby Interfaces.TemperatureChannel
-    "Measuring channel of the temperature"
+  replaceable model TemperatureChannel = Instruments.Sensors.DirectTemperature
+    constrainedby Interfaces.TemperatureChannel "Measuring channel of the temperature"
     annotation (choicesAllMatching=true);
-  replaceable model Recorder = Sensors.SharedClock constrainedby Interfaces.Recorder "Recorder of the readings"
+  replaceable model Recorder = Instruments.Sensors.SharedClock constrainedby Interfaces.Recorder
+    "Recorder of the readings"
     annotation (choicesAllMatching=true);
-  replaceable model Thermometer = Sensors.IdealThermometer constrainedby Interfaces.Thermometer "Thermometer"
+  replaceable model Thermometer = Instruments.Sensors.IdealThermometer constrainedby Interfaces.Thermometer
+    "Thermometer"
     annotation (choicesAllMatching=true);
-  replaceable model Manometer = Sensors.GaugePressure constrainedby Interfaces.Manometer "Pressure transducer"
+  replaceable model Manometer = Instruments.Sensors.GaugePressure constrainedby Interfaces.Manometer
+    "Pressure transducer"
     annotation (choicesAllMatching=true);
-  inner Components.Ambient ambient "Surroundings"
+  inner Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-130,70},{-90,110}})));
-  Components.Tank tank(V=16.2e-3, p_start=6.9e5, startIsReference=true) "Vessel"
+  Pneumatics.Components.Tank tank(V=16.2e-3, p_start=6.9e5, startIsReference=true) "Vessel"
     annotation (Placement(transformation(extent={{30,-20},{70,20}})));
-  Components.PlainOrifice orifice "Hole"
+  Pneumatics.Components.PlainOrifice orifice "Hole"
     annotation (Placement(transformation(extent={{-20,-20},{-60,20}})));
-  Components.Atmosphere atmosphere(p_gauge=p_outside) "Outside"
+  Pneumatics.Components.Atmosphere atmosphere(p_gauge=p_outside) "Outside"
     annotation (Placement(transformation(extent={{-130,-20},{-90,20}})));
   Manometer manometer "Pressure transducer"
     annotation (Placement(transformation(extent={{-30,60},{10,100}})));

@@ -6,17 +6,17 @@ model MuscleAndLoad "A muscle without its gas that lifts a hanging mass; the pre
   output Types.Volume V "Volume of the gas";
   output Types.VolumeFlowRate V_flow "Rate of the volume";
   output Types.Area A "Area of the wall that exchanges heat with the gas";
-  inner Components.Ambient ambient "Surroundings"
+  inner Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-80,40},{-40,80}})));
-  Components.Supply gas(p_gauge=p) "Gas at the pressure that comes from outside"
+  Pneumatics.Components.Supply gas(p_gauge=p) "Gas at the pressure that comes from outside"
     annotation (Placement(transformation(extent={{-80,-20},{-40,20}})));
   Sleeve muscle "Muscle without its gas"
     annotation (Placement(transformation(extent={{-20,-20},{20,20}})));
-  Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs"
+  Mechanics.Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs"
     annotation (Placement(transformation(extent={{-20,40},{20,80}})));
-  Components.Load load(s_start=-load.m*Constants.g/stop.k) "Hanging mass, at rest on the stop"
+  Mechanics.Components.Load load(s_start=-load.m*Constants.g/stop.k) "Hanging mass, at rest on the stop"
     annotation (Placement(transformation(extent={{-20,-85},{20,-45}})));
-  Components.Stop stop(L0=muscle.L0) "Full extension"
+  Mechanics.Components.Stop stop(L0=muscle.L0) "Full extension"
     annotation (Placement(transformation(extent={{40,-20},{80,20}})));
 equation
   connect(gas.port, muscle.port)

@@ -11,8 +11,8 @@ equation
 <p><a href=\"modelica://PneumaticMuscle.Laws.Gases.PolytropicMuscleGas\">Laws.Gases.PolytropicMuscleGas</a> with V_flow
 in place of der(V): an input is known only while a step is made, so a tool cannot differentiate it. The values by
 default are n_g, h_film and the volume at rest of
-<a href=\"modelica://PneumaticMuscle.Components.Muscle\">Components.Muscle</a> and the air of
-<a href=\"modelica://PneumaticMuscle.Components.Ambient\">Components.Ambient</a>, so that a tool can translate it alone;
+<a href=\"modelica://PneumaticMuscle.Muscles.Components.Muscle\">Components.Muscle</a> and the air of
+<a href=\"modelica://PneumaticMuscle.Ambient\">Ambient</a>, so that a tool can translate it alone;
 <a href=\"modelica://PneumaticMuscle.CoSimulation.ValveAndGas\">ValveAndGas</a> states its own.</p>
 </html>"));
 end RatedGas;

@@ -52,7 +52,7 @@ equation
     annotation (Line(points={{0,100}, {0,24}, {80,24}, {80,15}}, color={0,110,60}));
   annotation (Documentation(info="<html>
 <p>Force <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (1), friction DP (68)-(71), area of the
-wall DP (48), as in <a href=\"modelica://PneumaticMuscle.Components.Muscle\">Components.Muscle</a>. The port is a
-pressure tap: the gas is in another model.</p>
+wall DP (48), as in <a href=\"modelica://PneumaticMuscle.Muscles.Components.Muscle\">Components.Muscle</a>. The port is
+a pressure tap: the gas is in another model.</p>
 </html>"));
 end Sleeve;

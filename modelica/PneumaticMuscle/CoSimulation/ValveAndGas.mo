@@ -17,13 +17,13 @@ model ValveAndGas "Valves and the gas behind them; the volume comes from outside
   parameter Types.CoefficientOfHeatTransfer h_film(min=0.1, max=1000) = 20
     "Film coefficient on both sides of the bladder"
     annotation (Dialog(group="Heat"));
-  inner Components.Ambient ambient "Surroundings"
+  inner Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-90,65},{-60,95}})));
-  Components.Supply supply(p_gauge=p_supply) "Air supply"
+  Pneumatics.Components.Supply supply(p_gauge=p_supply) "Air supply"
     annotation (Placement(transformation(extent={{-90,25},{-60,55}})));
-  Components.Atmosphere atmosphere "Outlet"
+  Pneumatics.Components.Atmosphere atmosphere "Outlet"
     annotation (Placement(transformation(extent={{-90,-55},{-60,-25}})));
-  Components.ValvePair valve(u_in=u_in, u_out=u_out) "Inlet and exhaust valve"
+  Pneumatics.Components.ValvePair valve(u_in=u_in, u_out=u_out) "Inlet and exhaust valve"
     annotation (Placement(transformation(extent={{-50,-20},{-10,20}})));
   RatedGas gas(V=V, V_flow=V_flow, n=n_g, p_start=ambient.p, T_start=ambient.T, p_reference=ambient.p,
     T_reference=ambient.T, h_film=h_film, dynamics=ambient.dynamics) "Gas in the bladder"

@@ -4,7 +4,7 @@ model ButylIsotonic "The isotonic bench with the butyl muscle"
     load(m=data.m));
   extends Icons.Example;
 protected
-  final parameter Data.MuscleData data = Data.Butyl() "Table of the paper";
+  final parameter Muscles.Data.MuscleData data = Muscles.Data.Butyl() "Table of the paper";
   annotation (experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
 <p><a href=\"modelica://PneumaticMuscle.Benches.Isotonic\">Benches.Isotonic</a> with the parameters of
 <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> Table 2.</p>

@@ -16,25 +16,25 @@ partial model ReviewedBench "A bench for the laws that the papers review"
   Interfaces.Signals.LengthOutput x "Contraction"
     annotation (Placement(transformation(extent={{140,-65},{160,-45}}),
       iconTransformation(extent={{90,-50},{110,-30}})));
-  inner Components.Ambient ambient "Surroundings"
+  inner Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
-  Components.Supply supply "Air supply"
+  Pneumatics.Components.Supply supply "Air supply"
     annotation (Placement(transformation(extent={{-170,20},{-130,60}})));
-  Components.Atmosphere atmosphere "Outlet"
+  Pneumatics.Components.Atmosphere atmosphere "Outlet"
     annotation (Placement(transformation(extent={{-170,-60},{-130,-20}})));
-  Components.ReviewedValves valve "Inlet and exhaust valve"
+  Pneumatics.Components.ReviewedValves valve "Inlet and exhaust valve"
     annotation (Placement(transformation(extent={{-110,-20},{-70,20}})));
-  Components.ReviewedMuscle muscle "Muscle"
+  Muscles.Components.ReviewedMuscle muscle "Muscle"
     annotation (Placement(transformation(extent={{30,-20},{70,20}})));
-  Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs"
+  Mechanics.Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs"
     annotation (Placement(transformation(extent={{30,60},{70,100}})));
-  Components.Load load(s_start=-load.m*Constants.g/stop.k) "Hanging mass, at rest on the stop"
+  Mechanics.Components.Load load(s_start=-load.m*Constants.g/stop.k) "Hanging mass, at rest on the stop"
     annotation (Placement(transformation(extent={{30,-105},{70,-65}})));
-  Components.Stop stop(L0=muscle.L0) "Full extension"
+  Mechanics.Components.Stop stop(L0=muscle.L0) "Full extension"
     annotation (Placement(transformation(extent={{95,-20},{135,20}})));
-  Sensors.GaugePressure manometer "Pressure transducer"
+  Instruments.Sensors.GaugePressure manometer "Pressure transducer"
     annotation (Placement(transformation(extent={{-50,60},{-10,100}})));
-  Sensors.Contraction ruler "Displacement transducer"
+  Instruments.Sensors.Contraction ruler "Displacement transducer"
     annotation (Placement(transformation(extent={{95,-105},{135,-65}})));
 equation
   connect(supply.port, valve.supply)
@@ -68,7 +68,7 @@ equation
   annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-130},{150,120}})),
     Documentation(info="<html>
 <p><a href=\"modelica://PneumaticMuscle.Benches.Isotonic\">Benches.Isotonic</a> with a
-<a href=\"modelica://PneumaticMuscle.Components.ReviewedMuscle\">Components.ReviewedMuscle</a>. The law of force must be
-chosen: <code>extends ReviewedBench(muscle(redeclare model Force = Laws.Forces.Gaylord))</code>.</p>
+<a href=\"modelica://PneumaticMuscle.Muscles.Components.ReviewedMuscle\">Components.ReviewedMuscle</a>. The law of force
+must be chosen: <code>extends ReviewedBench(muscle(redeclare model Force = Laws.Forces.Gaylord))</code>.</p>
 </html>"));
 end ReviewedBench;

@@ -12,7 +12,7 @@ model Temperature "A thermometer in the gas of the muscle, at its port"
   replaceable model TemperatureChannel = Sensors.DirectTemperature constrainedby Interfaces.TemperatureChannel
     "Measuring channel of the temperature"
     annotation (choicesAllMatching=true);
-  outer Components.Ambient ambient "Surroundings"
+  outer Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-90,50},{-50,90}})));
   Thermometer thermometer(T_start=ambient.T, m_flow=port_b.m_flow) "Thermometer"
     annotation (Placement(transformation(extent={{-20,30},{20,70}})));

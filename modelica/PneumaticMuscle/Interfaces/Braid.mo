@@ -7,7 +7,7 @@ partial model Braid "The sleeve that turns pressure and volume into force and le
   Types.Volume V "Enclosed volume";
   Types.Force F "Pulling force";
   final parameter Types.Length b = sqrt(L0^2 + (turns*Constants.pi*D0)^2) "Length of a fibre";
-  outer Components.Ambient ambient "Surroundings";
+  outer Ambient ambient "Surroundings";
 equation
   L = flange_b.s - flange_a.s;
   flange_b.f = F;

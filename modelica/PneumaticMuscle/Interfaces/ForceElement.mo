@@ -7,7 +7,7 @@ partial model ForceElement "A force between the ends of a muscle that opposes it
   Types.Velocity v_slip "Speed by whose sign dry friction acts";
   Types.GaugePressure p_gauge "Gauge pressure";
   Types.Force f "Force that opposes contraction";
-  outer Components.Ambient ambient "Surroundings";
+  outer Ambient ambient "Surroundings";
 protected
   constant Types.Velocity v_branch = 1 "Speed beyond every rounding of a sign";
 equation

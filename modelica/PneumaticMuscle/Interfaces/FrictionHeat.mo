@@ -7,7 +7,7 @@ partial model FrictionHeat "What becomes of the work that friction dissipates in
   input Types.Power P_bladder "Power of the friction between fibres and bladder";
   parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
-  outer Components.Ambient ambient "Surroundings";
+  outer Ambient ambient "Surroundings";
   annotation (Documentation(info="<html>
 <p>Left to the extending class: the equation of heatPort.Q_flow, positive out of the gas.</p>
 </html>"));

@@ -3,7 +3,7 @@ partial model Instrument "An instrument of a rig: a transducer and its measuring
   extends Icons.Sensor;
   parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
-  outer Components.Ambient ambient "Surroundings";
+  outer Ambient ambient "Surroundings";
   annotation (Documentation(info="<html>
 <p>Left to the extending class: one <code>output</code>, the signal of the rig. With one connector it sits at the
 muscle's gas port or load end; with two it lies between the muscle, on the side of the first, and the part that stands

@@ -7,7 +7,7 @@ partial model Line "What lies between the valves and the muscle or vessel"
     annotation (Placement(transformation(extent={{90,-10},{110,10}})));
   parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
-  outer Components.Ambient ambient "Surroundings";
+  outer Ambient ambient "Surroundings";
   annotation (Documentation(info="<html>
 <p>Left to the extending class: four equations between the two ends, for pressure, temperature, mass and enthalpy
 flow.</p>

@@ -5,7 +5,7 @@ partial model Manometer "What the instrument makes of the gas pressure"
     annotation (Placement(transformation(extent={{-10,-110},{10,-90}})));
   Interfaces.Signals.GaugePressureOutput p "Reading"
     annotation (Placement(transformation(extent={{90,-10},{110,10}})));
-  outer Components.Ambient ambient "Surroundings";
+  outer Ambient ambient "Surroundings";
 equation
   port.m_flow = 0;
   port.H_flow = 0;

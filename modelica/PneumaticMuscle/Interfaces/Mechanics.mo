@@ -7,7 +7,7 @@ partial model Mechanics "What holds the load ends of one or several muscles"
     annotation (Dialog(group="Start"));
   parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
-  outer Components.Ambient ambient "Surroundings";
+  outer Ambient ambient "Surroundings";
   annotation (Documentation(info="<html>
 <p>Each <a href=\"modelica://PneumaticMuscle.Interfaces.Flange\">Interfaces.Flange</a> of an extending class is the load
 end of one muscle. Left to the extending class: the flanges, the equations of motion, and the value of F_start; x_start

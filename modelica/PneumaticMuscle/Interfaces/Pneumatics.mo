@@ -5,7 +5,7 @@ partial model Pneumatics "What feeds the gas port of a muscle"
     annotation (Placement(transformation(extent={{90,-10},{110,10}})));
   parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
-  outer Components.Ambient ambient "Surroundings";
+  outer Ambient ambient "Surroundings";
   annotation (Documentation(info="<html>
 <p>Left to the extending class: pressure or flow at the port, and what is told from outside as <code>input</code>.</p>
 </html>"));

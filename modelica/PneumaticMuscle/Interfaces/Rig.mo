@@ -1,9 +1,10 @@
 within PneumaticMuscle.Interfaces;
 partial model Rig "What stands around the parts of a rig: the surroundings and the recorder"
   extends Icons.Bench;
-  replaceable model Recorder = Sensors.SharedClock constrainedby Interfaces.Recorder "Recorder of the readings"
+  replaceable model Recorder = Instruments.Sensors.SharedClock constrainedby Interfaces.Recorder
+    "Recorder of the readings"
     annotation (choicesAllMatching=true);
-  inner Components.Ambient ambient "Surroundings"
+  inner Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-170,70},{-130,110}})));
   Recorder recorder "Recorder of the readings"
     annotation (Placement(transformation(extent={{-110,70},{-70,110}})));

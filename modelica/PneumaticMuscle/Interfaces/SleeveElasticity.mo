@@ -7,7 +7,7 @@ partial model SleeveElasticity "What carries a load without pressure, DY (12)"
   parameter Types.Length x_rest "Contraction at which it carries the load of the run alone"
     annotation (Dialog(group="Geometry"));
   final parameter Types.Length L_c = if L_o > 0 then L_o else L0 "Length from which it carries";
-  outer Components.Excitation excitation "Load of the run";
+  outer Excitation excitation "Load of the run";
 equation
   assert(L_c > 0.8*L0 and L_c < 1.25*L0,
     "the length L_o from which the stretched sleeve carries must be 0.8 to 1.25 times L0");

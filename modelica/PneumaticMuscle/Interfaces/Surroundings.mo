@@ -5,7 +5,7 @@ partial model Surroundings "What a wall gives its heat to"
     annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
   parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
-  outer Components.Ambient ambient "Surroundings of the bench";
+  outer Ambient ambient "Surroundings of the bench";
   annotation (Documentation(info="<html>
 <p>Left to the extending class: one equation between heatPort.T and heatPort.Q_flow.</p>
 </html>"));

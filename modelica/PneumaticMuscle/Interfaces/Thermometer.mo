@@ -7,7 +7,7 @@ partial model Thermometer "What the instrument makes of the gas temperature"
   parameter Types.Temperature T_start "Reading at the start" annotation (Dialog(group="Start"));
   parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
-  outer Components.Ambient ambient "Surroundings";
+  outer Ambient ambient "Surroundings";
   Interfaces.Signals.TemperatureOutput T "Reading"
     annotation (Placement(transformation(extent={{90,-10},{110,10}})));
 equation

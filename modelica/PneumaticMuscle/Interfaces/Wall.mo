@@ -11,7 +11,7 @@ partial model Wall "What stands between the gas and what is outside"
   parameter Types.Length t "Thickness" annotation (Dialog(group="Geometry"));
   parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
-  outer Components.Ambient ambient "Surroundings";
+  outer Ambient ambient "Surroundings";
   annotation (Documentation(info="<html>
 <p>Left to the extending class: two equations between temperatures and heat flows of the two sides.</p>
 </html>"));

@@ -28,8 +28,9 @@ Effects.RateFriction, DP (12)</td></tr>
 <tr><td>flow through an opening</td><td>Laws.Flows.Flow</td><td>Laws.Flows</td></tr>
 <tr><td>line</td><td>Interfaces.Line</td><td>Laws.Lines, with the tubes that longer lines are made of</td></tr>
 </table>
-<p><a href=\"modelica://PneumaticMuscle.Components.ReviewedMuscle\">Components.ReviewedMuscle</a> has a place for a
-force, a friction, a bladder and a gas. <a href=\"modelica://PneumaticMuscle.Laws.Forces.NotChosen\">NotChosen</a>, the
-default there, refuses and says what to redeclare.</p>
+<p><a href=\"modelica://PneumaticMuscle.Muscles.Components.ReviewedMuscle\">Components.ReviewedMuscle</a> has a place
+for a force, a friction, a bladder and a gas.
+<a href=\"modelica://PneumaticMuscle.Laws.Forces.NotChosen\">NotChosen</a>, the default there, refuses and says what to
+redeclare.</p>
 </html>"));
 end Laws;

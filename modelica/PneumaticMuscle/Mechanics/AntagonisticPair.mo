@@ -21,7 +21,7 @@ equation
     annotation (Line(points={{60,100}, {60,45}, {24,45}, {24,40}}, color={0,110,60}));
   annotation (defaultComponentName="pulley", Documentation(info="<html>
 <p>J phi_ddot = r (F_1 - F_2) - d phi_dot,
-<a href=\"modelica://PneumaticMuscle.Components.Pulley\">Components.Pulley</a>. The contractions are x_0 + r phi and x_0
-- r phi, so that one of them says the angle.</p>
+<a href=\"modelica://PneumaticMuscle.Mechanics.Components.Pulley\">Components.Pulley</a>. The contractions are x_0 + r
+phi and x_0 - r phi, so that one of them says the angle.</p>
 </html>"));
 end AntagonisticPair;

@@ -17,8 +17,8 @@ equation
     annotation (Line(points={{-100,0}, {-30,0}}, color={0,0,127}));
   annotation (defaultComponentName="drive", Documentation(info="<html>
 <p>tau^2 x_ddot + 2 tau x_dot + x = s,
-<a href=\"modelica://PneumaticMuscle.Components.ImposedPosition\">Components.ImposedPosition</a>: the speed of the end
-enters the pressure, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (59), so an imposed contraction
-must have a rate. It begins at s_start, whatever the input says.</p>
+<a href=\"modelica://PneumaticMuscle.Mechanics.Components.ImposedPosition\">Components.ImposedPosition</a>: the speed of
+the end enters the pressure, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (59), so an imposed
+contraction must have a rate. It begins at s_start, whatever the input says.</p>
 </html>"));
 end ImposedLength;

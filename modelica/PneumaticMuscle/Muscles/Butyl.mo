@@ -7,6 +7,6 @@ protected
   final parameter Data.MuscleData data = Data.Butyl() "Table of the paper";
   annotation (defaultComponentName="muscle", Documentation(info="<html>
 <p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> Table 2,
-<a href=\"modelica://PneumaticMuscle.Data.Butyl\">Data.Butyl</a>.</p>
+<a href=\"modelica://PneumaticMuscle.Muscles.Data.Butyl\">Data.Butyl</a>.</p>
 </html>"));
 end Butyl;

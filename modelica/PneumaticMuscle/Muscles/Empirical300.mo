@@ -5,6 +5,6 @@ protected
   final parameter Data.EmpiricalMuscleData data = Data.EmpiricalMuscle300() "What the paper says of it";
   annotation (defaultComponentName="muscle", Documentation(info="<html>
 <p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DY</a> section 2,
-<a href=\"modelica://PneumaticMuscle.Data.EmpiricalMuscle300\">Data.EmpiricalMuscle300</a>.</p>
+<a href=\"modelica://PneumaticMuscle.Muscles.Data.EmpiricalMuscle300\">Data.EmpiricalMuscle300</a>.</p>
 </html>"));
 end Empirical300;

@@ -5,6 +5,6 @@ protected
   final parameter Data.EmpiricalMuscleData data = Data.EmpiricalMuscle530() "What the paper says of it";
   annotation (defaultComponentName="muscle", Documentation(info="<html>
 <p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DY</a> section 2,
-<a href=\"modelica://PneumaticMuscle.Data.EmpiricalMuscle530\">Data.EmpiricalMuscle530</a>.</p>
+<a href=\"modelica://PneumaticMuscle.Muscles.Data.EmpiricalMuscle530\">Data.EmpiricalMuscle530</a>.</p>
 </html>"));
 end Empirical530;

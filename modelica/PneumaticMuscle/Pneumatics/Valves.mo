@@ -31,7 +31,7 @@ equation
     annotation (Line(points={{-100,0}, {-49,0}, {-49,25}, {-12,25}, {-12,20}}, color={0,0,127}));
   annotation (defaultComponentName="valve", Documentation(info="<html>
 <p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (40)-(42) and (62),
-<a href=\"modelica://PneumaticMuscle.Components.ValvePair\">Components.ValvePair</a>. The supply is as measured before
-the valves.</p>
+<a href=\"modelica://PneumaticMuscle.Pneumatics.Components.ValvePair\">Components.ValvePair</a>. The supply is as
+measured before the valves.</p>
 </html>"));
 end Valves;

@@ -2,7 +2,7 @@ within PneumaticMuscle.Unknowns;
 partial model BalancedGasTerm "Gas that keeps books of mass and energy, and a further heat flow into it"
   extends Interfaces.Gas(T(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial));
   extends Icons.Unknown;
-  outer Components.Ambient ambient "Surroundings";
+  outer Ambient ambient "Surroundings";
   Types.Power missing "Heat flow, positive into the gas";
   Types.Mass m(nominal=1e-3) "Mass of the gas";
   Types.GaugePressure p_gauge "Gauge pressure";

@@ -6,7 +6,7 @@ partial model HeatTerm "A further heat flow into the gas"
   Types.Power missing "Heat flow, positive into the gas";
   Types.GaugePressure p_gauge "Gauge pressure";
   Real T_excess(unit="K") "Temperature of the gas above that of the surroundings";
-  outer Components.Ambient ambient "Surroundings";
+  outer Ambient ambient "Surroundings";
 equation
   p_gauge = port.p - ambient.p;
   T_excess = port.T - ambient.T;

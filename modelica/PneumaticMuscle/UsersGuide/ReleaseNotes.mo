@@ -5,6 +5,14 @@ class ReleaseNotes "What changed in the library from version to version"
 <p>What concerns the library; <code>CHANGELOG.md</code> lists all changes of the software around it.</p>
 <p><b>Unreleased</b></p>
 <ul>
+<li>Components stand with the parts that are made of them, in
+<a href=\"modelica://PneumaticMuscle.Pneumatics.Components\">Pneumatics.Components</a>,
+<a href=\"modelica://PneumaticMuscle.Muscles.Components\">Muscles.Components</a> and
+<a href=\"modelica://PneumaticMuscle.Mechanics.Components\">Mechanics.Components</a>; transducers in
+<a href=\"modelica://PneumaticMuscle.Instruments.Sensors\">Instruments.Sensors</a>, tables of muscles in
+<a href=\"modelica://PneumaticMuscle.Muscles.Data\">Muscles.Data</a>, models of what papers found in
+<a href=\"modelica://PneumaticMuscle.Examples.Validation\">Examples.Validation</a>. Former names mean the same classes:
+<a href=\"modelica://PneumaticMuscle.UsersGuide.FormerNames\">FormerNames</a>.</li>
 <li>Every connection is drawn and every component has its place, also in muscles, valves, vessels and the parts of a
 rig. Names of classes and the first mention of a work are links. New pages
 <a href=\"modelica://PneumaticMuscle.UsersGuide.Conventions\">Conventions</a> and ReleaseNotes.</li>
@@ -15,8 +23,8 @@ connect. Names, equations and results are what they were.</li>
 <a href=\"modelica://PneumaticMuscle.Mechanics\">Mechanics</a>,
 <a href=\"modelica://PneumaticMuscle.Muscles\">Muscles</a> and
 <a href=\"modelica://PneumaticMuscle.Instruments\">Instruments</a>; valves that a voltage commands.</li>
-<li>Muscles by name, with their measures in <a href=\"modelica://PneumaticMuscle.Data\">Data</a>; laws and effects of
-fluidic muscles; <code>muscle.V_solid</code>, volume in the sleeve that is no gas.</li>
+<li>Muscles by name, with their measures in <a href=\"modelica://PneumaticMuscle.Muscles.Data\">Data</a>; laws and
+effects of fluidic muscles; <code>muscle.V_solid</code>, volume in the sleeve that is no gas.</li>
 <li>Benches for points at rest,
 <a href=\"modelica://PneumaticMuscle.Benches.QuasiStaticIsometric\">Benches.QuasiStaticIsometric</a> and
 <a href=\"modelica://PneumaticMuscle.Benches.QuasiStaticIsotonic\">Benches.QuasiStaticIsotonic</a>.</li>

@@ -180,10 +180,10 @@ def interrupted() -> int:
 def follower(status: Any) -> Callable[[Event], None]:
     """Shows in the status line how many of how many are done, of what no line is printed."""
 
-    from pam_cosim.diagnosis import EffectLookedAt
+    from pam_cosim.diagnosis import EffectProbed
 
     def follow(event: Event) -> None:
-        if isinstance(event, EffectLookedAt):
+        if isinstance(event, EffectProbed):
             status.update(event.status)
 
     return follow

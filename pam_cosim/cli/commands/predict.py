@@ -43,7 +43,7 @@ def predict(
     model: ModelOption = None,
     files: FilesOption = None,
 ) -> None:
-    """Foretell a run that nobody made, with 95 % bands of what the data leave open."""
+    """Predict a run that nobody made, with 95 % bands of what the data leave open."""
     check_results(output, plot, json, sources=[source, model, inputs, *(files or [])])
     product = _fitted(source, model, files)
     with console.status("simulating samples of the parameters"):

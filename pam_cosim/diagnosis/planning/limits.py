@@ -66,34 +66,46 @@ def limits_of(data: DataSet, stated: Mapping[str, Range] | None = None, seconds:
     runs = [run for run in data.runs if not run.is_static]
     if not runs:
         raise InputError("points at rest have no course over time that could be planned", data.folder)
-    stated = dict(stated or {})
-    inputs = {name: _span(runs, name) for name in runs[0].inputs if name != BRANCH}
-    parameters = {name: _set(runs, name) for name in runs[0].parameters if len({*_set(runs, name)}) > 1}
-    known = {n for n in runs[0].parameters if n not in data.free_names}
-    signals = [n for n, s in data.signals.items() if s.fitted]
+    first = runs[0]
+    inputs = {name: _span(runs, name) for name in first.inputs if name != BRANCH}
+    parameters = _varied_parameters(runs)
     outputs: dict[str, Range] = {}
-    for name, (low, high) in stated.items():
+    known = sorted(name for name in first.parameters if name not in data.free_names)
+    places = dict.fromkeys(inputs, inputs)
+    places |= {name: parameters for name in known if name not in places}
+    places |= {name: outputs for name in data.fitted_signals if name not in places}
+    for name, (low, high) in (stated or {}).items():
         if not low <= high:
             raise InputError(f"the limits of '{name}' begin above their end")
-        place = inputs if name in inputs else parameters if name in known else outputs if name in signals else None
-        if place is None:
-            known_names = [*inputs, *sorted(known), *signals]
-            raise InputError(f"there is nothing '{name}' to limit; {did_you_mean(name, known_names)}")
-        place[name] = (low, high)
-    length = float(np.median([run.time[-1] - run.time[0] for run in runs])) if seconds is None else seconds
+        if name not in places:
+            raise InputError(f"there is nothing '{name}' to limit; {did_you_mean(name, list(places))}")
+        places[name][name] = (low, high)
+    lengths = [float(run.time[-1] - run.time[0]) for run in runs]
+    length = float(np.median(lengths)) if seconds is None else seconds
     if not length > 0:
         raise InputError("a run must last longer than nothing")
     interval = float(np.median(np.concatenate([_steps(run) for run in runs])))
     return Limits(
         inputs,
-        frozenset(n for n in inputs if all(np.ptp(run.inputs[n]) == 0 for run in runs if n in run.inputs)),
+        frozenset(name for name in inputs if _is_constant(runs, name)),
         {name: _rate(runs, name, inputs[name], interval) for name in inputs},
-        {name: float(runs[0].inputs[name][0]) for name in inputs},
+        {name: float(first.inputs[name][0]) for name in inputs},
         parameters,
         outputs,
         length,
         min(interval, length),
     )
+
+
+def _varied_parameters(runs: Sequence[Run]) -> dict[str, Range]:
+    """The range of each parameter that differs between runs."""
+    ranges = {name: _set(runs, name) for name in runs[0].parameters}
+    return {name: (low, high) for name, (low, high) in ranges.items() if low != high}
+
+
+def _is_constant(runs: Sequence[Run], name: str) -> bool:
+    """Whether an input keeps one value through every run."""
+    return all(np.ptp(run.inputs[name]) == 0 for run in runs if name in run.inputs)
 
 
 def _span(runs: Sequence[Run], name: str) -> Range:

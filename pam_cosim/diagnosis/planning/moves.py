@@ -105,27 +105,38 @@ class Moves:
         if not inputs or (kind == "constant" and (course.constants or course.parameters)):
             return self._changed_constant(rng, course)
         i, j = int(rng.integers(count)), int(rng.integers(inputs))
-        levels, knots, waves = course.levels.copy(), course.knots.copy(), course.waves.copy()
-        if kind == "level":
-            low, high = self._ranges[j]
-            near = float(np.clip(levels[i, j] + rng.normal(0.0, 0.2) * (high - low), low, high))
-            levels[i, j] = near if rng.random() < 0.5 else self._value(rng, (low, high))
-        elif kind == "row":
-            levels[i] = self._level(rng)
-        elif kind == "knot" and i:
-            after = knots[i + 1] if i + 1 < count else 1.0
-            knots[i] = rng.uniform(knots[i - 1], after)
-        elif kind == "more":
-            at = rng.uniform()
-            place = int(np.searchsorted(knots, at, side="right"))
-            knots, levels = np.insert(knots, place, at), np.insert(levels, place, self._level(rng), axis=0)
-        elif kind == "less" and i:
-            knots, levels = np.delete(knots, i), np.delete(levels, i, axis=0)
-        elif kind == "wave":
-            waves[j] = self._wave(rng) if rng.random() < 0.5 else 0.0
-        elif kind == "stepped":
-            return replace(course, is_stepped=not course.is_stepped)
-        return replace(course, levels=levels, knots=knots, waves=waves)
+        match kind:
+            case "level":
+                return self._with_other_value(rng, course, i, j)
+            case "row":
+                return replace(course, levels=_with_row(course.levels, i, self._level(rng)))
+            case "knot" if i:
+                return _with_moved_knot(rng, course, i)
+            case "more":
+                return self._with_knot(rng, course)
+            case "less" if i:
+                return replace(course, knots=np.delete(course.knots, i), levels=np.delete(course.levels, i, axis=0))
+            case "wave":
+                wave = self._wave(rng) if rng.random() < 0.5 else np.zeros(course.waves.shape[1])
+                return replace(course, waves=_with_row(course.waves, j, wave))
+            case "stepped":
+                return replace(course, is_stepped=not course.is_stepped)
+        return course
+
+    def _with_other_value(self, rng: Random, course: Course, i: int, j: int) -> Course:
+        """Another value of input ``j`` at knot ``i``: near the present one, or anything of its range."""
+        low, high = self._ranges[j]
+        levels = course.levels.copy()
+        near = float(np.clip(levels[i, j] + rng.normal(0.0, 0.2) * (high - low), low, high))
+        levels[i, j] = near if rng.random() < 0.5 else self._value(rng, (low, high))
+        return replace(course, levels=levels)
+
+    def _with_knot(self, rng: Random, course: Course) -> Course:
+        """One more knot, with levels of its own."""
+        time = rng.uniform()
+        place = int(np.searchsorted(course.knots, time, side="right"))
+        levels = np.insert(course.levels, place, self._level(rng), axis=0)
+        return replace(course, knots=np.insert(course.knots, place, time), levels=levels)
 
     def _changed_constant(self, rng: Random, course: Course) -> Course:
         names = [*course.constants, *course.parameters]
@@ -166,6 +177,20 @@ class Moves:
 
     def _each(self, rng: Random, ranges: Mapping[str, Range]) -> dict[str, float]:
         return {name: float(rng.uniform(*one)) for name, one in ranges.items()}
+
+
+def _with_row(rows: Array, i: int, values: Array) -> Array:
+    changed = rows.copy()
+    changed[i] = values
+    return changed
+
+
+def _with_moved_knot(rng: Random, course: Course, i: int) -> Course:
+    """Knot ``i`` at another time between its neighbours, or the end of the run."""
+    knots = course.knots.copy()
+    after = knots[i + 1] if i + 1 < len(knots) else 1.0
+    knots[i] = rng.uniform(knots[i - 1], after)
+    return replace(course, knots=knots)
 
 
 def _within(value: float, one: Range) -> float:

@@ -48,7 +48,8 @@ def residual_map(layers: Sequence[Layer], signals: Sequence[Signal]) -> Picture 
 def binned_residual(layer: Layer, signal: Signal, across: Signal, up: Signal) -> tuple[Array, Array, Array]:
     """Mean residual (cells, cells) in noise standard deviations, NaN where nobody was; edges (cells + 1,) [SI]."""
     runs = [r for r in layer.comparison.runs if r.run.sample_count(signal.name)]
-    error = np.concatenate([r.residual(signal.name) for r in runs]) / signal.sigma
+    noise = [signal.sigma_at(r.run.measurements[signal.name]) for r in runs]
+    error = np.concatenate([r.residual(signal.name) / own for r, own in zip(runs, noise, strict=True)])
     x, y = (np.concatenate([r.model[s.name] for r in runs]) for s in (across, up))
     kept = np.isfinite(error)
     edges = [np.linspace(v[kept].min(), v[kept].max() or 1.0, _CELLS + 1) for v in (y, x)]

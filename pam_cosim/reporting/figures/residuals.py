@@ -23,10 +23,13 @@ _BAND_SIGMAS = 2
 def draw_residuals(axes: Axes, run: RunComparison, signal: Signal, layers: Sequence[Layer]) -> None:
     """Measured minus model for each model, over the band of the noise."""
     factor = readable_factor(signal.unit)
-    reach = _BAND_SIGMAS * signal.sigma * factor
-    axes.axhspan(-reach, reach, color=BAND, zorder=1)
-    for edge in (-reach, reach):
-        axes.axhline(edge, color=SOFT, lw=0.6, zorder=9)
+    if signal.sigma_of_reading:
+        _growing_band(axes, run, signal, factor)
+    else:
+        reach = _BAND_SIGMAS * signal.sigma * factor
+        axes.axhspan(-reach, reach, color=BAND, zorder=1)
+        for edge in (-reach, reach):
+            axes.axhline(edge, color=SOFT, lw=0.6, zorder=9)
     axes.axhline(0, color=SOFT, lw=0.8, zorder=2)
     few = run.run.sample_count(signal.name) <= SPARSE
     for i, layer in enumerate(layers):
@@ -48,6 +51,16 @@ def draw_residuals(axes: Axes, run: RunComparison, signal: Signal, layers: Seque
             alpha=1.0 if few else 0.6,
             rasterized=not few,
         )
+
+
+def _growing_band(axes: Axes, run: RunComparison, signal: Signal, factor: float) -> None:
+    """The band of noise that grows with the reading, from sample to sample."""
+    kept = np.isfinite(run.run.measurements[signal.name])
+    at = places(run)[kept]
+    reach = _BAND_SIGMAS * factor * np.asarray(signal.sigma_at(run.run.measurements[signal.name][kept]))
+    axes.fill_between(at, -reach, reach, color=BAND, lw=0.0, zorder=1)
+    for sign in (-1.0, 1.0):
+        axes.plot(at, sign * reach, color=SOFT, lw=0.6, zorder=9)
 
 
 def residual_pictures(layers: Sequence[Layer]) -> list[Picture]:

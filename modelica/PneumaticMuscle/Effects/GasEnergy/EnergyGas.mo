@@ -22,8 +22,8 @@ more.</p>
 <p>DP's own figures ask for it: with their wall as printed,
 <a href=\"modelica://PneumaticMuscle.Laws.Heat.PrintedWall\">Laws.Heat.PrintedWall</a>, it gives the temperature of Fig.
 12 in size and shape, where the power law stalls
-(<a href=\"modelica://PneumaticMuscle.Validation.GasTemperature\">Validation.GasTemperature</a>). That wall has no film,
-and h changes nothing there.</p>
+(<a href=\"modelica://PneumaticMuscle.Examples.Validation.GasTemperature\">Validation.GasTemperature</a>). That wall has
+no film, and h changes nothing there.</p>
 <p>Fingerprint: the temperature returns to ambient in a hold and undershoots in venting; the pressure of a
 vessel moves from the adiabatic to the isothermal curve as time goes on.</p>
 </html>"));

@@ -6,7 +6,7 @@ model FreeConvectionGas "Mass and energy balance, with heat exchange by free con
     "Nusselt number by the third root of the Rayleigh number"
     annotation (Dialog(group="Effect"));
   Types.Mass m(nominal=1e-3) "Mass of the gas";
-  outer Components.Ambient ambient "Surroundings";
+  outer Ambient ambient "Surroundings";
 protected
   constant Types.ThermalConductivity k = 0.026 "Thermal conductivity of air";
   constant Real mu(unit="Pa.s") = 1.85e-5 "Viscosity of air";

@@ -4,7 +4,7 @@ model LoadFrequencyFriction "Friction in proportion to the rate of strain, the r
   parameter Real ab(unit="s2", min=0, max=10, nominal=0.1) = 0.15 "Product of the coefficients of load and frequency"
     annotation (Dialog(group="Effect"));
 protected
-  outer Components.Excitation excitation "Load and frequency of the run";
+  outer Excitation excitation "Load and frequency of the run";
 equation
   f = ab*excitation.F_load*excitation.frequency*v/L0;
   annotation (defaultComponentName="damper", Documentation(info="<html>

@@ -9,7 +9,7 @@ model LongLine "A tube of its own volume and resistance between valves and muscl
 protected
   Laws.Lines.LineGas gas(V=V, p(start=ambient.p), T(start=ambient.T)) "Gas in the line, at the valve end"
     annotation (Placement(transformation(extent={{-40,30},{0,70}})));
-  Components.Orifice resistance(A=A) "Resistance of the tube"
+  Pneumatics.Components.Orifice resistance(A=A) "Resistance of the tube"
     annotation (Placement(transformation(extent={{10,-20},{50,20}})));
 initial equation
   if dynamics == Types.Dynamics.FixedInitial then

@@ -8,7 +8,7 @@ protected
   constant Types.Volume V_fitting = 2e-7 "Volume between valve and line, as small as a fitting can be";
   Laws.Lines.LineGas gas(V=V_fitting, p(start=ambient.p), T(start=ambient.T)) "Gas in the line, at the valve end"
     annotation (Placement(transformation(extent={{-40,30},{0,70}})));
-  Components.Orifice resistance(A=A) "Narrow place"
+  Pneumatics.Components.Orifice resistance(A=A) "Narrow place"
     annotation (Placement(transformation(extent={{10,-20},{50,20}})));
 initial equation
   if dynamics == Types.Dynamics.FixedInitial then

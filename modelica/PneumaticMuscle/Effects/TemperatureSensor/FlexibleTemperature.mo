@@ -10,7 +10,7 @@ model FlexibleTemperature "The temperature reading has errors of zero, span and 
     annotation (Dialog(group="Effect"));
 protected
   constant Real reference = 20 "What bend refers to";
-  outer Components.Ambient ambient "Surroundings";
+  outer Ambient ambient "Surroundings";
 equation
   y = ambient.T + offset + (u - ambient.T)*(gain + bend*(u - ambient.T)/reference);
   annotation (Documentation(info="<html>

@@ -15,7 +15,7 @@ model GeneralTemperature "The temperature reading is any smooth function of the 
 protected
   constant Real reference(unit="K") = 20 "What the coefficients refer to";
   Real w(unit="1") "Difference from ambient by the reference";
-  outer Components.Ambient ambient "Surroundings";
+  outer Ambient ambient "Surroundings";
 equation
   w = (u - ambient.T)/reference;
   y = ambient.T + offset + reference*w*(gain + w*(bend + w*(c + d*w)));

@@ -5,7 +5,7 @@ model TemperatureGain "The temperature reading is off by a factor"
   parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.05 "Factor on the reading"
     annotation (Dialog(group="Effect"));
 protected
-  outer Components.Ambient ambient "Surroundings";
+  outer Ambient ambient "Surroundings";
 equation
   y = ambient.T + gain*(u - ambient.T);
   annotation (Documentation(info="<html>

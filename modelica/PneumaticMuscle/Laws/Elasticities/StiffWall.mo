@@ -18,8 +18,8 @@ equation
 of <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Sarosi 2012</a> and
 <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Bolen and others 2026</a>. Fitted to the tables that
 <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Martens and Boblan 2017</a> measured, beside a cylinder
-with the geometry of <a href=\"modelica://PneumaticMuscle.Data.DMSP10\">Data.DMSP10</a> and
-<a href=\"modelica://PneumaticMuscle.Data.DMSP20\">DMSP20</a>, it leaves 6.1 N rms of 542 N and 13.4 N of 1654 N. The
-cylinder alone, its pull scaled at will, leaves 84 N and 150 N.</p>
+with the geometry of <a href=\"modelica://PneumaticMuscle.Muscles.Data.DMSP10\">Data.DMSP10</a> and
+<a href=\"modelica://PneumaticMuscle.Muscles.Data.DMSP20\">DMSP20</a>, it leaves 6.1 N rms of 542 N and 13.4 N of 1654
+N. The cylinder alone, its pull scaled at will, leaves 84 N and 150 N.</p>
 </html>"));
 end StiffWall;

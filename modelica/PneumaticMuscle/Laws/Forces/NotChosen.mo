@@ -6,7 +6,8 @@ equation
     + "redeclare model Force = PneumaticMuscle.Laws.Forces.Gaylord; the package Laws.Forces lists them");
   F = 0;
   annotation (Documentation(info="<html>
-<p>The default of <a href=\"modelica://PneumaticMuscle.Components.ReviewedMuscle\">Components.ReviewedMuscle</a>. A
-model that still has it cannot be compiled.</p>
+<p>The default of
+<a href=\"modelica://PneumaticMuscle.Muscles.Components.ReviewedMuscle\">Components.ReviewedMuscle</a>. A model that
+still has it cannot be compiled.</p>
 </html>"));
 end NotChosen;

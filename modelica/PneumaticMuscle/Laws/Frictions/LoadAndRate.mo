@@ -4,7 +4,7 @@ model LoadAndRate "Friction by static load and frequency of the excitation, DY (
   parameter Types.Time a(min=0, max=100) = 0.5 "Coefficient of the load" annotation (Dialog(group="Law"));
   parameter Types.Time b_f(min=0, max=100) = 0.3 "Coefficient of the frequency (b)" annotation (Dialog(group="Law"));
 protected
-  outer Components.Excitation excitation "Load and frequency of the run";
+  outer Excitation excitation "Load and frequency of the run";
   annotation (Documentation(info="<html>
 <p>F_hys = c_c sign(eps_dot) + gamma_F gamma_f eps_dot, gamma_F = a F, gamma_f = b f,
 <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DY</a> (10)-(11). Frequency and load are constants of a

@@ -16,7 +16,7 @@ the text says that it \"relies on pressure variation\". Absolute t and p in it w
 variations about T and P make it the differential of the power law, which integrates to that law again. The power law
 heats the gas by 110 K at 207 kPa and n_g = 1.4 where DP's model has \"approximately 4 degC\", so it is not what DP ran;
 what they did run cannot be told from the paper.
-<a href=\"modelica://PneumaticMuscle.Validation.GasTemperature\">Validation.GasTemperature</a> compares.</p>
+<a href=\"modelica://PneumaticMuscle.Examples.Validation.GasTemperature\">Validation.GasTemperature</a> compares.</p>
 <p>Signs: DP (43) adds W, \"the work done on the muscle\", and DP (50) reads W = P_2 V_dot, which would warm a gas that
 expands; the line before (59), and (59), have -P_2 V_dot. The gas does work as it expands: -p V_dot is used (the text of
 the paper that was at hand drops some minus signs; that of (50) may be one). The same line has h_1 and h_2 behind

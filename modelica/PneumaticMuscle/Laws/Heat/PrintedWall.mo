@@ -11,6 +11,6 @@ printed. With the balances of mass and energy
 fills and its gas warms by 4.5 K, of the size that DP's model has in Fig. 12. With the temperature by the power law,
 <a href=\"modelica://PneumaticMuscle.Laws.Gases.PolytropicMuscleGas\">PolytropicMuscleGas</a>, it stalls at 50 kPa: that
 law holds the gas hot for as long as it is under pressure, and heat leaks out for ever. The defect is the pair. See
-<a href=\"modelica://PneumaticMuscle.Validation.GasTemperature\">Validation.GasTemperature</a>.</p>
+<a href=\"modelica://PneumaticMuscle.Examples.Validation.GasTemperature\">Validation.GasTemperature</a>.</p>
 </html>"));
 end PrintedWall;

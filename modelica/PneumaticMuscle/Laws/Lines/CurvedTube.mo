@@ -10,7 +10,7 @@ model CurvedTube "A tube whose flow is a curved power of the drop of the square 
   parameter Real c(unit="1") "Exponent of the pressure upstream" annotation (Dialog(group="Flow"));
   parameter Real side(unit="1") "What the logarithm of the conductance gains from port_a to port_b and loses back"
     annotation (Dialog(group="Flow"));
-  outer Components.Ambient ambient "Surroundings";
+  outer Ambient ambient "Surroundings";
 protected
   constant Types.Pressure p_reference = 1e5 "Drop of pressure at ambient pressure to which G refers";
   constant Real width(unit="1") = 3e-3 "Drop by the reference below which the law is linear";

@@ -3,7 +3,7 @@ model LaminarTube "A tube with isothermal laminar flow"
   extends Interfaces.TwoGasPorts;
   extends Icons.Line;
   parameter Real G(unit="kg/(s.Pa)") "Conductance at ambient pressure" annotation (Dialog(group="Flow"));
-  outer Components.Ambient ambient "Surroundings";
+  outer Ambient ambient "Surroundings";
 equation
   m_flow = G*(port_a.p^2 - port_b.p^2)/(2*ambient.p);
   annotation (Documentation(info="<html>

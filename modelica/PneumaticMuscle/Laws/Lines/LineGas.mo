@@ -9,7 +9,7 @@ model LineGas "The gas in a line: a rigid volume, by default without heat exchan
   Types.Temperature T "Temperature";
   Types.Mass m(nominal=1e-6) "Mass of the gas";
 protected
-  outer Components.Ambient ambient "Surroundings";
+  outer Ambient ambient "Surroundings";
 equation
   port.p = p;
   port.T = T;

@@ -4,7 +4,7 @@ model RoughTube "A tube with isothermal flow, laminar where it is small and turb
   extends Icons.Line;
   parameter Real G(unit="kg/(s.Pa)") "Conductance of small flows at ambient pressure" annotation (Dialog(group="Flow"));
   parameter Types.Area A "Effective area for large flows" annotation (Dialog(group="Flow"));
-  outer Components.Ambient ambient "Surroundings";
+  outer Ambient ambient "Surroundings";
 protected
   constant Types.Pressure p_smooth = 10 "Pressure drop at ambient pressure below which its size is rounded";
   Real drop(unit="Pa2") = port_a.p^2 - port_b.p^2 "Drop of the square of pressure";

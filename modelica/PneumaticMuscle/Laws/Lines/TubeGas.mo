@@ -5,7 +5,7 @@ model TubeGas "The gas in a thin tube: a rigid volume at the temperature of its 
     annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
   parameter Types.Volume V "Volume" annotation (Dialog(group="Geometry"));
   Types.AbsolutePressure p "Absolute pressure";
-  outer Components.Ambient ambient "Surroundings";
+  outer Ambient ambient "Surroundings";
 equation
   port.p = p;
   port.T = ambient.T;

@@ -4,7 +4,7 @@ model TurbulentTube "A long tube with isothermal turbulent flow"
   extends Icons.Line;
   parameter Types.Area A "Effective area: cross-section by the root of friction factor and slenderness"
     annotation (Dialog(group="Flow"));
-  outer Components.Ambient ambient "Surroundings";
+  outer Ambient ambient "Surroundings";
 protected
   constant Real z_laminar = 1e-3 "Relative drop of the squared pressure below which the flow is laminar";
   Real z = (port_a.p^2 - port_b.p^2)/(port_a.p^2 + port_b.p^2) "Relative drop of the squared pressure";

@@ -1,8 +1,0 @@
-within PneumaticMuscle;
-package Data "Parameter sets of the papers"
-  extends Icons.Package;
-  annotation (Documentation(info="<html>
-<p>Records; a model takes its parameters from one of them, for example
-<code>extends Isotonic(muscle(L0=data.L0, ...))</code> with <code>data = Data.Butyl()</code>.</p>
-</html>"));
-end Data;

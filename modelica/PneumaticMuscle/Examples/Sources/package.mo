@@ -1,0 +1,7 @@
+within PneumaticMuscle.Examples;
+package Sources "Courses of input signals for examples"
+  extends Icons.Package;
+  annotation (Documentation(info="<html>
+<p>Functions of time alone. Corners are rounded, because the models have no events.</p>
+</html>"));
+end Sources;

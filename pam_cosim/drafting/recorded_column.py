@@ -1,0 +1,101 @@
+"""A column of the recordings, and what is known of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.drafting.rest import is_constant, is_held, is_switch, span
+from pam_cosim.drafting.vocabulary import Meaning, usual_unit
+from pam_cosim.measurement.curves import levels
+from pam_cosim.measurement.table import Column
+from pam_cosim.wording import shown
+
+_C = CRITERIA.recognition
+
+
+@dataclass(frozen=True)
+class RecordedColumn:
+    """A column of that name in every recording that has it.
+
+    Attributes:
+        unit: as the registry of units has it; stated in the file, or guessed.
+        stated: the file states it so that it can be read.
+        meaning: None: nobody knows.
+        why: what ``meaning`` and ``unit`` were guessed from, in sentences without a subject.
+        known: share of its words that are known.
+        values: numbers in its unit by the number of the recording.
+        points: the recordings are points at rest, whose rows have no pace.
+        in_names: it stands in the names of the files, one value for each.
+        words: of a direction that is told in words: what its numbers are places of.
+        senses: of a direction: 1 up, -1 down, 0 neither, by its numbers.
+    """
+
+    name: str
+    unit: str
+    stated: bool
+    meaning: Meaning | None
+    values: dict[int, Array]
+    why: tuple[str, ...] = ()
+    absolute: bool = False
+    known: float = 0.0
+    places: dict[int, Column] = field(default_factory=dict)
+    points: bool = False
+    in_names: bool = False
+    words: tuple[str, ...] = ()
+    senses: dict[float, int] = field(default_factory=dict)
+
+    @property
+    def every(self) -> Array:
+        """All its numbers."""
+        return np.concatenate([*self.values.values(), np.empty(0)])
+
+    @cached_property
+    def held(self) -> bool:
+        """It hardly moves within runs beside what it does between them, or steps from one value to another.
+
+        Of points at rest, it takes few values.
+        """
+        if self.points:
+            return all(levels(one[np.isfinite(one)]) is not None for one in self.values.values())
+        whole = span(self.every)
+        own = max(span(one) for one in self.values.values())
+        return (
+            whole == 0.0
+            or own <= _C.imposed * whole
+            or all(is_held(one) or is_constant(one) for one in self.values.values())
+        )
+
+    @cached_property
+    def whole(self) -> bool:
+        """It lacks so few samples that it may be meant as an input."""
+        return float(np.mean(np.isnan(self.every))) <= _C.gaps
+
+    def text_of(self, value: float) -> str:
+        """One of its numbers, or the word that it stands for."""
+        return shown(self.words[int(value)]) if self.words else f"{value:g}"
+
+    def of(self, kind: str, *roles: str) -> bool:
+        """Whether it is of a kind, with just these roles."""
+        return self.meaning == Meaning(kind, frozenset(roles))
+
+
+def with_usual_unit(one: RecordedColumn) -> RecordedColumn:
+    """A column without a unit, which its numbers suggest."""
+    assert one.meaning is not None
+    kind = one.meaning.kind
+    if kind == "current" and is_switch(one.every):
+        one = replace(one, meaning=Meaning("command", one.meaning.roles), why=(*one.why, "it has two values"))
+        kind = "command"
+    if kind == "time":
+        return one
+    if kind == "voltage":
+        return replace(one, meaning=None)
+    largest = float(np.nanmax(np.abs(one.every))) if np.isfinite(one.every).any() else 0.0
+    unit = usual_unit(kind, largest)
+    why = f"no unit is written; numbers up to {largest:.4g} are taken as {unit}" if unit else ""
+    return replace(one, unit=unit, why=(*one.why, why) if why else one.why)

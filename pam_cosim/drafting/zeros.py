@@ -1,0 +1,150 @@
+"""The zero of a signal, from the rest that every recording begins with."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import sqrt
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.drafting.bench_choice import BenchChoice, meaning_of
+from pam_cosim.drafting.mapped import ColumnEntry, MappedRecording
+from pam_cosim.drafting.rest import noise_of, span
+from pam_cosim.drafting.vocabulary import Meaning
+from pam_cosim.model.interface import Interface
+from pam_cosim.units import format_quantity
+
+_C = CRITERIA.recognition
+
+
+def with_zero(
+    entry: ColumnEntry,
+    name: str,
+    choice: BenchChoice,
+    interface: Interface,
+    courses: Sequence[MappedRecording],
+    pressure: dict[int, Array] | None,
+) -> ColumnEntry:
+    """The entry with a zero from the rest that every recording begins with, where it is away from zero there."""
+    variable = {**interface.inputs, **interface.outputs}[name]
+    meaning = meaning_of(variable)
+    having = [i for i, course in enumerate(courses) if name in course.every]
+    if meaning is None or any(courses[i].first_rest is None for i in having):
+        return entry
+    begin = _begin(name, [courses[i] for i in having])
+    reason = ""
+    if meaning.kind == "pressure" and not meaning.roles:
+        reason = _reason_of_gauge(begin)
+    elif name in choice.outputs and begin.far and _unloaded(courses, pressure, having):
+        reason = _reason_of_unloaded(meaning, begin)
+    if not reason:
+        return entry
+    reading = format_quantity(begin.reading, variable.unit)
+    zero = _common({i: _times(courses[i]) for i in having}, courses)
+    why = (*entry.why, f"{reason.format(reading=reading)}: its zero")
+    return ColumnEntry(entry.name, entry.column, entry.unit, entry.formula, zero, why)
+
+
+def _reason_of_gauge(begin: _Begin) -> str:
+    """Why the pressure of a muscle or a tank gets a zero; "" where it needs none."""
+    if begin.absolute:
+        return "it begins with {reading}, as a gauge of absolute pressure does"
+    return "it begins at rest with {reading}" if begin.far and begin.slight else ""
+
+
+def _reason_of_unloaded(meaning: Meaning, begin: _Begin) -> str:
+    """Why what is read of a muscle without pressure gets a zero; "" where it needs none."""
+    small_force = meaning.kind == "force" and abs(begin.reading) <= _C.offset * begin.largest
+    if meaning.kind == "contraction" or small_force:
+        return "it begins at rest, without pressure, with {reading}"
+    return ""
+
+
+@dataclass(frozen=True)
+class _Begin:
+    """What a signal reads while recordings rest at their beginning.
+
+    Attributes:
+        reading: the one farthest from zero.
+        far: it is away from zero by more than its error, in some recording.
+        slight: by a small part of what the signal moves, in all.
+        absolute: it is that of the atmosphere in all, and the signal moves.
+        largest: magnitude in any row.
+    """
+
+    reading: float
+    far: bool
+    slight: bool
+    absolute: bool
+    largest: float
+
+
+def _begin(name: str, courses: Sequence[MappedRecording]) -> _Begin:
+    at_rest = [_at_rest(course, course.every[name]) for course in courses]
+    moved = max((span(course.every[name]) for course in courses), default=0.0)
+    low, high = _C.atmosphere
+    return _Begin(
+        reading=max(at_rest, key=abs),
+        far=any(abs(one) > _C.away * _error(course, name) for one, course in zip(at_rest, courses, strict=True)),
+        slight=all(abs(one) <= _C.offset * moved for one in at_rest),
+        absolute=moved > 0.0 and all(low <= one <= high for one in at_rest),
+        largest=max((float(np.nanmax(np.abs(course.every[name]))) for course in courses), default=0.0),
+    )
+
+
+def _at_rest(course: MappedRecording, values: Array) -> float:
+    assert course.first_rest is not None
+    part = values[course.first_rest.start : course.first_rest.stop]
+    return float(np.nanmean(part)) if np.isfinite(part).any() else 0.0
+
+
+def _error(course: MappedRecording, name: str) -> float:
+    """Of a mean at rest [unit]; at least what is not seen."""
+    values = course.every[name]
+    assert course.first_rest is not None
+    return max(noise_of(course.time, values) / sqrt(course.first_rest.count), _C.still * span(values) / _C.away)
+
+
+def _unloaded(courses: Sequence[MappedRecording], pressure: dict[int, Array] | None, having: Sequence[int]) -> bool:
+    """Whether there is no pressure at the start of any of them, but for an offset."""
+    if pressure is None:
+        return False
+    with_pressure = [i for i in having if i in pressure]
+    largest = max((span(pressure[i]) for i in with_pressure), default=0.0)
+    offsets = [_at_rest(courses[i], pressure[i] - np.nanmin(pressure[i])) for i in with_pressure]
+    return largest > 0.0 and all(offset <= _C.unloaded * largest for offset in offsets)
+
+
+def _times(course: MappedRecording) -> tuple[float, float]:
+    rest = course.first_rest
+    assert rest is not None
+    return float(course.time[rest.start]), float(course.time[rest.stop - 1])
+
+
+def _common(each: dict[int, tuple[float, float]], courses: Sequence[MappedRecording]) -> dict[int, tuple[float, float]]:
+    """One interval for all recordings, where their rests have enough samples in common."""
+    start, stop = max(one for one, _ in each.values()), min(one for _, one in each.values())
+    inside = [int(np.sum((courses[i].time >= start) & (courses[i].time <= stop))) for i in each]
+    return dict.fromkeys(each, (start, stop)) if min(inside) >= CRITERIA.noise.fewest_samples else each
+
+
+def without_offsets(
+    arrays: Mapping[str, dict[int, Array]], entries: Mapping[str, ColumnEntry], times: Mapping[int, Array]
+) -> dict[str, dict[int, Array]]:
+    """The numbers of each column by recording, less its mean in the interval of its zero."""
+    made: dict[str, dict[int, Array]] = {}
+    for name, by_recording in arrays.items():
+        zero = entries[name].zero
+        made[name] = dict(by_recording)
+        for i in zero.keys() & by_recording.keys():
+            made[name][i] = by_recording[i] - _mean_between(times[i], by_recording[i], *zero[i])
+    return made
+
+
+def _mean_between(time: Array, values: Array, start: float, stop: float) -> float:
+    inside = values[(time >= start) & (time <= stop)]
+    inside = inside[np.isfinite(inside)]
+    return float(np.mean(inside)) if inside.size else 0.0
