@@ -17,7 +17,7 @@ from pam_cosim.fitting.predictive_bands import Band, PredictiveBands, predictive
 from pam_cosim.fitting.profile import Profile, Profiles
 from pam_cosim.fitting.solve import spread_starts
 from pam_cosim.fitting.start_estimates import estimated_starts, runs_without_start, simulated
-from pam_cosim.fitting.tracker import Convergence, Progress, Standing
+from pam_cosim.fitting.tracker import Convergence, FitProgress, Progress
 from pam_cosim.fitting.without_priors import WithoutPriors, without_priors
 
 __all__ = [
@@ -37,7 +37,7 @@ __all__ = [
     "Profiles",
     "Progress",
     "Record",
-    "Standing",
+    "FitProgress",
     "WithoutPriors",
     "base_parameters",
     "bounded_least_squares",
