@@ -79,11 +79,11 @@ def test_every_product_draws_and_prints_itself(name: str, tmp_path: Path) -> Non
 
 def test_a_formula_with_a_shape(tmp_path: Path) -> None:
     """The parts of a learned term that the synthetic one lacks."""
-    from pam_cosim.diagnosis.learning import Learned, LearnedTerm
+    from pam_cosim.diagnosis.learning import FittedAddend, LearnedTerm
 
     q = Quantity("x", "m", 0.05, False)
     form = Form("(exp(x/x_1) - 1)", (q,), FormConstant("x_1", q, 0.02, 0.005, 0.25), "(exp(x/{shape}) - 1)")
-    term = LearnedTerm("T", "force", "f", "m", "N", (Learned(5.1, 0.1, form),), 0.9, 0.95, {"valve.C_A": 0.01})
+    term = LearnedTerm("T", "force", "f", "m", "N", (FittedAddend(5.1, 0.1, form),), 0.9, 0.95, {"valve.C_A": 0.01})
     learned = make_learned(DATA)
     diagnosis = make_diagnosis("unknown", DATA, learned=type(learned)(term, learned.model))
     same(pam.load(pam.save(diagnosis, tmp_path / "d.npz")), diagnosis)

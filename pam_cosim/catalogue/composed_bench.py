@@ -222,13 +222,14 @@ class _Composer:
             between = [one for one in instruments if one.number == number]
             self._join(feeds[number], self.outlet, muscles[number], between)
             self._join(hold, end, muscles[number], between)
+        instrument_of = {(one.part, one.number): one for one in instruments}
         for signal, number, part in self.measured:
-            self._signal(signal, next(one for one in instruments if (one.part, one.number) == (part, number)))
+            self._signal(signal, instrument_of[part, number])
         name = names.identifier(wanted or self._title())
-        parts = tuple(dict.fromkeys(one.part for one in everything))
         text = self._text(name, frame, everything)
-        inputs = (*([BRANCH] if self.static else []), *self.inputs)
-        return ComposedBench(name, text, inputs, tuple(signal for signal, _, _ in self.measured), parts)
+        inputs = (BRANCH, *self.inputs) if self.static else tuple(self.inputs)
+        outputs = tuple(signal for signal, _, _ in self.measured)
+        return ComposedBench(name, text, inputs, outputs, tuple(dict.fromkeys(one.part for one in everything)))
 
     def _instruments(self, columns: Mapping[int, int]) -> list[_Placed]:
         """One of each kind at each muscle, however many signals it reads."""

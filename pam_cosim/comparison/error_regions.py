@@ -80,13 +80,16 @@ def _collect(
     excess = np.maximum(present.of(present.residuals) ** 2 - noise**2, 0.0)
     if excess.sum() <= 0:
         return None
-    bands = [band for n, v in outputs.items() for band in _bands(n, v, present.of([r.model[n] for r in parts]))]
-    of_runs = _by_run(present)
+    conditions = []
+    for name, variable in outputs.items():
+        conditions += _bands(name, variable, present.of([r.model[name] for r in parts]))
     if all(r.run.is_static for r in parts):
-        return _Samples(excess, [[], _by_imposed(present, inputs) + bands + of_runs])
-    movers = [n for n, v in outputs.items() if v.unit in domain.moving]
-    moving = [m for n in movers for m in _moving(n, present.of([_speed(r, n) for r in parts]))]
-    return _Samples(excess, [_phases(present, outputs, domain), bands + moving + _times(present) + of_runs])
+        return _Samples(excess, [[], _by_imposed(present, inputs) + conditions + _by_run(present)])
+    for name, variable in outputs.items():
+        if variable.unit in domain.moving:
+            conditions += _moving(name, present.of([_speed(r, name) for r in parts]))
+    conditions += _times(present) + _by_run(present)
+    return _Samples(excess, [_phases(present, outputs, domain), conditions])
 
 
 class _Present:

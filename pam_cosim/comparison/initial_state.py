@@ -95,26 +95,27 @@ def measured_initial_state(
     first = probe.first_samples()
     if not simulator.interface.states or not first:
         return InitialState()
-    links = probe.links({}).joined(probe.links(probe.elsewhere()))
-    shown, values = _consistent_start(probe, links, first)
-    if missed := probe.missed(shown, values):  # such as a reading at the end of its range, which shows nothing
-        others = {signal: one for signal, one in first.items() if signal not in missed}
-        shown, values = _consistent_start(probe, links, others)
+    dependences = probe.dependences({}).joined(probe.dependences(probe.nearby_state()))
+    shown, values = _consistent_start(probe, dependences, first)
+    unmatched = probe.unmatched_signals(shown, values)  # such as a reading at the end of its range, which shows nothing
+    if unmatched:
+        others = {signal: one for signal, one in first.items() if signal not in unmatched}
+        shown, values = _consistent_start(probe, dependences, others)
     signals = {state: one.signal for state, one in shown.items()}
-    settle: Settle = "others" if probe.rests(values) else "none"
+    settle: Settle = "others" if probe.finds_rest(values) else "none"
     return InitialState(values, settle, signals)
 
 
 def _consistent_start(
-    probe: StartProbe, links: _Dependences, first: Mapping[str, FirstSamples]
+    probe: StartProbe, dependences: _Dependences, first: Mapping[str, FirstSamples]
 ) -> tuple[dict[str, _ObservedState], dict[str, float]]:
     """What shows which states, and their start values, at which the model agrees with that."""
     shown: dict[str, _ObservedState] = {}
     values: dict[str, float] = {}
     for _ in range(2):  # what acts on what may not show where the model begins by itself
-        shown = _observed_states(links, first, probe.signals, probe.states)
-        values = probe.corrected(shown, links, values)
-        links = links.joined(probe.links(values))
+        shown = _observed_states(dependences, first, probe.signals, probe.states)
+        values = probe.corrected(shown, dependences, values)
+        dependences = dependences.joined(probe.dependences(values))
     return shown, values
 
 
@@ -141,17 +142,17 @@ class _Dependences:
 
 
 def _observed_states(
-    links: _Dependences, first: Mapping[str, FirstSamples], signals: list[str], states: tuple[str, ...]
+    dependences: _Dependences, first: Mapping[str, FirstSamples], signals: list[str], states: tuple[str, ...]
 ) -> dict[str, _ObservedState]:
     """By name of the state. Of two signals that show the same state, the one that shows it better."""
-    matrix, shown = links.matrix, dict[str, _ObservedState]()
+    matrix, shown = dependences.matrix, dict[str, _ObservedState]()
     better: dict[str, float] = {}
     for row, signal in enumerate(signals):
-        told = np.flatnonzero(matrix[row])
-        if len(told) != 1 or signal not in first:
+        dependent = np.flatnonzero(matrix[row])
+        if len(dependent) != 1 or signal not in first:
             continue
-        slope, sample = matrix[row, told[0]], first[signal]
-        state, spread = states[told[0]], sample.sd / abs(slope)
+        slope, sample = matrix[row, dependent[0]], first[signal]
+        state, spread = states[dependent[0]], sample.sd / abs(slope)
         if state not in shown or spread < better[state]:
             better[state] = spread
             rate = sample.slope / slope if sample.moves else 0.0
@@ -222,12 +223,12 @@ class StartProbe:
             times, parameters=self._parameters, inputs=self._inputs, outputs=names, start_time=self._start
         )
 
-    def showing(self) -> list[str]:
+    def signals_of_one_state(self) -> list[str]:
         """The signals that depend on one state alone."""
-        count = np.count_nonzero(self.links({}).matrix[: len(self.signals)], axis=1) if self.states else ()
+        count = np.count_nonzero(self.dependences({}).matrix[: len(self.signals)], axis=1) if self.states else ()
         return [name for name, n in zip(self.signals, count, strict=False) if n == 1]
 
-    def links(self, values: Mapping[str, float]) -> _Dependences:
+    def dependences(self, values: Mapping[str, float]) -> _Dependences:
         """About a state; by central differences, which are exactly zero where there is no dependence."""
         _, state = self.at(values)
         here = dict(zip(self.states, state.tolist(), strict=True))
@@ -238,44 +239,44 @@ class StartProbe:
             columns.append((above - below) / (2.0 * step))
         return _Dependences(np.column_stack(columns))
 
-    def elsewhere(self) -> dict[str, float]:
+    def nearby_state(self) -> dict[str, float]:
         """A state near the model's own start at which nothing vanishes by chance, as a force does without pressure."""
         state = dict(zip(self.states, self.at({})[1].tolist(), strict=True))
-        away = {n: v + CRITERIA.starts.elsewhere * self._size(n, v) for n, v in state.items()}
+        shifted = {n: v + CRITERIA.starts.elsewhere * self._size(n, v) for n, v in state.items()}
         try:
-            self.at(away)
+            self.at(shifted)
         except SimulationFailure:
             return state
-        return away
+        return shifted
 
     def _size(self, name: str, value: float) -> float:
         variable = self.simulator.interface.start_values[name]
         return max(abs(variable.nominal or 0.0), abs(value)) or 1.0
 
     def corrected(
-        self, shown: Mapping[str, _ObservedState], links: _Dependences, values: Mapping[str, float]
+        self, shown: Mapping[str, _ObservedState], dependences: _Dependences, values: Mapping[str, float]
     ) -> dict[str, float]:
         """Start values of the states that are shown, at which what shows them is as it was measured."""
         _, state = self.at({})
-        held = {name: values.get(name, state[self.states.index(name)]) for name in shown}
+        starts = {name: values.get(name, state[self.states.index(name)]) for name in shown}
         rows = [one.row for one in shown.values()]
         aims = np.array([one.aim for one in shown.values()])
-        slopes = links.matrix[np.ix_(rows, [self.states.index(name) for name in shown])]
-        for _ in range(CRITERIA.starts.corrections if held else 0):
-            miss = aims - self.at(held)[0][rows]
+        slopes = dependences.matrix[np.ix_(rows, [self.states.index(name) for name in shown])]
+        for _ in range(CRITERIA.starts.corrections if starts else 0):
+            miss = aims - self.at(starts)[0][rows]
             step = np.linalg.lstsq(slopes, miss, rcond=None)[0]
-            held = {name: float(held[name] + s) for name, s in zip(held, step, strict=True)}
-            if np.all(np.abs(step) <= CRITERIA.starts.step * np.array([self._size(n, v) for n, v in held.items()])):
+            starts = {name: float(starts[name] + s) for name, s in zip(starts, step, strict=True)}
+            if np.all(np.abs(step) <= CRITERIA.starts.step * np.array([self._size(n, v) for n, v in starts.items()])):
                 break
-        return held
+        return starts
 
-    def missed(self, shown: Mapping[str, _ObservedState], values: Mapping[str, float]) -> set[str]:
+    def unmatched_signals(self, shown: Mapping[str, _ObservedState], values: Mapping[str, float]) -> set[str]:
         """The signals that are not as they were measured, wherever the states that they show begin."""
-        there, _ = self.at(values)
+        outputs, _ = self.at(values)
         known = [one for one in shown.values() if one.spread]
-        return {one.signal for one in known if abs(there[one.row] - one.aim) > CRITERIA.starts.away * one.spread}
+        return {one.signal for one in known if abs(outputs[one.row] - one.aim) > CRITERIA.starts.away * one.spread}
 
-    def rests(self, values: Mapping[str, float]) -> bool:
+    def finds_rest(self, values: Mapping[str, float]) -> bool:
         """Whether the other states find a rest beside these."""
         if not self.simulator.settles:
             return False

@@ -68,9 +68,7 @@ def _pieces(
 ) -> dict[int, tuple[Array, Array]]:
     """Features and weighted residuals of each part that has samples, by its number."""
     name = signal.name
-    residuals = [
-        None if r is None else weighted(r.residual(name), signal, r.run.measurements[name]) for r in runs
-    ]
+    residuals = [None if r is None else weighted(r.residual(name), signal, r.run.measurements[name]) for r in runs]
     pieces = {number: _piece(tables, residuals, where) for number, where in enumerate(parts)}
     return {number: piece for number, piece in pieces.items() if piece is not None}
 

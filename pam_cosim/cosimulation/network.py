@@ -124,9 +124,9 @@ class Network:
         start_time: float = 0.0,
     ) -> None:
         self.components, self.steppers = components, steppers
-        fmus = [name for name, c in components.items() if isinstance(c, CoupledFmu)]
-        self.parts = [name for name in (order or fmus) if components[name].seconds is None]
         self.sampling = {name: c.seconds for name, c in components.items() if c.seconds is not None}
+        fmus = [name for name, c in components.items() if isinstance(c, CoupledFmu)]
+        self.parts = [name for name in (order or fmus) if name not in self.sampling]
         self._sampled_fmus = [name for name in fmus if name in self.sampling]
         self.signals = sorted({c.source for c in connections}, key=str)
         self.work = RunCost(dict.fromkeys(fmus, 0))

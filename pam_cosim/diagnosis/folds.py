@@ -18,6 +18,7 @@ from pam_cosim.diagnosis.search import FitRequest, Search
 from pam_cosim.diagnosis.subject import Subject
 from pam_cosim.diagnosis.verdict import Verdict
 from pam_cosim.errors import SimulationFailure
+from pam_cosim.files import plain
 from pam_cosim.fitting import Fit, FitOptions, fit
 from pam_cosim.measurement import DataSet, Signal
 from pam_cosim.model.references import is_ratio
@@ -62,13 +63,8 @@ class Folds:
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
-        return {
-            "count": self.count,
-            "needed": dict(self.needed),
-            "unbelievable": dict(self.unbelievable),
-            "rmse": dict(self.rmse),
-            "worst": {name: {"rmse": rmse, "runs": list(runs)} for name, (rmse, runs) in self.worst.items()},
-        }
+        worst = {name: {"rmse": rmse, "runs": list(runs)} for name, (rmse, runs) in self.worst.items()}
+        return {**plain(self), "worst": worst}
 
 
 @dataclass(frozen=True)

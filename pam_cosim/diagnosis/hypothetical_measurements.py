@@ -66,7 +66,7 @@ def with_all_outputs(simulator: AnySimulator, data: DataSet) -> AllOutputs:
         runs.append(_as_modelled(run, modelled[run.name], signals))
         for name, signal in signals.items():
             measured = run.sample_count(name) and data.signals[name].fitted
-            option[run.name, name] = AS_MEASURED if measured else Option("signal", _reading(signal))
+            option[run.name, name] = AS_MEASURED if measured else Option("signal", _measurement_text(signal))
     for number, (varied, change) in enumerate(_varied_runs(data)):
         try:
             model = _modelled(simulator, data, varied)
@@ -108,7 +108,7 @@ def _unmeasured(simulator: AnySimulator, data: DataSet, modelled: Sequence[Mappi
     return signals
 
 
-def _reading(signal: Signal) -> str:
+def _measurement_text(signal: Signal) -> str:
     return f"{signal.name} in every run, to {format_quantity(signal.sigma, signal.unit, 2)}"
 
 

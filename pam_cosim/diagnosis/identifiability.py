@@ -170,8 +170,8 @@ class Rows:
             (_detectability(p, sizes[p.effect], price) for p in self.probes), key=lambda s: (s.least, s.effect)
         )
         parameters, confused = self._known(slopes)
-        told = Identifiability(parameters, confused, tuple(shown), ())
-        return replace(told, alike=tuple(self._alike(told, moves, price)))
+        result = Identifiability(parameters, confused, tuple(shown), ())
+        return replace(result, alike=tuple(self._alike(result, moves, price)))
 
     def _among(self, at: NDArray[np.bool_], columns: Array) -> Array:
         """Some rows, and what bounds say, which no effect changes."""
@@ -198,17 +198,17 @@ class Rows:
         confused = [(names[i], names[j], float(correlation[i, j])) for i, j in pairs]
         return tuple(known), tuple(c for c in confused if abs(c[2]) > CRITERIA.fit.confused)
 
-    def _alike(self, told: Identifiability, moves: Mapping[str, Array], price: float) -> list[ConfusedPair]:
+    def _alike(self, result: Identifiability, moves: Mapping[str, Array], price: float) -> list[ConfusedPair]:
         """Pairs of visible families of which one may be taken for the other, the worse way round."""
         own = {p.effect: p.strengths for p in self.probes}
         count = {name: len(strengths.own) for name, strengths in own.items()}
         worst: dict[frozenset[str], ConfusedPair] = {}
-        for family, best in told.families.items():
-            if family not in told.visible:
+        for family, best in result.families.items():
+            if family not in result.visible:
                 continue
             whole = moves[best.effect][:, 0]
             for p in self.probes:
-                if p.family == family or p.family not in told.visible:
+                if p.family == family or p.family not in result.visible:
                     continue
                 left = float(np.linalg.norm(_orthogonal_part(_orthonormal(moves[p.effect]), whole)))
                 needed = CRITERIA.evidence.very_strong - price * (count[p.effect] - count[best.effect])

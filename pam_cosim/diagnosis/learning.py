@@ -6,6 +6,7 @@ and beyond the range that was measured it means nothing.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
@@ -32,7 +33,7 @@ _INTERVAL = 2 * CRITERIA.fit.interval  # standard deviations in the interval of 
 
 
 @dataclass(frozen=True)
-class Learned:
+class FittedAddend:
     """One addend: coefficient [unit of the term] with its standard deviation, times a form.
 
     Attributes:
@@ -66,7 +67,7 @@ class LearnedTerm:
     formula: str
     modelica_source: str
     unit: str
-    terms: tuple[Learned, ...]
+    terms: tuple[FittedAddend, ...]
     score: float
     fit_score: float
     parameters: dict[str, float]
@@ -103,11 +104,11 @@ def learn(ledger: Ledger, balance: str | None = None, *, name: str = "", tree: C
         raise InputError(f"there is no missing term to learn{f' in the balance {balance}' if balance else ''}")
     samples = _samples(entry)
     known = quantities(samples.variables, entry.units)
-    picked = pick(samples, forms(known))
+    picked = select_forms(samples, forms(known))
     fitted = coefficients_of(samples, picked)
     title = name or f"Learned{entry.balance.capitalize()}"
     terms = tuple(
-        Learned(float(c), float(d), f)
+        FittedAddend(float(c), float(d), f)
         for c, d, f in zip(fitted.coefficients, fitted.deviations, fitted.forms, strict=True)
     )
     library = tree or read_library()
@@ -181,7 +182,7 @@ def refitted(
             shape = replace(shape, value=scale.value)
         own = values[f"c_{i}"]
         deviation = (own.high - own.low) / _INTERVAL if own.determined else t.deviation
-        terms.append(Learned(own.value, deviation, replace(t.form, shape=shape), t.reach))
+        terms.append(FittedAddend(own.value, deviation, replace(t.form, shape=shape), t.reach))
     return replace(
         term,
         terms=tuple(terms),
@@ -247,7 +248,7 @@ def _samples(entry: BalanceEntry) -> TermSamples:
 
 
 @dataclass(frozen=True)
-class Fitted:
+class FittedForms:
     """Forms with coefficients, standard deviations of these, and what the free parameters do beside them."""
 
     forms: tuple[Form, ...]
@@ -258,58 +259,61 @@ class Fitted:
     fit_score: float
 
 
-def pick(samples: TermSamples, library: Sequence[Form], most: int = CRITERIA.learning.most_forms) -> list[Form]:
+def select_forms(samples: TermSamples, library: Sequence[Form], most: int = CRITERIA.learning.most_forms) -> list[Form]:
     """At most so many forms, in order of selection."""
     picked: list[Form] = []
-    left = first = _left_out(samples, [])
+    left = first = _cross_validation_error(samples, [])
     while len(picked) < most and left > CRITERIA.learning.described:
-        best, error = _next(samples, picked, library)
-        if not _worth(left, error, first):
+        best, error = _best_next_form(samples, picked, library)
+        if not _is_worthwhile(left, error, first):
             break
         picked += best
         left = error
-    return [f for i, f in enumerate(picked) if _needed(samples, picked, i, left)]
+    return [f for i, f in enumerate(picked) if _is_needed(samples, picked, i, left)]
 
 
-def pick_together(samples: TermSamples, library: Sequence[Form], most: int) -> list[Form]:
-    """As ``pick``, for forms that mean little alone: where no further one helps, two are added at once."""
+def select_forms_jointly(samples: TermSamples, library: Sequence[Form], most: int) -> list[Form]:
+    """As ``select_forms``, for forms that mean little alone: where no further one helps, two are added at once."""
     picked: list[Form] = []
-    left = first = _left_out(samples, [])
+    left = first = _cross_validation_error(samples, [])
     columns = {f.text: samples.column(f) for f in library}
     while len(picked) < most and left > CRITERIA.learning.described:
         own = [columns[f.text] for f in picked]
         others = [f for f in library if f not in picked]
         steps: list[tuple[Form, ...]] = [(f,) for f in others]
         for further in (steps, list(combinations(others, 2))):
-            errors = [_left_out(samples, [*own, *(columns[f.text] for f in one)]) for one in further]
+            errors = [_cross_validation_error(samples, [*own, *(columns[f.text] for f in one)]) for one in further]
             error = min(errors, default=np.inf)
-            if _worth(left, error, first):
+            if _is_worthwhile(left, error, first):
                 picked += further[int(np.argmin(errors))]
                 left = error
                 break
         else:
             break
-    return [f for i, f in enumerate(picked) if _needed(samples, picked, i, left)]
+    return [f for i, f in enumerate(picked) if _is_needed(samples, picked, i, left)]
 
 
-def _worth(left: float, error: float, first: float) -> bool:
+def _is_worthwhile(left: float, error: float, first: float) -> bool:
     return error < (1 - CRITERIA.learning.worth) * left and left - error > CRITERIA.learning.least * first
 
 
-def _next(samples: TermSamples, picked: Sequence[Form], library: Sequence[Form]) -> tuple[list[Form], float]:
-    """The form that helps most beside others, with its best shape, and what is left with it."""
-    own = [samples.column(f) for f in picked]
-    errors = [_left_out(samples, [*own, samples.column(f)]) if f not in picked else np.inf for f in library]
-    refined = _refined(samples, picked, library[int(np.argmin(errors))])
-    return [refined], _left_out(samples, [*own, samples.column(refined)])
+def _best_next_form(samples: TermSamples, picked: Sequence[Form], library: Sequence[Form]) -> tuple[list[Form], float]:
+    """The form that helps most beside others, with its best shape, and what is left; none where all are picked."""
+    columns = [samples.column(f) for f in picked]
+    left = [f for f in library if f not in picked]
+    if not left:
+        return [], math.inf
+    errors = [_cross_validation_error(samples, [*columns, samples.column(f)]) for f in left]
+    best = _with_best_shape(samples, picked, left[int(np.argmin(errors))])
+    return [best], _cross_validation_error(samples, [*columns, samples.column(best)])
 
 
-def _needed(samples: TermSamples, picked: Sequence[Form], i: int, left: float) -> bool:
+def _is_needed(samples: TermSamples, picked: Sequence[Form], i: int, left: float) -> bool:
     others = [samples.column(f) for k, f in enumerate(picked) if k != i]
-    return len(picked) == 1 or _left_out(samples, others) > (1 + CRITERIA.learning.worth) * left
+    return len(picked) == 1 or _cross_validation_error(samples, others) > (1 + CRITERIA.learning.worth) * left
 
 
-def _refined(samples: TermSamples, picked: Sequence[Form], form: Form) -> Form:
+def _with_best_shape(samples: TermSamples, picked: Sequence[Form], form: Form) -> Form:
     """The form with the best value of its shape."""
     shape = form.shape
     if shape is None:
@@ -317,7 +321,7 @@ def _refined(samples: TermSamples, picked: Sequence[Form], form: Form) -> Form:
     own = [samples.column(f) for f in picked]
 
     def error(z: float) -> float:
-        return _left_out(samples, [*own, samples.column(form, float(np.exp(z)))])
+        return _cross_validation_error(samples, [*own, samples.column(form, float(np.exp(z)))])
 
     bounds = (
         np.log(max(shape.low, shape.value / CRITERIA.learning.shape_span)),
@@ -327,7 +331,7 @@ def _refined(samples: TermSamples, picked: Sequence[Form], form: Form) -> Form:
     return replace(form, shape=replace(shape, value=float(np.exp(optimum.x))))
 
 
-def _left_out(samples: TermSamples, columns: Sequence[Array]) -> float:
+def _cross_validation_error(samples: TermSamples, columns: Sequence[Array]) -> float:
     """Mean square of the term over its deviation in each asked group, predicted from the others."""
     rows = np.column_stack([samples.imitated, *columns])
     total, count = 0.0, 0
@@ -344,12 +348,12 @@ def _left_out(samples: TermSamples, columns: Sequence[Array]) -> float:
     target = sum(m[1] for m in moments.values())
     for g in samples.learning_groups:
         own, right, square = moments[g]
-        solution = _solved(everything - own, target - right)
+        solution = _regularised_solution(everything - own, target - right)
         total += square - 2 * float(right @ solution) + float(solution @ own @ solution)
     return total / count
 
 
-def _solved(matrix: Array, right: Array) -> Array:
+def _regularised_solution(matrix: Array, right: Array) -> Array:
     if not len(right):
         return right
     size = np.sqrt(np.maximum(np.diag(matrix), 1e-300))
@@ -358,18 +362,18 @@ def _solved(matrix: Array, right: Array) -> Array:
     return solution
 
 
-def coefficients_of(samples: TermSamples, picked: Sequence[Form]) -> Fitted:
+def coefficients_of(samples: TermSamples, picked: Sequence[Form]) -> FittedForms:
     columns = [samples.column(f) for f in picked]
     rows = np.column_stack([np.zeros((len(samples.value), 0)), samples.imitated, *columns])
     q = samples.imitated.shape[1]
-    asked = np.isin(samples.group, samples.learning_groups)
+    fitted = np.isin(samples.group, samples.learning_groups)
 
     def solve(kept: NDArray[np.bool_]) -> Array:
-        return _solved(rows[kept].T @ rows[kept], rows[kept].T @ samples.value[kept])
+        return _regularised_solution(rows[kept].T @ rows[kept], rows[kept].T @ samples.value[kept])
 
-    solution = solve(asked)
+    solution = solve(fitted)
     # left-out groups show how far the coefficients can be trusted (jackknife: Efron and Tibshirani 1993)
-    each = np.array([solve(asked & (samples.group != g)) for g in samples.learning_groups])
+    each = np.array([solve(fitted & (samples.group != g)) for g in samples.learning_groups])
     n = len(samples.learning_groups)
     deviation = np.sqrt((n - 1) / n * ((each - each.mean(axis=0)) ** 2).sum(axis=0))
     nuisance = samples.value - samples.imitated @ solution[:q]
@@ -378,9 +382,12 @@ def coefficients_of(samples: TermSamples, picked: Sequence[Form]) -> Fitted:
         error = samples.value[kept] - rows[kept] @ solution
         return 1 - float(error @ error) / float(nuisance[kept] @ nuisance[kept])
 
-    others = ~asked
-    held = score(others) if others.any() else 1 - _left_out(samples, columns) / float(np.mean(nuisance[asked] ** 2))
-    return Fitted(tuple(picked), solution[q:], deviation[q:], solution[:q], held, score(asked))
+    others = ~fitted
+    if others.any():
+        held_out_score = score(others)
+    else:
+        held_out_score = 1 - _cross_validation_error(samples, columns) / float(np.mean(nuisance[fitted] ** 2))
+    return FittedForms(tuple(picked), solution[q:], deviation[q:], solution[:q], held_out_score, score(fitted))
 
 
-__all__ = ["Learned", "LearnedTerm", "Quantity", "learn", "refitted", "try_learned"]
+__all__ = ["FittedAddend", "LearnedTerm", "Quantity", "learn", "refitted", "try_learned"]

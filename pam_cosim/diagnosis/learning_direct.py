@@ -22,7 +22,7 @@ from pam_cosim.catalogue import Composition, EffectClass, compose, effect_classe
 from pam_cosim.comparison import simulate_run
 from pam_cosim.compiler import ClassTree, compile_model, read_library
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.learning import Learned, LearnedTerm, TermSamples, coefficients_of, pick_together
+from pam_cosim.diagnosis.learning import FittedAddend, LearnedTerm, TermSamples, coefficients_of, select_forms_jointly
 from pam_cosim.diagnosis.learning_library import Form, quantities, ramps
 from pam_cosim.diagnosis.learning_text import formula_text, modelica_text
 from pam_cosim.diagnosis.search import Search
@@ -46,7 +46,7 @@ _SCRATCH = "LearnedScratch"
 
 
 @dataclass(frozen=True)
-class Direct:
+class DirectTerm:
     """A term that was learned directly, the entry that it is written for, and what it leaves of the residuals.
 
     Attributes:
@@ -58,7 +58,7 @@ class Direct:
     left: float
 
 
-def learn_directly(search: Search, effects: Sequence[str], present: Fit) -> Direct | None:
+def learn_directly(search: Search, effects: Sequence[str], present: Fit) -> DirectTerm | None:
     """A term in the balance whose forms explain most of what a fitted model leaves; None where none explains any.
 
     Args:
@@ -66,7 +66,7 @@ def learn_directly(search: Search, effects: Sequence[str], present: Fit) -> Dire
         effects: names of effects that the model has.
         present: the fit of the model with them.
     """
-    found: list[Direct] = []
+    found: list[DirectTerm] = []
     for term in unknown_terms(search.tree, origins(search.structure.parts)):
         try:
             direct = _in_balance(search, effects, present, term)
@@ -77,35 +77,35 @@ def learn_directly(search: Search, effects: Sequence[str], present: Fit) -> Dire
     return min(found, key=lambda d: d.left, default=None)
 
 
-def with_coefficients(direct: Direct, tree: ClassTree, factor: float) -> LearnedTerm:
+def with_coefficients(direct: DirectTerm, tree: ClassTree, factor: float) -> LearnedTerm:
     """The term with a part of its coefficients, where a fit may start from; their bounds stay."""
     terms = tuple(replace(t, coefficient=factor * t.coefficient, reach=t.reach) for t in direct.term.terms)
     source = modelica_text(tree, direct.term.name, direct.entry, terms, direct.term.score, RESIDUALS)
     return replace(direct.term, terms=terms, modelica_source=source)
 
 
-def _in_balance(search: Search, effects: Sequence[str], present: Fit, term: EffectClass) -> Direct | None:
+def _in_balance(search: Search, effects: Sequence[str], present: Fit, term: EffectClass) -> DirectTerm | None:
     values = present.values | present.start_values
     base = next(c.owner for c in search.tree.components(term.qualified_name) if c.name == TERM)
-    watched = _watched(search, effects, term, values)
+    watched = _variables_beside(search, effects, term, values)
     if watched is None:
         return None
     variables, units, own = watched
     known = quantities(variables, units)
     library = ramps(known, variables)
     entry = BalanceEntry(term.balance, 0.0, 0.0, 0.0, own.unit, own.description, base=base, units=units)
-    samples = _felt(search, effects, values, entry, library)
+    samples = _residual_samples(search, effects, values, entry, library)
     # what a term of the size that it is declared for does not move by a standard deviation, it cannot be learned from
     largest = min(abs(own.min or np.inf), abs(own.max or np.inf))
     library = [f for f in library if largest * float(np.max(np.abs(samples.column(f)))) > 1]
-    picked = pick_together(samples, library, CRITERIA.learning.most_ramps) if library else []
+    picked = select_forms_jointly(samples, library, CRITERIA.learning.most_ramps) if library else []
     if not picked:
         return None
     fitted = coefficients_of(samples, picked)
     if not fitted.score > CRITERIA.learning.worth:
         return None
     terms = tuple(
-        Learned(float(c), float(d), f, reach=float(abs(c)))
+        FittedAddend(float(c), float(d), f, reach=float(abs(c)))
         for c, d, f in zip(fitted.coefficients, fitted.deviations, fitted.forms, strict=True)
     )
     name = f"Learned{term.balance.capitalize()}"
@@ -120,13 +120,13 @@ def _in_balance(search: Search, effects: Sequence[str], present: Fit, term: Effe
         fit_score=fitted.fit_score,
         parameters=dict(zip(samples.free, fitted.free.tolist(), strict=True)),
     )
-    return Direct(learned, entry, float(np.mean(samples.value**2)) * (1 - fitted.score))
+    return DirectTerm(learned, entry, float(np.mean(samples.value**2)) * (1 - fitted.score))
 
 
 # ---- what a term could be a function of -----------------------------------------------------------------------------
 
 
-def _watched(
+def _variables_beside(
     search: Search, effects: Sequence[str], term: EffectClass, values: Mapping[str, float]
 ) -> tuple[dict[str, Array], dict[str, str], Variable] | None:
     """The variables beside a term over all fitted samples, their units, and the parameter that is the term."""
@@ -173,7 +173,7 @@ def _simulated(
 
 
 @dataclass(frozen=True)
-class _Felt(TermSamples):
+class _ResidualSamples(TermSamples):
     """Residuals of the model, and what each form's coefficient would change in them."""
 
     felt: Mapping[str, Array]
@@ -182,9 +182,9 @@ class _Felt(TermSamples):
         return self.felt[form.text]
 
 
-def _felt(
+def _residual_samples(
     search: Search, effects: Sequence[str], values: Mapping[str, float], entry: BalanceEntry, library: Sequence[Form]
-) -> _Felt:
+) -> _ResidualSamples:
     """The fitted runs linearised by the free parameters and by a coefficient of every form."""
     linear, objective, series, mine = _linearised_with_terms(search, effects, values, entry, library)
     by_name = dict(zip(linear.names, linear.slopes.T, strict=True))
@@ -195,7 +195,7 @@ def _felt(
     rows = len(linear.residual)
     nuisance = np.column_stack([np.zeros((rows, 0)), *(by_name[name] for name in others)])
     group = _groups(search, objective, series)
-    return _Felt(
+    return _ResidualSamples(
         value=linear.residual,
         weight=np.ones(rows),
         variables={},
@@ -211,7 +211,7 @@ def _linearised_with_terms(
     search: Search, effects: Sequence[str], values: Mapping[str, float], entry: BalanceEntry, library: Sequence[Form]
 ) -> tuple[Linear, Objective, NDArray[np.int_], Sequence[str]]:
     """The model with a term of every form about the values; its objective, the series of each row, the coefficients."""
-    terms = [Learned(0.0, 0.0, form, reach=1.0) for form in library]
+    terms = [FittedAddend(0.0, 0.0, form, reach=1.0) for form in library]
     with tempfile.TemporaryDirectory(prefix="pam-cosim-") as folder:
         file = Path(folder, f"{_SCRATCH}.mo")
         write_text(file, modelica_text(search.tree, _SCRATCH, entry, terms, 0.0))
@@ -245,4 +245,4 @@ def _groups(search: Search, objective: Objective, series: NDArray[np.int_]) -> N
     return np.asarray(place * CRITERIA.learning.blocks, dtype=np.intp)
 
 
-__all__ = ["RESIDUALS", "Direct", "learn_directly", "with_coefficients"]
+__all__ = ["RESIDUALS", "DirectTerm", "learn_directly", "with_coefficients"]

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 
 import numpy as np
 
 from pam_cosim.comparison import Rule
 from pam_cosim.criteria import CRITERIA
+from pam_cosim.files import plain
 from pam_cosim.fitting import Fit
 
 
@@ -42,7 +43,7 @@ class MissingTerm:
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
-        return asdict(self)
+        return dict(plain(self))
 
 
 def missing_term(fit: Fit, balance: dict[str, float]) -> MissingTerm:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +12,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.prediction import Hypothesis
 from pam_cosim.errors import SimulationFailure
+from pam_cosim.files import plain
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.model.references import BRANCH
 from pam_cosim.simulation.inputs import Interpolation
@@ -51,7 +52,7 @@ class NextExperiment:
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
-        return asdict(self) | {"between": list(self.between)}
+        return dict(plain(self))
 
 
 RivalPlan = tuple[Candidate, NextExperiment | None]

@@ -228,12 +228,13 @@ def _next_strength(looks: Sequence[_StrengthTrial], target: Array, signed: bool)
         return best.strength / CRITERIA.search.weaker
     strength = best.strength * float(best.moved @ target) / max(best.size, 1e-300)
     weakest = CRITERIA.search.weaker * min(abs(s) for s in tried)
+    wrong_way = strength < 0 and not signed
     does_good = best.left < goal and best.size > CRITERIA.search.idle * goal
-    if not does_good and (abs(strength) < weakest or best.left < goal or (strength < 0 and not signed)):
-        positive = (look for look in looks if look.strength > 0)
+    if not does_good and (abs(strength) < weakest or best.left < goal or wrong_way):
+        positive = [look for look in looks if look.strength > 0]
         return _weaker_strength(sorted(positive, key=lambda look: look.strength), goal)
-    known = any(abs(strength - s) < CRITERIA.search.same_strength * abs(s) for s in tried)
-    return None if known or (strength < 0 and not signed) else strength
+    is_known = any(abs(strength - s) < CRITERIA.search.same_strength * abs(s) for s in tried)
+    return None if is_known or wrong_way else strength
 
 
 def _weaker_strength(looks: Sequence[_StrengthTrial], goal: float) -> float | None:

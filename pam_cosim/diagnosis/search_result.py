@@ -90,8 +90,8 @@ def search_fit_runs(
         search.say(StepTimesFound(steps).message)
         search, base, outliers = _restarted(subject, search, selection.retimed.data)
         selection = select_effects(search, base, deadline, retime=False)
-    every = Counter(outliers) + Counter(selection.outliers)
-    return SearchResult(selection.search, selection.base, selection, every, steps)
+    set_aside = Counter(outliers) + Counter(selection.outliers)
+    return SearchResult(selection.search, selection.base, selection, set_aside, steps)
 
 
 def search_all_runs(subject: Subject, fit_runs_result: SearchResult, deadline: float) -> SearchResult | None:
@@ -111,12 +111,12 @@ def search_all_runs(subject: Subject, fit_runs_result: SearchResult, deadline: f
         subject, fit_runs_result.search, _with_roles(fit_runs_result.search.data, roles)
     )
     selection = select_effects(search, base, deadline, retime=False)
-    every = Counter(outliers) + Counter(selection.outliers)
-    all_runs_result = SearchResult(selection.search, selection.base, selection, every)
-    over = math.isfinite(deadline) and selection.untried
-    return (
-        None if over or not all_runs_result.path or any_structure_for_verdict(all_runs_result.last) else all_runs_result
-    )
+    set_aside = Counter(outliers) + Counter(selection.outliers)
+    all_runs_result = SearchResult(selection.search, selection.base, selection, set_aside)
+    is_cut_short = math.isfinite(deadline) and selection.untried
+    if is_cut_short or not all_runs_result.path or any_structure_for_verdict(all_runs_result.last):
+        return None
+    return all_runs_result
 
 
 def with_effects(fit_runs_result: SearchResult, effects: Sequence[str]) -> SearchResult:
@@ -125,9 +125,9 @@ def with_effects(fit_runs_result: SearchResult, effects: Sequence[str]) -> Searc
     known = {c.effects: c for c in fit_runs_result.selection.tried if not c.brief}
     for k in range(1, len(effects) + 1):
         names = tuple(effects[:k])
-        own = known.get(names) or fit_runs_result.search.fit_final(names, fit_runs_result.last.values)
-        if own is not None:
-            path += rank(path[-1].fit if path else fit_runs_result.base, [own.without_slopes])
+        candidate = known.get(names) or fit_runs_result.search.fit_final(names, fit_runs_result.last.values)
+        if candidate is not None:
+            path += rank(path[-1].fit if path else fit_runs_result.base, [candidate.without_slopes])
     return replace(fit_runs_result, selection=replace(fit_runs_result.selection, path=tuple(path)))
 
 
@@ -150,9 +150,10 @@ def refit_by_role(fit_runs_result: SearchResult, all_runs_result: SearchResult) 
     data = _with_roles(all_runs_result.search.data, [run.role for run in fit_runs_result.search.data.runs])
     search, base = replace(all_runs_result.search, data=data), fit_runs_result.base.against(data)
     path: list[Candidate] = []
-    for own in all_runs_result.path:
-        again = search.fit_final(own.effects, own.fit.values) or replace(own, fit=own.fit.against(data))
-        path += rank(path[-1].fit if path else base, [again])
+    for candidate in all_runs_result.path:
+        refitted = search.fit_final(candidate.effects, candidate.fit.values)
+        refitted = refitted or replace(candidate, fit=candidate.fit.against(data))
+        path += rank(path[-1].fit if path else base, [refitted])
     outliers = Counter(fit_runs_result.outliers) + Counter(all_runs_result.outliers)
     return SearchResult(
         search,

@@ -92,9 +92,9 @@ def run_retiming(task: Retiming) -> Retimed | None:
 
 def _retimed(task: Retiming, simulator: Simulator) -> Retimed | None:
     free, own, numbers = every_parameter(task.data, task.composition, simulator.interface), task.fit, CRITERIA.search
-    clock = _Clock(simulator, task.data, own.values)
+    clock = _StepTimes(simulator, task.data, own.values)
     start = _at(free, own)
-    if not clock.promises(start):
+    if not clock.explains_enough(start):
         return None
     options = FitOptions(
         evaluations=numbers.screening_evaluations,
@@ -104,7 +104,7 @@ def _retimed(task: Retiming, simulator: Simulator) -> Retimed | None:
         holdout_uncertainty=True,
     )
     for _ in range(_ROUNDS):
-        start = clock.set_by(start)
+        start = clock.updated(start)
         own = fit(simulator, clock.data, start, options=options)
         start = _at(free, own)
     return Retimed(task.effects, clock.steps, clock.data, own)
@@ -114,7 +114,7 @@ def _at(free: Sequence[Free], fit: Fit) -> list[Free]:
     return [f.starting_at(fit.values.get(f.name, f.start)) for f in free]
 
 
-class _Clock:
+class _StepTimes:
     """A data set whose steps come at times that can be moved within their intervals."""
 
     def __init__(self, simulator: Simulator, data: DataSet, values: Mapping[str, float]) -> None:
@@ -167,19 +167,19 @@ class _Clock:
         slopes = -objective.jacobian(z, residual)
         return residual[: objective.size], slopes[: objective.size], (low - z, high - z)
 
-    def promises(self, free: Sequence[Free]) -> bool:
+    def explains_enough(self, free: Sequence[Free]) -> bool:
         """Whether times of its steps take from the first fitted run that has any as much as an effect has to."""
         fitted = (i for i, run in enumerate(self.data.runs) if run.role == "fit" and len(self._rows[i]))
         first = next(fitted, None)
         if first is None:
             return False
         residual, slopes, room = self._about(self._objective([self.data.runs[first]], free))
-        change, times = self._solved([first], [slopes], [residual], room)
+        change, times = self._solve([first], [slopes], [residual], room)
         left = residual - slopes @ change - self._slopes_of(first) @ (times[first] - self._times[first])
         excess = float(residual @ residual) - len(residual)
         return float(left @ left) - len(left) < CRITERIA.search.step * excess
 
-    def set_by(self, free: Sequence[Free]) -> list[Free]:
+    def updated(self, free: Sequence[Free]) -> list[Free]:
         """Moves the steps to where they and the free parameters leave least of the samples, to first order.
 
         Returns the parameters, to start from where they are then.
@@ -189,16 +189,16 @@ class _Clock:
         parts = [slice(a, b) for a, b in itertools.pairwise(objective.ends)]
         fitted = [i for i, run in enumerate(self.data.runs) if run.role == "fit"]
         rows = [slopes[parts[i]] for i in fitted]
-        change, times = self._solved(fitted, rows, [residual[parts[i]] for i in fitted], room)
+        change, times = self._solve(fitted, rows, [residual[parts[i]] for i in fitted], room)
         for i in range(len(self.data.runs)):
             if i not in times and len(self._rows[i]):
                 left = residual[parts[i]] - slopes[parts[i]] @ change
-                times |= self._solved([i], [slopes[parts[i]][:, :0]], [left], (room[0][:0], room[1][:0]))[1]
+                times |= self._solve([i], [slopes[parts[i]][:, :0]], [left], (room[0][:0], room[1][:0]))[1]
         self._times = [times.get(i, t) for i, t in enumerate(self._times)]
         self.data = self._with(self._times)
         return [f.starting_at(f.to_value(f.to_z(f.start) + float(c))) for f, c in zip(free, change, strict=True)]
 
-    def _solved(
+    def _solve(
         self, runs: Sequence[int], rows: Sequence[Array], left: Sequence[Array], room: tuple[Array, Array]
     ) -> tuple[Array, dict[int, Array]]:
         """The change of the parameters and the times of the steps of some runs that leave least, all within bounds."""

@@ -17,7 +17,7 @@ from pam_cosim.fitting.predictive_bands import Band, PredictiveBands, predictive
 from pam_cosim.fitting.profile import Profile, Profiles
 from pam_cosim.fitting.solve import spread_starts
 from pam_cosim.fitting.start_estimates import estimated_starts, runs_without_start, simulated
-from pam_cosim.fitting.tracker import Convergence, Progress, Standing
+from pam_cosim.fitting.tracker import Convergence, FitProgress, Progress
 
 __all__ = [
     "METHODS",
@@ -36,7 +36,7 @@ __all__ = [
     "Profiles",
     "Progress",
     "Record",
-    "Standing",
+    "FitProgress",
     "base_parameters",
     "bounded_least_squares",
     "estimated_starts",

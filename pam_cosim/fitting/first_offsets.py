@@ -86,7 +86,7 @@ def first_offsets(
     course = probe.course(times, probe.signals)
     model = {name: float(course[name][np.searchsorted(times, when[name])]) for name in probe.signals}
     offsets = [_offset(data, run, name, value) for name, value in model.items()]
-    showing = probe.showing()
+    showing = probe.signals_of_one_state()
     return [one for one in offsets if one.name in showing] or offsets
 
 

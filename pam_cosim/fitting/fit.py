@@ -130,11 +130,11 @@ class Fit(Printed):
     def confused(self) -> tuple[str, ...]:
         """A sentence for each pair of parameters that these data hardly tell apart."""
         names = list(self.parameters)
-        told = {frozenset(c.names) for c in self.combinations}
+        stated = {frozenset(c.names) for c in self.combinations}
         sentences = []
         for i, j in zip(*np.triu_indices(len(self.correlation), 1), strict=True):
             r = self.correlation[i, j]
-            if abs(r) > CRITERIA.fit.confused and frozenset((names[i], names[j])) not in told:
+            if abs(r) > CRITERIA.fit.confused and frozenset((names[i], names[j])) not in stated:
                 way = "raised together" if r > 0 else "one raised and the other lowered"
                 sentences.append(f"{names[i]} and {names[j]} are hardly told apart: {way}, they fit alike ({r:+.3f})")
         return tuple(sentences)
@@ -144,8 +144,8 @@ class Fit(Printed):
         if self.search:
             reached = self.residuals["fit"].chi2_reduced
             lines += [str(self.search), f"  the descent from there comes to chi2 {reached:.4g}:"]
-        said = [f"  {c}" for c in (*self.combinations, *self.confused())]
-        return "\n".join([*lines, describe(self.parameters), *said])
+        sentences_of_pairs = [f"  {c}" for c in (*self.combinations, *self.confused())]
+        return "\n".join([*lines, describe(self.parameters), *sentences_of_pairs])
 
 
 def fit(
@@ -168,7 +168,7 @@ def fit(
         fixed: further parameter values [SI].
         starts: further points to start from, by name [SI].
         options: how the fit goes.
-        progress: called after each simulation with the ``Standing``: ``print`` will do.
+        progress: called after each simulation with the ``FitProgress``: ``print`` will do.
         resume: a file that keeps every simulation's outcome, so that the same fit goes on where it was interrupted;
             made where it is not there.
 
@@ -198,8 +198,10 @@ def fit(
     linear = linearised(objective, end.z, options.rows) if options.rows else None
     if any(run.start.mode == "estimated" for run in data.fit_runs):
         objective.residuals(end.z)  # a descent may have ended with a look elsewhere, or answers come from a file
-    begun = start_estimates(objective) | held_out_starts(simulator, data, objective.values(end.z), objective.tolerance)
-    values = objective.values(end.z) | {name: e.value for name, e in begun.items()}
+    starts_estimated = start_estimates(objective) | held_out_starts(
+        simulator, data, objective.values(end.z), objective.tolerance
+    )
+    values = objective.values(end.z) | {name: e.value for name, e in starts_estimated.items()}
     comparison = compare(simulator, data, values, options.tolerance, rules=options.rules)
     by_role = statistics_by_role(comparison)
     spread = spread_of(by_role["fit"])
@@ -217,7 +219,7 @@ def fit(
         tracker.convergence,
         correlations(end.jacobian),
         linear,
-        starts=begun,
+        starts=starts_estimated,
         holdout_uncertainty=_holdout_uncertainty(simulator, data, chosen, fixed, options, end, spread),
     )
 

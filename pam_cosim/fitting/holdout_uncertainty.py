@@ -31,34 +31,34 @@ class HoldoutUncertainty:
     cost: float = 0.0
 
 
-def estimate_holdout_uncertainty(held: Objective, end: Minimum, spread: float) -> HoldoutUncertainty:
+def estimate_holdout_uncertainty(holdout: Objective, end: Minimum, spread: float) -> HoldoutUncertainty:
     """What held-out runs gain when the parameters move within their uncertainty.
 
     Args:
-        held: the objective of these runs alone, with the parameters of the fit.
+        holdout: the objective of these runs alone, with the parameters of the fit.
         end: where the fit ended, with the slopes of the fitted runs.
         spread: factor by which colour and size of the residuals widen the parameters' uncertainty.
     """
-    residuals = held.residuals(end.z)
+    residuals = holdout.residuals(end.z)
     if not np.all(np.isfinite(residuals)):
         return HoldoutUncertainty()
-    slopes, known = held.jacobian(end.z, residuals)[: held.size], end.jacobian / spread
-    low, high = held.bounds
+    slopes, slopes_of_fit = holdout.jacobian(end.z, residuals)[: holdout.size], end.jacobian / spread
+    low, high = holdout.bounds
     room = CRITERIA.fit.at_bound * (high - low)
-    free = (end.z > low + room) & (end.z < high - room) & (np.linalg.norm(known, axis=0) > 0)
-    rows = np.vstack([known[:, free], slopes[:, free]])
-    wanted = np.concatenate([np.zeros(len(known)), -residuals[: held.size]])
+    free = (end.z > low + room) & (end.z < high - room) & (np.linalg.norm(slopes_of_fit, axis=0) > 0)
+    rows = np.vstack([slopes_of_fit[:, free], slopes[:, free]])
+    wanted = np.concatenate([np.zeros(len(slopes_of_fit)), -residuals[: holdout.size]])
     step = np.linalg.lstsq(rows, wanted, rcond=None)[0]
-    paid = known[:, free] @ step
-    return HoldoutUncertainty(_shifts(held, slopes[:, free] @ step), float(paid @ paid))
+    cost_rows = slopes_of_fit[:, free] @ step
+    return HoldoutUncertainty(_shifts(holdout, slopes[:, free] @ step), float(cost_rows @ cost_rows))
 
 
-def _shifts(held: Objective, moved: Array) -> dict[tuple[str, str], Array]:
+def _shifts(holdout: Objective, shift_rows: Array) -> dict[tuple[str, str], Array]:
     """What the residuals of each series move by."""
     shifts, row = {}, 0
-    for (run, name), kept in zip(held.series, held.kept, strict=True):
+    for (run, name), kept in zip(holdout.series, holdout.kept, strict=True):
         shift = np.zeros(len(kept))
-        shift[kept] = moved[row : row + int(kept.sum())]
+        shift[kept] = shift_rows[row : row + int(kept.sum())]
         shifts[run.name, name] = shift
         row += int(kept.sum())
     return shifts

@@ -56,16 +56,16 @@ class Objective:
         self.failures: list[str] = []
         self._latest: tuple[bytes, Array, Array | None] | None = None  # where, residuals, exact Jacobian there
         self.starts: dict[int, StartValues] | None = None  # by number of the run; None: nothing was simulated yet
-        self._signals = [[s for s in data.fitted_signals if run.sample_count(s)] for run in self.runs]
-        measured = list(zip(self.runs, self._signals, strict=True))
-        self._told = [{name: self._told_slopes(run, name) for name in names} for run, names in measured]
-        self._outputs = [_outputs_of(slopes) for slopes in self._told]
-        self._exact = self._told_parameters()
-        chosen = CRITERIA.fit.tolerance if all(self._exact) else CRITERIA.fit.difference_tolerance
-        self.tolerance = chosen if tolerance is None else tolerance
-        self.series = [(run, name) for run, names in measured for name in names]
+        self._signals = [_measured_signals(run, data) for run in self.runs]
+        self._sensitivities = [self._sensitivities_of_run(i) for i in range(len(self.runs))]
+        self._outputs = [_outputs_of(slopes) for slopes in self._sensitivities]
+        self._exact = self._have_sensitivities()
+        usual = CRITERIA.fit.tolerance if all(self._exact) else CRITERIA.fit.difference_tolerance
+        self.tolerance = usual if tolerance is None else tolerance
+        self.series = [(run, name) for run, names in zip(self.runs, self._signals, strict=True) for name in names]
         self.kept = [np.isfinite(run.measurements[name]) for run, name in self.series]
-        self.ends = np.cumsum([0, *(sum(map(run.sample_count, names)) for run, names in measured)])
+        counts = [sum(map(run.sample_count, names)) for run, names in zip(self.runs, self._signals, strict=True)]
+        self.ends = np.cumsum([0, *counts])
         self.size = int(self.ends[-1])
         self.samples = sum(run.sample_count(s) * usual_square(data.signals[s]) for run, s in self.series)
         self._errors: dict[str, float] = {}
@@ -85,7 +85,7 @@ class Objective:
         """Those that are estimated, as they are now, by name and run [SI]."""
         return {n: v for one in (self.starts or {}).values() for n, v in one.settings().items()}
 
-    def _begun(self, z: Array) -> dict[int, StartValues]:
+    def _start_values_at(self, z: Array) -> dict[int, StartValues]:
         """The start values that are parameters, about where the first samples put them at the first ``z``."""
         if self.starts is None:
             estimated = [i for i, run in enumerate(self.runs) if run.start.mode == "estimated"]
@@ -96,13 +96,13 @@ class Objective:
 
     def _simulate(self, z: Array, outputs: Outputs, chosen: Sequence[int]) -> list[RunComparison]:
         """The chosen runs at ``z``. Raises SimulationFailure where one does not reach its end."""
-        begun = self._begun(z)
-        values = self.values(z) | {n: v for i in chosen if i in begun for n, v in begun[i].every().items()}
+        starts = self._start_values_at(z)
+        values = self.values(z) | {n: v for i in chosen if i in starts for n, v in starts[i].every().items()}
         return [
             simulate_run(self.simulator, self.data, self.runs[i], values, self.tolerance, outputs[i]) for i in chosen
         ]
 
-    def _moves(self, free: Free, run: Run) -> bool:
+    def _acts_on(self, free: Free, run: Run) -> bool:
         """Whether a parameter acts on a run: one that is known for it, or is the run's own, does not."""
         if free.run:
             return free.run == run.name
@@ -111,13 +111,17 @@ class Objective:
         own = any(f.run == run.name and f.parameter == free.parameter for f in self.free)
         return free.parameter not in run.parameters and not own
 
-    def _told_slopes(self, run: Run, signal: str) -> list[tuple[int, str]]:
+    def _sensitivities_of_run(self, i: int) -> dict[str, list[tuple[int, str]]]:
+        return {name: self._sensitivities_of(self.runs[i], name) for name in self._signals[i]}
+
+    def _sensitivities_of(self, run: Run, signal: str) -> list[tuple[int, str]]:
         """Number of each free parameter that moves a run, and the model's sensitivity of a signal to it, where told."""
         known = self.simulator.interface.sensitivities
-        told = [(i, sensitivity_name(signal, f.parameter)) for i, f in enumerate(self.free) if self._moves(f, run)]
-        return [(i, name) for i, name in told if name in known]
+        acting = [(i, f) for i, f in enumerate(self.free) if self._acts_on(f, run)]
+        names = [(i, sensitivity_name(signal, f.parameter)) for i, f in acting]
+        return [(i, name) for i, name in names if name in known]
 
-    def _told_parameters(self) -> list[bool]:
+    def _have_sensitivities(self) -> list[bool]:
         """For each free parameter, whether the model tells its sensitivities."""
         known = self.simulator.interface.sensitivities
         return [
@@ -143,40 +147,41 @@ class Objective:
             return self._latest[1]
         self.evaluations += 1
         try:
-            runs, left = self._without_starts(z)
+            runs, left = self._with_starts_eliminated(z)
         except SimulationFailure as failure:
-            self._note(failure)
-            return self._broken()
+            self._note_failure(failure)
+            return self._infinite()
         residuals = self._with_priors(z, left)
-        self._saw(z, residuals)
+        self._report(z, residuals)
         if np.all(np.isfinite(residuals)):
             self._latest = (z.tobytes(), residuals, self._exact_jacobian(z, runs) if any(self._exact) else None)
             return residuals
-        return self._broken()
+        return self._infinite()
 
-    def _without_starts(self, z: Array) -> tuple[list[RunComparison], Array]:
+    def _with_starts_eliminated(self, z: Array) -> tuple[list[RunComparison], Array]:
         """All runs, and their residuals without what start values can take away of them."""
-        begun, runs, parts = self._begun(z), list[RunComparison](), []
+        starts, runs, parts = self._start_values_at(z), list[RunComparison](), []
         for i in range(len(self.runs)):
-            if i not in begun:
+            if i not in starts:
                 runs += self._simulate(z, self._outputs, [i])
                 parts.append(self._weighted(runs[-1:], [i]))
                 continue
-            run, left = eliminate(begun[i], lambda i=i: self._about(z, i))  # type: ignore[misc]
+            run, left = eliminate(starts[i], lambda i=i: self._run_with_start_slopes(z, i))  # type: ignore[misc]
             runs.append(run)
             parts.append(left)
         return runs, np.concatenate(parts) if parts else np.zeros(0)
 
-    def _about(self, z: Array, i: int) -> tuple[RunComparison, Array, Array]:
+    def _run_with_start_slopes(self, z: Array, i: int) -> tuple[RunComparison, Array, Array]:
         """A run, its residuals and their slopes by its start values."""
-        one = self._begun(z)[i]
+        one = self._start_values_at(z)[i]
         names = {s: [sensitivity_name(s, state) for state in one.names] for s in self._signals[i]}
-        told = all(n in self.simulator.interface.sensitivities for slopes in names.values() for n in slopes)
-        wanted = [*self._outputs[i], *(n for slopes in names.values() for n in slopes)] if told else self._outputs[i]
-        run = self._simulate(z, {i: wanted}, [i])[0]
+        every = [name for of_signal in names.values() for name in of_signal]
+        is_exact = self.simulator.interface.sensitivities.keys() >= {*every}
+        outputs = [*self._outputs[i], *every] if is_exact else self._outputs[i]
+        run = self._simulate(z, {i: outputs}, [i])[0]
         residuals = self._weighted([run], [i])
-        if not told:
-            return run, residuals, self._moved_starts(z, i, residuals)
+        if not is_exact:
+            return run, residuals, self._start_slopes_by_differences(z, i, residuals)
         parts = []
         for signal, slopes in names.items():
             kept = np.isfinite(run.run.measurements[signal])
@@ -184,9 +189,9 @@ class Objective:
             parts.append(-np.column_stack([run.model[n][kept] * by_error for n in slopes]))
         return run, residuals, np.vstack(parts)
 
-    def _moved_starts(self, z: Array, i: int, at: Array) -> Array:
+    def _start_slopes_by_differences(self, z: Array, i: int, at: Array) -> Array:
         """The slopes of the residuals of a run by its start values, by differences."""
-        one = self._begun(z)[i]
+        one = self._start_values_at(z)[i]
         here, columns = one.values, []
         for k, sd in enumerate(one.sd):
             one.values = here.copy()
@@ -196,7 +201,7 @@ class Objective:
             one.values = here
         return np.column_stack(columns)
 
-    def _broken(self) -> Array:
+    def _infinite(self) -> Array:
         return np.full(self._rows, np.inf)
 
     @property
@@ -205,31 +210,31 @@ class Objective:
         return self.size + len(self._priors) + sum(len(one.names) for one in (self.starts or {}).values())
 
     def _with_priors(self, z: Array, residuals: Array) -> Array:
-        off = [(prior.mean - self.free[i].to_value(float(z[i]))) / prior.sd for i, prior in self._priors]
+        prior_rows = [(prior.mean - self.free[i].to_value(float(z[i]))) / prior.sd for i, prior in self._priors]
         starts = [one.prior_rows(one.values) for one in (self.starts or {}).values()]
-        return np.concatenate([residuals, off, *starts]) if off or starts else residuals
+        return np.concatenate([residuals, prior_rows, *starts]) if prior_rows or starts else residuals
 
-    def _saw(self, z: Array, residuals: Array) -> None:
+    def _report(self, z: Array, residuals: Array) -> None:
         chi2 = float(residuals @ residuals) / max(self.samples, 1.0)
-        self.tracker.saw(self.evaluations, chi2, lambda: self._errors, lambda: self.values(z))
+        self.tracker.report(self.evaluations, chi2, lambda: self._errors, lambda: self.values(z))
 
     def cost(self, z: Array) -> float:
         """The squared residuals of all runs, without slopes; infinite where a simulation breaks down."""
         residuals = self.plain_residuals(z)
-        self._saw(z, residuals)
+        self._report(z, residuals)
         return float(residuals @ residuals) if np.all(np.isfinite(residuals)) else np.inf
 
     def plain_residuals(self, z: Array) -> Array:
         """As ``residuals``, simulated without slopes where no start values need them."""
-        if self._begun_or_none(z):
+        if self._estimates_starts(z):
             return self.residuals(z)
         self.evaluations += 1
         return self._with_priors(z, self._without_slopes(z, range(len(self.runs))))
 
-    def _begun_or_none(self, z: Array) -> bool:
+    def _estimates_starts(self, z: Array) -> bool:
         """Whether start values are estimated, as far as the model runs."""
         try:
-            return bool(self._begun(z))
+            return bool(self._start_values_at(z))
         except SimulationFailure:
             return False
 
@@ -247,7 +252,7 @@ class Objective:
         try:
             return self._weighted(self._simulate(z, self._signals, chosen), chosen)
         except SimulationFailure as failure:
-            self._note(failure)
+            self._note_failure(failure)
             return np.full(sum(self.ends[i + 1] - self.ends[i] for i in chosen), np.inf)
 
     @property
@@ -255,7 +260,7 @@ class Objective:
         """Why the model broke down first."""
         return self.failures[0] if self.failures else "the model gives no finite result"
 
-    def _note(self, failure: SimulationFailure) -> None:
+    def _note_failure(self, failure: SimulationFailure) -> None:
         if len(self.failures) < CRITERIA.fit.failures_kept:
             self.failures.append(str(failure))
 
@@ -279,8 +284,8 @@ class Objective:
         jacobian = np.zeros((self._rows, len(self.free)))
         by_z = [free.slope(float(c)) for free, c in zip(self.free, z, strict=True)]
         row = 0
-        for run, told in zip(runs, self._told, strict=True):
-            for name, slopes in told.items():
+        for run, sensitivities in zip(runs, self._sensitivities, strict=True):
+            for name, slopes in sensitivities.items():
                 kept = np.isfinite(run.run.measurements[name])
                 count = int(kept.sum())
                 by_error = self._by_error(run, name, kept)
@@ -299,11 +304,14 @@ class Objective:
             z: (parameters,) search coordinates.
             at: (size + priors,) the residuals there.
         """
-        told, exact = self._exact, self._exact_at(z)
-        columns = [self._difference(z, at, i) if exact is None or not told[i] else exact[:, i] for i in range(len(z))]
-        return self._following(np.column_stack(columns)) if columns else np.zeros((len(at), 0))
+        if not len(z):
+            return np.zeros((len(at), 0))
+        exact, columns = self._exact_at(z), []
+        for i, is_exact in enumerate(self._exact):
+            columns.append(exact[:, i] if exact is not None and is_exact else self._difference(z, at, i))
+        return self._with_starts_following(np.column_stack(columns))
 
-    def _following(self, jacobian: Array) -> Array:
+    def _with_starts_following(self, jacobian: Array) -> Array:
         """The slopes with the start values moving along, so that least is left."""
         followed, row = jacobian.copy(), self.size + len(self._priors)
         for i, one in (self.starts or {}).items():
@@ -331,7 +339,7 @@ class Objective:
         low, high = self.bounds
         step = CRITERIA.fit.difference_step * max(1.0, abs(z[i]) if not self.free[i].logarithmic else 1.0)
         forward = step if z[i] + step <= high[i] else -step
-        chosen = [k for k, run in enumerate(self.runs) if self._moves(self.free[i], run)]
+        chosen = [k for k, run in enumerate(self.runs) if self._acts_on(self.free[i], run)]
         for h in (forward, -forward):
             moved = z.copy()
             moved[i] = min(max(z[i] + h, low[i]), high[i])
@@ -348,6 +356,11 @@ class Objective:
         return np.zeros(len(at))
 
 
+def _measured_signals(run: Run, data: DataSet) -> list[str]:
+    """The fitted signals that have samples in a run."""
+    return [name for name in data.fitted_signals if run.sample_count(name)]
+
+
 def _outputs_of(slopes: Mapping[str, Sequence[tuple[int, str]]]) -> list[str]:
     """What is read from the model in a run: the signals, and their sensitivities."""
-    return [*slopes, *(name for told in slopes.values() for _, name in told)]
+    return [*slopes, *(name for sensitivities in slopes.values() for _, name in sensitivities)]

@@ -185,27 +185,27 @@ class LoggedObjective(Objective):
 
     def squares(self, z: Array) -> float:
         """As ``Objective.squares``."""
-        return float(self._asked("squares", z))
+        return float(self._from_log("squares", z))
 
     def triangle(self, z: Array) -> Array:
         """As ``Objective.triangle``."""
-        return np.asarray(self._asked("triangle", z))
+        return np.asarray(self._from_log("triangle", z))
 
     def cost(self, z: Array) -> float:
         """As ``Objective.cost``."""
-        return float(self._asked("cost", z))
+        return float(self._from_log("cost", z))
 
     def glance(self, z: Array) -> float:
         """As ``Objective.glance``."""
-        return float(self._asked("glance", z))
+        return float(self._from_log("glance", z))
 
-    def _asked(self, question: str, z: Array) -> Any:
+    def _from_log(self, question: str, z: Array) -> Any:
         known = self.log.answer(question, z)
         if known is not None:
             after, answer = known
             self.evaluations = max(self.evaluations, after)  # a point that is asked for again counts once
             if question in ("squares", "cost"):
-                self.tracker.saw(self.evaluations, answer / max(self.samples, 1.0), None)
+                self.tracker.report(self.evaluations, answer / max(self.samples, 1.0), None)
             return answer
         answer = getattr(super(), question)(z)
         self.log.failures = self.failures

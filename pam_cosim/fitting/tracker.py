@@ -12,7 +12,7 @@ from pam_cosim.units import format_quantity
 
 
 @dataclass(frozen=True)
-class Standing:
+class FitProgress:
     """Where a fit stands: the lowest point so far. It prints itself in a line.
 
     Attributes:
@@ -34,7 +34,7 @@ class Standing:
         return ", ".join([f"{self.evaluations} simulations", *errors, f"chi2 {self.chi2_reduced:.4g}"])
 
 
-Progress = Callable[[Standing], object]
+Progress = Callable[[FitProgress], object]
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ class Tracker:
         self._rmse: dict[str, float] = {}
         self._values: dict[str, float] = {}
 
-    def saw(
+    def report(
         self,
         evaluations: int,
         chi2_reduced: float,
@@ -89,7 +89,7 @@ class Tracker:
                 self._rmse, self._values = rmse(), values()
         if rmse is not None and self.progress is not None and self._lowest:
             lowest = self._lowest[-1][1]
-            self.progress(Standing(evaluations, lowest, dict(self._rmse), self.units, dict(self._values)))
+            self.progress(FitProgress(evaluations, lowest, dict(self._rmse), self.units, dict(self._values)))
 
     @property
     def convergence(self) -> Convergence:

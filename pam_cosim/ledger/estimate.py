@@ -26,21 +26,17 @@ from pathlib import Path
 
 import numpy as np
 
-from pam_cosim.arrays import Array
 from pam_cosim.catalogue import domain_of
 from pam_cosim.compiler import ClassTree, read_library
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
-from pam_cosim.ledger.augmented import TERM, AugmentedModel, UnknownInput, augmented_models
+from pam_cosim.ledger.augmented import UnknownInput, augmented_models
+from pam_cosim.ledger.explainer import Explainer
 from pam_cosim.ledger.explanation import Explanation, Rivals
-from pam_cosim.ledger.grid import Grid, make_grid
-from pam_cosim.ledger.ledger import BalanceEntry, Ledger, SensorReading, TermSeries
-from pam_cosim.ledger.model import Model
-from pam_cosim.ledger.radau import further_nodes, integrate
+from pam_cosim.ledger.ledger import BalanceEntry, Ledger, SensorReading
 from pam_cosim.ledger.sensor import SensorFault, Unaugmented, fault_beside, try_sensors
-from pam_cosim.ledger.smoother import Point, SmoothingProblem, smooth, unknown_sizes
+from pam_cosim.ledger.term_series import term_series
 from pam_cosim.measurement import DataSet
-from pam_cosim.model.domain import Domain
 from pam_cosim.model.references import is_fmu, sources_of
 
 
@@ -76,37 +72,24 @@ def keep_ledger(
     sources = sources_of(files, name)
     tree = tree or read_library(files=sources)
     models = augmented_models(tree, name, effects, files=sources)
-    return _Estimation(data, dict(values or {}), models, domain_of(tree, name)).ledger()
+    explainer = Explainer(data, dict(values or {}), models, domain_of(tree, name))
+    return _Estimation(explainer).ledger()
 
 
 class _Estimation:
     """One ledger in the making."""
 
-    def __init__(
-        self, data: DataSet, values: Mapping[str, float], models: Sequence[AugmentedModel], domain: Domain
-    ) -> None:
-        self.data, self.values, self.models, self.domain = data, values, models, domain
-        interface = models[0].ode.interface
-        if not models[0].ode.states:
-            raise InputError(f"{data.model} has no states: there is no balance to keep a ledger of", data.model)
-        self.signals = [n for n, s in data.signals.items() if s.fitted and n in interface.outputs]
-        self.sigma = np.array([data.signals[n].sigma for n in self.signals], dtype=float)
-        self.free = [n for n in data.fit if n in interface.parameters]
-        self.low = np.array([data.fit[n].min for n in self.free])
-        self.high = np.array([data.fit[n].max for n in self.free])
-        starts = data.parameters_of(data.runs[0], values)
-        defaults = {n: v.start or 0.0 for n, v in interface.parameters.items()}
-        self.start = np.clip([float({**defaults, **starts}[n]) for n in self.free], self.low, self.high)
-        self.notes: list[str] = []
-        self.grids: dict[int, Grid] = {}
-        self.same: dict[str, tuple[str, ...]] = {}
+    def __init__(self, explainer: Explainer) -> None:
+        self.explainer = explainer
+        self.data, self.models, self.domain = explainer.data, explainer.models, explainer.domain
+        self.signals, self.notes = explainer.signals, explainer.notes
 
     def ledger(self) -> Ledger:
         """All explanations, the best of them, and the entries that it leaves."""
         first = self.models[0]
-        problem, states = self._problem(first, ())
+        problem, states = self.explainer.problem(first, ())
         unaugmented = try_sensors(problem, states, [(n, self.data.signals[n].unit) for n in self.signals])
-        augmented = self._explain(first, states)
+        augmented = self.explainer.explain(first, states)
         samples = int(np.isfinite(problem.grid.measured).sum())
         smoothed = [augmented.smoothed.chi2] if augmented else []
         best = min([unaugmented.chi2, *(f.chi2 for f in unaugmented.faults), *smoothed]) / samples
@@ -123,26 +106,34 @@ class _Estimation:
 
     def _replaced(self) -> Explanation | None:
         """The best one with a law replaced by an unknown input."""
-        found = [one for one in map(self._explain, self.models[1:]) if one is not None]
+        found = [one for one in map(self.explainer.explain, self.models[1:]) if one is not None]
         return min(found, key=lambda one: one.smoothed.deviance, default=None)
 
     def _beside(self) -> Explanation | None:
         """The unknown inputs together with a fault of one instrument, the most probable one."""
-        explanations: list[Explanation] = []
-        for j, name in enumerate(self.signals):
-            if len(self.signals) < 2:
-                break
-            explanation = self._explain(self.models[0], None, name)
-            if explanation is None:
-                continue
-            grid, free = explanation.problem.grid, explanation.smoothed.point.free.tolist()
-            measured = self._problem(self.models[0], ())[0].grid.measured[:, j]
-            signal = (name, self.data.signals[name].unit)
-            course = explanation.smoothed.linear.outputs[:, j]
-            fault = fault_beside(grid, signal, measured, course, float(self.sigma[j]), free)
-            fault = replace(fault, deviance=fault.deviance + 2 * float(np.log(len(self.signals))))
-            explanations.append(replace(explanation, fault=fault))
-        return min(explanations, key=lambda o: o.deviance, default=None)
+        if len(self.signals) < 2:
+            return None
+        tried = [self._beside_fault(name) for name in self.signals]
+        return min((one for one in tried if one is not None), key=lambda one: one.deviance, default=None)
+
+    def _beside_fault(self, name: str) -> Explanation | None:
+        """The unknown inputs of what the other signals show, with a fault of the instrument of this one."""
+        explainer, j = self.explainer, self.signals.index(name)
+        explanation = explainer.explain(self.models[0], None, name)
+        if explanation is None:
+            return None
+        smoothed = explanation.smoothed
+        measured = explainer.problem(self.models[0], ())[0].grid.measured[:, j]
+        fault = fault_beside(
+            explanation.problem.grid,
+            (name, self.data.signals[name].unit),
+            measured,
+            smoothed.linear.outputs[:, j],
+            float(explainer.sigma[j]),
+            smoothed.point.free.tolist(),
+        )
+        choice = 2 * float(np.log(len(self.signals)))
+        return replace(explanation, fault=replace(fault, deviance=fault.deviance + choice))
 
     def _swallows(self, explanation: Explanation) -> bool:
         """Whether a term is at work next to a balance without an unknown input, so that it may stand for it."""
@@ -155,125 +146,6 @@ class _Estimation:
         return any(
             explanation.without(u)[0] > explanation.smoothed.deviance + CRITERIA.evidence.very_strong for u in working
         )
-
-    # ---- explanations -----------------------------------------------------------------------------------------
-
-    def _problem(
-        self,
-        augmented: AugmentedModel,
-        unknown_inputs: Sequence[UnknownInput],
-        hidden: str | None = None,
-        states: tuple[Array, Array] | None = None,
-    ) -> tuple[SmoothingProblem, tuple[Array, Array]]:
-        longest = max(float(r.time[-1] - r.time[0]) for r in self.data.runs)
-        spacing = (
-            min(CRITERIA.ledger.spacing, longest / CRITERIA.ledger.fewest_nodes)
-            if longest < CRITERIA.ledger.spacing * CRITERIA.ledger.most_nodes
-            else longest / CRITERIA.ledger.most_nodes
-        )
-        grid = self._grid(augmented, spacing)
-        if hidden is not None:
-            measured = grid.measured.copy()
-            measured[:, self.signals.index(hidden)] = np.nan
-            grid = replace(grid, measured=measured)
-        model = Model(augmented.ode, [u.parameter for u in unknown_inputs], self.free, self.signals)
-        prior_deviation = (self.high - self.low) / CRITERIA.ledger.free_prior
-        none = SmoothingProblem(
-            model,
-            grid,
-            self.sigma,
-            self.start,
-            prior_deviation,
-            self.low,
-            self.high,
-            np.ones(model.states),
-            np.ones(len(unknown_inputs)),
-        )
-        states = states or integrate(model, grid, none.parameters(self.start))
-        ranges = np.ptp(states[0], axis=0)
-        size = np.where(ranges > 0, ranges, np.maximum(np.max(np.abs(states[0]), axis=0), 1e-6))
-        p = none.parameters(self.start)
-        unknown_size = unknown_sizes(model, grid, states[0], self.start, p, self.sigma.tolist())
-        return replace(none, size=size, unknown_size=unknown_size), states
-
-    def _grid(self, augmented: AugmentedModel, spacing: float) -> Grid:
-        """The grid of an augmented model, fine enough for the model by itself: a finer one changes nothing."""
-        key = self.models.index(augmented)
-        if key not in self.grids:
-            args = (augmented.ode, self.data, self.data.runs, self.values, self.signals, spacing)
-            grid, model = make_grid(*args), Model(augmented.ode, [], self.free, self.signals)
-            p = grid.parameters.copy()
-            p[:, model.free_at] = self.start
-            states = integrate(model, grid, p)
-            further = [np.zeros(0) for _ in grid.runs]
-            for _ in range(CRITERIA.ledger.refinements):
-                new = further_nodes(model, grid, p, states, CRITERIA.ledger.accuracy)
-                further = [np.union1d(a, b) for a, b in zip(further, new, strict=True)]
-                finer = make_grid(*args, further)
-                states_of_finer = integrate(model, finer, p)
-                if self._same_outputs(model, (grid, states[0]), (finer, states_of_finer[0]), p):
-                    break
-                grid, states = finer, states_of_finer
-            self.grids[key] = grid
-        return self.grids[key]
-
-    def _same_outputs(self, model: Model, coarse: tuple[Grid, Array], fine: tuple[Grid, Array], p: Array) -> bool:
-        """Whether the signals agree where both grids have nodes, far below the noise."""
-        outputs = []
-        for grid, x in (coarse, fine):
-            run = grid.run_of_node
-            slopes = model.everything(grid.time, x, grid.node_inputs, grid.node_delayed, p[run])
-            outputs.append((run, grid.time, slopes.value[:, model.states :]))
-        (run, time, few), (run_of_fine, time_of_fine, many) = outputs
-        common = np.zeros(len(time_of_fine), dtype=bool)
-        for r in range(len(coarse[0].runs)):
-            common[run_of_fine == r] = np.isin(time_of_fine[run_of_fine == r], time[run == r])
-        difference = (few - many[common]) / self.sigma
-        return bool(np.sqrt(np.mean(difference**2)) < CRITERIA.ledger.far_below)
-
-    def _explain(
-        self, augmented: AugmentedModel, states: tuple[Array, Array] | None = None, hidden: str | None = None
-    ) -> Explanation | None:
-        """The model with all unknown inputs that act and can be told apart; None without any, or if it breaks down."""
-        problem, states = self._problem(augmented, augmented.unknown_inputs, hidden, states)
-        kept = self._distinct(augmented, problem, states[0])
-        if not kept:
-            return None
-        problem, _ = self._problem(augmented, kept, hidden, states)
-        start = Point(*states, np.zeros((len(states[0]), len(kept))), self.start)
-        try:
-            return Explanation(augmented, problem, kept, tuple(self.free), smooth(problem, start))
-        except (np.linalg.LinAlgError, ValueError):
-            self.notes.append("the balances could not be opened: the model breaks down near the measured course")
-            return None
-
-    def _distinct(self, augmented: AugmentedModel, problem: SmoothingProblem, x: Array) -> tuple[UnknownInput, ...]:
-        if not augmented.unknown_inputs:
-            return ()
-        grid, kept = problem.grid, list[int]()
-        p = grid.parameters[grid.run_of_node]
-        slopes = problem.model.everything(grid.time, x, grid.node_inputs, grid.node_delayed, p).by_unknown_input
-        slopes = slopes / np.maximum(np.max(np.abs(slopes), axis=(0, 2), keepdims=True), 1e-300)
-        order = sorted(
-            range(len(augmented.unknown_inputs)),
-            key=lambda i: (self.domain.place(augmented.unknown_inputs[i].balance), i),
-        )
-        for i in order:
-            if not problem.unknown_size[i] > 0:
-                continue
-            same = next((k for k in kept if _parallel(slopes[:, :, i], slopes[:, :, k])), None)
-            if same is None:
-                kept.append(i)
-            else:
-                self._note_same(augmented.unknown_inputs[same], augmented.unknown_inputs[i])
-        return tuple(augmented.unknown_inputs[i] for i in kept)
-
-    def _note_same(self, a: UnknownInput, b: UnknownInput) -> None:
-        text = f"in this model a missing {a.balance} term and a missing {b.balance} term do the same: "
-        text += f"what is entered under {a.balance} [{a.unit}] may be either"
-        if text not in self.notes:
-            self.notes.append(text)
-            self.same[a.balance] = (*self.same.get(a.balance, ()), b.balance)
 
     # ---- judgement --------------------------------------------------------------------------------------------
 
@@ -289,7 +161,7 @@ class _Estimation:
         if rivals.believed_fault is not None:
             signal = rivals.believed_fault.signal
             self.notes.append(f"the reading of {signal} is not believed: the other balances were kept without it")
-        free = tuple(winner.smoothed.point.free if winner else self.start)
+        free = tuple(winner.smoothed.point.free if winner else self.explainer.start)
         if rivals.best == "sensor" and rivals.fault:
             free = rivals.fault.free
         after = rivals.chi2 / rivals.samples
@@ -301,7 +173,7 @@ class _Estimation:
             closed=bool(after <= CRITERIA.ledger.at_noise),
             before=unaugmented.chi2 / rivals.samples,
             after=float(after),
-            parameters=dict(zip(self.free, map(float, free), strict=True)),
+            parameters=dict(zip(self.explainer.free, map(float, free), strict=True)),
             notes=tuple(self.notes),
             domain=self.domain,
         )
@@ -339,7 +211,7 @@ class _Estimation:
         entries = _weighed(rivals, shares)
         shown = rivals.winner or rivals.augmented
         if rivals.best == "sensor" and rivals.fault is not None:
-            shown = self._explain(self.models[0], None, rivals.fault.signal) or rivals.augmented
+            shown = self.explainer.explain(self.models[0], None, rivals.fault.signal) or rivals.augmented
         if shown is not None:
             for unknown_input in shown.unknown_inputs:
                 old = entries.get(unknown_input.balance) or BalanceEntry(unknown_input.balance, 0.0, 0.0, 0.0)
@@ -355,7 +227,7 @@ class _Estimation:
         return list(entries.values())
 
     def _with_course(self, entry: BalanceEntry, shown: Explanation, unknown_input: UnknownInput) -> BalanceEntry:
-        courses, units = _courses(shown, unknown_input)
+        courses, units = term_series(shown, unknown_input)
         return replace(
             entry,
             unit=unknown_input.unit,
@@ -364,7 +236,7 @@ class _Estimation:
             courses=courses,
             units=units,
             base=unknown_input.base,
-            same_as=() if shown.augmented.replaced else self.same.get(unknown_input.balance, ()),
+            same_as=() if shown.augmented.replaced else self.explainer.same.get(unknown_input.balance, ()),
         )
 
 
@@ -399,67 +271,6 @@ def _weighed(rivals: Rivals, shares: Mapping[str, float]) -> dict[str, BalanceEn
             if balance not in entries or entry.gain > entries[balance].gain:
                 entries[balance] = entry
     return entries
-
-
-def _parallel(a: Array, b: Array) -> bool:
-    """Whether two unknown inputs push everything in the same direction at every instant: rows (N, n + S)."""
-    felt = (np.linalg.norm(a, axis=1) > 0) | (np.linalg.norm(b, axis=1) > 0)
-    dot = np.abs(np.einsum("ki,ki->k", a, b))[felt]
-    norms = (np.linalg.norm(a, axis=1) * np.linalg.norm(b, axis=1))[felt]
-    return bool((dot >= (1 - CRITERIA.ledger.parallel) * norms).all() and (norms > 0).all())
-
-
-def _courses(explanation: Explanation, unknown_input: UnknownInput) -> tuple[tuple[TermSeries, ...], dict[str, str]]:
-    problem, smoothed, j = explanation.problem, explanation.smoothed, explanation.unknown_inputs.index(unknown_input)
-    grid: Grid = problem.grid
-    p = problem.parameters(smoothed.point.free)[grid.run_of_node]
-    p[:, problem.model.unknown_at] = smoothed.point.w
-    names = _variables(explanation.augmented, unknown_input)
-    variables = problem.model.variables(grid.time, smoothed.point.x, grid.node_inputs, grid.node_delayed, p)
-    against = {short: variables[full] for short, full in names.items() if np.ptp(variables[full]) > 0}
-    against = {n: against[n] for n in sorted(against, key=lambda n: n not in unknown_input.variables)}
-    against.pop(TERM, None)
-    value = smoothed.point.w[:, j]
-    against = {n: v for n, v in against.items() if not np.allclose(v, value, rtol=1e-6, atol=0)}
-    units = {n: explanation.augmented.ode.interface.locals[names[n]].unit for n in against}
-    imitated = _imitated(explanation, p, j)
-    courses = []
-    for r, run in enumerate(grid.runs):
-        at = grid.nodes(r)
-        own = {n: v[at] for n, v in against.items()}
-        same = {n: imitated[at, q] for q, n in enumerate(explanation.free)}
-        courses.append(TermSeries(run.name, run.role, grid.time[at], value[at], smoothed.deviation[at, j], own, same))
-    return tuple(courses), units
-
-
-def _imitated(explanation: Explanation, parameters: Array, j: int) -> Array:
-    """(N, Q) [unit of the term per unit of the parameter]: how much of term ``j`` acts as each free parameter does.
-
-    Rates only are asked, weighed by the size of their states: what a parameter does to a signal at once, no term does.
-    """
-    grid, model = explanation.problem.grid, explanation.problem.model
-    point = explanation.smoothed.point
-    slopes = model.everything(grid.time, point.x, grid.node_inputs, grid.node_delayed, parameters)
-    n = model.states
-    weight = 1 / explanation.problem.size
-    unknown_input = slopes.by_unknown_input[:, :n, j] * weight
-    free = slopes.by_parameter[:, :n] * weight[:, None]
-    if not np.any(unknown_input):  # the term acts on a signal alone
-        unknown_input, free = (
-            slopes.by_unknown_input[:, n:, j] / explanation.problem.sigma,
-            slopes.by_parameter[:, n:] / explanation.problem.sigma[:, None],
-        )
-    imitated: Array = (
-        np.einsum("ki,kiq->kq", unknown_input, free) / np.maximum(np.sum(unknown_input**2, axis=1), 1e-300)[:, None]
-    )
-    return imitated
-
-
-def _variables(augmented: AugmentedModel, unknown_input: UnknownInput) -> dict[str, str]:
-    """Variables of the component that holds a term: short and full names."""
-    prefix = unknown_input.parameter.rpartition(".")[0] + "."
-    names = [n for n in augmented.ode.interface.locals if n.startswith(prefix) and "." not in n[len(prefix) :]]
-    return {n[len(prefix) :]: n for n in names}
 
 
 def _reading(fault: SensorFault, evidence: float, explains: float) -> SensorReading:

@@ -6,7 +6,7 @@ that varies most within them is what the rows are sorted by. Only the direction 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -60,22 +60,29 @@ def curves(inputs: Mapping[str, Array], measured: Mapping[str, Array], apart: Se
         measured: (n,) each; they decide where the inputs leave open what is along what, or what comes first.
         apart: (n,) each; rows of unlike values are never of one curve, such as those of two branches.
     """
-    on = {name: levels(values) for name, values in inputs.items()}
-    along = _along(inputs, on, measured)
-    kept = {n: k for n, k in on.items() if n != along and k is not None and k.max(initial=0) > 0}
-    count = len(next(iter(inputs.values())))
-    key = np.column_stack([np.zeros(count), *apart, *kept.values()])
-    groups = np.unique(key, axis=0)
-    rows = [np.flatnonzero((key == one).all(axis=1)) for one in groups]
-    if count < CRITERIA.static.fewest * len(rows) and kept:  # points that stand alone are no curves
-        return curves({along: inputs[along]}, {**measured, **{n: inputs[n] for n in kept}}, apart)
-    ties = [np.nan_to_num(v) for v in [*measured.values(), *(v for n, v in inputs.items() if n != along)]]
+    level_of = {name: levels(values) for name, values in inputs.items()}
+    along = _along(inputs, level_of, measured)
+    others = {name: values for name, values in inputs.items() if name != along}
+    dividing = _dividing(level_of, others)
+    count = len(inputs[along])
+    key = np.column_stack([np.zeros(count), *apart, *dividing.values()])
+    rows = [np.flatnonzero((key == one).all(axis=1)) for one in np.unique(key, axis=0)]
+    if count < CRITERIA.static.fewest * len(rows) and dividing:  # points that stand alone are no curves
+        return curves({along: inputs[along]}, {**measured, **{name: inputs[name] for name in dividing}}, apart)
+    ties = [np.nan_to_num(values) for values in (*measured.values(), *others.values())]
     made = []
     for chosen in rows:
-        order = _mixed(np.lexsort([*(v[chosen] for v in reversed(ties)), inputs[along][chosen]]), inputs[along][chosen])
-        at = {name: _level(inputs[name], chosen) for name in kept}
+        position = inputs[along][chosen]
+        order = _mixed(np.lexsort([*(values[chosen] for values in reversed(ties)), position]), position)
+        at = {name: _level(inputs[name], chosen) for name in dividing}
         made.append(Curve(chosen[order], along, at))
     return made
+
+
+def _dividing(level_of: Mapping[str, Indices | None], names: Iterable[str]) -> dict[str, Indices]:
+    """The levels of those inputs that lie on a few of them, and on more than one."""
+    known = {name: level_of[name] for name in names}
+    return {name: level for name, level in known.items() if level is not None and level.max(initial=0) > 0}
 
 
 def _level(values: Array, chosen: Indices) -> float:

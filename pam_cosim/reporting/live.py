@@ -10,7 +10,7 @@ from typing import Any
 
 from pam_cosim.diagnosis import BaseFitted, Candidate, CandidateTried, EffectProbed, Event, Judged, SearchRestarted
 from pam_cosim.diagnosis.evidence import rank
-from pam_cosim.fitting import Fit, Standing
+from pam_cosim.fitting import Fit, FitProgress
 from pam_cosim.reporting.account.diagnosis_rows import candidate_row
 from pam_cosim.reporting.account.meaning import kind_name, probability_sentence
 
@@ -40,8 +40,8 @@ class Live:
         self._tried: dict[tuple[str, ...], Candidate] = {}
         self._judged: Judged | None = None
 
-    def __call__(self, event: Standing | Event) -> None:
-        """Takes a ``Standing`` of a fit, or an event of a diagnosis."""
+    def __call__(self, event: FitProgress | Event) -> None:
+        """Takes a ``FitProgress`` of a fit, or an event of a diagnosis."""
         if not in_notebook():
             if str(event):
                 print(event.message if isinstance(event, Event) else event, flush=True)
@@ -51,7 +51,7 @@ class Live:
             self._drawn = time.monotonic()
             self._show()
 
-    def _take(self, event: Standing | Event) -> None:
+    def _take(self, event: FitProgress | Event) -> None:
         self._line = event.status if isinstance(event, EffectProbed) else str(event) or self._line
         if isinstance(event, Event) and str(event) and not event.detail:
             self._headline = str(event)

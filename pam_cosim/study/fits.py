@@ -51,7 +51,7 @@ def fit(
         start: where parameters start, or are held, by name; a number [SI] or a text with a unit.
         parameters: further values to use, as in ``simulate``.
         files: further Modelica files.
-        progress: called after each simulation with the ``Standing``, which prints itself: ``print`` will do.
+        progress: called after each simulation with the ``FitProgress``, which prints itself: ``print`` will do.
         timeout: as in ``simulate``.
         resume: a file that keeps every simulation's outcome. The same call goes on where the last one was interrupted
             and ends as it would have; the file is made where it is not there.

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from pam_cosim.diagnosis import EffectProbed, Message
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.fitting import Standing
+from pam_cosim.fitting import FitProgress
 from pam_cosim.units import readable_factor
 from pam_cosim.workbench.diagnosis_events import Following, diagnosis_events, shown_rms
 from pam_cosim.workbench.protocol import (
@@ -159,7 +159,7 @@ class JobQueue:
     def _heard(self, job: Job, said: object) -> None:
         if job is not self.job:
             return
-        if isinstance(said, Standing):
+        if isinstance(said, FitProgress):
             self._stands(job, said)
             return
         windows = self.session.windows
@@ -185,7 +185,7 @@ class JobQueue:
         job.ranked = time.monotonic()
         return True
 
-    def _stands(self, job: Job, standing: Standing) -> None:
+    def _stands(self, job: Job, standing: FitProgress) -> None:
         session = self.session
         parameters = session.opened.parameters
         values = {n: v for n, v in standing.values.items() if n in parameters}

@@ -18,13 +18,14 @@ from __future__ import annotations
 
 import json
 import struct
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields, is_dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
 
 from pam_cosim.arrays import Array
+from pam_cosim.files import plain
 
 Json = dict[str, Any]
 
@@ -344,21 +345,6 @@ class FailedEvent(PageEvent):
     line: int | None = None
     column: str = ""
     during: str = ""
-
-
-def plain(value: Any) -> Any:
-    """Plain data for JSON; a number that does not exist is None."""
-    if is_dataclass(value) and not isinstance(value, type):
-        return {f.name: plain(getattr(value, f.name)) for f in fields(value)}
-    if isinstance(value, Mapping):
-        return {str(k): plain(v) for k, v in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [plain(v) for v in value]
-    if isinstance(value, np.generic):
-        value = value.item()
-    if isinstance(value, float) and not np.isfinite(value):
-        return None
-    return value
 
 
 @dataclass(frozen=True)

@@ -14,12 +14,12 @@ from typing import Any
 
 from pam_cosim.diagnosis import Candidate, Diagnosis
 from pam_cosim.errors import InputError
+from pam_cosim.files import plain as as_plain
 from pam_cosim.files import read_json, write_bytes, write_json
 from pam_cosim.fitting import Fit, HoldoutUncertainty
 from pam_cosim.study.products import load, save
 from pam_cosim.workbench.paths import inside
 from pam_cosim.workbench.protocol import LadderStep, Level
-from pam_cosim.workbench.protocol import plain as as_plain
 from pam_cosim.workbench.saved import SavedContent, SavedRung, checked_content, plain_step
 from pam_cosim.workbench.state import Ends, State
 from pam_cosim.workbench.steps import step_of

@@ -18,7 +18,7 @@ from typing import Any
 from pam_cosim import study
 from pam_cosim.diagnosis import Event
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.fitting import Standing
+from pam_cosim.fitting import FitProgress
 from pam_cosim.processes.watchdog import ANSWER, PROGRESS, read_frame, write_frame
 from pam_cosim.processes.workers import stop_workers
 from pam_cosim.simulation import models
@@ -31,10 +31,10 @@ Tell = Callable[[object], None]
 
 
 def fit(tell: Tell, data: Any, model: str, options: dict[str, Any]) -> Any:
-    """``study.fit``, telling each ``Standing`` but for those that come too fast to be seen, and the last."""
+    """``study.fit``, telling each ``FitProgress`` but for those that come too fast to be seen, and the last."""
     told, last = 0.0, None
 
-    def progress(standing: Standing) -> None:
+    def progress(standing: FitProgress) -> None:
         nonlocal told, last
         last = standing
         if time.monotonic() - told >= _PACE:

@@ -11,7 +11,7 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim import InputError
-from pam_cosim.fitting import Fit, Standing
+from pam_cosim.fitting import Fit, FitProgress
 from pam_cosim.simulation import Simulator
 from tests.fitting.models import vessel_data
 
@@ -20,8 +20,8 @@ class Stop(Exception):
     pass
 
 
-def stop_after(count: int) -> Callable[[Standing], None]:
-    def progress(standing: Standing) -> None:
+def stop_after(count: int) -> Callable[[FitProgress], None]:
+    def progress(standing: FitProgress) -> None:
         if standing.evaluations >= count:
             raise Stop
 
@@ -90,9 +90,9 @@ def test_what_is_no_such_file_is_refused_and_left(text: str, tmp_path: Path) -> 
 
 
 def test_standing_reads_as_a_person_would_say_it() -> None:
-    told: list[Standing] = []
+    told: list[FitProgress] = []
     result: Fit = pam.fit(vessel_data(), progress=told.append)
-    assert str(Standing(23, 4.2, {"p": 1234.0}, {"p": "Pa"})) == "23 simulations, p off by 1.23 kPa rms, chi2 4.2"
+    assert str(FitProgress(23, 4.2, {"p": 1234.0}, {"p": "Pa"})) == "23 simulations, p off by 1.23 kPa rms, chi2 4.2"
     assert [s.evaluations for s in told] == list(range(1, len(told) + 1))
     assert told[-1].rmse["p"] == pytest.approx(result.comparison.scores["fit"]["p"].rmse, rel=1e-3)
     assert result.convergence.chi2_reduced[-1] == pytest.approx(result.residuals["fit"].chi2_reduced, rel=1e-6)

@@ -10,12 +10,12 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim.diagnosis import BaseFitted, CandidateTried, Judged
-from pam_cosim.fitting import Standing
+from pam_cosim.fitting import FitProgress
 from pam_cosim.reporting import Live
 from pam_cosim.reporting import live as room
 from tests.reporting.synthetic import make_diagnosis
 
-STANDING = Standing(3, 1.5, {"p": 500.0}, {"p": "Pa"})
+STANDING = FitProgress(3, 1.5, {"p": 500.0}, {"p": "Pa"})
 
 
 def test_it_is_printed_elsewhere(capsys: pytest.CaptureFixture[str]) -> None:
@@ -47,8 +47,8 @@ def test_ranking_and_verdict_are_drawn_as_text(monkeypatch: pytest.MonkeyPatch) 
 @pytest.mark.full
 def test_a_notebook_draws_it(tmp_path: Path) -> None:
     code = (
-        "import pam_cosim as pam\nfrom pam_cosim.fitting import Standing\ntell = pam.live()\n"
-        "for i in range(3):\n    tell(Standing(i, 1.5, {'p': 500.0}, {'p': 'Pa'}))\n    import time; time.sleep(0.4)"
+        "import pam_cosim as pam\nfrom pam_cosim.fitting import FitProgress\ntell = pam.live()\n"
+        "for i in range(3):\n    tell(FitProgress(i, 1.5, {'p': 500.0}, {'p': 'Pa'}))\n    import time; time.sleep(0.4)"
     )
     import nbformat
     from nbclient import NotebookClient

@@ -61,10 +61,11 @@ def compare(
     """How far a model is from a measurement, and where."""
     if table is None and (table_csv or table_plot):
         raise InputError("--table-csv and --table-plot need --table ROWS COLUMNS, two parameters of the runs")
-    files = files or []
-    check_results(json, report, table_csv, table_plot, sources=[model, params, *(against or []), *files])
-    fitted, chosen = _values_of(params, model) if params else {}, parse_pairs(settings or [])
-    earlier = [(path.stem, read_comparison(path)) for path in against or []]
+    files, against = files or [], against or []
+    check_results(json, report, table_csv, table_plot, sources=[model, params, *against, *files])
+    fitted = _values_of(params, model) if params else {}
+    chosen = parse_pairs(settings or [])
+    earlier = [(path.stem, read_comparison(path)) for path in against]
     if is_fmu(str(data)):
         if roles or cuts or begins:
             raise InputError("recordings in an FMU are compared as they were judged", data)
@@ -75,11 +76,17 @@ def compare(
         typer.echo(str(comparison))
     for line in against_lines(comparison, earlier):
         typer.echo(line)
-    tables = [comparison.table(*table, signal) for signal in comparison.scores["all"]] if table else []
-    for one in tables:
-        typer.echo(f"\n{one}")
+    tables = _tables(comparison, table) if table else []
     _write(comparison, tables, json, report)
     _write_tables(tables, table_csv, table_plot)
+
+
+def _tables(comparison: Comparison, parameters: tuple[str, str]) -> list[ConditionTable]:
+    """The scores of every signal by two parameters of the runs, printed."""
+    tables = [comparison.table(*parameters, signal) for signal in comparison.scores["all"]]
+    for table in tables:
+        typer.echo(f"\n{table}")
+    return tables
 
 
 def _write(comparison: Comparison, tables: Sequence[ConditionTable], json: Path | None, report: Path | None) -> None:
