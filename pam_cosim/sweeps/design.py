@@ -88,19 +88,23 @@ def design_of(
         raise InputError("nothing is varied: name a parameter, an input or a start value and its values")
     if patterns and sampled:
         raise InputError(f"the design '{kind}' draws between two values, and '{INPUTS}' has none; use grid or list")
-    places = {INPUTS: np.arange(len(patterns), dtype=float)} if patterns else {}
-    variables = {name: settable(name, interface) for name in columns if name not in places}
-    values = {
-        name: places[name] if name in places else _values(name, given, variables[name], sampled)
-        for name, given in columns.items()
-    }
-    units = {name: variables[name].unit if name in variables else "1" for name in values}
+    values: dict[str, Array] = {}
+    units: dict[str, str] = {}
+    for name, given in columns.items():
+        if patterns and name == INPUTS:
+            values[name], units[name] = np.arange(len(patterns), dtype=float), "1"
+        else:
+            variable = settable(name, interface)
+            values[name], units[name] = _values(name, given, variable, sampled), variable.unit
     _check_count(kind, runs, sampled)
     if kind == "grid":
         return replace(_grid(values, units), patterns=patterns)
     points = _sampled(values, kind, runs or 0, seed) if sampled else _listed(values)
     for point in points:
-        resolve({n: v for n, v in zip(values, point.tolist(), strict=True) if n not in places}, interface)
+        settings = dict(zip(values, point.tolist(), strict=True))
+        if patterns:
+            settings.pop(INPUTS, None)
+        resolve(settings, interface)
     return Design(kind, units, points, {}, patterns)
 
 
