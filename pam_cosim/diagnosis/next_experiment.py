@@ -12,7 +12,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.prediction import Hypothesis
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.files import plain
+from pam_cosim.files import plain_fields
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.model.references import BRANCH
 from pam_cosim.simulation.inputs import Interpolation
@@ -52,7 +52,7 @@ class NextExperiment:
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
-        return dict(plain(self))
+        return plain_fields(self)
 
 
 RivalPlan = tuple[Candidate, NextExperiment | None]
